@@ -1,0 +1,59 @@
+"""The engine as Python sees it. Built from bindings/*.cpp; arrays are numpy, lengths mm, angles degrees.
+
+`raw` is what was read from a document, a dict:
+    final_object: str                       name of the record whose shape is meshed
+    records: list of dicts in dependency order, each
+        name, label, type, proxy: str       `proxy` is the class name of a Python feature's proxy, else ""
+        links: list of (property, object name, sub-element)
+        placement, global_placement: 16 floats, 4x4 matrix row by row; global_placement maps the object's own frame to the final shape's frame
+        numbers: dict str -> float          numeric and boolean parameters (mm, degrees)
+        texts: dict str -> str              enumerations
+        shape, own_volume: int              index into the shapes (both already in the final shape's frame), -1 for none
+        suppressed: bool
+        error: str                          FreeCAD's message when the feature is in error, else ""
+    shapes: bytes                           `Part.Compound([...]).exportBinary` of all shapes, an empty compound for a null shape
+
+`options` is a dict with at least size (mm); further min_size, elements_per_circle, elements_across_gap, growth, order (1, 2), threads, seed,
+target_dihedral_deg, keep_margin, local: list of ("Face12", size).
+
+`progress(step: str, share: float) -> bool`: return False to cancel (raises Cancelled).
+"""
+from typing import Any, Callable, Optional
+import numpy as np
+
+class Error(RuntimeError): ...
+class InputError(Error): ...      # the user's fault
+class KernelError(Error): ...     # the geometry kernel could not
+class MeshError(Error): ...       # no valid mesh
+class StateError(Error): ...      # a saved state is damaged or foreign
+class Cancelled(Error): ...
+
+Progress = Optional[Callable[[str, float], bool]]
+
+class PartMesh:
+    """A part with its mesh; never changes."""
+    order: int
+    corner_count: int
+    def arrays(self) -> dict[str, np.ndarray]:
+        """All arrays of the mesh, to be saved: points (n,3), entities (n,2) int32 (dimension, index), parameters (n,2), node_numbers (n,) int64,
+        segments (s,2), segment_mids (s,) or (0,), segment_edges, segment_numbers, triangles (t,3), triangle_mids, triangle_faces, triangle_numbers,
+        tets (m,4), tet_mids (m,6) or (0,6), tet_solids, tet_numbers, counters (4,) int64 (order, corner_count, next node number, next element number).
+        Indices count from 0; tets have positive volume in VTK/Abaqus order. Views, read-only."""
+    def node_origin(self) -> np.ndarray: """(n,) int32: index of the node in the mesh before the update, -1 for a new one."""
+    def tet_origin(self) -> np.ndarray: """(m,) int32, likewise."""
+    def active_points(self) -> np.ndarray: """(k,3): inner nodes that survived as start positions only."""
+    def owners_of_faces(self) -> list[list[str]]: """By face of the final shape: names of the features that own it."""
+    def owners_of_tets(self) -> list[tuple[str, np.ndarray]]: """(feature name, numbers of the tets inside its volumes that it owns)."""
+    def write_unv(self, path: str, groups: list[tuple[str, str, np.ndarray]]) -> None:
+        """The mesh as FreeCAD reads it with numbers and groups; a group is (name, "Node"|"Edge"|"Face"|"Volume", numbers)."""
+
+def mesh_part(raw: dict, options: dict, progress: Progress = None) -> tuple[PartMesh, dict[str, Any]]: ...
+def update_part(old: PartMesh, raw: dict, options: dict, progress: Progress = None) -> tuple[PartMesh, dict[str, Any]]: ...
+def restore_part(raw: dict, options: dict, arrays: dict[str, np.ndarray]) -> PartMesh: ...
+def read_tree(raw: dict) -> dict[str, Any]:
+    """{"object", "features": [{"name", "label", "type", "role", "suppressed", "error", "depends_on", "volume_source",
+    "volumes": [{"effect", "volume", "instance"}], "owns_cells", "owns_faces"}], "cells", "material_volume", "final_volume", "notes"}"""
+def compare(old: dict, new: dict, resolution: float = 0.0) -> dict[str, Any]:
+    """The feature difference: {"features": [{"name", "label", "verdict", "motion", "old_volume", "new_volume", "old_faces", "new_faces", "detail"}],
+    "faces": [{"verdict", "old_face", "new_face", "old_area", "new_area"}], "notes", "changed_boundary": (k,3,3) array}"""
+def estimate_tets(raw: dict, options: dict) -> float: ...

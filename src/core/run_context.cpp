@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/run_context.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <utility>
+
+#include "core/errors.h"
+
+namespace featuremesh {
+
+namespace {
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+}  // namespace
+
+RunContext::Step::Step(RunContext& context, std::string name)
+    : context_(context), name_(std::move(name)), outer_(std::exchange(context.step_, name_)), start_(Clock::now()) {
+    context_.last_report_ = {};
+}
+
+RunContext::Step::~Step() {
+    const double spent = seconds_since(start_);
+    context_.seconds_[name_] += spent;
+    if (!outer_.empty()) context_.seconds_[outer_] -= spent;
+    context_.step_ = outer_;
+}
+
+void RunContext::progress(double share) {
+    check_cancelled();
+    if (!on_progress || seconds_since(last_report_) < 0.02) return;
+    last_report_ = Clock::now();
+    if (!on_progress(step_, share)) {
+        cancel();
+        throw Cancelled();
+    }
+}
+
+void RunContext::check_cancelled() const {
+    if (cancelled_) throw Cancelled();
+}
+
+void parallel_for(RunContext& context, std::size_t count, std::size_t grain,
+                  const std::function<void(std::size_t, std::size_t)>& body) {
+    const std::size_t chunks = (count + grain - 1) / grain;
+    const auto run_chunk = [&](std::size_t chunk) {
+        context.check_cancelled();
+        body(chunk * grain, std::min(count, (chunk + 1) * grain));
+    };
+    if (context.threads <= 1 || chunks <= 1) {
+        for (std::size_t chunk = 0; chunk < chunks; ++chunk) run_chunk(chunk);
+        return;
+    }
+    tbb::task_arena arena(context.threads);
+    arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, run_chunk); });
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What long work needs to know of its caller: progress, cancel, threads, seed, log, and where the time went.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+namespace featuremesh {
+
+class RunContext {
+  public:
+    /// Called with the step's name and its done share 0..1; false cancels. Called from the thread that started the work.
+    std::function<bool(std::string_view step, double share)> on_progress;
+    std::function<void(std::string_view line)> on_log;
+    int threads = 1;
+    std::uint64_t seed = 1;
+
+    /// Begins a named step; its seconds are added up until the returned guard ends.
+    class Step {
+      public:
+        Step(RunContext& context, std::string name);
+        ~Step();
+        Step(const Step&) = delete;
+        Step& operator=(const Step&) = delete;
+
+      private:
+        RunContext& context_;
+        std::string name_, outer_;
+        std::chrono::steady_clock::time_point start_;
+    };
+
+    /// Tells the caller how far the current step is; throws Cancelled when the caller says stop. Cheap (throttled to 20 ms).
+    void progress(double share);
+    /// Throws Cancelled when somebody asked to stop. Cheap enough for every thousandth round of a loop, from any thread.
+    void check_cancelled() const;
+    /// Asks the work to stop, from any thread.
+    void cancel() { cancelled_ = true; }
+    void log(std::string_view line) const {
+        if (on_log) on_log(line);
+    }
+    /// Seconds per step name so far; nested steps are counted in their own name only.
+    const std::map<std::string, double>& seconds() const { return seconds_; }
+
+  private:
+    std::string step_;
+    std::map<std::string, double> seconds_;
+    std::chrono::steady_clock::time_point last_report_{};
+    std::atomic<bool> cancelled_{false};
+};
+
+/// Runs body(begin, end) over chunks of [0, count) on `context.threads` threads. The chunks depend on `grain` only, never on the
+/// number of threads, so that a body that writes to its own indices gives the same bytes for any number of threads.
+void parallel_for(RunContext& context, std::size_t count, std::size_t grain,
+                  const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+}  // namespace featuremesh

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What changed between two states of a part, feature by feature, and what may therefore be kept
+// (Sypkens Smit and Bronsvoort 2007).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cells/cell_model.h"
+#include "core/geometry.h"
+#include "core/run_context.h"
+#include "features/brep.h"
+#include "features/feature_tree.h"
+
+namespace featuremesh {
+
+/// One state of a part as the difference needs it.
+struct PartState {
+    FeatureTree tree;
+    Brep brep;
+    CellModel cells;
+};
+
+enum class Verdict { same, moved, reshaped, added, removed, suppressed, interaction_changed };
+std::string to_string(Verdict verdict);
+
+struct FeatureChange {
+    std::string name, label;
+    Verdict verdict = Verdict::same;
+    RigidMotion motion;                  ///< for `moved`
+    double old_volume = 0, new_volume = 0;   ///< mm^3, of the feature's own volumes
+    std::vector<FaceId> old_faces, new_faces;  ///< faces of the final shapes concerned
+    std::string detail;                  ///< in words: "moved by (5, 0, 0) mm", "radius 4 -> 5"
+};
+
+/// What became of one face of the old or the new boundary.
+enum class FaceVerdict { kept, vanished, appeared, trimmed_differently };
+struct FaceChange {
+    FaceVerdict verdict = FaceVerdict::kept;
+    FaceId old_face, new_face;           ///< none where there is no partner
+    double old_area = 0, new_area = 0;   ///< mm^2
+};
+
+/// The part of either boundary that the other does not have, as triangles, conservative: every point of the symmetric difference of the
+/// two boundaries is on one of them or closer than `slack` to one.
+class ChangedBoundary {
+  public:
+    ChangedBoundary();
+    explicit ChangedBoundary(std::vector<std::array<Vec3, 3>> triangles);
+    bool is_empty() const;
+    std::span<const std::array<Vec3, 3>> triangles() const;
+    /// Distance from p, mm; `limit` when it is not closer than that. Safe to call from several threads.
+    double distance(const Vec3& p, double limit) const;
+    Box box() const;
+
+  private:
+    struct Tree;
+    std::shared_ptr<const Tree> tree_;
+};
+
+/// Everything that may be carried by one rigid motion from the old to the new state.
+struct CarriedRegion {
+    RigidMotion motion;                                ///< the first region's is the identity
+    std::vector<std::string> features;                 ///< that moved with it; all that stayed for the identity
+    /// Old volumes (additive, moved rigidly by `motion`) whose material prefers this motion; empty for the identity.
+    std::vector<TopoDS_Shape> volumes;
+    ChangedBoundary changed;                           ///< in the new state's place: old boundary under the motion against the new one
+    std::vector<FaceId> new_face_of;                   ///< by old FaceId: the new face on the same carrier under the motion; none
+    std::vector<EdgeId> new_edge_of;                   ///< by old EdgeId, same curve under the motion (trims may differ); none
+    std::vector<VertexId> new_vertex_of;               ///< by old VertexId; none
+};
+
+struct FeatureDifference {
+    std::vector<FeatureChange> features;
+    std::vector<FaceChange> faces;
+    std::vector<CarriedRegion> regions;                ///< identity first
+    std::vector<std::string> notes;                    ///< e.g. "the two parts look unrelated"
+    bool is_empty() const;                             ///< nothing changed at all
+};
+
+/// `resolution`: wanted edge length of the triangles of the changed boundary where a face is trimmed differently, mm.
+FeatureDifference compare(const PartState& old_state, const PartState& new_state, double resolution, RunContext& context);
+
+}  // namespace featuremesh

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The final shape as numbered entities with their adjacency.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/geometry.h"
+#include "core/ids.h"
+#include "core/tolerances.h"
+
+class TopoDS_Shape;
+class TopoDS_Solid;
+class TopoDS_Face;
+class TopoDS_Edge;
+class TopoDS_Vertex;
+
+namespace featuremesh {
+
+/// A solid, or several, with faces, edges and vertices numbered as FreeCAD numbers them (TopExp order, 0 is "Face1").
+/// Cheap to copy; never changes.
+class Brep {
+  public:
+    /// Takes the shape's solids. Throws InputError with the name of what is wrong (no solid, an open shell).
+    explicit Brep(const TopoDS_Shape& shape);
+
+    const TopoDS_Shape& shape() const;
+    std::size_t solid_count() const;
+    std::size_t face_count() const;
+    std::size_t edge_count() const;
+    std::size_t vertex_count() const;
+    const TopoDS_Solid& solid(SolidId id) const;
+    const TopoDS_Face& face(FaceId id) const;      ///< oriented as it is first met in the shape
+    const TopoDS_Edge& edge(EdgeId id) const;      ///< oriented forward
+    const TopoDS_Vertex& vertex(VertexId id) const;
+
+    /// Ids from entities of this very shape (orientation ignored); none for others.
+    FaceId find(const TopoDS_Face& face) const;
+    EdgeId find(const TopoDS_Edge& edge) const;
+    VertexId find(const TopoDS_Vertex& vertex) const;
+
+    std::span<const EdgeId> edges_of(FaceId face) const;      ///< each once
+    std::span<const FaceId> faces_of(EdgeId edge) const;      ///< each once
+    std::span<const EdgeId> edges_of(VertexId vertex) const;  ///< each once
+    /// First and last vertex by edge parameter; equal on a closed edge.
+    std::array<VertexId, 2> ends_of(EdgeId edge) const;
+    /// Solid behind (against the face's normal) and before it; none for outside.
+    std::array<SolidId, 2> sides_of(FaceId face) const;
+    bool is_degenerated(EdgeId edge) const;   ///< a pole: no length in space
+    bool is_seam(EdgeId edge, FaceId face) const;
+
+    Vec3 point_of(VertexId vertex) const;
+    const Box& box() const;                   ///< exact enough for sizes, not for topology
+    Tolerances tolerances() const;
+    double volume_of(SolidId solid) const;    ///< mm^3
+
+  private:
+    struct Data;
+    std::shared_ptr<const Data> data_;
+};
+
+/// "Face12", "Edge3", "Vertex1", "Solid1": as FreeCAD names it.
+std::string name_of(Entity entity);
+
+}  // namespace featuremesh

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The feature tree: what each record means, in one place.
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/geometry.h"
+#include "core/ids.h"
+#include "features/raw_document.h"
+
+namespace featuremesh {
+
+enum class Role { additive, subtractive, common, dress_up, pattern, boolean, transform, base, reference, opaque };
+std::string to_string(Role role);
+
+/// What a volume does to the part.
+enum class Effect { adds, removes, keeps_only };
+
+/// One volume of a feature: the whole, one instance of a pattern, or the part a dress-up adds or removes.
+struct FeatureVolume {
+    TopoDS_Shape shape;          ///< in the final shape's frame
+    Effect effect = Effect::adds;
+    int instance = 0;            ///< number within a pattern
+    RigidMotion motion;          ///< from the first instance to this one
+};
+
+struct Feature {
+    std::string name, label, type;
+    Role role = Role::opaque;
+    std::vector<FeatureVolume> volumes;
+    RigidMotion frame;                   ///< of the feature, in the final shape's frame
+    std::vector<FeatureId> depends_on;
+    bool suppressed = false;
+    std::string error;                   ///< FreeCAD's message; such a feature counts as changed
+    std::string volume_source;           ///< how the volumes were had: "own", "before and after", "instances", "shape"
+    std::vector<std::pair<std::string, double>> parameters;
+};
+
+/// The features in dependency order and the shape that FreeCAD shows.
+struct FeatureTree {
+    std::string object;                  ///< name of the object that is meshed
+    std::vector<Feature> features;
+    TopoDS_Shape final_shape;
+    std::vector<std::string> notes;      ///< findings for the report
+
+    const Feature& operator[](FeatureId id) const { return features[id.index()]; }
+    std::optional<FeatureId> find(const std::string& name) const;
+};
+
+/// Interprets the records. Throws InputError when the final object has no solid.
+FeatureTree interpret(const RawDocument& document);
+
+}  // namespace featuremesh

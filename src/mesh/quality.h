@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Quality of straight-sided tets.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "mesh/mesh.h"
+
+namespace featuremesh {
+
+struct DihedralRange {
+    double smallest_deg, largest_deg;
+};
+
+/// Smallest and largest of the six dihedral angles of a tet, degrees.
+DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+/// 3 r_in / R, 1 for the regular tet, 0 for a flat one.
+double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// Figures of a whole mesh (corner nodes only), or of the tets that `only` marks.
+struct QualityReport {
+    double min_dihedral = 0, mean_min_dihedral = 0, max_dihedral = 0;  ///< degrees
+    double mean_radius_ratio = 0, min_radius_ratio = 0;
+    double min_scaled_jacobian = 1;                                    ///< of the 10-node tets with curved sides
+    std::int64_t below_10 = 0, below_20 = 0, below_25 = 0;             ///< tets by smallest dihedral angle, degrees
+    std::int64_t forced_by_cad = 0;                                    ///< tets below 25 degrees that a CAD angle forces
+    double min_dihedral_unforced = 0;                                  ///< smallest angle of all the others
+    std::array<std::int64_t, 36> histogram{};                          ///< all dihedral angles in bins of 5 degrees
+};
+QualityReport measure_quality(const Mesh& mesh, std::span<const TetId> forced = {});
+
+}  // namespace featuremesh

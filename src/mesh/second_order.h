@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// 10-node tets: numbering of sides, straight mid-side nodes, and the proof that an element is not folded.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace featuremesh {
+
+/// Corners of the six sides in the order of Mesh::tet_mids (Abaqus C3D10).
+inline constexpr std::array<std::array<int, 2>, 6> tet_sides{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};
+/// Corners of the four faces, normals outward, face i opposite corner i.
+inline constexpr std::array<std::array<int, 3>, 4> tet_faces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+/// The 20 Bernstein coefficients of det J of a 10-node tet (cubic), nodes as 4 corners and 6 mid-sides.
+/// Johnen, Remacle and Geuzaine 2013. All positive means valid everywhere.
+std::array<double, 20> jacobian_coefficients(const std::array<Vec3, 10>& nodes);
+
+/// Lower bound of det J over the element divided by 6 V of its straight tet; sharpened by subdivision until bound and samples agree within 1e-3
+/// or the sign is certain.
+double min_scaled_jacobian(const std::array<Vec3, 10>& nodes);
+
+/// The ten points of one tet.
+std::array<Vec3, 10> tet_nodes(const Mesh& mesh, TetId tet);
+
+/// Gives every side of a 4-node mesh that has no mid-side node yet one at its middle. Sides of kept elements keep theirs. The nodes' entities are
+/// those of the segments and triangles the side belongs to, else the solid. Returns the new nodes.
+std::vector<NodeId> add_mid_side_nodes(Mesh& mesh, const Mesh* kept = nullptr);
+
+}  // namespace featuremesh

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The named invariants of a mesh, used by the program at module exits and by the tests.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace featuremesh {
+
+/// What the mesh is checked against; empty vectors are not checked.
+struct Expectation {
+    std::vector<double> solid_volumes;          ///< mm^3, by SolidId
+    double volume_tolerance = 0.05;             ///< share; coarse meshes of curved parts cut chords
+    std::vector<std::array<SolidId, 2>> face_sides;  ///< by FaceId: solid behind (against the normal) and before it, or none
+};
+
+/// Every broken invariant, in words that name nodes, tets and faces; empty for a valid mesh. Checked: sizes of all arrays, ids in
+/// range, distinct numbers, positive tets, every triangle in the one or two tets that its face's sides say, no boundary of the tets without
+/// a triangle, closed boundary per solid, segments on triangles' sides, volumes per solid, mid-side nodes shared by all elements around a side,
+/// positive Jacobian of 10-node tets.
+std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& expected = {});
+
+}  // namespace featuremesh

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The wanted edge length at a point.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/geometry.h"
+#include "core/ids.h"
+#include "core/run_context.h"
+#include "features/brep.h"
+
+namespace featuremesh {
+
+struct LocalSize {
+    Entity entity;               ///< face, edge, vertex or solid of the final shape
+    double size = 0;             ///< mm
+};
+
+struct SizingOptions {
+    double size = 0;                  ///< mm, everywhere at most this
+    double min_size = 0;              ///< mm, curvature and gaps ask for nothing below it
+    double elements_per_circle = 12;  ///< curvature; 0 is off
+    double elements_across_gap = 0;   ///< thin walls; 0 is off
+    double growth = 1.3;              ///< neighbouring edge lengths differ at most by this factor: |h(x)-h(y)| <= (growth-1) |x-y|
+    std::vector<LocalSize> local;
+};
+
+/// A kept node's actual size: the field equals it there and grows from it.
+struct SizeSource {
+    Vec3 point;
+    double size = 0;
+};
+
+/// Immutable, safe to query from several threads, below a microsecond a query on average.
+class SizingField {
+  public:
+    double at(const Vec3& p) const;
+    bool is_uniform() const;
+    double smallest() const;
+    double largest() const;
+
+    struct Data;
+    explicit SizingField(std::shared_ptr<const Data> data);
+
+  private:
+    std::shared_ptr<const Data> data_;
+};
+
+/// Throws InputError for a size that is zero, negative, or larger than the part.
+SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::span<const SizeSource> sources, RunContext& context);
+
+/// About how many tets the field asks for in the part (used to refuse more than 50 million, and by the task panel).
+double estimate_tets(const Brep& brep, const SizingField& sizing);
+
+}  // namespace featuremesh

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Points on CAD edges and faces, and the nearest ones.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "core/geometry.h"
+#include "features/brep.h"
+
+namespace featuremesh {
+
+struct OnEdge {
+    Vec3 point;
+    double t = 0;
+    double distance = 0;   ///< from where it was asked, mm
+};
+struct OnFace {
+    Vec3 point;
+    std::array<double, 2> uv{};
+    double distance = 0;   ///< from where it was asked, mm
+};
+
+/// Evaluates and projects on the entities of one Brep. One object per thread: the kernel's adaptors cache.
+class Projector {
+  public:
+    explicit Projector(const Brep& brep);
+    ~Projector();
+    Projector(Projector&&) noexcept;
+
+    Vec3 on_edge(EdgeId edge, double t) const;
+    Vec3 on_face(FaceId face, std::array<double, 2> uv) const;
+    /// Nearest point of the trimmed edge; `guess` starts a Newton iteration that falls back to the global search.
+    OnEdge nearest(EdgeId edge, const Vec3& p, std::optional<double> guess = {}) const;
+    /// Nearest point of the face's surface; with a guess by Newton, else globally. Does not look at the trim.
+    OnFace nearest(FaceId face, const Vec3& p, std::optional<std::array<double, 2>> guess = {}) const;
+    /// Whether (u, v) is inside the face's trim or on its boundary within tolerance.
+    bool is_inside_trim(FaceId face, std::array<double, 2> uv) const;
+    /// Unit normal of the face as oriented in the shape.
+    Vec3 normal(FaceId face, std::array<double, 2> uv) const;
+
+  private:
+    struct Data;
+    std::unique_ptr<Data> data_;
+};
+
+}  // namespace featuremesh

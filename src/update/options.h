@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the user asks of a mesh.
+#pragma once
+
+#include "sizing/sizing_field.h"
+#include "volume/fill_solids.h"
+
+namespace featuremesh {
+
+struct MeshOptions {
+    SizingOptions sizing;
+    VolumeOptions volume;
+    int order = 1;                       ///< 1: 4-node tets, 2: 10-node tets
+    double keep_margin = 2.0;            ///< a node is kept when the changed boundary is further off than this many edge lengths
+    double most_tets = 50e6;             ///< more than this are refused
+};
+
+}  // namespace featuremesh

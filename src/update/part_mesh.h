@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The main job: a part is meshed, and its mesh is updated.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "difference/feature_difference.h"
+#include "mesh/mesh.h"
+#include "update/options.h"
+#include "update/report.h"
+
+namespace featuremesh {
+
+/// A part with its mesh; never changes.
+struct PartMesh {
+    PartState part;
+    RawDocument document;                      ///< as read, for the saved state
+    MeshOptions options;
+    Mesh mesh;
+    std::vector<std::int32_t> node_origin;     ///< by node: its index in the mesh before the update, -1 for a new one
+    std::vector<std::int32_t> tet_origin;      ///< by tet, likewise
+    std::vector<Vec3> active_points;           ///< start positions that survived without being kept, for pictures
+};
+
+struct PartMeshResult {
+    std::shared_ptr<const PartMesh> part_mesh;
+    Report report;
+};
+
+/// Meshes the part from scratch.
+PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context);
+
+/// Meshes the new state of the part, keeping what did not change. The old state stays as it is.
+PartMeshResult update_part(const PartMesh& old, RawDocument document, const MeshOptions& options, RunContext& context);
+
+/// Rebuilds the state of a part whose mesh was saved. Throws StateError when mesh and part do not fit.
+std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& options, Mesh mesh, RunContext& context);
+
+}  // namespace featuremesh

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What happened, for a person and for a program.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "difference/feature_difference.h"
+#include "mesh/quality.h"
+#include "surface/fill_surface.h"
+#include "volume/fill_solids.h"
+
+namespace featuremesh {
+
+struct KeptByMotion {
+    RigidMotion motion;
+    std::vector<std::string> features;
+    std::size_t nodes = 0, tets = 0;
+};
+
+struct Report {
+    std::size_t nodes = 0, tets = 0;
+    int order = 1;
+    double size = 0;                              ///< mm
+    std::map<std::string, double> seconds;        ///< read, cells, difference, keep, surface, volume, optimise, validate, engine_total
+    double peak_memory_mb = 0;
+    QualityReport quality;
+    double kept_nodes_share = 0, kept_tets_share = 0;   ///< of the new mesh
+    std::vector<KeptByMotion> kept;
+    std::size_t active_nodes = 0;
+    FeatureDifference difference;
+    SurfaceReport surface;
+    VolumeReport volume;
+    std::vector<std::string> fallbacks;           ///< what could not be kept or done, and why; empty is the normal case
+    std::vector<std::string> warnings;
+};
+
+}  // namespace featuremesh

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Variational optimisation (ODT) and removal of slivers by local operations, on connectivity as it is.
+#pragma once
+
+#include <functional>
+
+#include "core/run_context.h"
+#include "sizing/sizing_field.h"
+#include "volume/tet_complex.h"
+
+namespace featuremesh {
+
+struct OdtOptions {
+    int sweeps = 3;
+    bool weight_by_size = false;   ///< V / s(centroid)^3 instead of V where the sizing is graded
+};
+struct OdtReport {
+    double energy_before = 0, energy_after = 0;   ///< sum of V S / 20, mm^5; never rises for uniform sizing
+    std::size_t moves = 0;
+};
+/// Moves free vertices to the volume-weighted mean of the circumcentres of their star (Alliez et al. 2005, the exact minimiser for fixed connectivity),
+/// backtracking where a tet would invert, and flips (2-3, 3-2, 4-4) where that lowers the energy. Visits only vertices that gain.
+OdtReport optimise_odt(TetComplex& complex, const SizingField& sizing, const OdtOptions& options, RunContext& context);
+
+struct SliverOptions {
+    double target_dihedral_deg = 30;
+    int passes = 5;
+};
+struct SliverReport {
+    std::size_t before = 0, left = 0;
+    std::size_t edge_removals = 0, face_flips = 0, moves = 0, insertions = 0, collapses = 0;
+};
+/// Worst first; each operation is accepted only if the worst dihedral angle (small and large alike) of its cavity gets better, else rolled back.
+/// Boundary triangles (neighbour -1), boundary edges between them and fixed vertices stay as they are. Free vertices may be inserted (appended to `points`) or
+/// collapsed (left without a tet).
+SliverReport remove_slivers(TetComplex& complex, const SliverOptions& options, RunContext& context);
+
+}  // namespace featuremesh

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The connectivity that the local operations of `optimise` work on. No CGAL, no CAD.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry.h"
+
+namespace featuremesh {
+
+/// Tets with neighbours, for local operations. Vertices are ints here: they count within one cavity.
+struct TetComplex {
+    std::vector<Vec3> points;
+    std::vector<std::uint8_t> is_fixed;                  ///< by vertex: boundary or kept, never moved
+    std::vector<std::array<int, 4>> tets;                ///< positive volume; tets[i][0] < 0 marks a removed one
+    std::vector<std::array<int, 4>> neighbours;          ///< neighbours[i][k] is opposite vertex k; -1 at the cavity's boundary
+    std::vector<int> regions;                            ///< by tet: the solid; faces between regions are never flipped away
+    std::vector<int> tet_of_vertex;                      ///< any one live tet of the vertex; -1 for none
+};
+
+/// Finds neighbours and tet_of_vertex from points and tets. A triangle between two regions counts as boundary (-1 on both sides).
+void connect(TetComplex& complex);
+
+}  // namespace featuremesh

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <numeric>
+#include <vector>
+
+#include "catch.h"
+#include "core/errors.h"
+#include "core/run_context.h"
+
+using namespace featuremesh;
+
+TEST_CASE("parallel_for visits every index once, for any number of threads") {
+    for (int threads : {1, 2, 5}) {
+        RunContext context;
+        context.threads = threads;
+        std::vector<int> visits(1003, 0);
+        parallel_for(context, visits.size(), 10, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) ++visits[i];
+        });
+        CHECK(visits == std::vector<int>(1003, 1));
+    }
+}
+
+TEST_CASE("cancel ends the work") {
+    RunContext context;
+    context.on_progress = [](std::string_view, double) { return false; };
+    RunContext::Step step(context, "work");
+    CHECK_THROWS_AS(context.progress(0.5), Cancelled);
+    CHECK_THROWS_AS(parallel_for(context, 10, 1, [](std::size_t, std::size_t) {}), Cancelled);
+}
+
+TEST_CASE("a nested step is not counted in the outer one") {
+    RunContext context;
+    {
+        RunContext::Step outer(context, "outer");
+        RunContext::Step inner(context, "inner");
+    }
+    CHECK(context.seconds().at("outer") >= 0);
+    CHECK(context.seconds().at("inner") >= 0);
+    CHECK(context.seconds().size() == 2);
+}
