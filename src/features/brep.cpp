@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "features/brep.h"
+
+#include <BRepBndLib.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
+#include <BRepTools.hxx>
+#include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_Solid.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+
+#include "core/errors.h"
+
+namespace featuremesh {
+
+struct Brep::Data {
+    TopoDS_Shape shape;
+    TopTools_IndexedMapOfShape solids, faces, edges, vertices;   // orientation ignored, numbers as FreeCAD's
+    std::vector<TopoDS_Solid> solid;
+    std::vector<TopoDS_Face> face;
+    std::vector<TopoDS_Edge> edge;
+    std::vector<TopoDS_Vertex> vertex;
+    std::vector<std::vector<EdgeId>> edges_of_face, edges_of_vertex;
+    std::vector<std::vector<FaceId>> faces_of_edge;
+    std::vector<std::array<VertexId, 2>> ends;
+    std::vector<std::array<SolidId, 2>> sides;
+    std::vector<double> volumes;
+    Box box;
+};
+
+namespace {
+
+template <class Shape, class Cast>
+std::vector<Shape> numbered(const TopoDS_Shape& whole, TopAbs_ShapeEnum kind, TopTools_IndexedMapOfShape& map, Cast cast) {
+    TopExp::MapShapes(whole, kind, map);
+    std::vector<Shape> list;
+    for (int i = 1; i <= map.Extent(); ++i) list.push_back(cast(map(i)));
+    return list;
+}
+
+template <class Kind>
+Id<Kind> id_in(const TopTools_IndexedMapOfShape& map, const TopoDS_Shape& shape) {
+    return Id<Kind>(static_cast<std::int32_t>(map.FindIndex(shape) - 1));
+}
+
+template <class T>
+void add_once(std::vector<T>& list, T item) {
+    if (std::find(list.begin(), list.end(), item) == list.end()) list.push_back(item);
+}
+
+Box box_of(const TopoDS_Shape& shape) {
+    Bnd_Box bounds;
+    BRepBndLib::AddOptimal(shape, bounds, false, false);
+    Box box;
+    if (bounds.IsVoid()) return box;
+    bounds.Get(box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z);
+    return box;
+}
+
+double volume(const TopoDS_Shape& shape) {
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(shape, properties);
+    return properties.Mass();
+}
+
+}  // namespace
+
+Brep::Brep(const TopoDS_Shape& shape) {
+    if (shape.IsNull()) throw InputError("The shape is empty. Recompute the document and mesh an object that has a solid.");
+    auto data = std::make_shared<Data>();
+    data->shape = shape;
+    data->solid = numbered<TopoDS_Solid>(shape, TopAbs_SOLID, data->solids, [](auto& s) { return TopoDS::Solid(s); });
+    data->face = numbered<TopoDS_Face>(shape, TopAbs_FACE, data->faces, [](auto& s) { return TopoDS::Face(s); });
+    data->edge = numbered<TopoDS_Edge>(shape, TopAbs_EDGE, data->edges,
+                                       [](auto& s) { return TopoDS::Edge(s.Oriented(TopAbs_FORWARD)); });
+    data->vertex = numbered<TopoDS_Vertex>(shape, TopAbs_VERTEX, data->vertices, [](auto& s) { return TopoDS::Vertex(s); });
+    if (data->solid.empty())
+        throw InputError("The shape has no solid. Mesh a body or a Part object whose result is a solid.");
+
+    data->edges_of_face.resize(data->face.size());
+    data->faces_of_edge.resize(data->edge.size());
+    data->edges_of_vertex.resize(data->vertex.size());
+    data->sides.resize(data->face.size());
+    for (std::size_t f = 0; f < data->face.size(); ++f)
+        for (TopExp_Explorer it(data->face[f], TopAbs_EDGE); it.More(); it.Next()) {
+            const auto edge = id_in<EdgeKind>(data->edges, it.Current());
+            add_once(data->edges_of_face[f], edge);
+            add_once(data->faces_of_edge[edge.index()], FaceId(f));
+        }
+    for (std::size_t e = 0; e < data->edge.size(); ++e) {
+        TopoDS_Vertex first, last;
+        TopExp::Vertices(data->edge[e], first, last);
+        data->ends.push_back({id_in<VertexKind>(data->vertices, first), id_in<VertexKind>(data->vertices, last)});
+        for (const VertexId end : data->ends.back())
+            if (end.is_valid()) add_once(data->edges_of_vertex[end.index()], EdgeId(e));
+    }
+    for (std::size_t s = 0; s < data->solid.size(); ++s) {
+        std::vector<int> uses(data->edge.size(), 0);
+        for (TopExp_Explorer it(data->solid[s], TopAbs_FACE); it.More(); it.Next()) {
+            const auto face = id_in<FaceKind>(data->faces, it.Current());
+            const bool behind = it.Current().Orientation() == data->face[face.index()].Orientation();
+            if (it.Current().Orientation() != TopAbs_INTERNAL) data->sides[face.index()][behind ? 0 : 1] = SolidId(s);
+            for (TopExp_Explorer side(it.Current(), TopAbs_EDGE); side.More(); side.Next())
+                ++uses[id_in<EdgeKind>(data->edges, side.Current()).index()];
+        }
+        for (std::size_t e = 0; e < uses.size(); ++e)
+            if (uses[e] == 1 && !BRep_Tool::Degenerated(data->edge[e]))
+                throw InputError("The shell of " + name_of(entity_of(SolidId(s))) + " is open at " + name_of(entity_of(EdgeId(e))) +
+                                 ". Close the gap (Part: Check geometry, then sew or rebuild the feature there).");
+        data->volumes.push_back(volume(data->solid[s]));
+        if (!(data->volumes.back() > 0))
+            throw InputError(name_of(entity_of(SolidId(s))) + " has no positive volume. Its faces point inwards or cross each other; check the "
+                             "feature that made it (Part: Check geometry).");
+    }
+    data->box = box_of(shape);
+    data_ = std::move(data);
+}
+
+const TopoDS_Shape& Brep::shape() const { return data_->shape; }
+std::size_t Brep::solid_count() const { return data_->solid.size(); }
+std::size_t Brep::face_count() const { return data_->face.size(); }
+std::size_t Brep::edge_count() const { return data_->edge.size(); }
+std::size_t Brep::vertex_count() const { return data_->vertex.size(); }
+const TopoDS_Solid& Brep::solid(SolidId id) const { return data_->solid[id.index()]; }
+const TopoDS_Face& Brep::face(FaceId id) const { return data_->face[id.index()]; }
+const TopoDS_Edge& Brep::edge(EdgeId id) const { return data_->edge[id.index()]; }
+const TopoDS_Vertex& Brep::vertex(VertexId id) const { return data_->vertex[id.index()]; }
+FaceId Brep::find(const TopoDS_Face& face) const { return id_in<FaceKind>(data_->faces, face); }
+EdgeId Brep::find(const TopoDS_Edge& edge) const { return id_in<EdgeKind>(data_->edges, edge); }
+VertexId Brep::find(const TopoDS_Vertex& vertex) const { return id_in<VertexKind>(data_->vertices, vertex); }
+std::span<const EdgeId> Brep::edges_of(FaceId face) const { return data_->edges_of_face[face.index()]; }
+std::span<const FaceId> Brep::faces_of(EdgeId edge) const { return data_->faces_of_edge[edge.index()]; }
+std::span<const EdgeId> Brep::edges_of(VertexId vertex) const { return data_->edges_of_vertex[vertex.index()]; }
+std::array<VertexId, 2> Brep::ends_of(EdgeId edge) const { return data_->ends[edge.index()]; }
+std::array<SolidId, 2> Brep::sides_of(FaceId face) const { return data_->sides[face.index()]; }
+bool Brep::is_degenerated(EdgeId id) const { return BRep_Tool::Degenerated(edge(id)); }
+bool Brep::is_seam(EdgeId edge_id, FaceId face_id) const { return BRepTools::IsReallyClosed(edge(edge_id), face(face_id)); }
+
+Vec3 Brep::point_of(VertexId id) const {
+    const gp_Pnt p = BRep_Tool::Pnt(vertex(id));
+    return {p.X(), p.Y(), p.Z()};
+}
+const Box& Brep::box() const { return data_->box; }
+Tolerances Brep::tolerances() const { return {data_->box.diagonal()}; }
+double Brep::volume_of(SolidId solid) const { return data_->volumes[solid.index()]; }
+
+std::string name_of(Entity entity) {
+    static constexpr const char* kinds[] = {"Vertex", "Edge", "Face", "Solid"};
+    return kinds[entity.dim] + std::to_string(entity.index + 1);
+}
+
+}  // namespace featuremesh

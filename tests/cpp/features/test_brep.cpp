@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Shell.hxx>
+#include <gp_Pln.hxx>
+#include <numbers>
+
+#include "catch.h"
+#include "core/errors.h"
+#include "features/brep.h"
+#include "features/raw_document.h"
+
+using namespace featuremesh;
+
+TEST_CASE("a box is numbered and its faces know their sides") {
+    const Brep box(BRepPrimAPI_MakeBox(1, 2, 3).Shape());
+    CHECK(box.solid_count() == 1);
+    CHECK(box.face_count() == 6);
+    CHECK(box.edge_count() == 12);
+    CHECK(box.vertex_count() == 8);
+    CHECK(box.volume_of(SolidId(0)) == Approx(6));
+    CHECK(box.box().diagonal() == Approx(std::sqrt(14.0)).epsilon(1e-6));
+    for (std::size_t f = 0; f < box.face_count(); ++f) {
+        CHECK(box.sides_of(FaceId(f)) == std::array<SolidId, 2>{SolidId(0), SolidId()});
+        CHECK(box.edges_of(FaceId(f)).size() == 4);
+        CHECK(box.find(box.face(FaceId(f))) == FaceId(f));
+    }
+    for (std::size_t e = 0; e < box.edge_count(); ++e) CHECK(box.faces_of(EdgeId(e)).size() == 2);
+    for (std::size_t v = 0; v < box.vertex_count(); ++v) CHECK(box.edges_of(VertexId(v)).size() == 3);
+    CHECK(name_of(entity_of(FaceId(0))) == "Face1");
+}
+
+TEST_CASE("a cylinder has a seam and a sphere has degenerated edges") {
+    const Brep cylinder(BRepPrimAPI_MakeCylinder(2, 5).Shape());
+    int seams = 0;
+    for (std::size_t e = 0; e < cylinder.edge_count(); ++e)
+        for (const FaceId f : cylinder.faces_of(EdgeId(e))) seams += cylinder.is_seam(EdgeId(e), f);
+    CHECK(seams == 1);
+    const Brep sphere(BRepPrimAPI_MakeSphere(1).Shape());
+    int poles = 0;
+    for (std::size_t e = 0; e < sphere.edge_count(); ++e) poles += sphere.is_degenerated(EdgeId(e));
+    CHECK(poles == 2);
+    CHECK(sphere.volume_of(SolidId(0)) == Approx(4 * std::numbers::pi / 3));
+}
+
+TEST_CASE("an open shell and a missing solid are refused by name") {
+    TopoDS_Shell shell;
+    BRep_Builder builder;
+    builder.MakeShell(shell);
+    int count = 0;
+    for (TopExp_Explorer it(BRepPrimAPI_MakeBox(1, 1, 1).Shape(), TopAbs_FACE); it.More() && count < 5; it.Next(), ++count)
+        builder.Add(shell, it.Current());
+    CHECK_THROWS_WITH(Brep(BRepBuilderAPI_MakeSolid(shell).Shape()), Catch::Matchers::Contains("open at Edge"));
+    CHECK_THROWS_AS(Brep(BRepBuilderAPI_MakeFace(gp_Pln(), 0, 1, 0, 1).Shape()), InputError);
+    CHECK_THROWS_AS(Brep(TopoDS_Shape()), InputError);
+}
+
+TEST_CASE("shapes survive the way FreeCAD writes them, with what they share") {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3).Shape();
+    const TopoDS_Shape cut = BRepAlgoAPI_Cut(box, BRepPrimAPI_MakeCylinder(0.2, 0.5).Shape()).Shape();
+    const std::vector<TopoDS_Shape> shapes{box, TopoDS_Shape(), cut};
+    const auto bytes = write_shapes(shapes);
+    const auto back = read_shapes(bytes);
+    REQUIRE(back.size() == 3);
+    CHECK(back[0].ShapeType() == TopAbs_SOLID);
+    CHECK_FALSE(TopExp_Explorer(back[1], TopAbs_FACE).More());
+    int shared = 0;
+    for (TopExp_Explorer a(back[0], TopAbs_FACE); a.More(); a.Next())
+        for (TopExp_Explorer b(back[2], TopAbs_FACE); b.More(); b.Next()) shared += a.Current().IsSame(b.Current());
+    CHECK(shared >= 3);
+    CHECK_THROWS_AS(read_shapes(std::span(bytes).first(bytes.size() / 2)), StateError);
+    CHECK_THROWS_AS(read_shapes({}), StateError);
+}
