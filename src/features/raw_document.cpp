@@ -36,6 +36,7 @@ struct ByteBuffer : std::streambuf {
 TopoDS_Shape read_compound(std::istream& in) {
     BinTools_ShapeSet set;
     set.Read(in);
+    if (set.NbShapes() == 0) throw StateError("The shapes are not in FreeCAD's binary form.");
     int shape = 0, location = 0, orientation = 0;
     BinTools::GetInteger(in, shape);
     BinTools::GetInteger(in, location);
@@ -55,7 +56,8 @@ std::vector<TopoDS_Shape> read_shapes(std::span<const std::byte> bytes) {
     std::istream in(&buffer);
     std::vector<TopoDS_Shape> shapes;
     try {
-        for (TopoDS_Iterator child(read_compound(in)); child.More(); child.Next()) shapes.push_back(child.Value());
+        const TopoDS_Shape compound = read_compound(in);
+        for (TopoDS_Iterator child(compound); child.More(); child.Next()) shapes.push_back(child.Value());
     } catch (const Standard_Failure& failure) {
         throw StateError(std::string("The shapes cannot be read: ") + failure.GetMessageString());
     } catch (const std::bad_alloc&) {
