@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`featuremesh COMMAND ...`: sets up what is missing, then runs. Exit code 0 for success, 2 for the user's error, 1 for ours."""
+import sys
+
+from arguments import parse
+from layout import Failure, UserError
+
+
+def main():
+    given = parse(sys.argv[1:])
+    try:
+        return given.run(given)
+    except UserError as error:
+        print(f"featuremesh {given.command}: {error}", file=sys.stderr)
+        return 2
+    except Failure as error:
+        print(f"featuremesh {given.command}: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print(f"\nfeaturemesh {given.command}: cancelled", file=sys.stderr)
+        return 1
+
+
+sys.exit(main())

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The commands and their options. Lengths in mm."""
+import argparse
+
+import commands
+
+PROGRAM = "featuremesh"
+DESCRIPTION = "Tetrahedral FEM meshes of FreeCAD parts that are updated locally when the part is edited. Lengths in mm."
+
+
+class Parser(argparse.ArgumentParser):
+    """Errors in one line."""
+
+    def error(self, message):
+        self.exit(2, f"{self.prog}: {message} (see {self.prog} --help)\n")
+
+
+def parse(words):
+    parser = Parser(prog=PROGRAM, description=DESCRIPTION)
+    subparsers = parser.add_subparsers(dest="command", metavar="COMMAND", required=True, parser_class=Parser)
+    for add in (add_demo, add_test, add_mesh, add_update, add_diff, add_tree, add_export, add_gui, add_bench):
+        add(subparsers)
+    return parser.parse_args(words)
+
+
+def command(subparsers, name, run, line):
+    parser = subparsers.add_parser(name, help=line, description=line[0].upper() + line[1:] + ".")
+    parser.set_defaults(run=run)
+    return parser
+
+
+def add_demo(subparsers):
+    demo = command(subparsers, "demo", commands.demo, "mesh, solve, edit, update and solve again an example, with a page of pictures")
+    demo.add_argument("--out", metavar="DIR", default="featuremesh-out", help="folder for the page and the documents (default: %(default)s)")
+
+
+def add_test(subparsers):
+    test = command(subparsers, "test", commands.test, "build everything and run every test")
+    test.add_argument("--freecad", metavar="VERSION", default="0.20", help="FreeCAD to test with (default: %(default)s, this machine's)")
+    test.add_argument("--only", metavar="PATTERN", help="run only tests whose name matches this regular expression")
+
+
+def add_mesh(subparsers):
+    mesh = command(subparsers, "mesh", commands.mesh, "add a mesh to a document's part")
+    add_part(mesh)
+    mesh.add_argument("--size", type=float, metavar="H", help="edge length of the tets (default: chosen from the part)")
+    mesh.add_argument("--order", type=int, choices=(1, 2), help="1: 4-node tets, 2: 10-node tets (default: 1)")
+    add_run(mesh)
+
+
+def add_update(subparsers):
+    update = command(subparsers, "update", commands.update, "edit a meshed part and update its mesh locally")
+    add_part(update)
+    update.add_argument("--set", action="append", default=[], metavar="OBJECT.PROPERTY=VALUE",
+                        help="an edit: a property, Sketch.CONSTRAINT, Spreadsheet.ALIAS or Object.Placement.Base.x; may be repeated")
+    update.add_argument("--full", action="store_true", help="mesh the edited part from scratch instead, for comparison")
+    add_run(update)
+
+
+def add_diff(subparsers):
+    diff = command(subparsers, "diff", commands.diff, "tell what changed between two documents, feature by feature")
+    diff.add_argument("old", metavar="OLD.FCStd", help="the document before")
+    diff.add_argument("new", metavar="NEW.FCStd", help="the document after")
+    add_object(diff)
+    add_print_json(diff)
+
+
+def add_tree(subparsers):
+    tree = command(subparsers, "tree", commands.tree, "print the feature tree as the engine understands it")
+    add_part(tree)
+    add_print_json(tree)
+
+
+def add_export(subparsers):
+    export = command(subparsers, "export", commands.export, "write a document's mesh with its groups to a file")
+    export.add_argument("part", metavar="PART.FCStd", help="a document with a mesh")
+    export.add_argument("--format", required=True, choices=("vtu", "inp", "unv", "med"), help="format of the file")
+    export.add_argument("out", metavar="OUT", help="the file to write")
+
+
+def add_gui(subparsers):
+    gui = command(subparsers, "gui", commands.gui, "open FreeCAD with the FeatureMesh workbench")
+    gui.add_argument("part", metavar="PART.FCStd", nargs="?", help="a document to open")
+
+
+def add_bench(subparsers):
+    bench = command(subparsers, "bench", commands.bench, "measure full meshes, updates and other meshers on the same parts")
+    bench.add_argument("--case", action="append", metavar="NAME", help="only this case; may be repeated (default: all)")
+    bench.add_argument("--repeat", type=int, default=5, metavar="N", help="runs of each, for the median (default: %(default)s)")
+    bench.add_argument("--threads", type=int, default=1, metavar="N", help="threads of each mesher (default: %(default)s)")
+    bench.add_argument("--list", action="store_true", help="list the cases and stop")
+
+
+def add_part(parser):
+    parser.add_argument("part", metavar="PART.FCStd", help="the document")
+    add_object(parser)
+
+
+def add_object(parser):
+    parser.add_argument("--object", metavar="NAME", help="the body or solid (default: the only one of the document)")
+
+
+def add_run(parser):
+    parser.add_argument("--threads", type=int, metavar="N", help="threads of the engine (default: all processors)")
+    parser.add_argument("--out", metavar="OUT.FCStd", help="the document to write (default: the document itself)")
+    parser.add_argument("--json", metavar="REPORT.json", help="write the report to this file")
+
+
+def add_print_json(parser):
+    parser.add_argument("--json", action="store_true", help="print JSON instead of a table")

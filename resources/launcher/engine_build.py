@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Builds the engine, and nothing at all when no source changed since the last build."""
+import hashlib
+import os
+import shutil
+from pathlib import Path
+
+import cgal_headers
+import packages
+from layout import BUILD, CGAL, RELEASE, ROOT, SETUP_LOG
+from setup_log import run_logged, say
+
+SOURCE_FOLDERS = ("src", "bindings", "tests/cpp", "tests/python", "tests/benchmarks", "resources/launcher")
+SOURCE_FILES = ("CMakeLists.txt", "CMakePresets.json", "tests/CMakeLists.txt")
+ENGINE_TARGET = "featuremesh_engine"
+PYTHON = "/usr/bin/python3"
+MEMORY_PER_COMPILER = 2 << 30
+
+
+def set_up(extra_packages=(), everything=False):
+    """Installs, fetches and builds what is missing: the engine, or everything that the tests need."""
+    wanted = (*packages.BUILD_PACKAGES, *packages.RUN_PACKAGES, *extra_packages)
+    stamp_file = RELEASE / ("stamp-all" if everything else "stamp-engine")
+    stamp = fingerprint(wanted)
+    if stamp_file.is_file() and stamp_file.read_text(encoding="utf-8") == stamp:
+        return
+    BUILD.mkdir(exist_ok=True)
+    if not RELEASE.exists():
+        SETUP_LOG.unlink(missing_ok=True)
+        say(f"setting up, which takes some minutes the first time (log: {SETUP_LOG})")
+    packages.install_missing(wanted)
+    cgal_headers.fetch_cgal()
+    build(everything)
+    stamp_file.write_text(fingerprint(wanted), encoding="utf-8")
+
+
+def build(everything):
+    say("building " + ("the engine and the tests" if everything else "the engine"))
+    run_logged(["cmake", "--preset", "release", f"-DPython_EXECUTABLE={PYTHON}", f"-DPython3_EXECUTABLE={PYTHON}",
+                f"-DPYTHON_EXECUTABLE={PYTHON}", f"-DFEATUREMESH_CGAL_DIR={CGAL / 'usr'}"], "configuring the build", cwd=ROOT)
+    target = [] if everything else ["--target", ENGINE_TARGET]
+    run_logged(["cmake", "--build", RELEASE, "-j", str(compilers_at_once()), *target], "building", cwd=ROOT)
+
+
+def compilers_at_once():
+    """One compiler per processor, fewer where memory is short: CGAL's templates need up to 2 GB each."""
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    return max(1, min(len(os.sched_getaffinity(0)), memory // MEMORY_PER_COMPILER))
+
+
+def fingerprint(wanted):
+    """Changes when a source, the package database or the list of packages does."""
+    digest = hashlib.sha256(repr(wanted).encode())
+    for path in [*source_files(), Path("/var/lib/dpkg/status"), CGAL / "usr/include/CGAL/version.h", Path(shutil.which("cmake") or "-")]:
+        try:
+            status = path.stat()
+            digest.update(f"{path} {status.st_size} {status.st_mtime_ns}\n".encode())
+        except FileNotFoundError:
+            digest.update(f"{path} none\n".encode())
+    return digest.hexdigest()
+
+
+def source_files():
+    files = [ROOT / name for name in SOURCE_FILES]
+    for folder in SOURCE_FOLDERS:
+        for where, folders, names in os.walk(ROOT / folder):
+            folders[:] = sorted(name for name in folders if name != "__pycache__")
+            files += [Path(where) / name for name in sorted(names)]
+    return files

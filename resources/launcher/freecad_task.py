@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs one task of the workbench in a FreeCAD process of its own, so that a crash of FreeCAD is not a crash of the launcher.
+
+The task goes in as JSON by the environment, the result comes back as a JSON file; a missing result is a crash.
+"""
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from layout import BUILD, FREECAD_LOG, RELEASE, WORKBENCH, Failure
+from setup_log import end_of
+
+TASK_SCRIPT = WORKBENCH / "freecad" / "featuremesh" / "cli.py"
+MARK = "featuremesh:"
+
+
+def run_task(task):
+    """The result of a task: {"exit_code", "message", "data"}."""
+    return run_script(TASK_SCRIPT, {"FEATUREMESH_TASK": json.dumps(task)})
+
+
+def run_script(script, variables, lines_to=None):
+    """Runs a script inside freecadcmd and gives the JSON object that it wrote to the file named by FEATUREMESH_RESULT.
+
+    Lines of its standard error that start with `featuremesh:` are progress on a terminal, or go to `lines_to` as they come.
+    """
+    BUILD.mkdir(exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
+        result_file = Path(folder) / "result.json"
+        environment = freecad_environment(FEATUREMESH_RESULT=str(result_file), **variables)
+        with open(FREECAD_LOG, "w", encoding="utf-8") as log:
+            process = subprocess.Popen([freecadcmd(), f"--module-path={WORKBENCH}", str(script)], env=environment,
+                                       stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.PIPE)
+            try:
+                pass_on(process.stderr, log, lines_to)
+                code = process.wait()
+            except KeyboardInterrupt:
+                process.terminate()
+                process.wait()
+                raise
+        if not result_file.is_file():
+            raise Failure(f"FreeCAD {how_it_ended(code)} before it was done, and no file was changed; "
+                          f"the end of {FREECAD_LOG}:\n{end_of(FREECAD_LOG)}")
+        return json.loads(result_file.read_text(encoding="utf-8"))
+
+
+def freecad_environment(**variables):
+    """FreeCAD needs a UTF-8 locale, and the engine's Python module on its path."""
+    path = [str(RELEASE / "bindings"), os.environ.get("PYTHONPATH", "")]
+    return {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, path)), "LC_ALL": "C.UTF-8", **variables}
+
+
+def freecadcmd():
+    program = os.environ.get("FREECADCMD") or shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
+    if not program:
+        raise Failure("freecadcmd is not installed; set FREECADCMD to FreeCAD's command line program")
+    return program
+
+
+def pass_on(stream, log, lines_to):
+    """Shows marked lines as they come, all go to the log."""
+    progress = ProgressLine()
+    for raw in stream:
+        line = raw.decode("utf-8", errors="replace").rstrip()
+        log.write(line + "\n")
+        if not line.startswith(MARK):
+            continue
+        if lines_to:
+            print(line[len(MARK):].lstrip(" "), file=lines_to, flush=True)
+        else:
+            progress.show(line[len(MARK):].strip())
+    progress.clear()
+
+
+class ProgressLine:
+    """One line of a terminal that is written over and over; nothing where there is no terminal."""
+
+    def __init__(self):
+        self.width = 0
+
+    def show(self, text):
+        if sys.stderr.isatty():
+            text = text[:shutil.get_terminal_size().columns - 1]
+            print("\r" + text.ljust(self.width), end="", file=sys.stderr, flush=True)
+            self.width = len(text)
+
+    def clear(self):
+        if self.width:
+            self.show("")
+            print("\r", end="", file=sys.stderr, flush=True)
+
+
+def how_it_ended(code):
+    if code >= 0:
+        return f"ended with exit code {code}"
+    try:
+        return f"crashed ({signal.Signals(-code).name})"
+    except ValueError:
+        return f"crashed (signal {-code})"

@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where things are in the checkout, and the launcher's two ways to fail."""
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = ROOT / "build"
+RELEASE = BUILD / "release"
+CGAL = BUILD / "deps" / "cgal"
+SETUP_LOG = BUILD / "setup.log"
+FREECAD_LOG = BUILD / "freecad.log"
+WORKBENCH = ROOT / "Mod" / "FeatureMesh"
+EXAMPLES = ROOT / "resources" / "examples"
+
+
+class UserError(Exception):
+    """The user asked for something that cannot be: exit code 2."""
+
+
+class Failure(Exception):
+    """Something of ours, or of the machine, went wrong: exit code 1."""

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Debian packages FeatureMesh needs, each group with its reason, and how the missing ones are installed."""
+import os
+import shutil
+import subprocess
+
+from layout import Failure
+from setup_log import run_logged, say
+
+BUILD_PACKAGES = (
+    "g++", "cmake", "ninja-build", "ccache", "python3-dev", "pybind11-dev", "catch2", "libtbb-dev", "libboost-dev",
+    "libgmp-dev", "libmpfr-dev", "libocct-foundation-dev", "libocct-modeling-data-dev", "libocct-modeling-algorithms-dev",
+)
+RUN_PACKAGES = ("freecad-python3", "python3-numpy", "calculix-ccx")
+PICTURE_PACKAGES = ("python3-vtk9", "python3-matplotlib", "xvfb", "xauth", "libgl1-mesa-dri")
+PEER_PACKAGES = ("gmsh",)
+WINDOW_PACKAGES = ("freecad", "python3-pivy")
+
+REASONS = (
+    (BUILD_PACKAGES, "to build the engine"),
+    (RUN_PACKAGES, "to run in FreeCAD and to solve with CalculiX"),
+    (PICTURE_PACKAGES, "to draw the pictures of reports"),
+    (PEER_PACKAGES, "to compare with another mesher"),
+    (WINDOW_PACKAGES, "to open FreeCAD's window"),
+)
+
+
+def missing(packages):
+    """Those of the packages that are not installed, in their order."""
+    if not shutil.which("dpkg-query"):
+        raise Failure("this is not Debian (no dpkg-query), so packages cannot be installed here")
+    shown = subprocess.run(["dpkg-query", "-W", "-f=${Package} ${db:Status-Status}\n", *packages],
+                           stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
+    installed = {line.split()[0] for line in shown.splitlines() if line.endswith(" installed")}
+    return [name for name in packages if name not in installed]
+
+
+def install_missing(packages):
+    """Installs what is missing, as root or through sudo, after saying what and why."""
+    names = missing(packages)
+    if not names:
+        return
+    for group, reason in REASONS:
+        of_group = [name for name in names if name in group]
+        if of_group:
+            say(f"installing with apt-get {reason}: {' '.join(of_group)}")
+    prefix = root_prefix(names)
+    environment = ["env", "DEBIAN_FRONTEND=noninteractive"]
+    if any_unknown_to_apt(names):
+        run_logged([*prefix, "apt-get", "-q", "update"], "apt-get update")
+    install = [*prefix, *environment, "apt-get", "-q", "-y", "install", "--no-install-recommends"]
+    try:
+        run_logged([*install, *names], "installing packages")
+    except Failure:
+        # Lists that are older than the mirror name versions that are gone.
+        run_logged([*prefix, "apt-get", "-q", "update"], "apt-get update")
+        run_logged([*install, *names], "installing packages")
+
+
+def root_prefix(names):
+    if os.geteuid() == 0:
+        return []
+    if shutil.which("sudo"):
+        say("this needs root: sudo may ask for your password")
+        return ["sudo"]
+    raise Failure("these packages are missing: " + " ".join(names) + "; run this as root, or install sudo")
+
+
+def any_unknown_to_apt(names):
+    shown = subprocess.run(["apt-cache", "policy", *names], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
+    known = shown.count("Candidate:") - shown.count("Candidate: (none)")
+    return known < len(names)

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Set-up is quiet: what its programs say goes to build/setup.log, whose end is shown when one fails."""
+import subprocess
+import sys
+
+from layout import BUILD, SETUP_LOG, Failure
+
+LINES_SHOWN = 25
+
+
+def say(line):
+    print("featuremesh: " + line, file=sys.stderr, flush=True)
+
+
+def run_logged(command, what, **options):
+    """Runs a set-up program with its output in the log; raises Failure with the log's end when it fails."""
+    BUILD.mkdir(exist_ok=True)
+    with open(SETUP_LOG, "a", encoding="utf-8") as log:
+        log.write("\n$ " + " ".join(map(str, command)) + "\n")
+        log.flush()
+        start = log.tell()
+        try:
+            code = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT, **options).returncode
+        except FileNotFoundError:
+            raise Failure(f"{what} failed: the program {command[0]} is not installed") from None
+    if code:
+        raise Failure(f"{what} failed with exit code {code}; the end of {SETUP_LOG}:\n{end_of(SETUP_LOG, start)}")
+
+
+def end_of(path, start=0):
+    with open(path, encoding="utf-8", errors="replace") as text:
+        text.seek(start)
+        return "".join("    " + line for line in text.readlines()[-LINES_SHOWN:])
