@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "core/run_context.h"
 #include "mesh/mesh.h"
 
 namespace featuremesh {
@@ -19,7 +20,7 @@ DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const 
 /// 3 r_in / R, 1 for the regular tet, 0 for a flat one.
 double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// Figures of a whole mesh (corner nodes only), or of the tets that `only` marks.
+/// Figures of a whole mesh (corner nodes only).
 struct QualityReport {
     double min_dihedral = 0, mean_min_dihedral = 0, max_dihedral = 0;  ///< degrees
     double mean_radius_ratio = 0, min_radius_ratio = 0;
@@ -29,6 +30,8 @@ struct QualityReport {
     double min_dihedral_unforced = 0;                                  ///< smallest angle of all the others
     std::array<std::int64_t, 36> histogram{};                          ///< all dihedral angles in bins of 5 degrees
 };
+/// `forced` are the tets whose small angles the CAD itself forces. The same figures, bit for bit, for any number of threads.
+QualityReport measure_quality(const Mesh& mesh, std::span<const TetId> forced, RunContext& context);
 QualityReport measure_quality(const Mesh& mesh, std::span<const TetId> forced = {});
 
 }  // namespace featuremesh

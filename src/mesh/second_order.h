@@ -26,6 +26,9 @@ double min_scaled_jacobian(const std::array<Vec3, 10>& nodes);
 /// The ten points of one tet.
 std::array<Vec3, 10> tet_nodes(const Mesh& mesh, TetId tet);
 
+/// Whether a side's mid-side node is off the middle of its corners.
+bool has_curved_side(const Mesh& mesh, TetId tet);
+
 /// Gives every side of a 4-node mesh that has no mid-side node yet one at its middle. Sides of kept elements keep theirs. The nodes' entities are
 /// those of the segments and triangles the side belongs to, else the solid. Returns the new nodes.
 std::vector<NodeId> add_mid_side_nodes(Mesh& mesh, const Mesh* kept = nullptr);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/run_context.h"
 #include "mesh/mesh.h"
 
 namespace featuremesh {
@@ -20,6 +21,8 @@ struct Expectation {
 /// range, distinct numbers, positive tets, every triangle in the one or two tets that its face's sides say, no boundary of the tets without
 /// a triangle, closed boundary per solid, segments on triangles' sides, volumes per solid, mid-side nodes shared by all elements around a side,
 /// positive Jacobian of 10-node tets.
+/// A mesh without tets is checked as a surface: closed around every solid.
+std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& expected, RunContext& context);
 std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& expected = {});
 
 }  // namespace featuremesh

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "mesh/second_order.h"
+
+namespace featuremesh {
+namespace {
+
+constexpr double degrees = 180.0 / std::numbers::pi;
+constexpr std::size_t grain = 1 << 14;
+
+/// Cosines of the six dihedral angles and the radius ratio of one tet.
+struct TetShape {
+    std::array<double, 6> cosines;
+    double radius_ratio;
+};
+
+TetShape shape_of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const Vec3 u = b - a, v = c - a, w = d - a;
+    const Vec3 vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
+    // outward normals of the faces opposite b, c, d and a, each twice the area long
+    const std::array<Vec3, 4> normal{-vw, -wu, -uv, vw + wu + uv};
+    std::array<double, 4> area;
+    std::array<double, 4> inverse;
+    for (int i = 0; i < 4; ++i) {
+        area[i] = length(normal[i]);
+        inverse[i] = 1.0 / std::max(area[i], 1e-300);
+    }
+    TetShape shape;
+    int k = 0;
+    for (int i = 0; i < 4; ++i)
+        for (int j = i + 1; j < 4; ++j) shape.cosines[k++] = -dot(normal[i], normal[j]) * inverse[i] * inverse[j];
+    // r = 3 V / sum of areas, R = |alpha| / (12 V) with alpha as below
+    const double six_volume = std::abs(dot(u, vw));
+    const Vec3 alpha = squared_length(u) * vw + squared_length(v) * wu + squared_length(w) * uv;
+    const double areas = area[0] + area[1] + area[2] + area[3];
+    shape.radius_ratio = 6 * six_volume * six_volume / std::max(areas * length(alpha), 1e-300);
+    return shape;
+}
+
+double angle_deg(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * degrees; }
+
+/// Finds the 5-degree bin of an angle from its cosine without an arc cosine: a fine table gives the bin at a cell's right end, and a cell holds at
+/// most one border.
+class AngleBins {
+  public:
+    AngleBins() {
+        for (int i = 0; i <= 36; ++i) border_[i] = std::cos(i * 5.0 / degrees);
+        border_[36] = -2;
+        for (int cell = 0; cell < cells; ++cell) {
+            const double right = -1.0 + 2.0 * (cell + 1) / cells;
+            int bin = 0;
+            while (bin < 35 && right <= border_[bin + 1]) ++bin;
+            first_[cell] = static_cast<std::uint8_t>(bin);
+        }
+    }
+    int operator()(double cosine) const {
+        const int cell = std::clamp(static_cast<int>((cosine + 1.0) * (cells / 2)), 0, cells - 1);
+        const int bin = first_[cell];
+        return bin + (cosine <= border_[bin + 1]);
+    }
+
+  private:
+    static constexpr int cells = 2048;
+    std::array<std::uint8_t, cells> first_;
+    std::array<double, 37> border_;
+};
+
+/// What is summed up over one chunk of tets.
+struct Tally {
+    double largest_cosine = -1, smallest_cosine = 1, largest_unforced_cosine = -1;
+    double sum_of_min_angles = 0, sum_of_ratios = 0, smallest_ratio = 1;
+    double scaled_jacobian = 1;
+    std::int64_t below_10 = 0, below_20 = 0, below_25 = 0, forced = 0;
+    std::array<std::int64_t, 36> histogram{};
+};
+
+Tally tally_of(const Mesh& mesh, const std::vector<bool>& is_forced, std::size_t begin, std::size_t end) {
+    static const AngleBins bin_of;
+    static const double cos_10 = std::cos(10 / degrees), cos_20 = std::cos(20 / degrees), cos_25 = std::cos(25 / degrees);
+    Tally tally;
+    for (std::size_t t = begin; t < end; ++t) {
+        const auto& n = mesh.tets[t];
+        const TetShape shape = shape_of(mesh.point(n[0]), mesh.point(n[1]), mesh.point(n[2]), mesh.point(n[3]));
+        const auto [low, high] = std::minmax_element(shape.cosines.begin(), shape.cosines.end());
+        for (double cosine : shape.cosines) ++tally.histogram[bin_of(cosine)];
+        tally.largest_cosine = std::max(tally.largest_cosine, *high);
+        tally.smallest_cosine = std::min(tally.smallest_cosine, *low);
+        tally.sum_of_min_angles += angle_deg(*high);
+        tally.sum_of_ratios += shape.radius_ratio;
+        tally.smallest_ratio = std::min(tally.smallest_ratio, shape.radius_ratio);
+        tally.below_10 += *high > cos_10;
+        tally.below_20 += *high > cos_20;
+        tally.below_25 += *high > cos_25;
+        if (is_forced.empty() || !is_forced[t])
+            tally.largest_unforced_cosine = std::max(tally.largest_unforced_cosine, *high);
+        else
+            tally.forced += *high > cos_25;
+        if (mesh.order == 2 && has_curved_side(mesh, TetId(t)))
+            tally.scaled_jacobian = std::min(tally.scaled_jacobian, min_scaled_jacobian(tet_nodes(mesh, TetId(t))));
+    }
+    return tally;
+}
+
+void add(Tally& sum, const Tally& part) {
+    sum.largest_cosine = std::max(sum.largest_cosine, part.largest_cosine);
+    sum.smallest_cosine = std::min(sum.smallest_cosine, part.smallest_cosine);
+    sum.largest_unforced_cosine = std::max(sum.largest_unforced_cosine, part.largest_unforced_cosine);
+    sum.sum_of_min_angles += part.sum_of_min_angles;
+    sum.sum_of_ratios += part.sum_of_ratios;
+    sum.smallest_ratio = std::min(sum.smallest_ratio, part.smallest_ratio);
+    sum.scaled_jacobian = std::min(sum.scaled_jacobian, part.scaled_jacobian);
+    sum.below_10 += part.below_10;
+    sum.below_20 += part.below_20;
+    sum.below_25 += part.below_25;
+    sum.forced += part.forced;
+    for (std::size_t i = 0; i < sum.histogram.size(); ++i) sum.histogram[i] += part.histogram[i];
+}
+
+QualityReport report_of(const Tally& tally, double count) {
+    QualityReport report;
+    report.min_dihedral = angle_deg(tally.largest_cosine);
+    report.max_dihedral = angle_deg(tally.smallest_cosine);
+    report.min_dihedral_unforced = angle_deg(tally.largest_unforced_cosine);
+    report.mean_min_dihedral = tally.sum_of_min_angles / count;
+    report.mean_radius_ratio = tally.sum_of_ratios / count;
+    report.min_radius_ratio = tally.smallest_ratio;
+    report.min_scaled_jacobian = tally.scaled_jacobian;
+    report.below_10 = tally.below_10;
+    report.below_20 = tally.below_20;
+    report.below_25 = tally.below_25;
+    report.forced_by_cad = tally.forced;
+    report.histogram = tally.histogram;
+    return report;
+}
+
+}  // namespace
+
+DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const TetShape shape = shape_of(a, b, c, d);
+    const auto [low, high] = std::minmax_element(shape.cosines.begin(), shape.cosines.end());
+    return {angle_deg(*high), angle_deg(*low)};
+}
+
+double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    return shape_of(a, b, c, d).radius_ratio;
+}
+
+QualityReport measure_quality(const Mesh& mesh, std::span<const TetId> forced, RunContext& context) {
+    if (mesh.tets.empty()) return {};
+    std::vector<bool> is_forced(forced.empty() ? 0 : mesh.tets.size(), false);
+    for (TetId t : forced) is_forced[t.index()] = true;
+    std::vector<Tally> parts((mesh.tets.size() + grain - 1) / grain);
+    parallel_for(context, mesh.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
+        parts[begin / grain] = tally_of(mesh, is_forced, begin, end);
+    });
+    Tally sum;
+    for (const Tally& part : parts) add(sum, part);
+    return report_of(sum, static_cast<double>(mesh.tets.size()));
+}
+
+QualityReport measure_quality(const Mesh& mesh, std::span<const TetId> forced) {
+    RunContext context;
+    return measure_quality(mesh, forced, context);
+}
+
+}  // namespace featuremesh

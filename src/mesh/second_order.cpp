@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/second_order.h"
+
+#include <algorithm>
+#include <queue>
+
+#include "mesh/side_table.h"
+
+namespace featuremesh {
+namespace {
+
+/// Exponents of the 20 cubic Bernstein polynomials in the four barycentric coordinates.
+using Exponents = std::array<int, 4>;
+
+constexpr std::array<Exponents, 20> make_exponents() {
+    std::array<Exponents, 20> all{};
+    int n = 0;
+    for (int i = 3; i >= 0; --i)
+        for (int j = 3 - i; j >= 0; --j)
+            for (int k = 3 - i - j; k >= 0; --k) all[n++] = {i, j, k, 3 - i - j - k};
+    return all;
+}
+constexpr std::array<Exponents, 20> exponents = make_exponents();
+
+constexpr std::array<int, 64> make_index_of() {
+    std::array<int, 64> index{};
+    for (int n = 0; n < 20; ++n) index[16 * exponents[n][0] + 4 * exponents[n][1] + exponents[n][2]] = n;
+    return index;
+}
+constexpr std::array<int, 64> index_table = make_index_of();
+constexpr int index_of(const Exponents& e) { return index_table[16 * e[0] + 4 * e[1] + e[2]]; }
+
+/// Bernstein coefficients of det J over one sub-tet of an element.
+using Coefficients = std::array<double, 20>;
+
+constexpr std::array<int, 4> corner_coefficients{index_of({3, 0, 0, 0}), index_of({0, 3, 0, 0}), index_of({0, 0, 3, 0}),
+                                                 index_of({0, 0, 0, 3})};
+
+double smallest_corner(const Coefficients& c) {
+    return std::min({c[corner_coefficients[0]], c[corner_coefficients[1]], c[corner_coefficients[2]], c[corner_coefficients[3]]});
+}
+
+/// The coefficients over the half in which corner `to` is moved to the middle of (keep, to) (de Casteljau).
+Coefficients half(const Coefficients& c, int keep, int to) {
+    constexpr std::array<std::array<double, 4>, 4> share{{{1, 0, 0, 0}, {0.5, 0.5, 0, 0}, {0.25, 0.5, 0.25, 0}, {0.125, 0.375, 0.375, 0.125}}};
+    Coefficients out{};
+    for (int n = 0; n < 20; ++n) {
+        const int power = exponents[n][to];
+        for (int moved = 0; moved <= power; ++moved) {
+            Exponents e = exponents[n];
+            e[to] -= moved;
+            e[keep] += moved;
+            out[n] += share[power][moved] * c[index_of(e)];
+        }
+    }
+    return out;
+}
+
+struct Piece {
+    Coefficients coefficients;
+    double bound;
+    int depth;
+    bool operator<(const Piece& other) const { return bound > other.bound; }
+};
+
+Piece piece_of(const Coefficients& c, int depth) { return {c, *std::min_element(c.begin(), c.end()), depth}; }
+
+}  // namespace
+
+std::array<double, 20> jacobian_coefficients(const std::array<Vec3, 10>& nodes) {
+    // quadratic control points by pair of corners; the middle one so that the curve passes through the mid-side node
+    Vec3 control[4][4];
+    for (int i = 0; i < 4; ++i) control[i][i] = nodes[i];
+    for (int s = 0; s < 6; ++s) {
+        const auto [a, b] = tet_sides[s];
+        control[a][b] = control[b][a] = 2.0 * nodes[4 + s] - 0.5 * (nodes[a] + nodes[b]);
+    }
+    // dx/d(lambda_k - lambda_0) = 2 sum over a of lambda_a direction[a][k]
+    Vec3 direction[4][3];
+    for (int a = 0; a < 4; ++a)
+        for (int k = 0; k < 3; ++k) direction[a][k] = 2.0 * (control[a][k + 1] - control[a][0]);
+    Coefficients sum{};
+    std::array<int, 20> terms{};
+    for (int a = 0; a < 4; ++a)
+        for (int b = 0; b < 4; ++b) {
+            const Vec3 normal = cross(direction[a][0], direction[b][1]);
+            for (int c = 0; c < 4; ++c) {
+                Exponents e{};
+                ++e[a], ++e[b], ++e[c];
+                sum[index_of(e)] += dot(normal, direction[c][2]);
+                ++terms[index_of(e)];
+            }
+        }
+    for (int n = 0; n < 20; ++n) sum[n] /= terms[n];
+    return sum;
+}
+
+double min_scaled_jacobian(const std::array<Vec3, 10>& nodes) {
+    constexpr double agreement = 1e-3;
+    constexpr int most_pieces = 400;
+    const double straight = 6 * signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]);
+    if (!(straight > 0)) return -1;
+    Coefficients c = jacobian_coefficients(nodes);
+    for (double& value : c) value /= straight;
+    double sampled = smallest_corner(c);
+    std::priority_queue<Piece> open;
+    open.push(piece_of(c, 0));
+    for (int pieces = 0; pieces < most_pieces; ++pieces) {
+        if (sampled <= 0 || open.top().bound >= sampled - agreement) break;
+        const Piece worst = open.top();
+        open.pop();
+        constexpr std::array<std::array<int, 2>, 6> order{{{0, 1}, {2, 3}, {0, 2}, {1, 3}, {0, 3}, {1, 2}}};
+        const auto [a, b] = order[worst.depth % 6];
+        for (const Coefficients& part : {half(worst.coefficients, a, b), half(worst.coefficients, b, a)}) {
+            sampled = std::min(sampled, smallest_corner(part));
+            open.push(piece_of(part, worst.depth + 1));
+        }
+    }
+    return std::min(sampled, open.top().bound);
+}
+
+std::array<Vec3, 10> tet_nodes(const Mesh& mesh, TetId tet) {
+    std::array<Vec3, 10> nodes;
+    for (int i = 0; i < 4; ++i) nodes[i] = mesh.point(mesh.tets[tet.index()][i]);
+    for (int s = 0; s < 6; ++s) nodes[4 + s] = mesh.point(mesh.tet_mids[tet.index()][s]);
+    return nodes;
+}
+
+bool has_curved_side(const Mesh& mesh, TetId tet) {
+    const auto& corners = mesh.tets[tet.index()];
+    const auto& mids = mesh.tet_mids[tet.index()];
+    for (int s = 0; s < 6; ++s) {
+        const Vec3 &a = mesh.point(corners[tet_sides[s][0]]), &b = mesh.point(corners[tet_sides[s][1]]);
+        // a carried straight side is off its middle by rounding only
+        if (squared_length(mesh.point(mids[s]) - (a + b) * 0.5) > 1e-20 * squared_length(b - a)) return true;
+    }
+    return false;
+}
+
+namespace {
+
+template <class Visit>
+void for_each_side(const Mesh& mesh, Visit visit) {
+    for (std::size_t i = 0; i < mesh.segments.size(); ++i)
+        visit(mesh.segments[i][0], mesh.segments[i][1], entity_of(mesh.segment_edges[i]), 1, i, 0);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        for (int s = 0; s < 3; ++s)
+            visit(mesh.triangles[i][s], mesh.triangles[i][(s + 1) % 3], entity_of(mesh.triangle_faces[i]), 2, i, s);
+    for (std::size_t i = 0; i < mesh.tets.size(); ++i)
+        for (int s = 0; s < 6; ++s)
+            visit(mesh.tets[i][tet_sides[s][0]], mesh.tets[i][tet_sides[s][1]], entity_of(mesh.tet_solids[i]), 3, i, s);
+}
+
+NodeId& mid_of(Mesh& mesh, int dim, std::size_t element, int side) {
+    if (dim == 1) return mesh.segment_mids[element];
+    if (dim == 2) return mesh.triangle_mids[element][side];
+    return mesh.tet_mids[element][side];
+}
+NodeId mid_of(const Mesh& mesh, int dim, std::size_t element, int side) { return mid_of(const_cast<Mesh&>(mesh), dim, element, side); }
+
+/// Takes over the kept mid-side nodes of the sides that are still there, in their old order.
+void take_over_kept_mids(Mesh& mesh, const Mesh& kept, SideTable& sides) {
+    SideTable kept_sides(mesh.corner_count);
+    for_each_side(kept, [&](NodeId a, NodeId b, Entity, int dim, std::size_t element, int side) {
+        kept_sides.value(a, b) = mid_of(kept, dim, element, side).value;
+    });
+    std::vector<std::array<NodeId, 2>> side_of(kept.points.size());
+    for_each_side(mesh, [&](NodeId a, NodeId b, Entity, int, std::size_t, int) {
+        const std::int32_t old = kept_sides.find(a, b);
+        if (old >= 0) side_of[static_cast<std::size_t>(old)] = {a, b};
+    });
+    for (std::size_t old = kept.corner_count; old < side_of.size(); ++old) {
+        if (!side_of[old][0].is_valid()) continue;
+        sides.value(side_of[old][0], side_of[old][1]) = static_cast<std::int32_t>(mesh.points.size());
+        mesh.points.push_back(kept.points[old]);
+        mesh.entities.push_back(kept.entities[old]);
+        mesh.parameters.push_back(kept.parameters[old]);
+        mesh.node_numbers.push_back(kept.node_numbers[old]);
+    }
+    mesh.next_node_number = std::max(mesh.next_node_number, kept.next_node_number);
+}
+
+}  // namespace
+
+std::vector<NodeId> add_mid_side_nodes(Mesh& mesh, const Mesh* kept) {
+    mesh.order = 2;
+    mesh.corner_count = mesh.points.size();
+    mesh.segment_mids.resize(mesh.segments.size());
+    mesh.triangle_mids.resize(mesh.triangles.size());
+    mesh.tet_mids.resize(mesh.tets.size());
+    SideTable sides(mesh.corner_count);
+    if (kept && kept->order == 2) take_over_kept_mids(mesh, *kept, sides);
+    std::vector<NodeId> added;
+    for_each_side(mesh, [&](NodeId a, NodeId b, Entity entity, int dim, std::size_t element, int side) {
+        std::int32_t& mid = sides.value(a, b);
+        if (mid < 0) {
+            added.push_back(mesh.add_node((mesh.point(a) + mesh.point(b)) * 0.5, entity));
+            mid = added.back().value;
+        }
+        mid_of(mesh, dim, element, side) = NodeId(mid);
+    });
+    return added;
+}
+
+}  // namespace featuremesh

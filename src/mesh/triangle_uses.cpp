@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/triangle_uses.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace featuremesh {
+namespace {
+
+/// Sorts the nodes of one element; true when that took an odd number of swaps.
+bool sort_nodes(std::array<std::uint32_t, 4>& n) {
+    bool odd = false;
+    const auto order = [&](int i, int j) {
+        const bool swap = n[j] < n[i];
+        const std::uint32_t low = swap ? n[j] : n[i], high = swap ? n[i] : n[j];
+        n[i] = low;
+        n[j] = high;
+        odd ^= swap;
+    };
+    order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
+    return odd;
+}
+
+bool sort_nodes(std::array<std::uint32_t, 3>& n) {
+    bool odd = false;
+    for (const auto& [i, j] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{0, 1}})
+        if (n[j] < n[i]) std::swap(n[i], n[j]), odd = !odd;
+    return odd;
+}
+
+template <std::size_t count>
+std::array<std::uint32_t, count> values_of(const std::array<NodeId, count>& nodes) {
+    std::array<std::uint32_t, count> values;
+    for (std::size_t i = 0; i < count; ++i) values[i] = static_cast<std::uint32_t>(nodes[i].value);
+    return values;
+}
+
+}  // namespace
+
+TriangleUses::TriangleUses(const Mesh& mesh) : begin_(mesh.points.size() + 1, 0) {
+    for (const auto& tet : mesh.tets) {
+        auto n = values_of(tet);
+        sort_nodes(n);
+        begin_[n[0]] += 3;
+        begin_[n[1]] += 1;
+    }
+    for (const auto& triangle : mesh.triangles) {
+        const auto n = values_of(triangle);
+        ++begin_[std::min({n[0], n[1], n[2]})];
+    }
+    std::size_t sum = 0;
+    for (std::size_t& entry : begin_) sum += std::exchange(entry, sum);
+    uses_.resize(sum);
+    std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+        auto n = values_of(mesh.tets[t]);
+        // the face opposite the j-th smallest node is outward in growing order when j and the parity of the sorting agree
+        const bool odd = sort_nodes(n);
+        const std::int32_t even_face = static_cast<std::int32_t>(2 * t) + odd, odd_face = static_cast<std::int32_t>(2 * t) + !odd;
+        TriangleUse* out = uses_.data() + next[n[0]];
+        out[0] = {n[1], n[2], odd_face};
+        out[1] = {n[1], n[3], even_face};
+        out[2] = {n[2], n[3], odd_face};
+        next[n[0]] += 3;
+        uses_[next[n[1]]++] = {n[2], n[3], even_face};
+    }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        auto n = values_of(mesh.triangles[t]);
+        const bool odd = sort_nodes(n);
+        uses_[next[n[0]]++] = {n[1], n[2], -1 - (static_cast<std::int32_t>(2 * t) + odd)};
+    }
+}
+
+void TriangleUses::sort(std::span<TriangleUse> uses) {
+    // The elements come in growing order, tets first: a stable sort by the two other nodes keeps that
+    for (std::size_t i = 1; i < uses.size(); ++i) {
+        const TriangleUse use = uses[i];
+        const std::uint64_t key = std::uint64_t{use.middle} << 32 | use.largest;
+        std::size_t j = i;
+        for (; j > 0 && (std::uint64_t{uses[j - 1].middle} << 32 | uses[j - 1].largest) > key; --j) uses[j] = uses[j - 1];
+        uses[j] = use;
+    }
+}
+
+}  // namespace featuremesh
