@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "update/enclosure.h"
+
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Tool.hxx>
+#include <Poly_Triangulation.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Solid.hxx>
+#include <algorithm>
+#include <numeric>
+
+namespace featuremesh {
+
+namespace {
+
+Vec3 vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
+
+Box box_of(const std::vector<std::array<Vec3, 3>>& triangles) {
+    Box box;
+    for (const auto& t : triangles)
+        for (const Vec3& p : t) box.add(p);
+    return box;
+}
+
+std::vector<std::array<Vec3, 3>> triangulate(const TopoDS_Shape& shape) {
+    const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape, true, false).Shape();   // the original stays without a triangulation
+    BRepMesh_IncrementalMesh mesher(copy, 0.01, true, 0.3, false);
+    std::vector<std::array<Vec3, 3>> triangles;
+    for (TopExp_Explorer it(copy, TopAbs_FACE); it.More(); it.Next()) {
+        TopLoc_Location location;
+        const auto mesh = BRep_Tool::Triangulation(TopoDS::Face(it.Current()), location);
+        if (mesh.IsNull()) continue;
+        for (int i = 1; i <= mesh->NbTriangles(); ++i) {
+            int a, b, c;
+            mesh->Triangle(i).Get(a, b, c);
+            const auto at = [&](int n) { return vec(mesh->Node(n).Transformed(location)); };
+            triangles.push_back({at(a), at(b), at(c)});
+        }
+    }
+    return triangles;
+}
+
+/// Height at which the vertical through (x, y) meets the triangle; false where it passes by.
+bool crossing(const Vec3& a, const Vec3& b, const Vec3& c, double x, double y, double& z) {
+    const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+    if (area == 0) return false;
+    const double u = ((x - a.x) * (c.y - a.y) - (c.x - a.x) * (y - a.y)) / area;
+    const double v = ((b.x - a.x) * (y - a.y) - (x - a.x) * (b.y - a.y)) / area;
+    if (u < 0 || v < 0 || u + v > 1) return false;
+    z = a.z + u * (b.z - a.z) + v * (c.z - a.z);
+    return true;
+}
+
+}  // namespace
+
+Enclosure::Enclosure(const std::vector<TopoDS_Shape>& volumes) {
+    std::vector<std::array<Vec3, 3>> all;
+    for (const TopoDS_Shape& volume : volumes) {
+        const auto part = triangulate(volume);
+        all.insert(all.end(), part.begin(), part.end());
+    }
+    if (all.empty()) return;
+    box_ = box_of(all);
+    const Vec3 size = box_.size();
+    pitch_ = std::max({size.x, size.y, 1e-9}) / 64;
+    columns_ = std::size_t(size.x / pitch_) + 1;
+    rows_ = std::size_t(size.y / pitch_) + 1;
+    columns_triangles_.resize(columns_ * rows_);
+    for (const auto& t : all) {
+        const Box b = box_of({t});
+        const auto id = std::uint32_t(triangles_.size());
+        triangles_.push_back({t[0], t[1], t[2]});
+        const std::size_t i1 = std::size_t((b.high.x - box_.low.x) / pitch_), j1 = std::size_t((b.high.y - box_.low.y) / pitch_);
+        for (std::size_t i = std::size_t((b.low.x - box_.low.x) / pitch_); i <= std::min(i1, columns_ - 1); ++i)
+            for (std::size_t j = std::size_t((b.low.y - box_.low.y) / pitch_); j <= std::min(j1, rows_ - 1); ++j)
+                columns_triangles_[i * rows_ + j].push_back(id);
+    }
+}
+
+bool Enclosure::contains(const Vec3& p) const {
+    if (!box_.contains(p)) return false;
+    // Off the lattice planes on which CAD vertices like to lie, so that no ray passes through a side.
+    const double x = p.x + 1.7e-7 * pitch_ * 64, y = p.y + 2.3e-7 * pitch_ * 64;
+    const std::size_t i = std::min(std::size_t(std::max(0.0, (x - box_.low.x) / pitch_)), columns_ - 1);
+    const std::size_t j = std::min(std::size_t(std::max(0.0, (y - box_.low.y) / pitch_)), rows_ - 1);
+    bool inside = false;
+    for (const std::uint32_t id : columns_triangles_[i * rows_ + j]) {
+        const Triangle& t = triangles_[id];
+        double z;
+        if (crossing(t.a, t.b, t.c, x, y, z) && z > p.z) inside = !inside;
+    }
+    return inside;
+}
+
+struct SolidLocator::Data {
+    std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> classifiers;
+    double tolerance;
+};
+
+SolidLocator::SolidLocator(const Brep& brep) : data_(std::make_unique<Data>()) {
+    for (std::size_t s = 0; s < brep.solid_count(); ++s)
+        data_->classifiers.push_back(std::make_unique<BRepClass3d_SolidClassifier>(brep.solid(SolidId(s))));
+    data_->tolerance = brep.tolerances().same_geometry();
+}
+SolidLocator::~SolidLocator() = default;
+
+SolidId SolidLocator::solid_at(const Vec3& p) const {
+    for (std::size_t s = 0; s < data_->classifiers.size(); ++s) {
+        data_->classifiers[s]->Perform(gp_Pnt(p.x, p.y, p.z), data_->tolerance);
+        if (data_->classifiers[s]->State() == TopAbs_IN) return SolidId(s);
+    }
+    return SolidId();
+}
+
+PointGrid::PointGrid(std::vector<Vec3> points, double spacing) : spacing_(spacing) {
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const auto ka = bucket_of(points[a]), kb = bucket_of(points[b]);
+        return ka != kb ? ka < kb : a < b;
+    });
+    for (const std::size_t i : order) {
+        points_.push_back(points[i]);
+        buckets_.push_back(bucket_of(points[i]));
+    }
+}
+
+std::array<std::int64_t, 3> PointGrid::bucket_of(const Vec3& p) const {
+    const auto at = [&](double c) { return std::int64_t(std::floor(c / spacing_)); };
+    return {at(p.x), at(p.y), at(p.z)};
+}
+
+bool PointGrid::has_within(const Vec3& p, double radius) const {
+    const auto centre = bucket_of(p);
+    for (std::int64_t i = -1; i <= 1; ++i)
+        for (std::int64_t j = -1; j <= 1; ++j) {
+            const std::array<std::int64_t, 3> low{centre[0] + i, centre[1] + j, centre[2] - 1}, high{low[0], low[1], centre[2] + 2};
+            for (auto it = std::lower_bound(buckets_.begin(), buckets_.end(), low); it != buckets_.end() && *it < high; ++it)
+                if (squared_length(points_[std::size_t(it - buckets_.begin())] - p) < radius * radius) return true;
+        }
+    return false;
+}
+
+}  // namespace featuremesh

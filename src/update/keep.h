@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of an old mesh survives in the new state of the part.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/run_context.h"
+#include "difference/feature_difference.h"
+#include "features/brep.h"
+#include "mesh/mesh.h"
+#include "sizing/sizing_field.h"
+#include "update/report.h"
+
+namespace featuremesh {
+
+struct KeepInput {
+    const Mesh& old_mesh;
+    const Brep& old_brep;
+    const Brep& new_brep;
+    const FeatureDifference& difference;
+    const SizingField& old_sizing;
+    const SizingField& new_sizing;
+    double margin = 2.0;                       ///< edge lengths between a kept node and the changed boundary
+};
+
+struct Kept {
+    /// 4-node: the corner nodes, segments, triangles and tets that stay, on the entities of the new shape, with their numbers.
+    Mesh mesh;
+    /// The same as 10-node elements with their old mid-side nodes, where the old mesh is one; order 1 and empty otherwise.
+    Mesh curved;
+    std::vector<std::int32_t> node_origin, segment_origin, triangle_origin, tet_origin;   ///< indices in the old mesh
+    std::vector<std::int32_t> tet_motion;      ///< by kept tet: index of its carried region
+    std::vector<Vec3> active;                  ///< inner nodes that only serve as start positions
+    std::vector<KeptByMotion> by_motion;
+};
+
+/// A node stays under a motion when it is further from that motion's changed boundary than `margin` edge lengths, the wanted size there changed by less than
+/// a factor of 1.2, and it is verified to lie on its entity of the new shape. Tets stay when their four nodes do, under one motion, and when their
+/// connected region is verified to be inside a new solid.
+Kept keep(const KeepInput& input, RunContext& context);
+
+}  // namespace featuremesh

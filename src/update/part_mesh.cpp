@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "update/part_mesh.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/errors.h"
+#include "mesh/validation.h"
+#include "surface/mid_side_nodes.h"
+#include "update/keep.h"
+
+namespace featuremesh {
+
+namespace {
+
+double peak_memory_mb() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return double(usage.ru_maxrss) / 1024;
+}
+
+PartState read_part(const RawDocument& document, RunContext& context) {
+    RunContext::Step step(context, "read");
+    FeatureTree tree = interpret(document);
+    Brep brep(tree.final_shape);
+    CellModel cells = build_cells(tree, brep, context);
+    return {std::move(tree), std::move(brep), std::move(cells)};
+}
+
+void refuse_too_many(const Brep& brep, const SizingField& sizing, const MeshOptions& options) {
+    const double tets = estimate_tets(brep, sizing);
+    if (tets > options.most_tets)
+        throw InputError("A size of " + std::to_string(options.sizing.size) + " mm would make about " +
+                         std::to_string(std::llround(tets / 1e6)) + " million tets; at most " +
+                         std::to_string(std::llround(options.most_tets / 1e6)) + " million are made. Choose a larger size.");
+}
+
+Expectation expectation_of(const Brep& brep) {
+    Expectation expected;
+    for (std::size_t s = 0; s < brep.solid_count(); ++s) expected.solid_volumes.push_back(brep.volume_of(SolidId(s)));
+    for (std::size_t f = 0; f < brep.face_count(); ++f) expected.face_sides.push_back(brep.sides_of(FaceId(f)));
+    // Chords cut curved faces; how much is the judgement of the surface module, so only gross errors count here.
+    expected.volume_tolerance = 0.3;
+    return expected;
+}
+
+void validate(const Mesh& mesh, const Brep& brep, RunContext& context) {
+    RunContext::Step step(context, "validate");
+    const std::vector<std::string> broken = broken_invariants(mesh, expectation_of(brep));
+    if (!broken.empty())
+        throw MeshError("The mesh is not valid: " + broken.front() +
+                        (broken.size() > 1 ? " (and " + std::to_string(broken.size() - 1) + " more)" : "") + ".");
+}
+
+struct Filled {
+    Mesh mesh;
+    SurfaceReport surface;
+    VolumeReport volume;
+    std::vector<TetId> released;
+};
+
+/// The one operation: fills whatever is not meshed yet.
+Filled fill(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, RunContext& context) {
+    SurfaceResult surface = fill_surface(brep, sizing, std::move(kept.mesh), context);
+    VolumeResult volume = fill_solids(brep, sizing, std::move(surface.mesh), kept.active, options.volume, context);
+    Mesh mesh = std::move(volume.mesh);
+    if (options.order == 2)
+        mesh = curve_to_second_order(brep, std::move(mesh), kept.curved.order == 2 ? &kept.curved : nullptr, context);
+    validate(mesh, brep, context);
+    return {std::move(mesh), std::move(surface.report), std::move(volume.report), std::move(volume.released)};
+}
+
+void record(const Filled& filled, const MeshOptions& options, Report& report) {
+    report.nodes = filled.mesh.node_count();
+    report.tets = filled.mesh.tets.size();
+    report.order = options.order;
+    report.size = options.sizing.size;
+    report.quality = measure_quality(filled.mesh);
+    report.surface = filled.surface;
+    report.volume = filled.volume;
+    report.warnings.insert(report.warnings.end(), filled.surface.warnings.begin(), filled.surface.warnings.end());
+    report.warnings.insert(report.warnings.end(), filled.volume.warnings.begin(), filled.volume.warnings.end());
+}
+
+void record_run(const PartState& part, const RunContext& context, double total, Report& report) {
+    report.seconds = context.seconds();
+    for (const char* step : {"read", "cells", "difference", "keep", "surface", "volume", "optimise", "validate"})
+        report.seconds.try_emplace(step, 0.0);
+    report.seconds["engine_total"] = total;
+    report.peak_memory_mb = peak_memory_mb();
+    report.warnings.insert(report.warnings.end(), part.tree.notes.begin(), part.tree.notes.end());
+    report.warnings.insert(report.warnings.end(), part.cells.report.fallbacks.begin(), part.cells.report.fallbacks.end());
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::vector<std::int32_t> extended(std::vector<std::int32_t> origins, std::size_t count) {
+    origins.resize(count, -1);
+    return origins;
+}
+
+std::vector<std::int32_t> without(const std::vector<std::int32_t>& origins, const std::vector<TetId>& released) {
+    std::vector<char> gone(origins.size(), 0);
+    for (const TetId t : released) gone[t.index()] = 1;
+    std::vector<std::int32_t> left;
+    for (std::size_t t = 0; t < origins.size(); ++t)
+        if (!gone[t]) left.push_back(origins[t]);
+    return left;
+}
+
+/// Kept corner nodes stay in front; kept mid-side nodes are found by their numbers, which are never given twice.
+std::vector<std::int32_t> node_origins(const Mesh& old, const Mesh& mesh, const std::vector<std::int32_t>& corners) {
+    std::vector<std::int32_t> origins = extended(corners, mesh.node_count());
+    if (old.order == 1 || mesh.order == 1) return origins;
+    std::vector<std::pair<Number, std::int32_t>> of_number;
+    for (std::size_t n = old.corner_count; n < old.node_count(); ++n) of_number.emplace_back(old.node_numbers[n], std::int32_t(n));
+    std::sort(of_number.begin(), of_number.end());
+    for (std::size_t n = mesh.corner_count; n < mesh.node_count(); ++n) {
+        const auto it = std::lower_bound(of_number.begin(), of_number.end(), std::pair<Number, std::int32_t>{mesh.node_numbers[n], 0});
+        if (it != of_number.end() && it->first == mesh.node_numbers[n]) origins[n] = it->second;
+    }
+    return origins;
+}
+
+void record_kept(const PartMesh& now, const std::vector<KeptByMotion>& by_motion, Report& report) {
+    const auto share = [](const std::vector<std::int32_t>& origin) {
+        const auto kept = std::count_if(origin.begin(), origin.end(), [](std::int32_t o) { return o >= 0; });
+        return origin.empty() ? 0.0 : double(kept) / double(origin.size());
+    };
+    report.kept = by_motion;
+    report.kept_nodes_share = share(now.node_origin);
+    report.kept_tets_share = share(now.tet_origin);
+    report.active_nodes = now.active_points.size();
+}
+
+/// What of the old mesh may be kept, or why nothing can.
+std::string reason_for_full_mesh(const PartMesh& old, const MeshOptions& options) {
+    if (old.options.order != options.order) return "the element order changed";
+    const double ratio = options.sizing.size / old.options.sizing.size;
+    if (std::max(ratio, 1 / ratio) > 1.2) return "the global size changed by more than 1.2 times";
+    return {};
+}
+
+}  // namespace
+
+PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context) {
+    const auto start = std::chrono::steady_clock::now();
+    PartState part = read_part(document, context);
+    const SizingField sizing = make_sizing(part.brep, options.sizing, {}, context);
+    refuse_too_many(part.brep, sizing, options);
+    Filled filled = fill(part.brep, sizing, {}, options, context);
+    PartMeshResult result;
+    record(filled, options, result.report);
+    record_run(part, context, seconds_since(start), result.report);
+    const std::size_t nodes = filled.mesh.node_count(), tets = filled.mesh.tets.size();
+    result.part_mesh = std::make_shared<const PartMesh>(PartMesh{std::move(part), std::move(document), options, std::move(filled.mesh),
+                                                                 std::vector<std::int32_t>(nodes, -1), std::vector<std::int32_t>(tets, -1), {}});
+    return result;
+}
+
+PartMeshResult update_part(const PartMesh& old, RawDocument document, const MeshOptions& options, RunContext& context) {
+    const auto start = std::chrono::steady_clock::now();
+    PartState part = read_part(document, context);
+    const SizingField sizing = make_sizing(part.brep, options.sizing, {}, context);
+    refuse_too_many(part.brep, sizing, options);
+    const SizingField old_sizing = make_sizing(old.part.brep, old.options.sizing, {}, context);
+
+    PartMeshResult result;
+    Report& report = result.report;
+    report.difference = compare(old.part, part, sizing.smallest(), context);
+    std::vector<double> margins{options.keep_margin, 2 * options.keep_margin};
+    if (const std::string why = reason_for_full_mesh(old, options); !why.empty()) {
+        report.fallbacks.push_back("full mesh: " + why);
+        margins.clear();
+    }
+    std::vector<Vec3> active;
+    std::vector<std::int32_t> node_origin, tet_origin;
+    std::optional<Filled> filled;
+    for (const double margin : margins) {
+        Kept kept = keep({old.mesh, old.part.brep, part.brep, report.difference, old_sizing, sizing, margin}, context);
+        active = kept.active;
+        node_origin = kept.node_origin;
+        tet_origin = kept.tet_origin;
+        const std::vector<KeptByMotion> by_motion = kept.by_motion;
+        try {
+            filled = fill(part.brep, sizing, std::move(kept), options, context);
+            report.kept = by_motion;
+            break;
+        } catch (const MeshError& failure) {
+            report.fallbacks.push_back("keeping everything further than " + std::to_string(margin) + " edge lengths from the change failed: " +
+                                       failure.what());
+        }
+    }
+    if (!filled) {
+        if (!margins.empty()) report.fallbacks.push_back("full mesh: nothing could be kept");
+        Kept nothing;
+        nothing.mesh.next_node_number = old.mesh.next_node_number;
+        nothing.mesh.next_element_number = old.mesh.next_element_number;
+        active.clear(), node_origin.clear(), tet_origin.clear();
+        filled = fill(part.brep, sizing, std::move(nothing), options, context);
+    }
+    record(*filled, options, report);
+    node_origin = node_origins(old.mesh, filled->mesh, node_origin);
+    tet_origin = extended(without(tet_origin, filled->released), filled->mesh.tets.size());
+    auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, std::move(filled->mesh),
+                                                   std::move(node_origin), std::move(tet_origin), std::move(active)});
+    record_kept(*now, report.kept, report);
+    record_run(now->part, context, seconds_since(start), report);
+    result.part_mesh = std::move(now);
+    return result;
+}
+
+std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& options, Mesh mesh, RunContext& context) {
+    PartState part = read_part(document, context);
+    const std::vector<std::string> broken = broken_invariants(mesh, expectation_of(part.brep));
+    if (!broken.empty()) throw StateError("The saved mesh does not fit the part: " + broken.front() + ".");
+    const std::size_t nodes = mesh.node_count(), tets = mesh.tets.size();
+    return std::make_shared<const PartMesh>(PartMesh{std::move(part), std::move(document), options, std::move(mesh),
+                                                     std::vector<std::int32_t>(nodes, -1), std::vector<std::int32_t>(tets, -1), {}});
+}
+
+}  // namespace featuremesh
