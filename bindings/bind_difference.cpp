@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bindings.h"
+
+namespace featuremesh {
+
+namespace {
+
+const char* name_of_verdict(FaceVerdict verdict) {
+    switch (verdict) {
+        case FaceVerdict::kept: return "kept";
+        case FaceVerdict::vanished: return "vanished";
+        case FaceVerdict::appeared: return "appeared";
+        default: return "trimmed differently";
+    }
+}
+
+py::object face_name(FaceId face) { return face.is_valid() ? py::object(py::str(name_of(entity_of(face)))) : py::none(); }
+
+py::list face_names(const std::vector<FaceId>& faces) {
+    py::list names;
+    for (const FaceId face : faces) names.append(face_name(face));
+    return names;
+}
+
+py::dict feature_dict(const FeatureChange& change) {
+    py::dict out;
+    out["name"] = change.name;
+    out["label"] = change.label;
+    out["verdict"] = to_string(change.verdict);
+    out["motion"] = motion_matrix(change.motion);
+    out["old_volume"] = change.old_volume;
+    out["new_volume"] = change.new_volume;
+    out["old_faces"] = face_names(change.old_faces);
+    out["new_faces"] = face_names(change.new_faces);
+    out["detail"] = change.detail;
+    return out;
+}
+
+py::dict face_dict(const FaceChange& change) {
+    py::dict out;
+    out["verdict"] = name_of_verdict(change.verdict);
+    out["old_face"] = face_name(change.old_face);
+    out["new_face"] = face_name(change.new_face);
+    out["old_area"] = change.old_area;
+    out["new_area"] = change.new_area;
+    return out;
+}
+
+PartState state_of(const RawDocument& document, RunContext& context) {
+    FeatureTree tree = interpret(document);
+    Brep brep(tree.final_shape);
+    CellModel cells = build_cells(tree, brep, context);
+    return {std::move(tree), std::move(brep), std::move(cells)};
+}
+
+py::dict compare_documents(const py::dict& old_raw, const py::dict& new_raw, double resolution) {
+    const RawDocument old_document = raw_document_from(old_raw), new_document = raw_document_from(new_raw);
+    const FeatureDifference difference = run_released({}, 1, [&](RunContext& context) {
+        const PartState old_state = state_of(old_document, context), new_state = state_of(new_document, context);
+        const double fine = resolution > 0 ? resolution : new_state.brep.box().diagonal() / 100;
+        return compare(old_state, new_state, fine, context);
+    });
+    return to_dict(difference);
+}
+
+}  // namespace
+
+py::dict to_dict(const FeatureDifference& difference) {
+    py::list features, faces;
+    for (const FeatureChange& change : difference.features) features.append(feature_dict(change));
+    for (const FaceChange& change : difference.faces) faces.append(face_dict(change));
+    py::dict out;
+    out["features"] = features;
+    out["faces"] = faces;
+    out["notes"] = difference.notes;
+    const std::span<const std::array<Vec3, 3>> triangles =
+        difference.regions.empty() ? std::span<const std::array<Vec3, 3>>{} : difference.regions.front().changed.triangles();
+    py::array_t<double> boundary({triangles.size(), std::size_t{3}, std::size_t{3}});
+    if (!triangles.empty()) std::memcpy(boundary.mutable_data(), triangles.data(), triangles.size_bytes());
+    out["changed_boundary"] = boundary;
+    return out;
+}
+
+void define_difference(py::module_& module) {
+    module.def("compare", &compare_documents, py::arg("old"), py::arg("new"), py::arg("resolution") = 0.0,
+               "The feature difference of two states of a part. `resolution` (mm): edge length of the changed boundary's triangles where a face is "
+               "trimmed differently; 0 takes a hundredth of the part's diagonal.");
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstring>
+
+#include "bindings.h"
+#include "core/errors.h"
+#include "mesh/write_unv.h"
+#include "update/feature_groups.h"
+
+namespace featuremesh {
+
+namespace {
+
+static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Entity) == 8 && sizeof(NodeId) == 4, "arrays are handed over as they lie");
+
+/// A read-only view of a vector of small fixed-size rows of `Scalar`; `owner` keeps it alive.
+template <class Scalar, class Row>
+py::array view(const std::vector<Row>& rows, const py::object& owner) {
+    constexpr std::size_t width = sizeof(Row) / sizeof(Scalar);
+    const auto* data = reinterpret_cast<const Scalar*>(rows.data());
+    py::array array = width == 1 ? py::array(py::dtype::of<Scalar>(), {rows.size()}, {sizeof(Scalar)}, data, owner)
+                                 : py::array(py::dtype::of<Scalar>(), {rows.size(), width}, {sizeof(Row), sizeof(Scalar)}, data, owner);
+    array.attr("setflags")(py::arg("write") = false);
+    return array;
+}
+
+template <class Scalar, class Row>
+void read(const py::dict& arrays, const char* name, std::vector<Row>& rows) {
+    constexpr std::size_t width = sizeof(Row) / sizeof(Scalar);
+    if (!arrays.contains(name)) throw StateError(std::string("The saved mesh has no array '") + name + "'.");
+    const auto array = py::array_t<Scalar, py::array::c_style | py::array::forcecast>::ensure(arrays[name]);
+    if (!array) throw StateError(std::string("The saved array '") + name + "' is not numeric.");
+    const bool fits = array.size() == 0 || (width == 1 ? array.ndim() == 1 : array.ndim() == 2 && std::size_t(array.shape(1)) == width);
+    if (!fits) throw StateError(std::string("The saved array '") + name + "' has the wrong shape.");
+    rows.resize(std::size_t(array.size()) / width);
+    std::memcpy(static_cast<void*>(rows.data()), array.data(), rows.size() * sizeof(Row));
+}
+
+template <std::size_t N>
+void check_nodes(const std::vector<std::array<NodeId, N>>& rows, std::size_t nodes) {
+    for (const auto& row : rows)
+        for (const NodeId n : row)
+            if (!n.is_valid() || n.index() >= nodes) throw StateError("The saved mesh refers to nodes that it does not have.");
+}
+
+void check_sizes(const Mesh& mesh) {
+    const std::size_t n = mesh.points.size();
+    const std::size_t mids = mesh.order == 2 ? 1 : 0;
+    if (mesh.corner_count > n || mesh.entities.size() != n || mesh.parameters.size() != n || mesh.node_numbers.size() != n ||
+        mesh.segment_edges.size() != mesh.segments.size() || mesh.triangle_faces.size() != mesh.triangles.size() ||
+        mesh.tet_solids.size() != mesh.tets.size() || mesh.segment_numbers.size() != mesh.segments.size() ||
+        mesh.triangle_numbers.size() != mesh.triangles.size() || mesh.tet_numbers.size() != mesh.tets.size() ||
+        mesh.segment_mids.size() != mids * mesh.segments.size() || mesh.triangle_mids.size() != mids * mesh.triangles.size() ||
+        mesh.tet_mids.size() != mids * mesh.tets.size())
+        throw StateError("The saved mesh is cut short: its arrays do not fit together.");
+    check_nodes(mesh.segments, n), check_nodes(mesh.triangles, n), check_nodes(mesh.tets, n);
+    check_nodes(mesh.triangle_mids, n), check_nodes(mesh.tet_mids, n);
+}
+
+MeshGroup::Kind kind_of(const std::string& name) {
+    if (name == "Node") return MeshGroup::Kind::node;
+    if (name == "Edge") return MeshGroup::Kind::edge;
+    if (name == "Face") return MeshGroup::Kind::face;
+    if (name == "Volume") return MeshGroup::Kind::volume;
+    throw InputError("A group is of Node, Edge, Face or Volume, not '" + name + "'.");
+}
+
+using PythonGroup = std::tuple<std::string, std::string, py::array_t<Number, py::array::c_style | py::array::forcecast>>;
+
+void write_groups(const PartMesh& part, const std::string& path, const std::vector<PythonGroup>& groups) {
+    std::vector<MeshGroup> list;
+    for (const auto& [name, kind, numbers] : groups)
+        list.push_back({name, kind_of(kind), std::vector<Number>(numbers.data(), numbers.data() + numbers.size())});
+    const py::gil_scoped_release released;
+    write_unv(part.mesh, list, path);
+}
+
+py::list owners_of_faces(const PartMesh& part) {
+    py::list faces;
+    for (const auto& owners : part.part.cells.owners_of_final_face) {
+        std::vector<std::string> names;
+        for (const Owner& owner : owners) {
+            const std::string& name = part.part.tree[owner.feature].name;
+            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        }
+        faces.append(py::cast(names));
+    }
+    return faces;
+}
+
+py::list tets_of_each_feature(const PartMesh& part) {
+    const auto groups = run_released({}, 1, [&](RunContext& context) { return tets_of_features(part, context); });
+    py::list out;
+    for (const auto& [name, tets] : groups) {
+        py::array_t<Number> numbers(tets.size());
+        for (std::size_t i = 0; i < tets.size(); ++i) numbers.mutable_at(i) = part.mesh.tet_numbers[tets[i].index()];
+        out.append(py::make_tuple(name, numbers));
+    }
+    return out;
+}
+
+}  // namespace
+
+py::dict arrays_of(const Mesh& mesh, const py::object& owner) {
+    py::dict arrays;
+    arrays["points"] = view<double>(mesh.points, owner);
+    arrays["entities"] = view<std::int32_t>(mesh.entities, owner);
+    arrays["parameters"] = view<double>(mesh.parameters, owner);
+    arrays["node_numbers"] = view<Number>(mesh.node_numbers, owner);
+    arrays["segments"] = view<std::int32_t>(mesh.segments, owner);
+    arrays["segment_mids"] = view<std::int32_t>(mesh.segment_mids, owner);
+    arrays["segment_edges"] = view<std::int32_t>(mesh.segment_edges, owner);
+    arrays["segment_numbers"] = view<Number>(mesh.segment_numbers, owner);
+    arrays["triangles"] = view<std::int32_t>(mesh.triangles, owner);
+    arrays["triangle_mids"] = view<std::int32_t>(mesh.triangle_mids, owner);
+    arrays["triangle_faces"] = view<std::int32_t>(mesh.triangle_faces, owner);
+    arrays["triangle_numbers"] = view<Number>(mesh.triangle_numbers, owner);
+    arrays["tets"] = view<std::int32_t>(mesh.tets, owner);
+    arrays["tet_mids"] = view<std::int32_t>(mesh.tet_mids, owner);
+    arrays["tet_solids"] = view<std::int32_t>(mesh.tet_solids, owner);
+    arrays["tet_numbers"] = view<Number>(mesh.tet_numbers, owner);
+    py::array_t<Number> counters(4);
+    counters.mutable_at(0) = mesh.order;
+    counters.mutable_at(1) = Number(mesh.corner_count);
+    counters.mutable_at(2) = mesh.next_node_number;
+    counters.mutable_at(3) = mesh.next_element_number;
+    arrays["counters"] = counters;
+    return arrays;
+}
+
+Mesh mesh_from(const py::dict& arrays) {
+    Mesh mesh;
+    std::vector<Number> counters;
+    read<Number>(arrays, "counters", counters);
+    if (counters.size() != 4 || counters[1] < 0) throw StateError("The saved mesh has damaged counters.");
+    mesh.order = int(counters[0]);
+    mesh.corner_count = std::size_t(counters[1]);
+    mesh.next_node_number = counters[2];
+    mesh.next_element_number = counters[3];
+    read<double>(arrays, "points", mesh.points);
+    read<std::int32_t>(arrays, "entities", mesh.entities);
+    read<double>(arrays, "parameters", mesh.parameters);
+    read<Number>(arrays, "node_numbers", mesh.node_numbers);
+    read<std::int32_t>(arrays, "segments", mesh.segments);
+    read<std::int32_t>(arrays, "segment_mids", mesh.segment_mids);
+    read<std::int32_t>(arrays, "segment_edges", mesh.segment_edges);
+    read<Number>(arrays, "segment_numbers", mesh.segment_numbers);
+    read<std::int32_t>(arrays, "triangles", mesh.triangles);
+    read<std::int32_t>(arrays, "triangle_mids", mesh.triangle_mids);
+    read<std::int32_t>(arrays, "triangle_faces", mesh.triangle_faces);
+    read<Number>(arrays, "triangle_numbers", mesh.triangle_numbers);
+    read<std::int32_t>(arrays, "tets", mesh.tets);
+    read<std::int32_t>(arrays, "tet_mids", mesh.tet_mids);
+    read<std::int32_t>(arrays, "tet_solids", mesh.tet_solids);
+    read<Number>(arrays, "tet_numbers", mesh.tet_numbers);
+    check_sizes(mesh);
+    return mesh;
+}
+
+void define_mesh(py::module_& module) {
+    py::class_<PartMesh, std::shared_ptr<PartMesh>>(module, "PartMesh", "A part with its mesh; never changes.")
+        .def_property_readonly("order", [](const PartMesh& p) { return p.mesh.order; })
+        .def_property_readonly("corner_count", [](const PartMesh& p) { return p.mesh.corner_count; })
+        .def("arrays", [](const py::object& self) { return arrays_of(self.cast<const PartMesh&>().mesh, self); },
+             "All arrays of the mesh by name, read-only views; points in mm, indices counted from 0.")
+        .def("node_origin", [](const py::object& self) { return view<std::int32_t>(self.cast<const PartMesh&>().node_origin, self); },
+             "(n,) index of the node in the mesh before the update, -1 for a new one.")
+        .def("tet_origin", [](const py::object& self) { return view<std::int32_t>(self.cast<const PartMesh&>().tet_origin, self); },
+             "(m,) index of the tet in the mesh before the update, -1 for a new one.")
+        .def("active_points", [](const py::object& self) { return view<double>(self.cast<const PartMesh&>().active_points, self); },
+             "(k,3) mm: inner nodes that survived the update as start positions only.")
+        .def("owners_of_faces", &owners_of_faces, "By face of the final shape: names of the features that own it.")
+        .def("owners_of_tets", &tets_of_each_feature, "(feature name, numbers of the tets in the material cells that it owns).")
+        .def("write_unv", &write_groups, py::arg("path"), py::arg("groups"),
+             "Writes nodes, segments, triangles and tets with their numbers, and groups (name, 'Node'|'Edge'|'Face'|'Volume', numbers).");
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bindings.h"
+#include "core/errors.h"
+
+namespace featuremesh {
+
+namespace {
+
+template <class T>
+void take(const py::dict& options, const char* name, T& value) {
+    if (options.contains(name)) value = options[name].cast<T>();
+}
+
+Entity entity_from_name(const std::string& name) {
+    static constexpr const char* kinds[] = {"Vertex", "Edge", "Face", "Solid"};
+    for (int dim = 0; dim < 4; ++dim) {
+        const std::string kind = kinds[dim];
+        const std::string number = name.substr(std::min(kind.size(), name.size()));
+        if (name.compare(0, kind.size(), kind) == 0 && !number.empty() && number.find_first_not_of("0123456789") == std::string::npos)
+            return {dim, std::stoi(number) - 1};
+    }
+    throw InputError("'" + name + "' is no face, edge, vertex or solid; write it as FreeCAD does, e.g. Face12.");
+}
+
+struct Asked {
+    MeshOptions options;
+    int threads = 1;
+};
+
+Asked asked_from(const py::dict& options) {
+    static const std::vector<std::string> known{"size",  "min_size", "elements_per_circle", "elements_across_gap", "growth",      "order",
+                                                "local", "threads",  "seed",                "target_dihedral_deg", "keep_margin", "most_tets"};
+    for (const auto& [key, value] : options)
+        if (std::find(known.begin(), known.end(), key.cast<std::string>()) == known.end())
+            throw InputError("Unknown mesh option '" + key.cast<std::string>() + "'.");
+    Asked asked;
+    SizingOptions& sizing = asked.options.sizing;
+    take(options, "size", sizing.size);
+    take(options, "min_size", sizing.min_size);
+    take(options, "elements_per_circle", sizing.elements_per_circle);
+    take(options, "elements_across_gap", sizing.elements_across_gap);
+    take(options, "growth", sizing.growth);
+    take(options, "order", asked.options.order);
+    take(options, "target_dihedral_deg", asked.options.volume.target_dihedral_deg);
+    take(options, "keep_margin", asked.options.keep_margin);
+    take(options, "most_tets", asked.options.most_tets);
+    take(options, "threads", asked.threads);
+    if (options.contains("local"))
+        for (const auto& [name, size] : options["local"].cast<std::vector<std::pair<std::string, double>>>())
+            sizing.local.push_back({entity_from_name(name), size});
+    if (asked.options.order != 1 && asked.options.order != 2) throw InputError("The element order is 1 (4-node tets) or 2 (10-node tets).");
+    if (asked.threads < 1) throw InputError("The number of threads is at least 1.");
+    return asked;
+}
+
+py::dict to_dict(const QualityReport& quality) {
+    py::dict out;
+    out["min_dihedral"] = quality.min_dihedral;
+    out["mean_min_dihedral"] = quality.mean_min_dihedral;
+    out["max_dihedral"] = quality.max_dihedral;
+    out["mean_radius_ratio"] = quality.mean_radius_ratio;
+    out["min_radius_ratio"] = quality.min_radius_ratio;
+    out["min_scaled_jacobian"] = quality.min_scaled_jacobian;
+    out["below_10"] = quality.below_10;
+    out["below_20"] = quality.below_20;
+    out["below_25"] = quality.below_25;
+    out["forced_by_cad"] = quality.forced_by_cad;
+    out["min_dihedral_unforced"] = quality.min_dihedral_unforced;
+    out["histogram"] = std::vector<std::int64_t>(quality.histogram.begin(), quality.histogram.end());
+    return out;
+}
+
+py::dict to_dict(const VolumeReport& volume) {
+    py::dict out;
+    out["new_nodes"] = volume.new_nodes;
+    out["new_tets"] = volume.new_tets;
+    out["recovered_triangles"] = volume.recovered_triangles;
+    out["recovery_points"] = volume.recovery_points;
+    out["released_tets"] = volume.released_tets;
+    out["odt_energy_before"] = volume.odt_energy_before;
+    out["odt_energy_after"] = volume.odt_energy_after;
+    out["slivers_before"] = volume.slivers_before;
+    out["slivers_left"] = volume.slivers_left;
+    return out;
+}
+
+py::dict kept_dict(const Report& report) {
+    py::list motions;
+    for (const KeptByMotion& kept : report.kept) {
+        py::dict entry;
+        entry["motion"] = motion_matrix(kept.motion);
+        entry["features"] = kept.features;
+        entry["nodes"] = kept.nodes;
+        entry["tets"] = kept.tets;
+        motions.append(entry);
+    }
+    py::dict out;
+    out["nodes_share"] = report.kept_nodes_share;
+    out["tets_share"] = report.kept_tets_share;
+    out["active_nodes"] = report.active_nodes;
+    out["per_motion"] = motions;
+    return out;
+}
+
+py::object joined(const std::vector<std::string>& lines) {
+    if (lines.empty()) return py::none();
+    std::string text;
+    for (const std::string& line : lines) text += (text.empty() ? "" : "; ") + line;
+    return py::str(text);
+}
+
+py::dict to_dict(const Report& report) {
+    py::dict out;
+    out["nodes"] = report.nodes;
+    out["tets"] = report.tets;
+    out["order"] = report.order;
+    out["size"] = report.size;
+    out["seconds"] = report.seconds;
+    out["peak_memory_mb"] = report.peak_memory_mb;
+    out["quality"] = to_dict(report.quality);
+    out["kept"] = kept_dict(report);
+    out["difference"] = to_dict(report.difference);
+    out["volume"] = to_dict(report.volume);
+    out["surface"] = py::dict(py::arg("new_nodes") = report.surface.new_nodes, py::arg("new_triangles") = report.surface.new_triangles,
+                              py::arg("min_angle") = report.surface.min_angle_deg);
+    out["fallback"] = joined(report.fallbacks);
+    out["warnings"] = report.warnings;
+    return out;
+}
+
+py::tuple answer(const PartMeshResult& result) {
+    return py::make_tuple(std::const_pointer_cast<PartMesh>(result.part_mesh), to_dict(result.report));
+}
+
+py::tuple mesh_document(const py::dict& raw, const py::dict& options, const Progress& progress) {
+    RawDocument document = raw_document_from(raw);
+    const Asked asked = asked_from(options);
+    return answer(run_released(progress, asked.threads,
+                               [&](RunContext& context) { return mesh_part(std::move(document), asked.options, context); }));
+}
+
+py::tuple update_document(const PartMesh& old, const py::dict& raw, const py::dict& options, const Progress& progress) {
+    RawDocument document = raw_document_from(raw);
+    const Asked asked = asked_from(options);
+    return answer(run_released(progress, asked.threads,
+                               [&](RunContext& context) { return update_part(old, std::move(document), asked.options, context); }));
+}
+
+std::shared_ptr<PartMesh> restore_document(const py::dict& raw, const py::dict& options, const py::dict& arrays) {
+    RawDocument document = raw_document_from(raw);
+    const Asked asked = asked_from(options);
+    Mesh mesh = mesh_from(arrays);
+    return std::const_pointer_cast<PartMesh>(run_released({}, asked.threads, [&](RunContext& context) {
+        return restore_part(std::move(document), asked.options, std::move(mesh), context);
+    }));
+}
+
+double estimate(const py::dict& raw, const py::dict& options) {
+    const RawDocument document = raw_document_from(raw);
+    const Asked asked = asked_from(options);
+    return run_released({}, 1, [&](RunContext& context) {
+        const Brep brep(interpret(document).final_shape);
+        return estimate_tets(brep, make_sizing(brep, asked.options.sizing, {}, context));
+    });
+}
+
+}  // namespace
+
+void define_update(py::module_& module) {
+    module.def("mesh_part", &mesh_document, py::arg("raw"), py::arg("options"), py::arg("progress") = py::none(),
+               "Meshes the part from scratch; (PartMesh, report).");
+    module.def("update_part", &update_document, py::arg("old"), py::arg("raw"), py::arg("options"), py::arg("progress") = py::none(),
+               "Meshes the new state of the part, keeping what did not change; (PartMesh, report). The old PartMesh stays as it is.");
+    module.def("restore_part", &restore_document, py::arg("raw"), py::arg("options"), py::arg("arrays"),
+               "The PartMesh whose arrays were saved. Raises StateError when they do not fit the part.");
+    module.def("estimate_tets", &estimate, py::arg("raw"), py::arg("options"), "About how many tets the options ask for.");
+}
+
+}  // namespace featuremesh

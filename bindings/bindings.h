@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the binding files share: one define function per module, and the dict forms described in featuremesh_engine.pyi.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <memory>
+#include <optional>
+
+#include "update/part_mesh.h"
+
+namespace featuremesh {
+
+namespace py = pybind11;
+
+void define_errors(py::module_& module);
+void define_features(py::module_& module);
+void define_difference(py::module_& module);
+void define_mesh(py::module_& module);
+void define_update(py::module_& module);
+
+RawDocument raw_document_from(const py::dict& raw);
+py::dict to_dict(const FeatureDifference& difference);
+py::dict arrays_of(const Mesh& mesh, const py::object& owner);
+Mesh mesh_from(const py::dict& arrays);
+py::object motion_matrix(const RigidMotion& motion);
+
+using Progress = std::optional<py::function>;
+/// Runs engine work without the GIL, with the caller's progress function.
+template <class Work>
+auto run_released(const Progress& progress, int threads, Work work) {
+    RunContext context;
+    context.threads = threads;
+    if (progress)
+        context.on_progress = [progress](std::string_view step, double share) {
+            const py::gil_scoped_acquire gil;
+            return (*progress)(std::string(step), share).template cast<bool>();
+        };
+    const py::gil_scoped_release released;
+    return work(context);
+}
+
+}  // namespace featuremesh
