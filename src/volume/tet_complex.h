@@ -21,6 +21,7 @@ struct TetComplex {
 };
 
 /// Finds neighbours and tet_of_vertex from points and tets. A triangle between two regions counts as boundary (-1 on both sides).
+/// Throws MeshError where a triangle has more than two tets.
 void connect(TetComplex& complex);
 
 }  // namespace featuremesh
