@@ -1,0 +1,331 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pictures of meshes for reports: what was kept, results, quality. Needs VTK and Matplotlib, neither FreeCAD nor the engine.
+
+Meshes come as arrays: points (n,3) mm, tets (m,4) indices of positive volume. Pictures are arrays (height, width, 3) of
+bytes until a figure puts them into a file. All drawing happens inside `off_screen()`.
+"""
+import contextlib
+import os
+import subprocess
+
+import numpy as np
+
+KEPT, NEW, RELEASED, CARRIED = 0, 1, 2, 3
+COLOURS = {KEPT: "#a9bfd1", NEW: "#f2994a", RELEASED: "#d9605a", CARRIED: "#6fb59a"}
+ACTIVE_COLOUR = "#14532d"
+LABELS = {KEPT: "kept", NEW: "new", RELEASED: "released", CARRIED: "carried along"}
+EDGE_COLOUR, OUTLINE_COLOUR, BACKGROUND = "#5a6875", "#20262d", "#ffffff"
+SIZE = (1300, 800)
+# The corners of each side of a tet, seen from outside in the order of the clock's opposite.
+SIDES = np.array(((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)))
+
+
+@contextlib.contextmanager
+def off_screen():
+    """Gives VTK a screen of its own, so that pictures look the same on a desktop and on a server."""
+    read_end, write_end = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1600x1200x24", "-nolisten", "tcp"],
+                              pass_fds=(write_end,), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(write_end)
+    before = os.environ.get("DISPLAY")
+    try:
+        with os.fdopen(read_end) as answer:
+            number = answer.readline().strip()
+        if not number:
+            raise RuntimeError("Xvfb did not start, so no pictures can be drawn")
+        os.environ["DISPLAY"] = ":" + number
+        yield
+    finally:
+        if before is None:
+            os.environ.pop("DISPLAY", None)
+        else:
+            os.environ["DISPLAY"] = before
+        server.terminate()
+        server.wait()
+
+
+def outer_triangles(tets):
+    """(k,3) triangles that belong to one tet only, seen from outside, and (k,) their tets."""
+    sides = tets[:, SIDES].reshape(-1, 3)
+    owner = np.repeat(np.arange(len(tets)), 4)
+    ordered = np.sort(sides, axis=1).astype(np.int64)
+    count = int(tets.max()) + 1 if len(tets) else 1
+    key = (ordered[:, 0] * count + ordered[:, 1]) * count + ordered[:, 2]
+    by_key = np.argsort(key, kind="stable")
+    key = key[by_key]
+    single = np.ones(len(key), dtype=bool)
+    single[1:] &= key[1:] != key[:-1]
+    single[:-1] &= key[:-1] != key[1:]
+    chosen = np.sort(by_key[single])
+    return sides[chosen], owner[chosen]
+
+
+def behind_plane(points, tets, origin, normal):
+    """(m,) bool: the tets whose centre lies behind the plane; drawn alone they show the inside."""
+    centres = points[tets].mean(axis=1)
+    return (centres - np.asarray(origin)) @ np.asarray(normal) < 0
+
+
+def tet_quality(points, tets):
+    """(m,) smallest dihedral angle, degrees, and (m,) radius ratio 3 r / R of each tet."""
+    p = points[tets]
+    a, b, c = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0], p[:, 3] - p[:, 0]
+    normals = [np.cross(p[:, j] - p[:, i], p[:, k] - p[:, i]) for i, j, k in SIDES]
+    lengths = [np.linalg.norm(normal, axis=1) for normal in normals]
+    smallest = np.full(len(tets), 180.0)
+    for i in range(4):
+        for j in range(i + 1, 4):
+            cosine = -np.einsum("ij,ij->i", normals[i], normals[j]) / (lengths[i] * lengths[j])
+            smallest = np.minimum(smallest, np.degrees(np.arccos(np.clip(cosine, -1, 1))))
+    six_volumes = np.einsum("ij,ij->i", a, np.cross(b, c))
+    squares = [np.einsum("ij,ij->i", edge, edge)[:, None] for edge in (a, b, c)]
+    circum = squares[0] * np.cross(b, c) + squares[1] * np.cross(c, a) + squares[2] * np.cross(a, b)
+    circum_radius = np.linalg.norm(circum, axis=1) / (2 * six_volumes)
+    in_radius = six_volumes / sum(lengths)
+    return smallest, 3 * in_radius / circum_radius
+
+
+class Scene:
+    """A scene to be rendered from one view."""
+
+    def __init__(self, size=SIZE):
+        import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+        from vtkmodules.vtkRenderingCore import vtkLightKit, vtkRenderer, vtkRenderWindow
+        self._renderer = vtkRenderer()
+        self._renderer.SetBackground(*_rgb(BACKGROUND))
+        self._window = vtkRenderWindow()
+        self._window.SetOffScreenRendering(1)
+        self._window.SetMultiSamples(8)
+        self._window.SetSize(*size)
+        self._window.AddRenderer(self._renderer)
+        lights = vtkLightKit()
+        lights.SetKeyLightIntensity(1.0)
+        lights.AddLightsToRenderer(self._renderer)
+
+    def add_triangles(self, points, triangles, colours, edges=True, opacity=1.0):
+        """Triangles with one colour each, (k,3) shares of red, green and blue; `edges` draws the mesh lines."""
+        data = _polygons(points, triangles)
+        data.GetCellData().SetScalars(_array((np.asarray(colours) * 255).astype(np.uint8), "colours"))
+        actor = self._add(data)
+        _material(actor, opacity)
+        if edges:
+            actor.GetProperty().EdgeVisibilityOn()
+            actor.GetProperty().SetEdgeColor(*_rgb(EDGE_COLOUR))
+            actor.GetProperty().SetLineWidth(0.5)
+
+    def add_field(self, points, triangles, values, limits):
+        """Triangles coloured smoothly by a value per point."""
+        from matplotlib import colormaps
+        shares = np.clip((values - limits[0]) / max(limits[1] - limits[0], 1e-300), 0, 1)
+        data = _polygons(points, triangles)
+        data.GetPointData().SetScalars(_array((colormaps["turbo"](shares)[:, :3] * 255).astype(np.uint8), "colours"))
+        _material(self._add(data), 1.0)
+
+    def add_outline(self, points, triangles, angle_deg=40.0):
+        """The sharp edges of a surface."""
+        from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+        sharp = vtkFeatureEdges()
+        sharp.SetInputData(_polygons(points, triangles))
+        sharp.SetFeatureAngle(angle_deg)
+        sharp.BoundaryEdgesOff()
+        sharp.NonManifoldEdgesOff()
+        sharp.ColoringOff()
+        sharp.Update()
+        actor = self._add(sharp.GetOutput())
+        actor.GetProperty().SetColor(*_rgb(OUTLINE_COLOUR))
+        actor.GetProperty().SetLineWidth(1.6)
+        actor.GetProperty().LightingOff()
+
+    def add_points(self, points, radius, colour):
+        """Balls of a radius in mm."""
+        from vtkmodules.vtkFiltersCore import vtkGlyph3D
+        from vtkmodules.vtkFiltersSources import vtkSphereSource
+        ball = vtkSphereSource()
+        ball.SetRadius(radius)
+        glyphs = vtkGlyph3D()
+        glyphs.SetInputData(_polygons(points, np.zeros((0, 3), dtype=np.int64)))
+        glyphs.SetSourceConnection(ball.GetOutputPort())
+        glyphs.ScalingOff()
+        glyphs.Update()
+        actor = self._add(glyphs.GetOutput())
+        actor.GetProperty().SetColor(*_rgb(colour))
+
+    def render(self, direction, focus=None, height=None):
+        """The picture seen along `direction`; of everything, or of `height` mm around `focus`."""
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+        camera = self._renderer.GetActiveCamera()
+        camera.ParallelProjectionOn()
+        camera.SetFocalPoint(0, 0, 0)
+        camera.SetPosition(*(-np.asarray(direction, dtype=float)))
+        camera.SetViewUp(*((0, 1, 0) if abs(direction[2]) > 0.99 * np.linalg.norm(direction) else (0, 0, 1)))
+        self._renderer.ResetCamera()
+        camera.Zoom(1.35)
+        if focus is not None:
+            shift = np.asarray(focus) - np.asarray(camera.GetFocalPoint())
+            camera.SetFocalPoint(*focus)
+            camera.SetPosition(*(np.asarray(camera.GetPosition()) + shift))
+            camera.SetParallelScale(height / 2)
+        self._renderer.ResetCameraClippingRange()
+        self._window.Render()
+        grab = vtkWindowToImageFilter()
+        grab.SetInput(self._window)
+        grab.ReadFrontBufferOff()
+        grab.Update()
+        image = grab.GetOutput()
+        width, rows, _ = image.GetDimensions()
+        return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, width, -1)[::-1, :, :3].copy()
+
+    def _add(self, data):
+        from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputData(data)
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        self._renderer.AddActor(actor)
+        return actor
+
+
+def draw_elements(points, tets, classes, view, active=None, plane=None, size=SIZE):
+    """Tets coloured by class (KEPT, NEW, RELEASED, CARRIED), cut open by a plane (origin, normal), with active nodes as balls.
+
+    `view` has the arguments of Scene.render.
+    """
+    scene = Scene(size)
+    shown = behind_plane(points, tets, *plane) if plane else np.ones(len(tets), dtype=bool)
+    triangles, owner = outer_triangles(tets[shown])
+    table = np.array([_rgb(COLOURS[kind]) for kind in sorted(COLOURS)])
+    scene.add_triangles(points, triangles, table[classes[shown][owner]])
+    if active is not None and len(active):
+        if plane:
+            active = active[(active - np.asarray(plane[0])) @ np.asarray(plane[1]) < 0.6 * edge_length(points, tets)]
+        scene.add_points(active, 0.16 * edge_length(points, tets), ACTIVE_COLOUR)
+    return scene.render(**view)
+
+
+def draw_stress(points, tets, stress, displacement, scale, limits, view, size=SIZE):
+    """The deformed part (displacement times scale) coloured by stress, with the undeformed outline."""
+    scene = Scene(size)
+    triangles, _ = outer_triangles(tets)
+    deformed = points + scale * displacement
+    scene.add_field(deformed, triangles, stress, limits)
+    scene.add_outline(points, triangles)
+    return scene.render(**view)
+
+
+def edge_length(points, tets):
+    """Median length of an edge of the mesh, mm."""
+    sample = tets[:: max(1, len(tets) // 5000)]
+    return float(np.median(np.linalg.norm(points[sample[:, 0]] - points[sample[:, 1]], axis=1)))
+
+
+def write_picture(path, picture):
+    """Writes a picture as PNG."""
+    from matplotlib import image
+    image.imsave(path, picture)
+
+
+def trim(pictures, border=12):
+    """The pictures without the empty margins that all of them share."""
+    drawn = np.any([(picture != 255).any(axis=2) for picture in pictures], axis=0)
+    rows, columns = np.flatnonzero(drawn.any(axis=1)), np.flatnonzero(drawn.any(axis=0))
+    if not len(rows):
+        return pictures
+    top, left = max(rows[0] - border, 0), max(columns[0] - border, 0)
+    return [picture[top:rows[-1] + border, left:columns[-1] + border] for picture in pictures]
+
+
+def write_panels(path, panels, kinds=(), bar=None, active=False, width=13.0):
+    """Pictures side by side with titles, a legend of element classes, or a bar (label, low, high) of a field's colours."""
+    pyplot = _pyplot()
+    panels = list(zip((title for title, _ in panels), trim([picture for _, picture in panels])))
+    height = width / len(panels) * panels[0][1].shape[0] / panels[0][1].shape[1]
+    figure, axes = pyplot.subplots(1, len(panels), figsize=(width, height + 0.8), squeeze=False)
+    for axis, (title, picture) in zip(axes[0], panels):
+        axis.imshow(picture, interpolation="lanczos")
+        axis.set_title(title, fontsize=12, color="#20262d", loc="left")
+        axis.set_axis_off()
+    figure.subplots_adjust(left=0.005, right=0.995, top=1 - 0.36 / (height + 0.8), bottom=0.42 / (height + 0.8), wspace=0.01)
+    if kinds:
+        figure.legend(handles=_legend(pyplot, kinds, active), loc="lower center", ncol=5, frameon=False, fontsize=11)
+    if bar:
+        label, low, high = bar
+        colours = pyplot.cm.ScalarMappable(pyplot.Normalize(low, high), "turbo")
+        place = figure.add_axes([0.3, 0.26 / (height + 0.8), 0.4, 0.14 / (height + 0.8)])
+        figure.colorbar(colours, cax=place, orientation="horizontal")
+        figure.text(0.29, 0.33 / (height + 0.8), label, ha="right", va="center", fontsize=11)
+    figure.savefig(path, dpi=140)
+    pyplot.close(figure)
+
+
+def write_quality(path, series):
+    """Histograms of the smallest dihedral angle and of the radius ratio; series are (name, angles, ratios)."""
+    pyplot = _pyplot()
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 3.6))
+    colours = ("#5b7c99", "#f2994a", "#6fb59a", "#8d6cab")
+    for colour, (name, angles, ratios) in zip(colours, series):
+        for axis, values, bins in ((left, angles, np.linspace(0, 75, 76)), (right, ratios, np.linspace(0, 1, 81))):
+            weights = np.full(len(values), 100.0 / max(len(values), 1))
+            axis.hist(values, bins, weights=weights, histtype="step", color=colour, linewidth=1.7, label=name)
+    left.set_xlabel("smallest dihedral angle of a tet, degrees")
+    right.set_xlabel("radius ratio 3 r / R of a tet (1 is regular)")
+    for axis in (left, right):
+        axis.set_ylabel("share of tets, %")
+        axis.spines[["top", "right"]].set_visible(False)
+        axis.grid(axis="y", color="#e3e7eb")
+        axis.set_axisbelow(True)
+        axis.margins(x=0)
+    left.legend(frameon=False, loc="upper left")
+    figure.tight_layout()
+    figure.savefig(path, dpi=140)
+    pyplot.close(figure)
+
+
+def _pyplot():
+    import matplotlib
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+    return pyplot
+
+
+def _legend(pyplot, kinds, active):
+    handles = [pyplot.Rectangle((0, 0), 1, 1, facecolor=COLOURS[kind], edgecolor=EDGE_COLOUR, label=LABELS[kind] + " tets")
+               for kind in kinds]
+    if active:
+        handles.append(pyplot.Line2D([], [], marker="o", linestyle="", color=ACTIVE_COLOUR, label="active nodes"))
+    return handles
+
+
+def _rgb(colour):
+    return tuple(int(colour[i:i + 2], 16) / 255 for i in (1, 3, 5))
+
+
+def _polygons(points, triangles):
+    from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+    places = vtkPoints()
+    places.SetData(_array(points, "points"))
+    rows = np.hstack([np.full((len(triangles), 1), 3, dtype=np.int64), triangles.astype(np.int64)])
+    cells = vtkCellArray()
+    cells.SetCells(len(triangles), numpy_to_vtkIdTypeArray(rows.ravel(), deep=1))
+    data = vtkPolyData()
+    data.SetPoints(places)
+    data.SetPolys(cells)
+    return data
+
+
+def _array(values, name):
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    array = numpy_to_vtk(np.ascontiguousarray(values), deep=1)
+    array.SetName(name)
+    return array
+
+
+def _material(actor, opacity):
+    surface = actor.GetProperty()
+    surface.SetInterpolationToFlat()
+    surface.SetAmbient(0.3)
+    surface.SetDiffuse(0.75)
+    surface.SetSpecular(0.0)
+    surface.SetOpacity(opacity)
