@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <gp_Ax2.hxx>
+#include <random>
+
+#include "catch.h"
+#include "update/enclosure.h"
+
+using namespace featuremesh;
+
+namespace {
+Vec3 random_point(std::mt19937_64& random) {
+    std::uniform_real_distribution<double> side(-1, 11);
+    return {side(random), side(random), side(random)};
+}
+}  // namespace
+
+TEST_CASE("an enclosure agrees with the formula away from the boundary") {
+    const TopoDS_Shape bored =
+        BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), BRepPrimAPI_MakeCylinder(gp_Ax2({5, 5, 0}, {0, 0, 1}), 3, 10).Shape()).Shape();
+    const Enclosure inside({bored});
+    const Brep brep(bored);
+    const SolidLocator locator(brep);
+    std::mt19937_64 random(7);
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 p = random_point(random);
+        const double radial = std::hypot(p.x - 5, p.y - 5);
+        const double to_box = std::min({p.x, p.y, p.z, 10 - p.x, 10 - p.y, 10 - p.z});
+        if (std::abs(radial - 3) < 0.05 || std::abs(to_box) < 0.01) continue;
+        const bool expected = to_box > 0 && radial > 3;
+        CHECK(inside.contains(p) == expected);
+        if (i < 200) CHECK(locator.solid_at(p).is_valid() == expected);
+    }
+}
+
+TEST_CASE("an enclosure of nothing contains nothing") { CHECK_FALSE(Enclosure({}).contains({0, 0, 0})); }
+
+TEST_CASE("a point grid finds what brute force finds") {
+    std::mt19937_64 random(11);
+    std::vector<Vec3> points;
+    for (int i = 0; i < 300; ++i) points.push_back(random_point(random));
+    const PointGrid grid(points, 0.8);
+    for (int i = 0; i < 300; ++i) {
+        const Vec3 p = random_point(random);
+        bool near = false;
+        for (const Vec3& q : points) near = near || distance(p, q) < 0.7;
+        CHECK(grid.has_within(p, 0.7) == near);
+    }
+}

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "catch.h"
+#include "core/errors.h"
+#include "mesh/validation.h"
+#include "part_documents.h"
+#include "update/feature_groups.h"
+#include "update/part_mesh.h"
+
+using namespace featuremesh;
+
+namespace {
+
+RawDocument plate_with_hole(double x, double length = 60) {
+    return PartDocument().box("Plate", {0, 0, 0}, {length, 30, 6}).cylinder("Hole", {x, 15, -1}, 4, 8).cut("Part", "Plate", "Hole").finish();
+}
+
+RawDocument block_and_cylinder(double x) {
+    return PartDocument().box("Block", {0, 0, 0}, {60, 30, 8}).cylinder("Boss", {x, 15, 8}, 8, 16).fuse("Part", "Block", "Boss").finish();
+}
+
+MeshOptions options_of(double size, int order = 1) {
+    MeshOptions options;
+    options.sizing.size = size;
+    options.order = order;
+    return options;
+}
+
+PartMeshResult meshed(const RawDocument& document, const MeshOptions& options, int threads = 1) {
+    RunContext context;
+    context.threads = threads;
+    return mesh_part(document, options, context);
+}
+
+PartMeshResult updated(const PartMesh& old, const RawDocument& document, const MeshOptions& options, int threads = 1) {
+    RunContext context;
+    context.threads = threads;
+    return update_part(old, document, options, context);
+}
+
+Expectation expectation_of(const Brep& brep) {
+    Expectation expected;
+    for (std::size_t s = 0; s < brep.solid_count(); ++s) expected.solid_volumes.push_back(brep.volume_of(SolidId(s)));
+    for (std::size_t f = 0; f < brep.face_count(); ++f) expected.face_sides.push_back(brep.sides_of(FaceId(f)));
+    return expected;
+}
+
+void check_valid(const PartMesh& part) { CHECK(broken_invariants(part.mesh, expectation_of(part.part.brep)).empty()); }
+
+/// Kept nodes and tets have their numbers, their bits (moved by `motion` where one is given) and their corners.
+void check_kept(const PartMesh& old, const PartMesh& now) {
+    for (std::size_t n = 0; n < now.node_origin.size(); ++n) {
+        if (now.node_origin[n] < 0) {
+            CHECK(now.mesh.node_numbers[n] >= old.mesh.next_node_number);
+            continue;
+        }
+        const auto o = std::size_t(now.node_origin[n]);
+        CHECK(now.mesh.node_numbers[n] == old.mesh.node_numbers[o]);
+    }
+    for (std::size_t t = 0; t < now.tet_origin.size(); ++t) {
+        if (now.tet_origin[t] < 0) continue;
+        const auto o = std::size_t(now.tet_origin[t]);
+        CHECK(now.mesh.tet_numbers[t] == old.mesh.tet_numbers[o]);
+        for (int k = 0; k < 4; ++k) CHECK(now.node_origin[now.mesh.tets[t][k].index()] == old.mesh.tets[o][k].value);
+    }
+}
+
+bool same_bytes(const Mesh& a, const Mesh& b) {
+    return a.points == b.points && a.node_numbers == b.node_numbers && a.tets == b.tets && a.tet_numbers == b.tet_numbers &&
+           a.triangles == b.triangles && a.segments == b.segments && a.tet_mids == b.tet_mids;
+}
+
+}  // namespace
+
+TEST_CASE("a plate with a hole is meshed") {
+    for (int order : {1, 2}) {
+        const auto result = meshed(plate_with_hole(20), options_of(2.5, order));
+        check_valid(*result.part_mesh);
+        CHECK(result.report.tets == result.part_mesh->mesh.tets.size());
+        CHECK(result.report.fallbacks.empty());
+        CHECK(result.report.quality.min_dihedral > 15);
+    }
+}
+
+TEST_CASE("an update without a change gives the same bytes") {
+    const auto old = meshed(plate_with_hole(20), options_of(2.5)).part_mesh;
+    const auto now = updated(*old, plate_with_hole(20), options_of(2.5));
+    CHECK(same_bytes(old->mesh, now.part_mesh->mesh));
+    CHECK(now.report.kept_nodes_share == 1.0);
+    CHECK(now.report.kept_tets_share == 1.0);
+    CHECK(now.report.fallbacks.empty());
+}
+
+TEST_CASE("moving a hole keeps the rest bit for bit") {
+    for (int order : {1, 2}) {
+        const MeshOptions options = options_of(2, order);
+        const auto old = meshed(plate_with_hole(15), options).part_mesh;
+        const auto now = updated(*old, plate_with_hole(19), options);
+        check_valid(*now.part_mesh);
+        check_kept(*old, *now.part_mesh);
+        CHECK(now.report.fallbacks.empty());
+        CHECK(now.report.kept_nodes_share > 0.4);
+        for (std::size_t n = 0; n < now.part_mesh->node_origin.size(); ++n)
+            if (now.part_mesh->node_origin[n] >= 0)
+                CHECK(now.part_mesh->mesh.points[n] == old->mesh.points[std::size_t(now.part_mesh->node_origin[n])]);
+    }
+}
+
+TEST_CASE("no number is ever given twice and setting back keeps the kept part") {
+    const MeshOptions options = options_of(2.5);
+    const auto first = meshed(plate_with_hole(15), options).part_mesh;
+    const auto second = updated(*first, plate_with_hole(18), options).part_mesh;
+    const auto third = updated(*second, plate_with_hole(15), options).part_mesh;
+    check_valid(*third);
+    std::map<Number, Vec3> seen;
+    for (const auto& state : {first, second, third})
+        for (std::size_t n = 0; n < state->mesh.node_count(); ++n) {
+            const auto [it, is_new] = seen.emplace(state->mesh.node_numbers[n], state->mesh.points[n]);
+            CHECK(it->second == state->mesh.points[n]);
+        }
+}
+
+TEST_CASE("the nodes of a feature that moved are carried along") {
+    const MeshOptions options = options_of(2);
+    const auto old = meshed(block_and_cylinder(15), options).part_mesh;
+    const auto now = updated(*old, block_and_cylinder(25), options);
+    check_valid(*now.part_mesh);
+    check_kept(*old, *now.part_mesh);
+    REQUIRE(now.report.kept.size() == 2);
+    CHECK(now.report.kept[0].tets > 0);
+    CHECK(now.report.kept[1].tets > 0);
+    CHECK(now.report.kept[1].motion.translation.x == Approx(10));
+    CHECK(now.report.fallbacks.empty());
+}
+
+TEST_CASE("a longer plate and a new hole are updated") {
+    const MeshOptions options = options_of(2.5);
+    const auto old = meshed(plate_with_hole(15), options).part_mesh;
+    const auto longer = updated(*old, plate_with_hole(15, 66), options);
+    check_valid(*longer.part_mesh);
+    CHECK(longer.report.kept_nodes_share > 0.6);
+    const RawDocument drilled = PartDocument()
+                                    .box("Plate", {0, 0, 0}, {60, 30, 6})
+                                    .cylinder("Hole", {15, 15, -1}, 4, 8)
+                                    .cut("Cut", "Plate", "Hole")
+                                    .cylinder("Second", {45, 15, -1}, 3, 8)
+                                    .cut("Part", "Cut", "Second")
+                                    .finish();
+    const auto two = updated(*old, drilled, options);
+    check_valid(*two.part_mesh);
+    CHECK(two.report.kept_nodes_share > 0.4);
+    CHECK(two.report.fallbacks.empty());
+}
+
+TEST_CASE("the same edit gives the same bytes for any number of threads, live or restored") {
+    const MeshOptions options = options_of(2.5);
+    const auto one = meshed(plate_with_hole(15), options, 1).part_mesh, two = meshed(plate_with_hole(15), options, 2).part_mesh;
+    CHECK(same_bytes(one->mesh, two->mesh));
+    RunContext context;
+    const auto restored = restore_part(one->document, options, one->mesh, context);
+    CHECK(same_bytes(updated(*one, plate_with_hole(18), options, 1).part_mesh->mesh,
+                     updated(*restored, plate_with_hole(18), options, 2).part_mesh->mesh));
+}
+
+TEST_CASE("another size or order means a full mesh, and the report says so") {
+    const auto old = meshed(plate_with_hole(15), options_of(3)).part_mesh;
+    const auto finer = updated(*old, plate_with_hole(15), options_of(2));
+    CHECK(finer.report.kept_nodes_share == 0);
+    REQUIRE(finer.report.fallbacks.size() == 1);
+    CHECK_THAT(finer.report.fallbacks[0], Catch::Matchers::Contains("size"));
+    const auto curved = updated(*old, plate_with_hole(15), options_of(3, 2));
+    CHECK_THAT(curved.report.fallbacks.at(0), Catch::Matchers::Contains("order"));
+    check_valid(*curved.part_mesh);
+}
+
+TEST_CASE("a mesh of another part is not restored") {
+    const auto old = meshed(plate_with_hole(15), options_of(3)).part_mesh;
+    RunContext context;
+    CHECK_THROWS_AS(restore_part(block_and_cylinder(15), options_of(3), old->mesh, context), StateError);
+}
+
+TEST_CASE("too many tets are refused with their number") {
+    CHECK_THROWS_WITH(meshed(plate_with_hole(15), options_of(0.01)), Catch::Matchers::Contains("million"));
+    CHECK_THROWS_AS(meshed(plate_with_hole(15), options_of(0)), InputError);
+    CHECK_THROWS_AS(meshed(plate_with_hole(15), options_of(-1)), InputError);
+    CHECK_THROWS_AS(meshed(plate_with_hole(15), options_of(1e4)), InputError);
+}
+
+TEST_CASE("every tet belongs to a feature") {
+    const auto part = meshed(block_and_cylinder(15), options_of(3)).part_mesh;
+    RunContext context;
+    const auto groups = tets_of_features(*part, context);
+    std::map<std::string, std::size_t> sizes;
+    for (const auto& [name, tets] : groups) sizes[name] = tets.size();
+    CHECK(sizes["Block"] > sizes["Boss"]);
+    CHECK(sizes["Block"] + sizes["Boss"] > 0.99 * part->mesh.tets.size());
+}
