@@ -19,12 +19,18 @@ std::string to_string(Role role);
 /// What a volume does to the part.
 enum class Effect { adds, removes, keeps_only };
 
+/// How a feature's result comes from the results of its operands and its own volumes: `volumes` their union, `chain` the first operand
+/// changed by one own volume after the other, `pass` the first operand as it is, else the boolean operation of the operands.
+enum class Combination { volumes, chain, pass, fuse, cut, common, exclusive };
+
 /// One volume of a feature: the whole, one instance of a pattern, or the part a dress-up adds or removes.
 struct FeatureVolume {
     TopoDS_Shape shape;          ///< in the final shape's frame
     Effect effect = Effect::adds;
     int instance = 0;            ///< number within a pattern
-    RigidMotion motion;          ///< from the first instance to this one
+    RigidMotion motion;          ///< from the first instance to this one; the identity where it is not rigid (mirrored, scaled)
+    /// What it does to the shape that the feature is applied to: the opposite of `effect` within a tool that is cut away.
+    Effect step = Effect::adds;
 };
 
 struct Feature {
@@ -36,6 +42,8 @@ struct Feature {
     bool suppressed = false;
     std::string error;                   ///< FreeCAD's message; such a feature counts as changed
     std::string volume_source;           ///< how the volumes were had: "own", "before and after", "instances", "shape"
+    Combination combination = Combination::volumes;
+    std::vector<FeatureId> operands;     ///< whose results are combined; always earlier features
     std::vector<std::pair<std::string, double>> parameters;
 };
 

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "features/feature_tree.h"
+
+#include <TopExp_Explorer.hxx>
+#include <algorithm>
+#include <set>
+
+#include "core/errors.h"
+#include "features/document_view.h"
+#include "features/feature_types.h"
+#include "features/occt_geometry.h"
+#include "features/pattern_instances.h"
+#include "features/same_solids.h"
+#include "features/shape_difference.h"
+
+namespace featuremesh {
+
+namespace {
+
+/// What a step does to the part when the shape it is applied to has the effect `context` itself.
+Effect within(Effect context, Effect step) {
+    if (context == Effect::adds || step == Effect::keeps_only) return step;
+    if (context == Effect::keeps_only) return step == Effect::adds ? Effect::keeps_only : Effect::removes;
+    return step == Effect::adds ? Effect::removes : Effect::adds;
+}
+
+/// Walks from the final object down to the leaves and gives each feature its volumes, once.
+class Interpreter {
+  public:
+    explicit Interpreter(const RawDocument& document) : view_(document) {
+        tree_.object = document.final_object;
+        for (std::size_t i = 0; i < document.records.size(); ++i) {
+            meanings_.push_back(meaning_of(document.records[i]));
+            add_feature(static_cast<int>(i));
+        }
+        visited_.assign(document.records.size(), false);
+    }
+
+    FeatureTree run() {
+        const int last = view_.find(tree_.object);
+        if (last < 0) throw InputError("The document has no object named " + tree_.object + ". Name one of its objects.");
+        tree_.final_shape = view_.solids_of(record(last));
+        if (tree_.final_shape.IsNull())
+            throw InputError(title(last) + " has no solid. Recompute the document, and mesh a body or a Part object whose result is a solid.");
+        evaluate(last, Effect::adds);
+        return std::move(tree_);
+    }
+
+  private:
+    const RawRecord& record(int i) const { return view_.records()[i]; }
+    Feature& feature(int i) { return tree_.features[i]; }
+    std::string title(int i) const {
+        const RawRecord& r = record(i);
+        return r.label.empty() || r.label == r.name ? r.name : r.label + " (" + r.name + ")";
+    }
+    void note(int i, const std::string& text) { tree_.notes.push_back(title(i) + ": " + text); }
+
+    void add_feature(int i) {
+        const RawRecord& r = record(i);
+        Feature f;
+        f.name = r.name;
+        f.label = r.label;
+        f.type = r.type;
+        f.role = meanings_[i].role;
+        f.frame = r.global_placement;
+        f.suppressed = r.suppressed;
+        f.error = r.error;
+        f.parameters.assign(r.numbers.begin(), r.numbers.end());
+        std::set<FeatureId> links;
+        for (const RawLink& link : r.links)
+            if (const int target = view_.find(link.object); target >= 0 && target < i) links.insert(FeatureId(target));
+        f.depends_on.assign(links.begin(), links.end());
+        tree_.features.push_back(std::move(f));
+        if (!r.error.empty()) note(i, "FreeCAD says: " + r.error);
+    }
+
+    /// Earlier records with a solid that the properties link to, in order.
+    std::vector<int> solids_linked(int i, const std::string& property) const {
+        std::vector<int> found;
+        for (const RawLink& link : DocumentView::links_of(record(i), property)) {
+            const int target = view_.find(link.object);
+            if (target >= 0 && target < i && !view_.solids_of(record(target)).IsNull() &&
+                std::find(found.begin(), found.end(), target) == found.end())
+                found.push_back(target);
+        }
+        return found;
+    }
+
+    int source_of(int i) const {
+        for (const std::string& property : meanings_[i].sources)
+            if (const auto found = solids_linked(i, property); !found.empty()) return found.front();
+        return -1;
+    }
+
+    bool is_in_a_body(int i) const {
+        for (const RawRecord& r : view_.records())
+            if (r.type == "PartDesign::Body")
+                for (const RawLink& link : DocumentView::links_of(r, "Group"))
+                    if (link.object == record(i).name) return true;
+        return false;
+    }
+
+    /// The object whose shape a chain step starts from; before FreeCAD had bodies, that on whose face the sketch lies.
+    int base_of(int i) const {
+        if (const int base = source_of(i); base >= 0 || is_in_a_body(i)) return base;
+        for (const char* profile : {"Profile", "Sketch"})
+            for (const RawLink& link : DocumentView::links_of(record(i), profile)) {
+                const int sketch = view_.find(link.object);
+                if (sketch < 0 || sketch >= i) continue;
+                for (const char* support : {"Support", "AttachmentSupport"})
+                    if (const auto found = solids_linked(sketch, support); !found.empty()) return found.front();
+            }
+        return -1;
+    }
+
+    void evaluate(int i, Effect context) {
+        if (visited_[i]) return;
+        visited_[i] = true;
+        switch (meanings_[i].kind) {
+            case Kind::container: return evaluate_container(i, context);
+            case Kind::chain_step:
+            case Kind::chain_change:
+            case Kind::chain_pattern: return evaluate_chain(i, context);
+            case Kind::boolean: return evaluate_boolean(i, context);
+            case Kind::copy: return evaluate_copy(i, context);
+            case Kind::leaf:
+            case Kind::reference: return take_shape(i, context);
+        }
+    }
+
+    void pass_on(int i, int source, Effect context) {
+        feature(i).combination = Combination::pass;
+        feature(i).operands = {FeatureId(source)};
+        evaluate(source, context);
+    }
+
+    void evaluate_container(int i, Effect context) {
+        if (const int source = source_of(i); source >= 0) return pass_on(i, source, context);
+        std::vector<int> members = solids_linked(i, "Group");
+        // Operands stand in the group beside the object that uses them up.
+        std::set<std::string> used;
+        for (const int member : members)
+            for (const RawLink& link : record(member).links) used.insert(link.object);
+        std::erase_if(members, [&](int member) { return used.count(record(member).name) > 0; });
+        if (members.empty()) return take_shape(i, context);
+        combine(i, Combination::fuse, members, context);
+    }
+
+    void combine(int i, Combination how, const std::vector<int>& operands, Effect context) {
+        feature(i).combination = how;
+        for (std::size_t k = 0; k < operands.size(); ++k) {
+            feature(i).operands.push_back(FeatureId(operands[k]));
+            Effect effect = Effect::adds;
+            if (k > 0 && how == Combination::cut) effect = Effect::removes;
+            if (k > 0 && how == Combination::common) effect = Effect::keeps_only;
+            evaluate(operands[k], within(context, effect));
+        }
+    }
+
+    void evaluate_boolean(int i, Effect context) {
+        std::vector<int> operands;
+        if (const int source = source_of(i); source >= 0) operands.push_back(source);
+        const bool has_base = !operands.empty() || meanings_[i].sources.empty();
+        if (!feature(i).suppressed)
+            for (const std::string& property : meanings_[i].tools)
+                for (const int tool : solids_linked(i, property)) operands.push_back(tool);
+        if (operands.empty() || !has_base) return take_shape(i, context);
+        combine(i, meanings_[i].combination, operands, context);
+    }
+
+    void evaluate_copy(int i, Effect context) {
+        const int source = source_of(i);
+        if (source >= 0 && same_solids(view_.solids_of(record(source)), view_.solids_of(record(i)))) return pass_on(i, source, context);
+        take_shape(i, context);
+    }
+
+    void evaluate_chain(int i, Effect context) {
+        const int base = base_of(i);
+        if (feature(i).suppressed) {
+            if (base >= 0) pass_on(i, base, context);
+            return;
+        }
+        if (base < 0 && view_.own_volume_of(record(i)).IsNull()) return take_shape(i, context);
+        // The repeated volumes belong to features before this one.
+        const bool repeats = meanings_[i].kind == Kind::chain_pattern;
+        if (repeats) evaluate(base, context);
+        if (!(repeats && take_instances(i, base)) && !take_own_volume(i) && !take_difference(i, base)) return take_shape(i, context);
+        feature(i).combination = Combination::chain;
+        for (FeatureVolume& volume : feature(i).volumes) volume.effect = within(context, volume.step);
+        if (base < 0) return;
+        feature(i).operands = {FeatureId(base)};
+        evaluate(base, context);
+    }
+
+    bool take_own_volume(int i) {
+        const TopoDS_Shape& own = view_.own_volume_of(record(i));
+        if (own.IsNull() || meanings_[i].kind != Kind::chain_step) return false;
+        const Effect step = meanings_[i].effect;
+        feature(i).volumes = {{own, step, 0, {}, step}};
+        feature(i).volume_source = "own";
+        return true;
+    }
+
+    bool take_instances(int i, int base) {
+        std::vector<FeatureVolume> originals;
+        for (const RawLink& link : DocumentView::links_of(record(i), "Originals")) {
+            const int original = view_.find(link.object);
+            if (original < 0 || original >= i || feature(original).volumes.empty()) return false;
+            const auto& volumes = feature(original).volumes;
+            originals.insert(originals.end(), volumes.begin(), volumes.end());
+        }
+        auto found = pattern_instances(record(i), originals, view_.solids_of(record(base)), view_.solids_of(record(i)), view_);
+        if (!found) return false;
+        feature(i).volumes = std::move(*found);
+        feature(i).volume_source = "instances";
+        return true;
+    }
+
+    bool take_difference(int i, int base) {
+        const TopoDS_Shape& after = view_.solids_of(record(i));
+        if (after.IsNull()) return note(i, "has no solid, so its effect is unknown"), true;
+        const ShapeDifference difference = difference_of(view_.solids_of(record(base)), after);
+        if (!difference.closed) {
+            note(i, "what it adds and removes could not be told from the shapes before and after it; it is taken as one piece with all before it");
+            feature(i).role = Role::opaque;
+            return false;
+        }
+        int instance = 0;
+        const bool counts = meanings_[i].kind == Kind::chain_pattern;
+        for (const auto& solid : difference.removed)
+            feature(i).volumes.push_back({solid, Effect::removes, counts ? instance++ : 0, {}, Effect::removes});
+        for (const auto& solid : difference.added)
+            feature(i).volumes.push_back({solid, Effect::adds, counts ? instance++ : 0, {}, Effect::adds});
+        feature(i).volume_source = "before and after";
+        return true;
+    }
+
+    /// The shape itself is the volume; of an array, one volume per element.
+    void take_shape(int i, Effect context) {
+        const TopoDS_Shape& shape = view_.solids_of(record(i));
+        feature(i).combination = Combination::volumes;
+        if (shape.IsNull() || feature(i).suppressed) return;
+        feature(i).volume_source = "shape";
+        if (feature(i).role != Role::pattern) {
+            feature(i).volumes = {{shape, context, 0, {}, Effect::adds}};
+            return;
+        }
+        TopoDS_Shape first;
+        for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) {
+            const TopoDS_Shape& solid = it.Current();
+            if (first.IsNull()) first = solid;
+            FeatureVolume volume{solid, context, static_cast<int>(feature(i).volumes.size()), {}, Effect::adds};
+            if (solid.IsPartner(first))
+                volume.motion = to_motion((solid.Location() * first.Location().Inverted()).Transformation());
+            feature(i).volumes.push_back(std::move(volume));
+        }
+    }
+
+    DocumentView view_;
+    FeatureTree tree_;
+    std::vector<TypeMeaning> meanings_;
+    std::vector<bool> visited_;
+};
+
+}  // namespace
+
+std::string to_string(Role role) {
+    switch (role) {
+        case Role::additive: return "additive";
+        case Role::subtractive: return "subtractive";
+        case Role::common: return "common";
+        case Role::dress_up: return "dress-up";
+        case Role::pattern: return "pattern";
+        case Role::boolean: return "boolean";
+        case Role::transform: return "transform";
+        case Role::base: return "base";
+        case Role::reference: return "reference";
+        case Role::opaque: return "opaque";
+    }
+    return "unknown";
+}
+
+std::optional<FeatureId> FeatureTree::find(const std::string& name) const {
+    for (std::size_t i = 0; i < features.size(); ++i)
+        if (features[i].name == name) return FeatureId(i);
+    return std::nullopt;
+}
+
+FeatureTree interpret(const RawDocument& document) { return Interpreter(document).run(); }
+
+}  // namespace featuremesh

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "features/pattern_instances.h"
+
+#include <BRepBuilderAPI_Transform.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+
+#include "features/face_probe.h"
+#include "features/occt_geometry.h"
+#include "features/pattern_placements.h"
+#include "features/shape_difference.h"
+#include "features/solid_probe.h"
+
+namespace featuremesh {
+
+namespace {
+
+constexpr double on_surface = 1e-5;   // mm: how closely the kernel's booleans keep a face on its surface
+
+TopoDS_Shape placed(const TopoDS_Shape& shape, const gp_Trsf& trsf) {
+    if (trsf.IsNegative() || std::abs(trsf.ScaleFactor() - 1) > 1e-12) return BRepBuilderAPI_Transform(shape, trsf, true).Shape();
+    return shape.Moved(TopLoc_Location(trsf));
+}
+
+std::vector<FeatureVolume> instances(const std::vector<FeatureVolume>& originals, const Placements& placements) {
+    std::vector<FeatureVolume> volumes;
+    for (std::size_t i = 1; i < placements.size(); ++i)
+        for (const FeatureVolume& original : originals) {
+            FeatureVolume volume = original;
+            volume.shape = placed(original.shape, placements[i]);
+            volume.instance = static_cast<int>(i);
+            if (!placements[i].IsNegative()) volume.motion = to_motion(placements[i]);
+            volumes.push_back(std::move(volume));
+        }
+    return volumes;
+}
+
+/// Judges readings of a pattern's parameters against the shapes before and after it.
+class PatternWitness {
+  public:
+    PatternWitness(const std::vector<FeatureVolume>& originals, const TopoDS_Shape& before, const TopoDS_Shape& after) : after_(after) {
+        // Later originals may undo earlier ones, so only the last can be told from the outcome.
+        if (!originals.empty()) inner_ = point_inside(originals.back().shape);
+        if (!originals.empty()) wanted_ = originals.back().step == Effect::adds ? Side::inside : Side::outside;
+        for (const TopoDS_Shape& face : unshared_faces(before, after)) old_faces_.emplace_back(TopoDS::Face(face));
+        for (const TopoDS_Shape& face : unshared_faces(after, before)) new_faces_.emplace_back(TopoDS::Face(face));
+    }
+
+    bool confirms(const Placements& placements, const std::vector<FeatureVolume>& volumes) const {
+        if (!inner_) return false;
+        for (const gp_Trsf& placement : placements)
+            if (after_.side_of(to_vec3(to_pnt(*inner_).Transformed(placement))) != wanted_) return false;
+        return explains_faces(volumes);
+    }
+
+  private:
+    static bool any_carries(const std::vector<FaceProbe>& faces, const Vec3& p) {
+        for (const FaceProbe& face : faces)
+            if (face.box().grown(on_surface).contains(p) && face.distance_to_surface(p) < on_surface) return true;
+        return false;
+    }
+
+    bool explains_faces(const std::vector<FeatureVolume>& volumes) const {
+        std::vector<FaceProbe> sources;
+        for (const FeatureVolume& volume : volumes)
+            for (TopExp_Explorer it(volume.shape, TopAbs_FACE); it.More(); it.Next()) sources.emplace_back(TopoDS::Face(it.Current()));
+        for (const FaceProbe& face : new_faces_)
+            if (face.inner_point() && !any_carries(old_faces_, *face.inner_point()) && !any_carries(sources, *face.inner_point()))
+                return false;
+        return true;
+    }
+
+    SolidProbe after_;
+    std::optional<Vec3> inner_;
+    Side wanted_ = Side::inside;
+    std::vector<FaceProbe> old_faces_, new_faces_;
+};
+
+}  // namespace
+
+std::optional<std::vector<FeatureVolume>> pattern_instances(const RawRecord& pattern, const std::vector<FeatureVolume>& originals,
+                                                            const TopoDS_Shape& before, const TopoDS_Shape& after,
+                                                            const DocumentView& document) {
+    if (originals.empty() || before.IsNull() || after.IsNull()) return std::nullopt;
+    const PatternWitness witness(originals, before, after);
+    for (const Placements& placements : candidate_placements(pattern, document)) {
+        std::vector<FeatureVolume> volumes = instances(originals, placements);
+        if (witness.confirms(placements, volumes)) return volumes;
+    }
+    return std::nullopt;
+}
+
+}  // namespace featuremesh

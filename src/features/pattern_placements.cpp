@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "features/pattern_placements.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <gp_Ax1.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Cylinder.hxx>
+#include <gp_Cone.hxx>
+#include <gp_Lin.hxx>
+#include <gp_Pln.hxx>
+#include <numbers>
+#include <optional>
+
+#include "features/occt_geometry.h"
+
+namespace featuremesh {
+
+namespace {
+
+constexpr std::size_t most_candidates = 16;
+constexpr double degree = std::numbers::pi / 180;
+
+double number(const RawRecord& record, const std::string& name, double otherwise) {
+    const auto found = record.numbers.find(name);
+    return found == record.numbers.end() ? otherwise : found->second;
+}
+
+gp_Ax1 local_axis(const RawRecord& record, const Vec3& direction) {
+    return {to_pnt(record.global_placement.apply({0, 0, 0})), gp_Dir(to_vec(record.global_placement.rotate(direction)))};
+}
+
+std::optional<TopoDS_Shape> sub_shape(const TopoDS_Shape& shape, const std::string& name, const char* prefix, TopAbs_ShapeEnum kind) {
+    const std::string start = prefix;
+    if (shape.IsNull() || !name.starts_with(start) || name.size() > start.size() + 6) return std::nullopt;
+    const int index = std::atoi(name.c_str() + start.size());
+    TopTools_IndexedMapOfShape map;
+    TopExp::MapShapes(shape, kind, map);
+    if (index < 1 || index > map.Extent()) return std::nullopt;
+    return map(index);
+}
+
+std::optional<gp_Ax1> axis_of_edge(const TopoDS_Shape& edge) {
+    const BRepAdaptor_Curve curve(TopoDS::Edge(edge));
+    if (curve.GetType() == GeomAbs_Line) return curve.Line().Position();
+    if (curve.GetType() == GeomAbs_Circle) return curve.Circle().Axis();
+    return std::nullopt;
+}
+
+std::optional<gp_Ax1> axis_of_face(const TopoDS_Shape& face) {
+    const BRepAdaptor_Surface surface(TopoDS::Face(face));
+    if (surface.GetType() == GeomAbs_Plane) return surface.Plane().Axis();
+    if (surface.GetType() == GeomAbs_Cylinder) return surface.Cylinder().Axis();
+    if (surface.GetType() == GeomAbs_Cone) return surface.Cone().Axis();
+    return std::nullopt;
+}
+
+/// What a link to a line, an edge, a face, a plane or a sketch's axis can mean as an axis, the likeliest first.
+std::vector<gp_Ax1> axes_of(const RawLink& link, const DocumentView& document) {
+    const int index = document.find(link.object);
+    if (index < 0) return {};
+    const RawRecord& record = document.records()[index];
+    const TopoDS_Shape& shape = document.shape_of(record);
+    if (const auto edge = sub_shape(shape, link.sub_element, "Edge", TopAbs_EDGE))
+        if (const auto axis = axis_of_edge(*edge)) return {*axis};
+    if (const auto face = sub_shape(shape, link.sub_element, "Face", TopAbs_FACE))
+        if (const auto axis = axis_of_face(*face)) return {*axis};
+    if (link.sub_element == "H_Axis") return {local_axis(record, {1, 0, 0})};
+    if (link.sub_element == "V_Axis") return {local_axis(record, {0, 1, 0})};
+    if (record.type == "App::Line") return {local_axis(record, {1, 0, 0}), local_axis(record, {0, 0, 1})};
+    return {local_axis(record, {0, 0, 1})};
+}
+
+std::vector<gp_Ax1> axes_of(const RawRecord& pattern, const char* property, const DocumentView& document) {
+    const auto links = DocumentView::links_of(pattern, property);
+    return links.empty() ? std::vector<gp_Ax1>() : axes_of(links.front(), document);
+}
+
+// A mirror "at the sketch's horizontal axis" reflects vertically.
+RawLink as_normal(RawLink link) {
+    if (link.sub_element == "H_Axis")
+        link.sub_element = "V_Axis";
+    else if (link.sub_element == "V_Axis")
+        link.sub_element = "H_Axis";
+    return link;
+}
+
+std::vector<Placements> linear(const RawRecord& pattern, const DocumentView& document) {
+    const int count = static_cast<int>(number(pattern, "Occurrences", 1));
+    if (count < 2) return {Placements(1)};
+    std::vector<double> steps{number(pattern, "Length", 0) / (count - 1)};
+    if (const double offset = number(pattern, "Offset", 0); offset > 0) steps.push_back(offset);
+    const double sign = number(pattern, "Reversed", 0) != 0 ? -1 : 1;
+    std::vector<Placements> candidates;
+    for (const gp_Ax1& axis : axes_of(pattern, "Direction", document))
+        for (const double step : steps)
+            for (const double direction : {sign, -sign}) {
+                Placements placements(count);
+                for (int i = 1; i < count; ++i)
+                    placements[i].SetTranslation(gp_Vec(axis.Direction()) * (direction * step * i));
+                candidates.push_back(std::move(placements));
+            }
+    return candidates;
+}
+
+std::vector<Placements> polar(const RawRecord& pattern, const DocumentView& document) {
+    const int count = static_cast<int>(number(pattern, "Occurrences", 1));
+    if (count < 2) return {Placements(1)};
+    const double angle = number(pattern, "Angle", 360);
+    std::vector<double> steps{(std::abs(angle - 360) < 1e-6 ? angle / count : angle / (count - 1)) * degree};
+    if (const double offset = number(pattern, "Offset", 0); offset > 0) steps.push_back(offset * degree);
+    const double sign = number(pattern, "Reversed", 0) != 0 ? -1 : 1;
+    std::vector<Placements> candidates;
+    for (const gp_Ax1& axis : axes_of(pattern, "Axis", document))
+        for (const double step : steps)
+            for (const double direction : {sign, -sign}) {
+                Placements placements(count);
+                for (int i = 1; i < count; ++i) placements[i].SetRotation(axis, direction * step * i);
+                candidates.push_back(std::move(placements));
+            }
+    return candidates;
+}
+
+std::vector<Placements> mirrored(const RawRecord& pattern, const DocumentView& document) {
+    std::vector<Placements> candidates;
+    const auto links = DocumentView::links_of(pattern, "MirrorPlane");
+    if (links.empty()) return candidates;
+    for (const gp_Ax1& axis : axes_of(as_normal(links.front()), document)) {
+        Placements placements(2);
+        placements[1].SetMirror(gp_Ax2(axis.Location(), axis.Direction()));
+        candidates.push_back(std::move(placements));
+    }
+    return candidates;
+}
+
+/// Every occurrence of `outer` of every occurrence of `inner`.
+Placements product(const Placements& outer, const Placements& inner) {
+    Placements all;
+    for (const gp_Trsf& second : outer)
+        for (const gp_Trsf& first : inner) all.push_back(second * first);
+    return all;
+}
+
+std::vector<Placements> combined(const RawRecord& pattern, const DocumentView& document) {
+    std::vector<Placements> candidates{Placements(1)};
+    for (const RawLink& link : DocumentView::links_of(pattern, "Transformations")) {
+        const int index = document.find(link.object);
+        if (index < 0) return {};
+        std::vector<Placements> next;
+        for (const Placements& so_far : candidates)
+            for (const Placements& further : candidate_placements(document.records()[index], document))
+                if (next.size() < most_candidates) next.push_back(product(further, so_far));
+        candidates = std::move(next);
+    }
+    return candidates;
+}
+
+}  // namespace
+
+std::vector<Placements> candidate_placements(const RawRecord& pattern, const DocumentView& document) {
+    if (pattern.type == "PartDesign::LinearPattern") return linear(pattern, document);
+    if (pattern.type == "PartDesign::PolarPattern") return polar(pattern, document);
+    if (pattern.type == "PartDesign::Mirrored") return mirrored(pattern, document);
+    if (pattern.type == "PartDesign::MultiTransform") return combined(pattern, document);
+    return {};
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a pattern's parameters put its occurrences.
+#pragma once
+
+#include <gp_Trsf.hxx>
+#include <vector>
+
+#include "features/document_view.h"
+
+namespace featuremesh {
+
+/// The transformations of all occurrences, the first (the identity) included.
+using Placements = std::vector<gp_Trsf>;
+
+/// All readings of the parameters worth trying, the likeliest first; empty when the direction, axis or plane cannot be resolved. In the final
+/// shape's frame.
+std::vector<Placements> candidate_placements(const RawRecord& pattern, const DocumentView& document);
+
+}  // namespace featuremesh

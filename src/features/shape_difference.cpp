@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "features/shape_difference.h"
+
+#include <BOPAlgo_MakerVolume.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Builder.hxx>
+#include <GProp_GProps.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Compound.hxx>
+#include <algorithm>
+#include <cmath>
+
+#include "features/deadline.h"
+#include "features/occt_geometry.h"
+#include "features/solid_probe.h"
+
+namespace featuremesh {
+
+namespace {
+
+constexpr double volume_share = 1e-6;   // as the books of the cells
+
+TopoDS_Compound compound_of(const std::vector<TopoDS_Shape>& shapes) {
+    TopoDS_Compound compound;
+    BRep_Builder builder;
+    builder.MakeCompound(compound);
+    for (const TopoDS_Shape& shape : shapes) builder.Add(compound, shape);
+    return compound;
+}
+
+std::vector<TopoDS_Shape> solids_of(const TopoDS_Shape& shape) {
+    std::vector<TopoDS_Shape> solids;
+    if (!shape.IsNull())
+        for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) solids.push_back(it.Current());
+    return solids;
+}
+
+/// Volume that oriented faces span with a point: of a closed shell, the volume inside.
+double flux(const std::vector<TopoDS_Shape>& faces, const gp_Pnt& apex) {
+    GProp_GProps properties(apex);
+    BRepGProp::VolumeProperties(compound_of(faces), properties);
+    return properties.Mass();
+}
+
+double volume_of(const std::vector<TopoDS_Shape>& solids) {
+    double volume = 0;
+    for (const TopoDS_Shape& solid : solids) volume += flux({solid}, gp::Origin());
+    return volume;
+}
+
+struct Change {
+    const TopoDS_Shape& before;
+    const TopoDS_Shape& after;
+    std::vector<TopoDS_Shape> vanished, appeared;   // faces
+    double volume = 0, scale = 0;
+
+    Change(const TopoDS_Shape& b, const TopoDS_Shape& a)
+        : before(b), after(a), vanished(unshared_faces(b, a)), appeared(unshared_faces(a, b)) {
+        Box box;
+        for (const auto& faces : {vanished, appeared})
+            for (const TopoDS_Shape& face : faces) box.add(box_of(face));
+        if (box.is_empty()) return;
+        const gp_Pnt apex = to_pnt(box.center());
+        const double gained = flux(appeared, apex), lost = flux(vanished, apex);
+        volume = gained - lost;
+        scale = std::max({std::abs(gained), std::abs(lost), 1e-3 * box.size().x * box.size().y * box.size().z});
+    }
+
+    bool is_explained_by(const ShapeDifference& d) const {
+        return std::abs(volume_of(d.added) - volume_of(d.removed) - volume) <= volume_share * scale;
+    }
+};
+
+/// The volumes between the faces that vanished and those that appeared.
+ShapeDifference between_faces(const Change& change, double seconds) {
+    ShapeDifference result;
+    TopTools_ListOfShape faces;
+    for (const TopoDS_Shape& face : change.vanished) faces.Append(face);
+    for (const TopoDS_Shape& face : change.appeared) faces.Append(face);
+    if (faces.IsEmpty()) return result.closed = true, result;
+    const Handle(Deadline) deadline = new Deadline(seconds);
+    BOPAlgo_MakerVolume maker;
+    maker.SetArguments(faces);
+    maker.SetIntersect(true);
+    maker.SetAvoidInternalShapes(true);
+    maker.SetNonDestructive(true);
+    maker.Perform(deadline->Start());
+    if (maker.HasErrors() || deadline->is_over()) return result;
+    const SolidProbe before(change.before.IsNull() ? TopoDS_Shape(TopoDS_Compound()) : change.before);
+    const SolidProbe after(change.after.IsNull() ? TopoDS_Shape(TopoDS_Compound()) : change.after);
+    for (const TopoDS_Shape& solid : solids_of(maker.Shape())) {
+        const auto inner = point_inside(solid);
+        if (!inner) return result;
+        const bool was = before.side_of(*inner) == Side::inside, is = after.side_of(*inner) == Side::inside;
+        if (is && !was) result.added.push_back(solid);
+        if (was && !is) result.removed.push_back(solid);
+    }
+    result.closed = change.is_explained_by(result);
+    return result;
+}
+
+std::vector<TopoDS_Shape> cut(const TopoDS_Shape& from, const TopoDS_Shape& tool, double seconds, bool& done) {
+    TopTools_ListOfShape arguments, tools;
+    arguments.Append(from);
+    tools.Append(tool);
+    const Handle(Deadline) deadline = new Deadline(seconds);
+    BRepAlgoAPI_Cut algorithm;
+    algorithm.SetArguments(arguments);
+    algorithm.SetTools(tools);
+    algorithm.SetNonDestructive(true);
+    algorithm.Build(deadline->Start());
+    done = done && algorithm.IsDone() && !deadline->is_over();
+    return done ? solids_of(algorithm.Shape()) : std::vector<TopoDS_Shape>();
+}
+
+ShapeDifference by_booleans(const Change& change, double seconds) {
+    ShapeDifference result;
+    bool done = true;
+    result.added = cut(change.after, change.before, seconds, done);
+    if (done) result.removed = cut(change.before, change.after, seconds, done);
+    result.closed = done && change.is_explained_by(result);
+    return result;
+}
+
+}  // namespace
+
+std::vector<TopoDS_Shape> unshared_faces(const TopoDS_Shape& shape, const TopoDS_Shape& other) {
+    std::vector<TopoDS_Shape> faces;
+    if (shape.IsNull()) return faces;
+    TopTools_IndexedMapOfShape others;
+    for (const TopoDS_Shape& solid : solids_of(other))
+        for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) others.Add(it.Current());
+    for (const TopoDS_Shape& solid : solids_of(shape))
+        for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
+            const int index = others.FindIndex(it.Current());
+            if (index == 0 || others(index).Orientation() != it.Current().Orientation()) faces.push_back(it.Current());
+        }
+    return faces;
+}
+
+ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& after, double seconds) {
+    if (solids_of(before).empty()) return {solids_of(after), {}, true};
+    if (solids_of(after).empty()) return {{}, solids_of(before), true};
+    ShapeDifference result;
+    const Change change(before, after);
+    try {
+        result = between_faces(change, seconds);
+        if (!result.closed) result = by_booleans(change, seconds);
+    } catch (const Standard_Failure&) {
+        result = {};   // not closed: the caller takes the feature as opaque and says so
+    }
+    return result;
+}
+
+}  // namespace featuremesh

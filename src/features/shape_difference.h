@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a feature added and removed, from the shapes before and after it.
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+#include <vector>
+
+namespace featuremesh {
+
+struct ShapeDifference {
+    std::vector<TopoDS_Shape> added, removed;   ///< solids
+    bool closed = false;                        ///< their volumes account for the change of volume
+};
+
+/// Works on the faces only that the two shapes do not share (same TShape and place): they bound all that was added or removed, and the
+/// rest of the part costs nothing. Where that does not account for the change of volume, whole booleans, each with at most
+/// `seconds`. Either shape may be null: nothing before, or nothing left.
+ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& after, double seconds = 10.0);
+
+/// Faces of `shape` that `other` does not have, oriented as in their solid.
+std::vector<TopoDS_Shape> unshared_faces(const TopoDS_Shape& shape, const TopoDS_Shape& other);
+
+}  // namespace featuremesh

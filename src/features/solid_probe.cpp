@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "features/solid_probe.h"
+
+#include <BOPTools_AlgoTools3D.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <Bnd_Box.hxx>
+#include <IntCurvesFace_Intersector.hxx>
+#include <IntTools_Context.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "features/occt_geometry.h"
+
+namespace featuremesh {
+
+namespace {
+
+constexpr double touching = 1e-7;     // mm: the kernel's own confusion
+constexpr double grazing = 1e-3;      // cosine below which a crossing proves nothing
+constexpr double tie = 1e-6;          // mm: two crossings this close are one edge
+
+// Directions without a special place in a model made along the axes.
+constexpr std::array<Vec3, 8> ray_directions{{{0.5361, 0.7233, 0.4353},
+                                              {-0.3127, 0.4419, 0.8408},
+                                              {0.8112, -0.2713, 0.5181},
+                                              {-0.6121, -0.5537, -0.5646},
+                                              {0.1931, 0.9134, -0.3583},
+                                              {0.4447, -0.7712, -0.4555},
+                                              {-0.9011, 0.2217, -0.3727},
+                                              {0.2311, -0.1129, -0.9664}}};
+
+/// Does the ray meet the box? Slabs.
+bool meets(const Box& box, const Vec3& from, const Vec3& direction) {
+    double near = 0, far = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i) {
+        const double low = box.low[i] - from[i], high = box.high[i] - from[i];
+        if (std::abs(direction[i]) < 1e-300) {
+            if (low > 0 || high < 0) return false;
+            continue;
+        }
+        const double a = low / direction[i], b = high / direction[i];
+        near = std::max(near, std::min(a, b));
+        far = std::min(far, std::max(a, b));
+    }
+    return near <= far;
+}
+
+struct Hit {
+    double distance = 0;
+    bool sound = false;     ///< not on an edge, not grazing
+    bool leaving = false;   ///< along the outward normal
+};
+
+}  // namespace
+
+struct SolidProbe::Data {
+    struct ProbedFace {
+        TopoDS_Face face;
+        Box box;
+        mutable std::unique_ptr<IntCurvesFace_Intersector> intersector;
+        mutable std::unique_ptr<BRepAdaptor_Surface> surface;
+    };
+    std::vector<TopoDS_Shape> solids;
+    std::vector<ProbedFace> faces;
+    Box box;
+
+    void add_hits(const ProbedFace& face, const Vec3& from, const Vec3& direction, std::vector<Hit>& hits) const {
+        if (!face.intersector) {
+            face.intersector = std::make_unique<IntCurvesFace_Intersector>(face.face, touching);
+            face.surface = std::make_unique<BRepAdaptor_Surface>(face.face, false);
+        }
+        IntCurvesFace_Intersector& intersector = *face.intersector;
+        intersector.Perform(gp_Lin(to_pnt(from), gp_Dir(to_vec(direction))), -touching, 2 * box.diagonal() + distance(from, box.center()));
+        if (!intersector.IsDone()) return;
+        for (int i = 1; i <= intersector.NbPnt(); ++i) {
+            const double cosine =
+                dot(outward_normal(*face.surface, face.face, intersector.UParameter(i), intersector.VParameter(i)), direction);
+            hits.push_back({intersector.WParameter(i), intersector.State(i) == TopAbs_IN && std::abs(cosine) > grazing, cosine > 0});
+        }
+    }
+
+    std::vector<Hit> hits(const Vec3& from, const Vec3& direction) const {
+        std::vector<Hit> all;
+        for (const ProbedFace& face : faces)
+            if (meets(face.box, from, direction)) add_hits(face, from, direction, all);
+        std::sort(all.begin(), all.end(), [](const Hit& a, const Hit& b) { return a.distance < b.distance; });
+        return all;
+    }
+
+    std::optional<Side> side_along(const Vec3& p, const Vec3& direction) const {
+        const std::vector<Hit> all = hits(p, direction);
+        if (all.empty()) return Side::outside;
+        if (all[0].distance <= touching) return Side::on;
+        if (!all[0].sound || (all.size() > 1 && all[1].distance - all[0].distance < tie)) return std::nullopt;
+        return all[0].leaving ? Side::inside : Side::outside;
+    }
+
+    Side side_by_kernel(const Vec3& p) const {
+        for (const TopoDS_Shape& solid : solids) {
+            BRepClass3d_SolidClassifier classifier(solid, to_pnt(p), touching);
+            if (classifier.State() == TopAbs_IN) return Side::inside;
+            if (classifier.State() == TopAbs_ON) return Side::on;
+        }
+        return Side::outside;
+    }
+};
+
+SolidProbe::SolidProbe(const TopoDS_Shape& shape) : data_(std::make_unique<Data>()) {
+    for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next()) {
+        data_->solids.push_back(solid.Current());
+        for (TopExp_Explorer it(solid.Current(), TopAbs_FACE); it.More(); it.Next()) {
+            const TopoDS_Face& face = TopoDS::Face(it.Current());
+            if (face.Orientation() != TopAbs_FORWARD && face.Orientation() != TopAbs_REVERSED) continue;
+            data_->faces.push_back({face, box_of(face), nullptr, nullptr});
+            data_->box.add(data_->faces.back().box);
+        }
+    }
+}
+
+SolidProbe::~SolidProbe() = default;
+
+Side SolidProbe::side_of(const Vec3& p) const {
+    if (!data_->box.contains(p)) return Side::outside;
+    for (const Vec3& direction : ray_directions)
+        if (const auto side = data_->side_along(p, normalized(direction))) return *side;
+    return data_->side_by_kernel(p);
+}
+
+std::optional<double> SolidProbe::first_hit(const Vec3& from, const Vec3& direction, double skip) const {
+    for (const Hit& hit : data_->hits(from, direction))
+        if (hit.distance > skip) return hit.distance;
+    return std::nullopt;
+}
+
+std::optional<FacePoint> point_on(const TopoDS_Face& face) {
+    gp_Pnt point;
+    gp_Pnt2d parameters;
+    const Handle(IntTools_Context) context = new IntTools_Context;
+    if (BOPTools_AlgoTools3D::PointInFace(face, point, parameters, context) != 0) return std::nullopt;
+    const Vec3 normal = outward_normal(BRepAdaptor_Surface(face, false), face, parameters.X(), parameters.Y());
+    if (squared_length(normal) == 0) return std::nullopt;
+    return FacePoint{to_vec3(point), normal};
+}
+
+std::optional<Vec3> point_inside(const TopoDS_Shape& solid) {
+    constexpr int stretches = 3;
+    const SolidProbe probe(solid);
+    std::optional<Vec3> best;
+    double best_length = 0;
+    int found = 0;
+    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More() && found < stretches; it.Next()) {
+        const auto start = point_on(TopoDS::Face(it.Current()));
+        if (!start) continue;
+        const auto length = probe.first_hit(start->point, -start->normal, 10 * touching);
+        if (!length || *length <= best_length) continue;
+        const Vec3 middle = start->point - start->normal * (*length / 2);
+        if (probe.side_of(middle) != Side::inside) continue;
+        best = middle;
+        best_length = *length;
+        ++found;
+    }
+    return best;
+}
+
+}  // namespace featuremesh
