@@ -27,7 +27,8 @@ struct SizingOptions {
     std::vector<LocalSize> local;
 };
 
-/// A kept node's actual size: the field equals it there and grows from it.
+/// A kept node's actual edge length. Where it is clearly below what the field asks for (by more than the scatter of a good mesh, 1.4), the field equals it
+/// there and grows from it; elsewhere the field stays as it is, so that an update does not follow the scatter of the mesh it updates.
 struct SizeSource {
     Vec3 point;
     double size = 0;
