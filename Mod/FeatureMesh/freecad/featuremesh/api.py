@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a script, a command or a button can do; everything else in this package serves these functions."""
+
+import math
+import os
+import time
+
+import FreeCAD
+
+from . import edits, engine, export, reading, versions
+from .errors import UserError
+from .mesh_object import FeatureMesh, is_feature_mesh, local_sizes, one_line, options_of
+
+DEFAULT_ELEMENTS = 30
+
+
+def add_mesh(part, size=None, order=1, threads=0, name="FeatureMesh"):
+    """Adds a mesh object for `part` to its document; recompute it, or call update_mesh, to mesh.
+
+    `size` in mm, by default a thirtieth of the part's diagonal. Throws UserError for sizes that make no sense.
+    """
+    size = default_size(part) if size is None else float(size)
+    check_size(size, part)
+    mesh = part.Document.addObject(versions.mesh_object_type(), name)
+    FeatureMesh(mesh)
+    setattr(mesh, versions.part_property(mesh), part)
+    mesh.Size, mesh.Order, mesh.Threads = size, "2nd" if order == 2 else "1st", threads
+    _join_analysis(mesh, part.Document)
+    if FreeCAD.GuiUp:
+        from . import view_provider
+        view_provider.attach(mesh)
+    return mesh
+
+
+def update_mesh(mesh, full=False, progress=None):
+    """Brings the mesh up to date with its part, locally unless `full`. Returns the report (a dict)."""
+    report = mesh.Proxy.update(mesh, full, progress)
+    mesh.purgeTouched()
+    return report
+
+
+def recompute(document):
+    """Recomputes, and returns the seconds FreeCAD took for it without the meshes.
+
+    Throws UserError that names the feature and FreeCAD's message when a mesh's part has a feature in error that was not
+    in error before, and the mesh's own error when that is what failed.
+    """
+    meshes = [obj for obj in document.Objects if is_feature_mesh(obj)]
+    before = {obj for obj in document.Objects if reading.error_of(obj)}
+    reports = {mesh: mesh.Report for mesh in meshes}
+    start = time.perf_counter()
+    document.recompute()
+    seconds = time.perf_counter() - start
+    for mesh in meshes:
+        part = versions.part_of(mesh)
+        for obj in (reading.dependencies(part) if part is not None else []):
+            if reading.error_of(obj) and obj not in before:
+                raise UserError("FreeCAD cannot recompute %s: %s" % (reading.describe(obj), reading.error_of(obj)))
+        if mesh.Report != reports[mesh]:
+            seconds -= mesh.Seconds
+    return max(seconds, 0.0)
+
+
+def set_parameters(document, assignments):
+    """Applies edits such as "Pad.Length=12" or "Sketch.HoleX=30"; does not recompute. Throws UserError."""
+    for assignment in assignments:
+        edits.set_parameter(document, assignment)
+
+
+def difference(old_part, new_part, resolution=0.0):
+    """The feature difference of two objects, from one document or two (see featuremesh_engine.compare)."""
+    return engine.load().compare(reading.read_document(old_part), reading.read_document(new_part), resolution)
+
+
+def tree(part):
+    """The feature tree of `part` as the engine understands it (see featuremesh_engine.read_tree)."""
+    return engine.load().read_tree(reading.read_document(part))
+
+
+def estimate_tets(mesh):
+    """About how many tets the mesh would have with its present settings."""
+    part = versions.part_of(mesh)
+    return engine.load().estimate_tets(reading.read_document(part), options_of(mesh, part))
+
+
+def export_mesh(mesh, path, file_format=None):
+    """Writes the mesh with its groups as vtu, inp, unv or med (by default what the file's name says)."""
+    export.write(mesh, path, file_format or os.path.splitext(path)[1].lstrip("."))
+
+
+def meshes_of(document):
+    """All FeatureMesh objects of the document."""
+    return [obj for obj in document.Objects if is_feature_mesh(obj)]
+
+
+def find_mesh(document, part_name=None):
+    """The document's mesh object, of that part when named. Throws UserError: none, or several."""
+    meshes = meshes_of(document)
+    if part_name:
+        part = reading.find_object(document, part_name)
+        meshes = [mesh for mesh in meshes if part in (mesh, versions.part_of(mesh))]
+    if not meshes:
+        raise UserError("the document %s has no mesh%s; make one with `featuremesh mesh`"
+                        % (document.Label, " of " + part_name if part_name else ""))
+    if len(meshes) > 1:
+        raise UserError("the document has several meshes, name the part or the mesh with --object: %s"
+                        % ", ".join(reading.describe(mesh) for mesh in meshes))
+    return meshes[0]
+
+
+def default_size(part):
+    """A sensible edge length for a part: a thirtieth of its diagonal, rounded to two digits, mm."""
+    size = part.Shape.BoundBox.DiagonalLength / DEFAULT_ELEMENTS
+    digits = 1 - int(math.floor(math.log10(size))) if size > 0 else 0
+    return round(size, digits)
+
+
+def _join_analysis(mesh, document):
+    """A lone analysis without a mesh gets this one; an analysis works with exactly one."""
+    analyses = [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemAnalysis")]
+    if len(analyses) == 1 and not any(member.isDerivedFrom("Fem::FemMeshObject") for member in analyses[0].Group):
+        analyses[0].addObject(mesh)
+
+
+def check_size(size, part):
+    """Throws UserError for a size that is not positive or larger than the part."""
+    diagonal = part.Shape.BoundBox.DiagonalLength
+    if not size > 0 or math.isinf(size):
+        raise UserError("the size has to be greater than 0 mm, not %g" % size)
+    if size > diagonal:
+        raise UserError("the size %g mm is larger than the part (%g mm across); try %g"
+                        % (size, diagonal, default_size(part)))
+
+
+__all__ = ["add_mesh", "update_mesh", "recompute", "set_parameters", "difference", "tree", "estimate_tets", "export_mesh",
+           "meshes_of", "find_mesh", "default_size", "check_size", "local_sizes", "one_line"]

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The work behind the launcher's commands, done inside freecadcmd.
+
+The task is JSON in the environment variable FEATUREMESH_TASK, the result goes as JSON to the file FEATUREMESH_RESULT:
+{"exit_code": 0, 1 or 2, "message": text, "data": {...}}. FreeCAD ends with exit code 0 whatever a script does, hence a file.
+"""
+
+import json
+import os
+import sys
+import traceback
+
+
+def run_from_environment():
+    """Runs the task, writes the result and ends the process with its exit code."""
+    result = run(json.loads(os.environ["FEATUREMESH_TASK"]))
+    path = os.environ["FEATUREMESH_RESULT"]
+    with open(path + ".tmp", "w", encoding="utf-8") as stream:
+        json.dump(result, stream)
+    os.replace(path + ".tmp", path)
+    sys.stdout.flush()
+    sys.stderr.flush()
+    os._exit(result["exit_code"])  # FreeCAD's own shutdown can crash after the work is done
+
+
+def run(task):
+    """The result of one task; never throws."""
+    from freecad.featuremesh import tasks
+    from freecad.featuremesh.errors import EngineMissing, UserError
+    try:
+        message, data = tasks.COMMANDS[task["command"]](task)
+        return {"exit_code": 0, "message": message, "data": data}
+    except UserError as error:
+        return _failure(2, error)
+    except EngineMissing as error:
+        return _failure(1, error)
+    except Exception as error:
+        if tasks.is_users_fault(error):
+            return _failure(2, error)
+        traceback.print_exc()
+        return _failure(1, error)
+
+
+def _failure(code, error):
+    text = " ".join(str(error).split()) or type(error).__name__
+    return {"exit_code": code, "message": text, "data": {}}
+
+
+def _find_package():
+    """freecadcmd runs this file as a script; the package it belongs to has to be found first."""
+    import freecad
+    folder = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    if folder not in freecad.__path__:
+        freecad.__path__.append(folder)
+
+
+if __name__ == "cli" or __name__ == "__main__":
+    _find_package()
+    run_from_environment()

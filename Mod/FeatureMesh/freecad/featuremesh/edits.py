@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sets parameters of a document as a user writes them: OBJECT.PROPERTY=VALUE."""
+
+import FreeCAD
+
+from .errors import UserError
+from .reading import close_names, describe, find_object
+
+_TRUE, _FALSE = ("true", "yes", "on", "1"), ("false", "no", "off", "0")
+
+
+def set_parameter(document, assignment):
+    """Applies one edit; does not recompute. Throws UserError: unknown object or property, a value FreeCAD refuses.
+
+    Besides properties (with parts, `Box.Placement.Base.x`): `Sketch.CONSTRAINTNAME` (or `Sketch.Constraint3`) and
+    `Spreadsheet.ALIAS`. Lengths are mm and angles degrees unless the value has a unit.
+    """
+    target, separator, value = assignment.partition("=")
+    name, dot, path = target.strip().partition(".")
+    value = value.strip()
+    if not (separator and dot and name and path and value):
+        raise UserError("cannot read the edit '%s', it has to be OBJECT.PROPERTY=VALUE" % assignment)
+    obj = find_object(document, name)
+    first, _, rest = path.partition(".")
+    if first in obj.PropertiesList and obj.TypeId != "Spreadsheet::Sheet":
+        _set_property(obj, first, rest, value)
+    elif obj.isDerivedFrom("Sketcher::SketchObject"):
+        _set_constraint(obj, path, value)
+    elif obj.TypeId == "Spreadsheet::Sheet":
+        _set_cell(obj, path, value)
+    else:
+        raise _unknown(obj, first, obj.PropertiesList)
+
+
+def _set_property(obj, name, rest, text):
+    _refuse_expression(obj, ".".join(filter(None, (name, rest))))
+    if obj.getEditorMode(name) and "ReadOnly" in obj.getEditorMode(name):
+        raise UserError("%s.%s is read-only" % (describe(obj), name))
+    old = getattr(obj, name)
+    if rest:
+        new = _with_part(obj, name, old, rest, text)
+    else:
+        new = _parse_like(obj, name, old, text)
+    try:
+        setattr(obj, name, new)
+    except Exception as error:
+        raise UserError("FreeCAD refuses %s for %s.%s: %s" % (text, describe(obj), name, error)) from error
+    if not rest and not _same(getattr(obj, name), new):
+        got = getattr(obj, name)
+        setattr(obj, name, old)
+        raise UserError("FreeCAD refuses %s for %s.%s (it would take %s)" % (text, describe(obj), name, got))
+
+
+def _with_part(obj, name, old, path, text):
+    """A copy of a placement or vector with one number changed: Base.x, Rotation.Angle (degrees), Axis.z, x."""
+    where = "%s.%s.%s" % (describe(obj), name, path)
+    if isinstance(old, FreeCAD.Vector) and path in ("x", "y", "z"):
+        new = FreeCAD.Vector(old)
+        setattr(new, path, _number(text, "mm", where))
+        return new
+    if isinstance(old, FreeCAD.Placement):
+        new = FreeCAD.Placement(old)
+        parts = path.split(".")
+        if parts[0] == "Base" and len(parts) == 2 and parts[1] in ("x", "y", "z"):
+            base = FreeCAD.Vector(new.Base)
+            setattr(base, parts[1], _number(text, "mm", where))
+            new.Base = base
+            return new
+        if parts in (["Rotation", "Angle"], ["Angle"]):
+            new.Rotation = FreeCAD.Rotation(new.Rotation.Axis, _number(text, "deg", where))
+            return new
+        if parts[-2:-1] == ["Axis"] and parts[-1] in ("x", "y", "z"):
+            axis = FreeCAD.Vector(new.Rotation.Axis)
+            setattr(axis, parts[-1], _number(text, "", where))
+            angle = FreeCAD.Units.Quantity(new.Rotation.Angle, "rad").getValueAs("deg")
+            new.Rotation = FreeCAD.Rotation(axis, float(angle))
+            return new
+    raise UserError("cannot set %s; of placements it can be Base.x, Base.y, Base.z, Rotation.Angle, Rotation.Axis.x "
+                    "and so on, of vectors x, y and z" % where)
+
+
+def _parse_like(obj, name, old, text):
+    """The value that `text` means for a property that holds `old`."""
+    where = "%s.%s" % (describe(obj), name)
+    kind = obj.getTypeIdOfProperty(name)
+    if isinstance(old, bool):
+        return _bool(text, where)
+    if kind == "App::PropertyEnumeration":
+        known = obj.getEnumerationsOfProperty(name)
+        if text not in known:
+            raise UserError("%s cannot be %s, only one of: %s" % (where, text, ", ".join(known)))
+        return text
+    if isinstance(old, int):
+        number = _number(text, "", where)
+        if number != int(number):
+            raise UserError("%s has to be a whole number, not %s" % (where, text))
+        return int(number)
+    if isinstance(old, float):
+        return _number(text, "", where)
+    if isinstance(old, FreeCAD.Units.Quantity):
+        return _quantity(text, old.Unit, where)
+    raise UserError("%s is no number, switch or choice (%s), it cannot be set this way" % (where, kind))
+
+
+def _set_constraint(sketch, name, text):
+    index = _constraint_index(sketch, name)
+    constraint = sketch.Constraints[index]
+    where = "%s.%s" % (describe(sketch), name)
+    if not constraint.Driving:
+        raise UserError("%s is a reference dimension, it only measures" % where)
+    for path, expression in sketch.ExpressionEngine:
+        if path.lstrip(".") in ("Constraints.%s" % name, "Constraints[%d]" % index):
+            raise UserError("%s is driven by the expression %s, change that instead" % (where, expression))
+    unit = "deg" if constraint.Type == "Angle" else "mm"
+    quantity = FreeCAD.Units.Quantity("%.17g %s" % (_number(text, unit, where), unit))
+    try:
+        sketch.setDatum(index, quantity)
+    except Exception as error:
+        raise UserError("FreeCAD refuses %s for %s: %s" % (text, where, error)) from error
+
+
+def _constraint_index(sketch, name):
+    dimensions = {}
+    for index, constraint in enumerate(sketch.Constraints):
+        if constraint.Type in ("Distance", "DistanceX", "DistanceY", "Radius", "Diameter", "Angle", "Weight"):
+            dimensions[constraint.Name or "Constraint%d" % (index + 1)] = index
+    if name.startswith("Constraints."):
+        name = name[len("Constraints."):]
+    if name not in dimensions:
+        raise _unknown(sketch, name, dimensions, "constraint or property")
+    return dimensions[name]
+
+
+def _set_cell(sheet, name, text):
+    cell = sheet.getCellFromAlias(name) if hasattr(sheet, "getCellFromAlias") else None
+    if cell is None and name in sheet.PropertiesList and name[:1].isupper() and name[-1:].isdigit():
+        cell = name
+    if cell is None:
+        aliases = [sheet.getAlias(p) for p in sheet.PropertiesList if sheet.getTypeOfProperty(p) and _alias(sheet, p)]
+        raise _unknown(sheet, name, aliases, "alias or cell")
+    content = sheet.getContents(cell)
+    if content.startswith("=") and any(letter.isalpha() for letter in content[1:]) and not _is_quantity(content[1:]):
+        raise UserError("%s.%s is computed (%s), change what it depends on" % (describe(sheet), name, content))
+    if not _is_quantity(text):
+        raise UserError("%s is no number for %s.%s" % (text, describe(sheet), name))
+    if text[:1] not in "=" and any(letter.isalpha() for letter in text.replace("e", "")):
+        text = "=" + text
+    sheet.set(cell, text)
+
+
+def _alias(sheet, name):
+    try:
+        return sheet.getAlias(name)
+    except ValueError:
+        return None
+
+
+def _refuse_expression(obj, path):
+    for bound, expression in obj.ExpressionEngine:
+        if bound.lstrip(".") == path or bound.lstrip(".").startswith(path + "."):
+            raise UserError("%s.%s is driven by the expression %s, change that instead"
+                            % (describe(obj), path, expression))
+
+
+def _unknown(obj, name, known, what="property"):
+    return UserError("%s has no %s %s%s" % (describe(obj), what, name, close_names(name, list(known))))
+
+
+def _bool(text, where):
+    if text.lower() in _TRUE:
+        return True
+    if text.lower() in _FALSE:
+        return False
+    raise UserError("%s is a switch, it can be true or false, not %s" % (where, text))
+
+
+def _number(text, unit, where):
+    """A plain number, or a quantity with a unit turned into mm or degrees."""
+    try:
+        return float(text)
+    except ValueError:
+        pass
+    wanted = {"mm": FreeCAD.Units.Length, "deg": FreeCAD.Units.Angle}.get(unit)
+    if wanted is not None and _is_quantity(text):
+        return float(_quantity(text, wanted, where).Value)
+    raise UserError("%s is no number for %s" % (text, where))
+
+
+def _quantity(text, unit, where):
+    if not _is_quantity(text):
+        raise UserError("%s is no number for %s" % (text, where))
+    quantity = FreeCAD.Units.Quantity(text)
+    if quantity.Unit == FreeCAD.Units.Unit():
+        return FreeCAD.Units.Quantity(quantity.Value, unit)
+    if quantity.Unit != unit:
+        raise UserError("%s has the wrong unit for %s" % (text, where))
+    return quantity
+
+
+def _is_quantity(text):
+    try:
+        FreeCAD.Units.Quantity(text)
+        return True
+    except (ValueError, ArithmeticError):
+        return False
+
+
+def _same(got, wanted):
+    got, wanted = getattr(got, "Value", got), getattr(wanted, "Value", wanted)
+    if isinstance(wanted, float):
+        return abs(got - wanted) <= 1e-9 * max(1.0, abs(wanted))
+    return got == wanted

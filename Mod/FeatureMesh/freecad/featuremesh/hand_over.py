@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hands an engine mesh over to FreeCAD: one UNV file with all groups, one read, one assignment."""
+
+import os
+import re
+import tempfile
+
+import Fem
+import numpy as np
+
+_KINDS = {"Solid": "Volume", "Face": "Face", "Edge": "Edge", "Vertex": "Node"}
+
+
+def to_fem_mesh(part_mesh, groups):
+    """A Fem.FemMesh with the numbers of `part_mesh` and the groups (name, kind, numbers)."""
+    folder = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
+    handle, path = tempfile.mkstemp(".unv", "featuremesh-", folder)
+    os.close(handle)
+    try:
+        part_mesh.write_unv(path, groups)
+        return Fem.read(path)
+    finally:
+        os.unlink(path)
+
+
+def groups_of(part_mesh, mesh, part):
+    """All groups of the mesh object `mesh`: per CAD entity, per feature, per group object and per analysis member."""
+    entities = EntityGroups(part_mesh.arrays())
+    groups = entities.of_all_entities()
+    groups += [("Feature_" + name, "Volume", numbers) for name, numbers in part_mesh.owners_of_tets() if len(numbers)]
+    for group in getattr(mesh, "MeshGroupList", []):
+        name = group.Label if getattr(group, "UseLabel", False) else group.Name
+        groups += _groups_of_references(name, group, part, entities)
+    groups += analysis_groups(mesh, part, entities)
+    return [group for group in groups if len(group[2])]
+
+
+def analysis_groups(mesh, part, entities):
+    """The groups by which the solver's writer finds the nodes of constraints and the elements of materials."""
+    groups = []
+    members = [member for analysis in mesh.InList if analysis.isDerivedFrom("Fem::FemAnalysis")
+               for member in analysis.Group]
+    materials = [member for member in members if _is_material(member)]
+    for member in members:
+        if member in materials or not member.isDerivedFrom("Fem::Constraint") and not hasattr(member, "References"):
+            continue
+        nodes = _nodes_of_references(member, part, entities)
+        if nodes is not None:
+            groups.append((member.Name + "_Nodes", "Node", nodes))
+    if len(materials) > 1:
+        groups += _material_groups(materials, part, entities)
+    return groups
+
+
+class EntityGroups:
+    """Node and element numbers by CAD entity name ("Face3")."""
+
+    def __init__(self, arrays):
+        self._arrays = arrays
+        self._elements = {}        # name -> element numbers
+        self._rows = {}            # name -> rows of its elements in _connectivity
+        self._connectivity = {}    # kind -> nodes of all elements of that kind
+        self._nodes = {}           # name -> node numbers, filled when asked for
+        for kind, elements, mids, owners, numbers in (
+                ("Edge", "segments", "segment_mids", "segment_edges", "segment_numbers"),
+                ("Face", "triangles", "triangle_mids", "triangle_faces", "triangle_numbers"),
+                ("Solid", "tets", "tet_mids", "tet_solids", "tet_numbers")):
+            self._collect(kind, arrays[elements], arrays[mids], arrays[owners], arrays[numbers])
+        numbers = arrays["node_numbers"]
+        on_vertex = np.flatnonzero(arrays["entities"][:, 0] == 0)
+        for node in on_vertex:
+            self._nodes["Vertex%d" % (arrays["entities"][node, 1] + 1)] = numbers[[node]]
+
+    def elements(self, name):
+        """Numbers of the elements of that entity (empty for a vertex or an unknown name)."""
+        return self._elements.get(name, np.empty(0, dtype=np.int64))
+
+    def nodes(self, name):
+        """Numbers of the nodes on that entity, mid-side ones and those on its border included."""
+        if name not in self._nodes and name in self._elements:
+            rows, kind = self._rows[name], re.sub(r"\d+$", "", name)
+            used = np.unique(self._connectivity[kind][rows])
+            self._nodes[name] = self._arrays["node_numbers"][used]
+        return self._nodes.get(name, np.empty(0, dtype=np.int64))
+
+    def all_elements(self):
+        """Numbers of all tets."""
+        return self._arrays["tet_numbers"]
+
+    def of_all_entities(self):
+        """(name, kind, numbers) for every edge, face and solid, and their nodes where constraints may sit."""
+        groups = []
+        for name, numbers in self._elements.items():
+            kind = re.sub(r"\d+$", "", name)
+            groups.append((name, _KINDS[kind], numbers))
+            if kind != "Solid":
+                groups.append((name + "_Nodes", "Node", self.nodes(name)))
+        return groups
+
+    def _collect(self, kind, elements, mids, owners, numbers):
+        if not len(elements):
+            return
+        mids = [mids.reshape(len(elements), -1)] if len(mids) else []
+        self._connectivity[kind] = np.hstack([elements, *mids])
+        order = np.argsort(owners, kind="stable")
+        present, starts = np.unique(owners[order], return_index=True)
+        for owner, rows in zip(present, np.split(order, starts[1:])):
+            name = "%s%d" % (kind, owner + 1)
+            self._elements[name] = numbers[rows]
+            self._rows[name] = rows
+
+
+def references_to(member, part):
+    """Names of the sub-elements of `part` that an FEM object refers to, and whether it refers to anything else."""
+    names, foreign = [], False
+    for target, subs in getattr(member, "References", None) or []:
+        if target is not part:
+            foreign = True
+            continue
+        names += [subs] if isinstance(subs, str) else list(subs)
+    return names, foreign
+
+
+def _nodes_of_references(member, part, entities):
+    """Sorted node numbers of what `member` refers to; None when that is not all on `part`."""
+    names, foreign = references_to(member, part)
+    if foreign or not names:
+        return None
+    return _union([entities.nodes(name) for name in names])
+
+
+def _groups_of_references(name, group, part, entities):
+    names, _ = references_to(group, part)
+    result = []
+    for prefix in ("Solid", "Face", "Edge"):
+        numbers = _union([entities.elements(sub) for sub in names if sub.startswith(prefix)])
+        result.append((name, _KINDS[prefix], numbers))
+    result = [entry for entry in result if len(entry[2])]
+    result.append((name + "_Nodes", "Node", _union([entities.nodes(sub) for sub in names])))
+    return result
+
+
+def _material_groups(materials, part, entities):
+    """One volume group per material, but only if together they cover every tet once: else FreeCAD searches itself."""
+    claimed, groups, rest = [], [], None
+    for material in materials:
+        names, foreign = references_to(material, part)
+        if foreign:
+            return []
+        if not getattr(material, "References", None):
+            if rest is not None:
+                return []
+            rest = material
+            continue
+        numbers = _union([entities.elements(name) for name in names])
+        claimed.append(numbers)
+        groups.append((material.Name + "_Volumes", "Volume", numbers))
+    everything = np.sort(entities.all_elements())
+    if rest is not None:
+        left = np.setdiff1d(everything, _union(claimed))
+        groups.append((rest.Name + "_Volumes", "Volume", left))
+        claimed.append(left)
+    covered = np.sort(np.concatenate(claimed)) if claimed else everything[:0]
+    return groups if np.array_equal(covered, everything) else []
+
+
+def _is_material(member):
+    return getattr(getattr(member, "Proxy", None), "Type", "") == "Fem::MaterialCommon" or hasattr(member, "Material") \
+        and hasattr(member, "References")
+
+
+def _union(arrays):
+    arrays = [values for values in arrays if len(values)]
+    return np.unique(np.concatenate(arrays)) if arrays else np.empty(0, dtype=np.int64)

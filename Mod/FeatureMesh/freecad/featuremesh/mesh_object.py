@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The document object: a FEM mesh that depends on a part and follows its edits."""
+
+import json
+import os
+import tempfile
+import time
+
+import FreeCAD
+
+from . import engine, hand_over, state, versions
+from .errors import StateError, UserError
+from .reading import describe, read_document
+
+UP_TO_DATE = "up to date"
+OUT_OF_DATE = "out of date: the part or a setting changed, update by hand or switch Automatic on"
+
+# (type, name, group, default, read-only, tooltip)
+PROPERTIES = [
+    ("App::PropertyLength", "Size", "Mesh size", 0.0, False, "Wanted edge length of the tets"),
+    ("App::PropertyLength", "MinSize", "Mesh size", 0.0, False,
+     "Smallest edge length that curvature, thin gaps and growth may ask for; 0: a tenth of Size"),
+    ("App::PropertyFloat", "ElementsPerCircle", "Mesh size", 12.0, False,
+     "Edges along a full circle of any curved face or edge; 0: sizes do not follow curvature"),
+    ("App::PropertyFloat", "ElementsAcrossGap", "Mesh size", 0.0, False,
+     "Elements across thin walls and slots; 0: sizes do not follow thickness"),
+    ("App::PropertyFloat", "Growth", "Mesh size", 1.3, False,
+     "By how much neighbouring elements may differ in size at most"),
+    ("App::PropertyEnumeration", "Order", "Mesh", ["1st", "2nd"], False,
+     "1st: 4-node tets; 2nd: 10-node tets with their mid-side nodes on the surface"),
+    ("App::PropertyInteger", "Threads", "Mesh", 0, False,
+     "Processor threads to use; 0: all. The mesh is the same for any number"),
+    ("App::PropertyBool", "Automatic", "Mesh", True, False, "Update the mesh whenever the document is recomputed"),
+    ("App::PropertyLinkList", "MeshRegionList", "Mesh", [], False, "Local sizes: FEM mesh refinements"),
+    ("App::PropertyLinkList", "MeshGroupList", "Mesh", [], False, "FEM mesh groups"),
+    ("App::PropertyString", "Status", "Result", "not meshed yet", True, "Whether the mesh fits the part, and if not, why"),
+    ("App::PropertyInteger", "NodeCount", "Result", 0, True, "Nodes of the mesh"),
+    ("App::PropertyInteger", "TetCount", "Result", 0, True, "Tets of the mesh"),
+    ("App::PropertyPercent", "KeptNodes", "Result", 0, True, "Share of the nodes kept bit for bit by the last update"),
+    ("App::PropertyPercent", "KeptTets", "Result", 0, True, "Share of the tets kept by the last update"),
+    ("App::PropertyAngle", "MinDihedral", "Result", 0.0, True, "Smallest angle between two faces of a tet"),
+    ("App::PropertyFloat", "MeanRadiusRatio", "Result", 0.0, True,
+     "Mean of three times the inscribed over the circumscribed radius; 1 for regular tets"),
+    ("App::PropertyFloat", "Seconds", "Result", 0.0, True, "Time the last mesh or update took"),
+    ("App::PropertyString", "Report", "Result", "", True, "Everything about the last mesh or update, as JSON"),
+    ("App::PropertyFileIncluded", "State", "Result", None, True, "What the next update needs"),
+]
+_OPTION_OF = {"Size": "size", "MinSize": "min_size", "ElementsPerCircle": "elements_per_circle",
+              "ElementsAcrossGap": "elements_across_gap", "Growth": "growth", "Threads": "threads"}
+
+
+class FeatureMesh:
+    """Proxy of the mesh object. Its class path is stored in documents and never changes."""
+
+    Type = "Fem::FeatureMesh"
+
+    def __init__(self, mesh):
+        self.Type = FeatureMesh.Type
+        mesh.Proxy = self
+        self._forget()
+        self._add_properties(mesh)
+
+    # FreeCAD's side
+
+    def execute(self, mesh):
+        """Called by recompute: updates the mesh, or in manual mode only says that it is out of date."""
+        if mesh.Automatic:
+            self.update(mesh)
+        else:
+            mesh.Status = OUT_OF_DATE
+
+    def onDocumentRestored(self, mesh):
+        self._forget()
+        self._add_properties(mesh)
+
+    def dumps(self):
+        return {"Type": self.Type}
+
+    def loads(self, saved):
+        self.Type = FeatureMesh.Type
+        self._forget()
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+    # Meshing
+
+    def update(self, mesh, full=False, progress=None):
+        """Meshes the part, locally where the last state allows it (never with `full`). Returns the report.
+
+        When that fails the old mesh stays, Status says why, and the error is raised.
+        """
+        start = time.perf_counter()
+        try:
+            report = self._update(mesh, full, progress, start)
+        except Exception as error:
+            mesh.Status = "failed: " + one_line(error)
+            raise
+        mesh.Status = UP_TO_DATE
+        return report
+
+    def last_part_mesh(self, mesh):
+        """The engine's mesh as it is now, from memory or from the saved state. Throws StateError."""
+        checksum = state.checksum_of(mesh.State)
+        if self._part_mesh is None or checksum != self._checksum:
+            saved = state.load(mesh.State)
+            part = versions.part_of(mesh)
+            if part is not None and saved.part_name != part.Name:
+                raise StateError("the saved mesh state belongs to %s, not to %s" % (saved.part_name, part.Name))
+            self._part_mesh = _restore(saved)
+            self._checksum = checksum
+        return self._part_mesh
+
+    def _update(self, mesh, full, progress, start):
+        part = versions.part_of(mesh)
+        if part is None:
+            raise UserError("%s has no part to mesh, set its property %s"
+                            % (describe(mesh), versions.part_property(mesh)))
+        api = engine.load()
+        options = options_of(mesh, part)
+        raw = read_document(part)
+        read = time.perf_counter()
+        old, problem = (None, None) if full else self._old(mesh)
+        if old is None:
+            part_mesh, report = api.mesh_part(raw, options, progress)
+        else:
+            part_mesh, report = api.update_part(old, raw, options, progress)
+        if problem:
+            add_fallback(report, "meshed from scratch: " + problem)
+            FreeCAD.Console.PrintWarning("%s: %s; meshed from scratch\n" % (mesh.Label, problem))
+        meshed = time.perf_counter()
+        mesh.FemMesh = hand_over.to_fem_mesh(part_mesh, hand_over.groups_of(part_mesh, mesh, part))
+        handed_over = time.perf_counter()
+        self._store(mesh, part_mesh, state.State(raw, options, part_mesh.arrays()))
+        end = time.perf_counter()
+        report["seconds"] = dict(report.get("seconds", {}), document=read - start, hand_over=handed_over - meshed,
+                                 state=end - handed_over, total=end - start)
+        _show_report(mesh, report)
+        return report
+
+    def _old(self, mesh):
+        """The mesh to start from, or None and the reason why there is none (no reason for a first mesh)."""
+        if self._part_mesh is None and not mesh.State:
+            return None, (None if not mesh.FemMesh.VolumeCount else "the document holds no mesh state")
+        try:
+            return self.last_part_mesh(mesh), None
+        except (StateError, engine.load().StateError) as error:
+            return None, one_line(error)
+
+    def _store(self, mesh, part_mesh, new_state):
+        handle, path = tempfile.mkstemp(".npz", "featuremesh-")
+        os.close(handle)
+        try:
+            self._checksum = state.save(path, new_state)
+            mesh.State = path
+            self._part_mesh = part_mesh
+        finally:
+            os.unlink(path)
+
+    def _forget(self):
+        self._part_mesh = None
+        self._checksum = ""
+
+    def _add_properties(self, mesh):
+        """Adds what the object lacks: all of it when new, what came later when from an older document."""
+        if "Shape" not in mesh.PropertiesList and "Part" not in mesh.PropertiesList:
+            mesh.addProperty("App::PropertyLink", "Part", "Mesh", "The part to mesh")
+        for kind, name, group, default, read_only, tooltip in PROPERTIES:
+            if name not in mesh.PropertiesList:
+                mesh.addProperty(kind, name, group, tooltip)
+                if default is not None:
+                    setattr(mesh, name, default)
+            if read_only:
+                mesh.setEditorMode(name, 2 if name in ("Report", "State") else 1)
+
+
+def is_feature_mesh(obj):
+    """Is this one of our mesh objects?"""
+    return isinstance(getattr(obj, "Proxy", None), FeatureMesh)
+
+
+def options_of(mesh, part):
+    """The engine's options from the object's properties and its mesh refinements."""
+    options = {option: float(getattr(getattr(mesh, name), "Value", getattr(mesh, name)))
+               for name, option in _OPTION_OF.items()}
+    options["threads"] = int(options["threads"]) or os.cpu_count() or 1
+    options["order"] = 2 if mesh.Order == "2nd" else 1
+    options["min_size"] = options["min_size"] or options["size"] / 10
+    options["local"] = local_sizes(mesh, part)
+    return options
+
+
+def local_sizes(mesh, part):
+    """("Face12", size) for every reference of every mesh refinement. Throws UserError for one that is not on the part."""
+    sizes = []
+    for region in mesh.MeshRegionList:
+        size = float(region.CharacteristicLength.Value)
+        names, foreign = hand_over.references_to(region, part)
+        if foreign:
+            raise UserError("the refinement %s refers to another object than %s; refer to faces of that one"
+                            % (describe(region), describe(part)))
+        if size > 0:
+            sizes += [(name, size) for name in names]
+    return sizes
+
+
+def add_fallback(report, text):
+    """Adds a line to the report's list of what could not be kept or done."""
+    report["fallback"] = "; ".join(part for part in (text, report.get("fallback")) if part)
+
+
+def one_line(error):
+    """An error's message without line breaks."""
+    return " ".join(str(error).split()) or type(error).__name__
+
+
+def _restore(saved):
+    return engine.load().restore_part(saved.raw, saved.options, saved.arrays)
+
+
+def _show_report(mesh, report):
+    report.setdefault("fallback", None)
+    quality, kept = report.get("quality", {}), report.get("kept") or {}
+    mesh.NodeCount, mesh.TetCount = int(report["nodes"]), int(report["tets"])
+    mesh.KeptNodes = int(100 * kept.get("nodes_share", 0.0))
+    mesh.KeptTets = int(100 * kept.get("tets_share", 0.0))
+    mesh.MinDihedral = float(quality.get("min_dihedral", 0.0))
+    mesh.MeanRadiusRatio = float(quality.get("mean_radius_ratio", 0.0))
+    mesh.Seconds = report["seconds"]["total"]
+    mesh.Report = json.dumps(report, sort_keys=True)

@@ -1,0 +1,411 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads the feature tree of a part from the live document into raw records (see featuremesh_engine.pyi).
+
+Nothing is interpreted here: what a record means is decided by the engine. Two things only FreeCAD knows are settled
+here: which objects the part depends on, and in which frame each of them lies.
+"""
+
+import os
+import tempfile
+from collections import deque
+
+import FreeCAD
+import Part
+
+from . import versions
+from .errors import UserError
+
+# A pattern's direction, a sketch's plane: needed for the dependencies, but without any volume of their own.
+_REFERENCE_TYPES = ("Sketcher::", "Spreadsheet::", "App::Line", "App::Plane", "App::Point", "App::Origin",
+                    "PartDesign::Plane", "PartDesign::Line", "PartDesign::Point", "PartDesign::CoordinateSystem",
+                    "PartDesign::ShapeBinder", "PartDesign::SubShapeBinder", "Part::Datum", "App::TextDocument")
+# A binder's shape is all that comes from the parts behind it; those lie in frames of their own.
+_BINDERS = ("PartDesign::ShapeBinder", "PartDesign::SubShapeBinder")
+_SKIPPED_LINKS = ("_Body", "Origin", "ExpressionEngine", "Proxy", "_ChildCache", "_CopyOnChangeControl")
+_DIMENSIONS = ("Distance", "DistanceX", "DistanceY", "Radius", "Diameter", "Angle", "Weight", "SnellsLaw")
+_NUMBER_TYPES = ("App::PropertyFloat", "App::PropertyInteger", "App::PropertyQuantity", "App::PropertyLength",
+                 "App::PropertyDistance", "App::PropertyAngle", "App::PropertyArea", "App::PropertyVolume",
+                 "App::PropertyPrecision", "App::PropertyPercent", "App::PropertyBool", "App::PropertySpeed")
+
+
+def read_document(part):
+    """Everything the engine needs to know of the object `part` and what it depends on, as a dict.
+
+    Shapes and frames are given in the frame in which FEM sees `part.Shape`. Throws UserError when it has no shape.
+    """
+    if not has_shape(part):
+        raise UserError("%s has no shape to mesh" % describe(part))
+    frames = _frames(part)
+    shapes = _ShapeList()
+    home = part.Document
+    records = [_record(obj, frames[obj], shapes, home) for obj in _in_dependency_order(part, frames)]
+    return {"final_object": key_of(part, home), "records": records, "shapes": shapes.to_bytes()}
+
+
+def find_meshable(document, name=None):
+    """The object to mesh: the one called `name` (or so labelled), else the only solid that no other one uses.
+
+    Throws UserError: unknown name, an object without a solid, none, or several (which it lists).
+    """
+    if name:
+        return _checked_solid(find_object(document, name))
+    candidates = [obj for obj in document.Objects if _is_candidate(obj)]
+    used = set()
+    for obj in candidates:
+        used.update(_used_by(obj))
+    for obj in document.Objects:
+        if obj.TypeId == "PartDesign::Body" or _is_feature_of_body(obj):
+            used.update(_used_by(obj))
+    final = [obj for obj in candidates if obj not in used]
+    if not final:
+        raise UserError("the document %s has no solid to mesh" % document.Label)
+    if len(final) > 1:
+        raise UserError("the document has several solids, name one with --object: %s"
+                        % ", ".join(describe(obj) for obj in final))
+    return final[0]
+
+
+def find_object(document, name):
+    """The object of that name, else the only one with that label. Throws UserError with names that come close."""
+    found = document.getObject(name)
+    if found is not None:
+        return found
+    labelled = document.getObjectsByLabel(name)
+    if len(labelled) == 1:
+        return labelled[0]
+    if labelled:
+        raise UserError("%d objects have the label %s, use a name: %s"
+                        % (len(labelled), name, ", ".join(obj.Name for obj in labelled)))
+    raise UserError("the document has no object %s%s" % (name, close_names(name, [o.Name for o in document.Objects])))
+
+
+def close_names(name, known):
+    """", did you mean ..." with the known names nearest to `name`, or nothing."""
+    import difflib
+    near = difflib.get_close_matches(name, known, 3, 0.5)
+    return "; did you mean %s?" % " or ".join(near) if near else ""
+
+
+def describe(obj):
+    """Name and, where it differs, label of an object, as messages show it."""
+    return obj.Name if obj.Label == obj.Name else "%s (%s)" % (obj.Name, obj.Label)
+
+
+def has_shape(obj):
+    """Is there a shape with at least one face?"""
+    shape = _shape_of(obj)
+    return shape is not None and len(shape.Faces) > 0
+
+
+def key_of(obj, home):
+    """Name under which records know an object: its own, with the document's in front when it lives in another one."""
+    return obj.Name if obj.Document is home else "%s#%s" % (obj.Document.Name, obj.Name)
+
+
+def error_of(obj):
+    """FreeCAD's own message when the object is in error, else ""."""
+    return (obj.getStatusString() or "Invalid") if "Invalid" in obj.State else ""
+
+
+def refuse_errors(part):
+    """Throws UserError when the part itself is in error, with FreeCAD's message."""
+    if error_of(part):
+        raise UserError("FreeCAD could not compute %s: %s" % (describe(part), error_of(part)))
+
+
+def dependencies(part):
+    """The objects the part's shape comes from, in dependency order, itself last."""
+    return _in_dependency_order(part, _frames(part))
+
+
+# Which objects, in which order and frame
+
+
+def _children(obj):
+    """What `obj` depends on directly: (object, frame of the child's parent relative to obj's, carries volume)."""
+    if obj.TypeId in _BINDERS:
+        return []
+    own = getattr(obj, "Placement", FreeCAD.Placement())
+    linked = _linked_objects(obj)
+    result = []
+    if obj.TypeId == "PartDesign::Body":
+        return [(member, own, not _is_reference(member)) for member in _members_up_to_tip(obj)]
+    for child in linked:
+        if _is_reference(obj) or _is_reference(child):
+            result.append((child, FreeCAD.Placement(), False))
+        else:
+            result.append((child, _frame_of_child(obj, own, child), True))
+    known = set(linked)
+    result += [(child, FreeCAD.Placement(), False) for child in obj.OutList
+               if child not in known and not child.isDerivedFrom("App::Origin") and child.TypeId != "PartDesign::Body"]
+    return result
+
+
+def _frame_of_child(obj, own, child):
+    """Frame in which `child.Shape` enters the shape of `obj`, relative to the frame of obj's parent."""
+    child_own = getattr(child, "Placement", FreeCAD.Placement())
+    if obj.TypeId == "App::Link":
+        return own if getattr(obj, "LinkTransform", False) else own.multiply(child_own.inverse())
+    if obj.TypeId == "PartDesign::FeatureBase" or _proxy_name(obj) == "_Clone" or _proxy_name(obj) == "Clone":
+        return own.multiply(child_own.inverse())
+    if obj.isDerivedFrom("PartDesign::Feature") and child.isDerivedFrom("PartDesign::Feature"):
+        return FreeCAD.Placement()
+    return own
+
+
+def _frames(part):
+    """By object the placement from its parent's frame into the final one; volume-carrying links decide first."""
+    frames = {part: versions.parent_frame(part)}
+    strong, weak = deque([part]), deque()
+    while strong or weak:
+        if strong:
+            obj = strong.popleft()
+        else:
+            obj, frame = weak.popleft()
+            if obj in frames:
+                continue
+            frames[obj] = frame
+        for child, relative, carries_volume in _children(obj):
+            if child in frames:
+                continue
+            frame = frames[obj].multiply(relative)
+            if carries_volume:
+                frames[child] = frame
+                strong.append(child)
+            else:
+                weak.append((child, frame))
+    return frames
+
+
+def _in_dependency_order(part, frames):
+    """The objects of `frames`, each after all it depends on. Without recursion: boolean chains can be deep."""
+    ordered, opened, done = [], set(), set()
+    stack = [part]
+    while stack:
+        obj = stack[-1]
+        if obj in done:
+            stack.pop()
+        elif obj in opened:
+            stack.pop()
+            done.add(obj)
+            ordered.append(obj)
+        else:
+            opened.add(obj)
+            children = [child for child, _, _ in _children(obj)]
+            stack.extend(child for child in reversed(children) if child not in opened and child in frames)
+    return ordered
+
+
+def _members_up_to_tip(body):
+    members = list(body.Group)
+    if body.Tip in members:
+        members = members[:members.index(body.Tip) + 1]
+    return members
+
+
+def _linked_objects(obj):
+    """Objects that the link properties of `obj` name, each once, in order."""
+    seen = {}
+    for _, child, _ in _links(obj):
+        if not child.isDerivedFrom("App::Origin") and child.TypeId != "App::Part":
+            seen.setdefault(child, None)
+    return list(seen)
+
+
+def _links(obj):
+    """(property, object, sub-element) of every visible link, in the order of the lists."""
+    members = _members_up_to_tip(obj) if obj.TypeId == "PartDesign::Body" else None
+    for name in obj.PropertiesList:
+        kind = obj.getTypeIdOfProperty(name)
+        if "Link" not in kind or "Hidden" in kind or name in _SKIPPED_LINKS:
+            continue
+        for target, sub in _link_targets(getattr(obj, name)):
+            if members is None or name != "Group" or target in members:
+                yield name, target, sub
+
+
+def _link_targets(value):
+    """Flattens what a link property holds: an object, (object, subs), or a list of either."""
+    if value is None:
+        return
+    if isinstance(value, FreeCAD.DocumentObject):
+        yield value, ""
+    elif isinstance(value, tuple) and value and isinstance(value[0], FreeCAD.DocumentObject):
+        subs = [value[1]] if isinstance(value[1], str) else list(value[1] or [""])
+        for sub in subs or [""]:
+            yield value[0], sub if isinstance(sub, str) else ""
+    elif isinstance(value, (list, tuple)):
+        for entry in value:
+            yield from _link_targets(entry)
+
+
+# One record
+
+
+def _record(obj, frame, shapes, home):
+    own = getattr(obj, "Placement", FreeCAD.Placement())
+    reference = _is_reference(obj)
+    shape = None if reference and obj.TypeId not in _BINDERS else _shape_of(obj)
+    volume = None if reference else getattr(obj, "AddSubShape", None)
+    numbers, texts = _parameters(obj)
+    whole = frame.multiply(own)
+    return {
+        "name": key_of(obj, home),
+        "label": obj.Label,
+        "type": obj.TypeId,
+        "proxy": _proxy_name(obj),
+        "links": [(name, key_of(target, home), sub) for name, target, sub in _links(obj)],
+        "placement": list(own.toMatrix().A),
+        "global_placement": list(whole.toMatrix().A),
+        "numbers": numbers,
+        "texts": texts,
+        "shape": shapes.add(shape, frame),
+        "own_volume": shapes.add(volume, whole),
+        "suppressed": bool(getattr(obj, "Suppressed", False)),
+        "error": error_of(obj),
+    }
+
+
+class _ShapeList:
+    """Collects shapes that travel together, so that shared faces stay shared."""
+
+    def __init__(self):
+        self._shapes = []
+
+    def add(self, shape, frame):
+        """Index of the shape, moved by `frame`; -1 for a null shape or one without a solid."""
+        if shape is None or shape.isNull() or not shape.Solids:
+            return -1
+        moved = Part.Shape(shape)
+        moved.Placement = frame.multiply(shape.Placement)
+        self._shapes.append(moved)
+        return len(self._shapes) - 1
+
+    def to_bytes(self):
+        """One compound in FreeCAD's binary form, without the triangulations that a view may have left."""
+        compound = Part.Compound(self._shapes).cleaned()
+        folder = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
+        handle, path = tempfile.mkstemp(".bin", "featuremesh-", folder)
+        os.close(handle)
+        try:
+            compound.exportBinary(path)
+            with open(path, "rb") as stream:
+                return stream.read()
+        finally:
+            os.unlink(path)
+
+
+def _parameters(obj):
+    """Numeric and boolean parameters (mm, degrees) and enumerations."""
+    numbers, texts = {}, {}
+    for name in obj.PropertiesList:
+        kind = obj.getTypeIdOfProperty(name)
+        if name in ("Visibility", "Label2") or name.startswith("_"):
+            continue
+        if kind == "App::PropertyEnumeration":
+            texts[name] = str(getattr(obj, name))
+        elif kind.endswith("List"):
+            if kind == "Sketcher::PropertyConstraintList":
+                numbers.update(_constraints(obj))
+        elif kind.startswith(_NUMBER_TYPES):
+            _add_number(numbers, _alias(obj, name), getattr(obj, name))
+        elif kind in ("App::PropertyVector", "App::PropertyVectorDistance", "App::PropertyPosition",
+                      "App::PropertyDirection"):
+            for axis in "xyz":
+                _add_number(numbers, "%s.%s" % (name, axis), getattr(getattr(obj, name), axis))
+        elif kind == "App::PropertyPlacement" and name != "Placement":
+            _add_placement(numbers, name, getattr(obj, name))
+        elif kind == "Part::PropertyFilletEdges":
+            for index, first, second in getattr(obj, name):
+                numbers["%s.Edge%d.first" % (name, index)] = float(first)
+                numbers["%s.Edge%d.second" % (name, index)] = float(second)
+    return numbers, texts
+
+
+def _add_number(numbers, name, value):
+    number = getattr(value, "Value", value)
+    if isinstance(number, (bool, int, float)):
+        numbers[name] = float(number)
+
+
+def _add_placement(numbers, name, placement):
+    for axis in "xyz":
+        numbers["%s.Base.%s" % (name, axis)] = float(getattr(placement.Base, axis))
+        numbers["%s.Axis.%s" % (name, axis)] = float(getattr(placement.Rotation.Axis, axis))
+    numbers["%s.Angle" % name] = float(FreeCAD.Units.Quantity(placement.Rotation.Angle, "rad").getValueAs("deg"))
+
+
+def _alias(obj, name):
+    """A cell of a spreadsheet is known by its alias where it has one."""
+    return (obj.getAlias(name) or name) if obj.TypeId == "Spreadsheet::Sheet" else name
+
+
+def _constraints(sketch):
+    numbers = {}
+    for index, constraint in enumerate(sketch.Constraints):
+        if constraint.Type not in _DIMENSIONS:
+            continue
+        value = constraint.Value
+        if constraint.Type == "Angle":
+            value = FreeCAD.Units.Quantity(value, "rad").getValueAs("deg")
+        numbers[constraint.Name or "Constraint%d" % (index + 1)] = float(value)
+    return numbers
+
+
+def _proxy_name(obj):
+    proxy = getattr(obj, "Proxy", None)
+    return "" if proxy is None or isinstance(proxy, (str, int)) else type(proxy).__name__
+
+
+def _is_reference(obj):
+    return obj.TypeId.startswith(_REFERENCE_TYPES) or obj.isDerivedFrom("Part::Part2DObject")
+
+
+def _shape_of(obj):
+    shape = getattr(obj, "Shape", None)
+    if isinstance(shape, Part.Shape):
+        return None if shape.isNull() else shape
+    if obj.isDerivedFrom("App::Link"):
+        shape = Part.getShape(obj)
+        return None if shape.isNull() else shape
+    return None
+
+
+# Which object is the part
+
+
+def _checked_solid(obj):
+    if obj.isDerivedFrom("App::Part") or obj.isDerivedFrom("App::DocumentObjectGroup"):
+        raise UserError("%s is a group, name one of its objects: %s"
+                        % (describe(obj), ", ".join(member.Name for member in obj.Group)))
+    shape = _shape_of(obj)
+    if shape is None or not shape.Solids:
+        raise UserError("%s has no solid%s" % (describe(obj), ": " + error_of(obj) if error_of(obj) else ""))
+    return obj
+
+
+def _is_candidate(obj):
+    if not (obj.isDerivedFrom("Part::Feature") or obj.isDerivedFrom("App::Link")):
+        return False
+    if _is_reference(obj) or _is_feature_of_body(obj):
+        return False
+    shape = _shape_of(obj)
+    return shape is not None and len(shape.Solids) > 0
+
+
+def _is_feature_of_body(obj):
+    if not obj.isDerivedFrom("PartDesign::Feature"):
+        return False
+    parent = obj.getParentGeoFeatureGroup()
+    return parent is not None and parent.TypeId == "PartDesign::Body"
+
+
+def _used_by(obj):
+    """The objects whose volume is part of `obj` (a sketch's support is one for features without a body)."""
+    if obj.isDerivedFrom("App::Link") or obj.TypeId in _BINDERS:
+        return
+    for child in _linked_objects(obj):
+        if not _is_reference(child):
+            yield child
+        elif obj.isDerivedFrom("PartDesign::Feature") and child.TypeId not in _BINDERS:
+            yield from (support for support in _linked_objects(child) if not _is_reference(support))

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The saved state of a mesh: everything a later update needs, in one .npz file.
+
+Members: `meta` (JSON: schema, program versions, options, the raw records), `shapes` (binary BREP), `array.<name>` (the mesh
+as PartMesh.arrays gives it) and `checksum` over all of these. Never a pickle.
+"""
+
+import hashlib
+import json
+import os
+import zipfile
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from . import __version__
+from .errors import StateError
+
+SCHEMA = 1
+# Schema n -> function that turns the (meta, arrays) of a file of schema n into those of n + 1.
+MIGRATIONS = {}
+
+
+@dataclass
+class State:
+    """What a mesh was made of, and the mesh."""
+    raw: dict                                       # as reading.read_document gives it
+    options: dict                                   # as the engine takes them
+    arrays: dict = field(default_factory=dict)      # as PartMesh.arrays gives them
+
+    @property
+    def part_name(self):
+        """Name of the object that was meshed."""
+        return self.raw["final_object"]
+
+
+def save(path, state):
+    """Writes the state to `path`, whole or not at all. Returns its checksum as a hex string."""
+    meta = {
+        "schema": SCHEMA,
+        "program": __version__,
+        "options": state.options,
+        "final_object": state.raw["final_object"],
+        "records": state.raw["records"],
+    }
+    members = {"meta": _bytes_to_array(json.dumps(meta, sort_keys=True).encode()),
+               "shapes": _bytes_to_array(state.raw["shapes"])}
+    members.update(("array." + name, np.ascontiguousarray(values)) for name, values in state.arrays.items())
+    digest = _digest(members)
+    members["checksum"] = _bytes_to_array(digest)
+    temporary = "%s.%d.tmp" % (path, os.getpid())
+    try:
+        with open(temporary, "wb") as stream:
+            np.savez(stream, **members)
+        os.replace(temporary, path)
+    except BaseException:
+        if os.path.exists(temporary):
+            os.unlink(temporary)
+        raise
+    return digest.hex()
+
+
+def load(path):
+    """The state in `path`, brought to today's schema. Throws StateError: missing, damaged, newer."""
+    members = _read_members(path)
+    checksum = members.pop("checksum", None)
+    if checksum is None or checksum.tobytes() != _digest(members):
+        raise StateError("the saved mesh state is damaged (its checksum is wrong)")
+    meta = json.loads(members.pop("meta").tobytes())
+    if meta["schema"] > SCHEMA:
+        raise StateError("the saved mesh state is from a newer FeatureMesh (%s, schema %d; this one reads up to %d)"
+                         % (meta["program"], meta["schema"], SCHEMA))
+    for schema in range(meta["schema"], SCHEMA):
+        meta, members = MIGRATIONS[schema](meta, members)
+    raw = {"final_object": meta["final_object"], "records": meta["records"], "shapes": members["shapes"].tobytes()}
+    arrays = {name[len("array."):]: values for name, values in members.items() if name.startswith("array.")}
+    return State(raw, meta["options"], arrays)
+
+
+def checksum_of(path):
+    """The checksum a state file carries, as a hex string, without reading the rest. "" when it cannot be read."""
+    try:
+        with np.load(path, allow_pickle=False) as archive:
+            return archive["checksum"].tobytes().hex()
+    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+        return ""
+
+
+def _read_members(path):
+    if not path or not os.path.isfile(path):
+        raise StateError("the document holds no mesh state")
+    try:
+        with np.load(path, allow_pickle=False) as archive:
+            if "meta" not in archive.files or "shapes" not in archive.files:
+                raise StateError("the file is not a FeatureMesh state")
+            return {name: archive[name] for name in archive.files}
+    except StateError:
+        raise
+    except Exception as error:  # a damaged zip or array header shows in a dozen exception types
+        raise StateError("the saved mesh state is damaged (%s)" % error) from error
+
+
+def _bytes_to_array(data):
+    return np.frombuffer(data, dtype=np.uint8)
+
+
+def _digest(members):
+    digest = hashlib.sha256()
+    for name in sorted(members):
+        values = members[name]
+        digest.update(("%s %s %s\n" % (name, values.dtype.str, values.shape)).encode())
+        digest.update(np.ascontiguousarray(values).data)
+    return digest.digest()

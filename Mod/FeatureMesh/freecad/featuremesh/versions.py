@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What differs between FreeCAD 0.20, 1.0 and 1.1, in one place."""
+
+import FreeCAD
+
+
+def version():
+    """(major, minor) of the running FreeCAD."""
+    return tuple(int(part) for part in FreeCAD.Version()[:2])
+
+
+def mesh_object_type():
+    """The best base class for a mesh object written in Python."""
+    return "Fem::FemMeshObjectPython" if version() < (1, 0) else "Fem::FemMeshShapeBaseObjectPython"
+
+
+def part_property(mesh):
+    """Name of the link from a mesh object to its part: `Shape` where FreeCAD brings it along, else our own `Part`."""
+    return "Part" if "Part" in mesh.PropertiesList or version() < (1, 0) else "Shape"
+
+
+def part_of(mesh):
+    """The object that `mesh` is a mesh of, or None."""
+    return getattr(mesh, part_property(mesh), None)
+
+
+def parent_frame(part):
+    """Placement that takes `part.Shape` into the frame in which FEM compares nodes with geometry.
+
+    0.20 uses the object's own placement only, 1.0 and later the global one.
+    """
+    if version() < (1, 0):
+        return FreeCAD.Placement()
+    return part.getGlobalPlacement().multiply(part.Placement.inverse())
