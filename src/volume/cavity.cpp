@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/cavity.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <tuple>
+
+#include "core/errors.h"
+#include "mesh/second_order.h"
+
+namespace featuremesh {
+
+namespace {
+
+std::uint64_t mixed(std::uint64_t x) {
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
+    return x ^ (x >> 31);
+}
+
+std::uint64_t node_key(NodeId n) { return mixed(static_cast<std::uint64_t>(n.value) + 0x9e3779b97f4a7c15ull); }
+
+/// The key of a side (a triangle seen from within one region), the same for any order of its corners.
+std::uint64_t side_key(std::uint64_t sum_of_node_keys, int region) {
+    return mixed(sum_of_node_keys + 0x632be59bd9b4e019ull * static_cast<std::uint64_t>(region + 1));
+}
+
+/// Whether the corners, brought into ascending order, are an odd permutation.
+bool is_odd(const std::array<NodeId, 3>& c) { return ((c[0] > c[1]) + (c[0] > c[2]) + (c[1] > c[2])) % 2 == 1; }
+
+/// One side of a triangle that something covers (a tet) or asks to be covered (a CAD face).
+struct Side {
+    std::array<NodeId, 3> sorted;
+    int region;
+    bool is_odd_outward;  ///< the order in which the normal leaves the region
+    TriangleId triangle;
+    TetId tet;
+    auto key() const { return std::tie(sorted, region, is_odd_outward); }
+};
+
+Side make_side(std::array<NodeId, 3> outward, int region, TriangleId triangle, TetId tet) {
+    Side side{outward, region, is_odd(outward), triangle, tet};
+    std::sort(side.sorted.begin(), side.sorted.end());
+    return side;
+}
+
+std::array<NodeId, 3> face_of(const std::array<NodeId, 4>& tet, int k) {
+    return {tet[tet_faces[k][0]], tet[tet_faces[k][1]], tet[tet_faces[k][2]]};
+}
+
+std::array<NodeId, 3> reversed(const std::array<NodeId, 3>& c) { return {c[0], c[2], c[1]}; }
+
+/// Sums signed keys of all sides around each node: 0 where every side of a region meets its other side, so that only
+/// nodes at the cavity remain. Keys are 64 bits; that a sum is 0 by chance is as likely as a memory error.
+class OpenNodes {
+  public:
+    explicit OpenNodes(std::size_t node_count) : sums_(node_count, 0) {}
+
+    void add_tet(const std::array<NodeId, 4>& tet, int region) {
+        std::uint64_t keys[4], total = 0;
+        for (int k = 0; k < 4; ++k) total += keys[k] = node_key(tet[k]);
+        std::uint64_t sides[4], all = 0;
+        for (int k = 0; k < 4; ++k) {
+            const std::uint64_t key = side_key(total - keys[k], region);
+            all += sides[k] = is_odd(face_of(tet, k)) ? key : 0 - key;
+        }
+        for (int k = 0; k < 4; ++k) sums_[tet[k].index()] += all - sides[k];
+    }
+    void add_triangle(const std::array<NodeId, 3>& outward, int region) {
+        const std::uint64_t key = side_key(node_key(outward[0]) + node_key(outward[1]) + node_key(outward[2]), region);
+        for (const NodeId n : outward) sums_[n.index()] += is_odd(outward) ? 0 - key : key;
+    }
+    bool is_open(NodeId n) const { return sums_[n.index()] != 0; }
+    template <std::size_t N>
+    bool are_open(const std::array<NodeId, N>& nodes) const {
+        return std::all_of(nodes.begin(), nodes.end(), [&](NodeId n) { return is_open(n); });
+    }
+
+  private:
+    std::vector<std::uint64_t> sums_;
+};
+
+template <class Visit>
+void visit_triangle_sides(const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides, Visit visit) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto& sides = face_sides[mesh.triangle_faces[i].index()];
+        if (sides[0].is_valid()) visit(TriangleId(i), mesh.triangles[i], sides[0].value);
+        if (sides[1].is_valid()) visit(TriangleId(i), reversed(mesh.triangles[i]), sides[1].value);
+    }
+}
+
+template <class Visit>
+void visit_kept(const Mesh& mesh, std::span<const std::uint8_t> is_released, Visit visit) {
+    for (std::size_t i = 0; i < mesh.tets.size(); ++i)
+        if (is_released.empty() || !is_released[i]) visit(TetId(i), mesh.tets[i], mesh.tet_solids[i].value);
+}
+
+std::vector<Side> sides_at(const OpenNodes& open, const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,
+                           std::span<const std::uint8_t> is_released) {
+    std::vector<Side> sides;
+    visit_triangle_sides(mesh, face_sides, [&](TriangleId t, const std::array<NodeId, 3>& outward, int region) {
+        if (open.are_open(outward)) sides.push_back(make_side(outward, region, t, TetId()));
+    });
+    visit_kept(mesh, is_released, [&](TetId t, const std::array<NodeId, 4>& tet, int region) {
+        const int count = open.is_open(tet[0]) + open.is_open(tet[1]) + open.is_open(tet[2]) + open.is_open(tet[3]);
+        if (count < 3) return;
+        for (int k = 0; k < 4; ++k)
+            if (const auto face = face_of(tet, k); open.are_open(face))
+                sides.push_back(make_side(face, region, TriangleId(), t));
+    });
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+        return std::tie(a.sorted, a.region, a.is_odd_outward, a.triangle, a.tet) <
+               std::tie(b.sorted, b.region, b.is_odd_outward, b.triangle, b.tet);
+    });
+    return sides;
+}
+
+/// Index of the next side that lies on another triangle or in another region.
+std::size_t end_of_group(const std::vector<Side>& sides, std::size_t begin) {
+    std::size_t end = begin;
+    while (end < sides.size() && sides[end].sorted == sides[begin].sorted && sides[end].region == sides[begin].region)
+        ++end;
+    return end;
+}
+
+[[noreturn]] void throw_overlap(const Mesh& mesh, const Side& side) {
+    throw MeshError("the kept tets overlap at node " + std::to_string(mesh.node_numbers[side.sorted[0].index()]) +
+                    "; mesh the part from scratch");
+}
+
+/// Sides of one triangle in one region that remain to be filled: those of a CAD face without a tet, those of a tet
+/// without a partner.
+void append_unmatched(const Mesh& mesh, std::span<const Side> group, std::vector<Side>& unmatched) {
+    const Side* asked[2] = {nullptr, nullptr};  // by is_odd_outward
+    const Side* covers[2] = {nullptr, nullptr};
+    for (const Side& side : group) {
+        const Side*& place = (side.triangle.is_valid() ? asked : covers)[side.is_odd_outward];
+        if (place) throw_overlap(mesh, side);
+        place = &side;
+    }
+    for (const int odd : {0, 1}) {
+        if (asked[odd] && !covers[odd]) unmatched.push_back(*asked[odd]);
+        if (covers[odd] && !asked[odd] && !covers[1 - odd]) unmatched.push_back(*covers[odd]);
+    }
+}
+
+Cavity make_cavity(const Mesh& mesh, const std::vector<Side>& sides) {
+    Cavity cavity;
+    for (const Side& side : sides) cavity.nodes.insert(cavity.nodes.end(), side.sorted.begin(), side.sorted.end());
+    std::sort(cavity.nodes.begin(), cavity.nodes.end());
+    cavity.nodes.erase(std::unique(cavity.nodes.begin(), cavity.nodes.end()), cavity.nodes.end());
+    cavity.points.reserve(cavity.nodes.size());
+    for (const NodeId n : cavity.nodes) cavity.points.push_back(mesh.point(n));
+    const auto local = [&](NodeId n) {
+        return static_cast<int>(std::lower_bound(cavity.nodes.begin(), cavity.nodes.end(), n) - cavity.nodes.begin());
+    };
+    for (const Side& side : sides) {
+        Facet facet{{local(side.sorted[0]), local(side.sorted[1]), local(side.sorted[2])}, {-1, -1}};
+        // A tet fills what is behind its face: the cavity is before it.
+        facet.regions[side.is_odd_outward != side.tet.is_valid()] = side.region;
+        const bool is_second_side = !cavity.facets.empty() && cavity.facets.back().corners == facet.corners &&
+                                    cavity.triangle_of_facet.back().is_valid() && side.triangle.is_valid();
+        if (is_second_side) {
+            auto& regions = cavity.facets.back().regions;
+            for (int k = 0; k < 2; ++k) regions[k] = std::max(regions[k], facet.regions[k]);
+            continue;
+        }
+        cavity.facets.push_back(facet);
+        cavity.triangle_of_facet.push_back(side.triangle);
+        cavity.tet_of_facet.push_back(side.tet);
+    }
+    return cavity;
+}
+
+/// Sets of cavity nodes, joined through facets.
+class NodeSets {
+  public:
+    explicit NodeSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+    int root(int n) {
+        while (parent_[n] != n) n = parent_[n] = parent_[parent_[n]];
+        return n;
+    }
+    void join(int a, int b) {
+        a = root(a), b = root(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+  private:
+    std::vector<int> parent_;
+};
+
+/// By cavity node: the number of its part. Shells within one another's box belong together, for one may be the void of
+/// the other.
+std::vector<int> number_parts(const Cavity& cavity, int& part_count) {
+    NodeSets sets(cavity.points.size());
+    for (const Facet& f : cavity.facets) sets.join(f.corners[0], f.corners[1]), sets.join(f.corners[0], f.corners[2]);
+    bool is_changed = true;
+    std::vector<int> roots;
+    while (is_changed) {
+        is_changed = false;
+        std::vector<Box> boxes(cavity.points.size());
+        roots.clear();
+        for (std::size_t n = 0; n < cavity.points.size(); ++n) {
+            const int root = sets.root(static_cast<int>(n));
+            if (boxes[root].is_empty()) roots.push_back(root);
+            boxes[root].add(cavity.points[n]);
+        }
+        std::sort(roots.begin(), roots.end(), [&](int a, int b) {
+            return boxes[a].low.x < boxes[b].low.x || (boxes[a].low.x == boxes[b].low.x && a < b);
+        });
+        for (std::size_t i = 0; i < roots.size(); ++i)
+            for (std::size_t j = i + 1; j < roots.size() && boxes[roots[j]].low.x <= boxes[roots[i]].high.x; ++j)
+                if (boxes[roots[i]].overlaps(boxes[roots[j]]) && sets.root(roots[i]) != sets.root(roots[j]))
+                    sets.join(roots[i], roots[j]), is_changed = true;
+    }
+    std::vector<int> part(cavity.points.size(), -1);
+    part_count = 0;
+    for (std::size_t n = 0; n < part.size(); ++n) {
+        const int root = sets.root(static_cast<int>(n));
+        part[n] = root == static_cast<int>(n) ? part_count++ : part[root];
+    }
+    return part;
+}
+
+}  // namespace
+
+Cavity find_cavity(const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,
+                   std::span<const std::uint8_t> is_released) {
+    OpenNodes open(mesh.node_count());
+    visit_triangle_sides(mesh, face_sides, [&](TriangleId, const std::array<NodeId, 3>& outward, int region) {
+        open.add_triangle(outward, region);
+    });
+    visit_kept(mesh, is_released,
+               [&](TetId, const std::array<NodeId, 4>& tet, int region) { open.add_tet(tet, region); });
+    const std::vector<Side> sides = sides_at(open, mesh, face_sides, is_released);
+    std::vector<Side> unmatched;
+    for (std::size_t begin = 0; begin < sides.size();) {
+        const std::size_t end = end_of_group(sides, begin);
+        append_unmatched(mesh, std::span(sides).subspan(begin, end - begin), unmatched);
+        begin = end;
+    }
+    return make_cavity(mesh, unmatched);
+}
+
+std::vector<Cavity> separate_cavities(Cavity cavity) {
+    int part_count = 0;
+    const std::vector<int> part = number_parts(cavity, part_count);
+    if (part_count == 1) return {std::move(cavity)};
+    std::vector<Cavity> parts(part_count);
+    std::vector<int> local(cavity.points.size());
+    for (std::size_t n = 0; n < part.size(); ++n) {
+        Cavity& own = parts[part[n]];
+        local[n] = static_cast<int>(own.points.size());
+        own.nodes.push_back(cavity.nodes[n]);
+        own.points.push_back(cavity.points[n]);
+    }
+    for (std::size_t i = 0; i < cavity.facets.size(); ++i) {
+        Facet facet = cavity.facets[i];
+        Cavity& own = parts[part[facet.corners[0]]];
+        for (int& corner : facet.corners) corner = local[corner];
+        own.facets.push_back(facet);
+        own.triangle_of_facet.push_back(cavity.triangle_of_facet[i]);
+        own.tet_of_facet.push_back(cavity.tet_of_facet[i]);
+    }
+    return parts;
+}
+
+}  // namespace featuremesh

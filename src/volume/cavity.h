@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of the solids is not meshed yet, found from the triangles of the CAD faces and the tets that are kept.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "volume/facet.h"
+
+namespace featuremesh {
+
+/// The boundary of the space to fill, with node indices of its own.
+struct Cavity {
+    std::vector<NodeId> nodes;  ///< the mesh's nodes, ascending
+    std::vector<Vec3> points;   ///< mm, by cavity node
+    std::vector<Facet> facets;
+    std::vector<TriangleId> triangle_of_facet;  ///< none at the seam
+    std::vector<TetId> tet_of_facet;            ///< the kept tet behind the seam, else none
+};
+
+/// Triangles whose solid sides are not covered by a kept tet, and faces of kept tets that no other kept tet and no
+/// triangle matches. One linear pass over the tets; the rest costs what the cavity costs. `face_sides` as
+/// Brep::sides_of by FaceId; `is_released` by TetId marks tets that count as not there (empty: none).
+Cavity find_cavity(const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,
+                   std::span<const std::uint8_t> is_released = {});
+
+/// Splits a cavity into parts that can be filled one apart from the other: their boxes do not touch.
+std::vector<Cavity> separate_cavities(Cavity cavity);
+
+}  // namespace featuremesh

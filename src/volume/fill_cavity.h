@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tets between the facets of one cavity: seeds, Delaunay, flooding. No CAD.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/run_context.h"
+#include "volume/cavity.h"
+#include "volume/lattice_seeds.h"
+#include "volume/tet_complex.h"
+#include "volume/triangulation.h"
+
+namespace featuremesh {
+
+struct CavityFill {
+    std::vector<Vec3> points;     ///< the cavity's, then those added
+    Triangulation triangulation;  ///< of the points' convex hull
+    FacetPlaces places;
+    std::vector<int> regions;  ///< by tet, -1 for none; empty as long as facets are missing
+    bool is_leaky = false;     ///< all facets are there, and yet regions run into one another
+    bool is_complete() const { return places.missing.empty() && !is_leaky; }
+};
+
+/// Fills what is between the facets as Delaunay has it. What `balls` hold is kept free of seeds.
+CavityFill fill_cavity(const Cavity& cavity, std::span<const Ball> balls, std::span<const Vec3> active,
+                       const WantedSize& size, RunContext& context, bool is_main = true);
+
+/// Marks and floods the facets of a triangulation of the points.
+CavityFill flood_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangulation triangulation);
+
+/// The tets that lie in a region, for local operations; the cavity's own points are fixed.
+TetComplex make_complex(const Cavity& cavity, const CavityFill& fill);
+
+}  // namespace featuremesh

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/fill_solids.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/errors.h"
+#include "volume/fill_cavity.h"
+#include "volume/optimise.h"
+
+namespace featuremesh {
+
+namespace {
+
+constexpr int most_rounds = 12;
+
+std::vector<std::array<SolidId, 2>> sides_of_faces(const Brep& brep) {
+    std::vector<std::array<SolidId, 2>> sides;
+    for (std::size_t i = 0; i < brep.face_count(); ++i) sides.push_back(brep.sides_of(FaceId(i)));
+    return sides;
+}
+
+/// The circumspheres of the kept tets at the seam: as long as they are empty, the seam holds by itself.
+std::vector<Ball> seam_balls(const Mesh& mesh, const Cavity& cavity) {
+    std::vector<Ball> balls;
+    for (const TetId tet : cavity.tet_of_facet) {
+        if (!tet.is_valid()) continue;
+        const auto& n = mesh.tets[tet.index()];
+        const Ball ball = circumsphere(mesh.point(n[0]), mesh.point(n[1]), mesh.point(n[2]), mesh.point(n[3]));
+        const double reach =
+            2 * std::max({distance(mesh.point(n[0]), mesh.point(n[1])), distance(mesh.point(n[0]), mesh.point(n[2])),
+                          distance(mesh.point(n[0]), mesh.point(n[3]))});
+        if (ball.radius < reach)
+            balls.push_back({ball.center, ball.radius * (1 + 1e-9)});  // a flatter one would empty the cavity
+    }
+    return balls;
+}
+
+/// The filling of one mesh, round by round: what does not hold is released or recovered, and filled again.
+class Filling {
+  public:
+    Filling(const Brep& brep, const SizingField& sizing, Mesh surface, std::span<const Vec3> active,
+            const VolumeOptions& options, RunContext& context)
+        : brep_(brep),
+          sizing_(sizing),
+          active_(active),
+          options_(options),
+          context_(context),
+          sides_(sides_of_faces(brep)),
+          is_released_(surface.tets.size(), 0) {
+        result_.mesh = std::move(surface);
+        size_ = {[this](const Vec3& p) { return sizing_.at(p); }, sizing.largest(), sizing.is_uniform()};
+    }
+
+    VolumeResult run() {
+        {
+            const RunContext::Step step(context_, "volume");
+            for (int round = 0; !fill_all(); ++round) mend(round);
+        }
+        {
+            const RunContext::Step step(context_, "optimise");
+            optimise_all();
+        }
+        drop_released();
+        for (std::size_t i = 0; i < cavities_.size(); ++i) append(cavities_[i], complexes_[i]);
+        return std::move(result_);
+    }
+
+  private:
+    /// One round; true when every cavity is full.
+    bool fill_all() {
+        cavities_ = separate_cavities(find_cavity(result_.mesh, sides_, is_released_));
+        fills_.assign(cavities_.size(), {});
+        const bool is_parallel = context_.threads > 1 && cavities_.size() > 1;
+        parallel_for(context_, cavities_.size(), 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                fills_[i] = fill_cavity(cavities_[i], seam_balls(result_.mesh, cavities_[i]), active_, size_, context_,
+                                        !is_parallel);
+        });
+        return std::all_of(fills_.begin(), fills_.end(), [](const CavityFill& f) { return f.is_complete(); });
+    }
+
+    void mend(int round) {
+        if (round >= most_rounds) throw_unrecovered();
+        bool is_changed = false;
+        for (std::size_t i = 0; i < cavities_.size(); ++i) is_changed |= release_behind(cavities_[i], fills_[i]);
+        if (!is_changed) throw_unrecovered();
+    }
+
+    /// Gives up the kept tets behind seam facets that are missing.
+    bool release_behind(const Cavity& cavity, const CavityFill& fill) {
+        bool is_changed = false;
+        for (const int facet : fill.places.missing)
+            if (const TetId tet = cavity.tet_of_facet[facet]; tet.is_valid())
+                is_released_[tet.index()] = 1, is_changed = true;
+        return is_changed;
+    }
+
+    [[noreturn]] void throw_unrecovered() const {
+        std::set<FaceId> faces;
+        for (std::size_t i = 0; i < cavities_.size(); ++i)
+            for (const int facet : fills_[i].places.missing)
+                if (const TriangleId t = cavities_[i].triangle_of_facet[facet]; t.is_valid())
+                    faces.insert(result_.mesh.triangle_faces[t.index()]);
+        std::string names;
+        for (const FaceId face : faces) names += (names.empty() ? "" : ", ") + name_of(entity_of(face));
+        throw MeshError("the volume mesh cannot be made to meet the triangles of " +
+                        (names.empty() ? std::string("the surface") : names) +
+                        "; mesh finer there, or check the shape for faces that cut or touch one another");
+    }
+
+    void optimise_all() {
+        complexes_.resize(cavities_.size());
+        for (std::size_t i = 0; i < cavities_.size(); ++i) {
+            complexes_[i] = make_complex(cavities_[i], fills_[i]);
+            fills_[i] = {};
+            const OdtReport odt =
+                optimise_odt(complexes_[i], sizing_, {options_.odt_sweeps, !sizing_.is_uniform()}, context_);
+            SliverOptions sliver_options;
+            sliver_options.target_dihedral_deg = options_.target_dihedral_deg;
+            const SliverReport slivers = remove_slivers(complexes_[i], sliver_options, context_);
+            result_.report.odt_energy_before += odt.energy_before;
+            result_.report.odt_energy_after += odt.energy_after;
+            result_.report.slivers_before += slivers.before;
+            result_.report.slivers_left += slivers.left;
+        }
+    }
+
+    void drop_released() {
+        Mesh& mesh = result_.mesh;
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+            if (is_released_[i]) {
+                result_.released.push_back(TetId(i));
+                continue;
+            }
+            mesh.tets[kept] = mesh.tets[i];
+            mesh.tet_solids[kept] = mesh.tet_solids[i];
+            mesh.tet_numbers[kept++] = mesh.tet_numbers[i];
+        }
+        mesh.tets.resize(kept), mesh.tet_solids.resize(kept), mesh.tet_numbers.resize(kept);
+        result_.report.released_tets = result_.released.size();
+    }
+
+    void append(const Cavity& cavity, const TetComplex& complex) {
+        Mesh& mesh = result_.mesh;
+        std::vector<NodeId> node(complex.points.size());
+        std::copy(cavity.nodes.begin(), cavity.nodes.end(), node.begin());
+        for (std::size_t t = 0; t < complex.tets.size(); ++t) {
+            const auto& tet = complex.tets[t];
+            if (tet[0] < 0) continue;
+            const Entity solid = entity_of(SolidId(complex.regions[t]));
+            std::array<NodeId, 4> nodes;
+            for (int k = 0; k < 4; ++k) {
+                if (!node[tet[k]].is_valid())
+                    node[tet[k]] = mesh.add_node(complex.points[tet[k]], solid), ++result_.report.new_nodes;
+                nodes[k] = node[tet[k]];
+            }
+            mesh.add_tet(nodes, SolidId(complex.regions[t]));
+            ++result_.report.new_tets;
+        }
+        mesh.corner_count = mesh.points.size();
+    }
+
+    const Brep& brep_;
+    const SizingField& sizing_;
+    std::span<const Vec3> active_;
+    const VolumeOptions& options_;
+    RunContext& context_;
+    std::vector<std::array<SolidId, 2>> sides_;
+    std::vector<std::uint8_t> is_released_;
+    WantedSize size_;
+    std::vector<Cavity> cavities_;
+    std::vector<CavityFill> fills_;
+    std::vector<TetComplex> complexes_;
+    VolumeResult result_;
+};
+
+}  // namespace
+
+VolumeResult fill_solids(const Brep& brep, const SizingField& sizing, Mesh surface, std::span<const Vec3> active,
+                         const VolumeOptions& options, RunContext& context) {
+    if (surface.order != 1) throw InputError("solids are filled with 4-node tets; the mesh given has mid-side nodes");
+    return Filling(brep, sizing, std::move(surface), active, options, context).run();
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "mesh/second_order.h"
+#include "volume/triangulation.h"
+
+namespace featuremesh {
+
+namespace {
+
+bool is_odd(const std::array<int, 3>& c) { return ((c[0] > c[1]) + (c[0] > c[2]) + (c[1] > c[2])) % 2 == 1; }
+
+/// The corners of the tet's side opposite corner k, normal outward.
+std::array<int, 3> side_of(const std::array<int, 4>& tet, int k) {
+    return {tet[tet_faces[k][0]], tet[tet_faces[k][1]], tet[tet_faces[k][2]]};
+}
+
+/// Facets in rows by their lowest corner, for look-up without hashing.
+class FacetTable {
+  public:
+    FacetTable(std::size_t point_count, std::span<const Facet> facets)
+        : is_corner_(point_count, 0), begin_(point_count + 1, 0) {
+        for (const Facet& f : facets) {
+            for (const int c : f.corners) is_corner_[c] = 1;
+            ++begin_[*std::min_element(f.corners.begin(), f.corners.end()) + 1];
+        }
+        for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+        rows_.resize(facets.size());
+        std::vector<int> next(begin_.begin(), begin_.end() - 1);
+        for (std::size_t i = 0; i < facets.size(); ++i) {
+            Row row{facets[i].corners, static_cast<int>(i)};
+            std::sort(row.sorted.begin(), row.sorted.end());
+            rows_[next[row.sorted[0]]++] = row;
+        }
+    }
+
+    bool is_corner(int point) const { return is_corner_[point]; }
+    int find(std::array<int, 3> corners) const {
+        std::sort(corners.begin(), corners.end());
+        for (int i = begin_[corners[0]]; i < begin_[corners[0] + 1]; ++i)
+            if (rows_[i].sorted == corners) return rows_[i].facet;
+        return -1;
+    }
+
+  private:
+    struct Row {
+        std::array<int, 3> sorted;
+        int facet;
+    };
+    std::vector<std::uint8_t> is_corner_;
+    std::vector<int> begin_;
+    std::vector<Row> rows_;
+};
+
+}  // namespace
+
+FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets) {
+    const FacetTable table(point_count, facets);
+    FacetPlaces places;
+    places.facet_at.assign(4 * triangulation.tets.size(), -1);
+    std::vector<std::uint8_t> is_found(facets.size(), 0);
+    for (std::size_t t = 0; t < triangulation.tets.size(); ++t) {
+        const auto& tet = triangulation.tets[t];
+        int count = 0;
+        for (const int corner : tet) count += table.is_corner(corner);
+        if (count < 3) continue;
+        for (int k = 0; k < 4; ++k) {
+            if (count - table.is_corner(tet[k]) < 3) continue;
+            const int facet = table.find(side_of(tet, k));
+            places.facet_at[4 * t + k] = facet;
+            if (facet >= 0) is_found[facet] = 1;
+        }
+    }
+    for (std::size_t i = 0; i < facets.size(); ++i)
+        if (!is_found[i]) places.missing.push_back(static_cast<int>(i));
+    return places;
+}
+
+std::vector<int> flood_regions(const Triangulation& triangulation, std::span<const Facet> facets,
+                               const FacetPlaces& places) {
+    constexpr int unknown = -2;
+    std::vector<int> regions(triangulation.tets.size(), unknown), stack;
+    const auto agrees = [&](int tet, int region) {
+        if (regions[tet] == unknown) regions[tet] = region, stack.push_back(tet);
+        return regions[tet] == region;
+    };
+    for (std::size_t t = 0; t < triangulation.tets.size(); ++t)
+        for (int k = 0; k < 4; ++k) {
+            const int facet = places.facet_at[4 * t + k];
+            if (facet < 0) continue;
+            // A tet whose outward side turns as the facet does lies behind it.
+            const bool is_before = is_odd(side_of(triangulation.tets[t], k)) != is_odd(facets[facet].corners);
+            if (!agrees(static_cast<int>(t), facets[facet].regions[is_before])) return {};
+        }
+    while (!stack.empty()) {
+        const int tet = stack.back();
+        stack.pop_back();
+        for (int k = 0; k < 4; ++k) {
+            if (places.facet_at[4 * tet + k] >= 0) continue;
+            const int other = triangulation.neighbours[tet][k];
+            if (other < 0 ? regions[tet] != -1 : !agrees(other, regions[tet])) return {};
+        }
+    }
+    std::replace(regions.begin(), regions.end(), unknown, -1);
+    return regions;
+}
+
+}  // namespace featuremesh

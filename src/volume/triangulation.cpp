@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/triangulation.h"
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+#include "core/errors.h"
+#include "mesh/second_order.h"
+
+namespace featuremesh {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<int, Kernel>;
+using CellBase =
+    CGAL::Triangulation_cell_base_with_info_3<int, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
+
+std::string words(const Vec3& p) {
+    return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) + ")";
+}
+
+/// Along a Hilbert curve, so that each point is found near the one before.
+std::vector<std::size_t> insertion_order(const std::vector<Kernel::Point_3>& points) {
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    using Map = CGAL::Pointer_property_map<Kernel::Point_3>::const_type;
+    const CGAL::Spatial_sort_traits_adapter_3<Kernel, Map> traits(CGAL::make_property_map(points));
+    CGAL::spatial_sort<CGAL::Sequential_tag>(order.begin(), order.end(), traits);
+    return order;
+}
+
+void insert_all(Delaunay& delaunay, std::span<const Vec3> points, RunContext& context, bool is_main) {
+    std::vector<Kernel::Point_3> converted;
+    converted.reserve(points.size());
+    for (const Vec3& p : points) converted.emplace_back(p.x, p.y, p.z);
+    const std::vector<std::size_t> order = insertion_order(converted);
+    Delaunay::Vertex_handle last;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (i % 1000 == 0)
+            is_main ? context.progress(0.7 * static_cast<double>(i) / order.size()) : context.check_cancelled();
+        last = last == Delaunay::Vertex_handle() ? delaunay.insert(converted[order[i]])
+                                                 : delaunay.insert(converted[order[i]], last->cell());
+        last->info() = static_cast<int>(order[i]);
+        if (delaunay.number_of_vertices() != i + 1)
+            throw MeshError("two nodes lie in the same place, at " + words(points[order[i]]) +
+                            " mm; heal the shape there or mesh it finer");
+    }
+    if (delaunay.dimension() < 3) throw MeshError("all nodes to fill between lie in one plane; mesh the part finer");
+}
+
+Triangulation extract(const Delaunay& delaunay) {
+    Triangulation result;
+    const std::size_t count = delaunay.number_of_finite_cells();
+    result.tets.reserve(count);
+    result.neighbours.resize(count);
+    for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell) {
+        const std::array<int, 4> tet{cell->vertex(0)->info(), cell->vertex(1)->info(), cell->vertex(2)->info(),
+                                     cell->vertex(3)->info()};
+        const bool is_infinite = *std::min_element(tet.begin(), tet.end()) < 0;
+        cell->info() = is_infinite ? -1 : static_cast<int>(result.tets.size());
+        if (!is_infinite) result.tets.push_back(tet);
+    }
+    for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)
+        if (cell->info() >= 0)
+            for (int k = 0; k < 4; ++k) result.neighbours[cell->info()][k] = cell->neighbor(k)->info();
+    return result;
+}
+
+}  // namespace
+
+Triangulation delaunay(std::span<const Vec3> points, RunContext& context, bool is_main) {
+    Delaunay delaunay;
+    delaunay.infinite_vertex()->info() = -1;
+    insert_all(delaunay, points, context, is_main);
+    return extract(delaunay);
+}
+
+}  // namespace featuremesh

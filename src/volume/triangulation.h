@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Delaunay tets of points, and which of them lie in which region.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/geometry.h"
+#include "core/run_context.h"
+#include "volume/facet.h"
+
+namespace featuremesh {
+
+/// Tets that fill the convex hull of their points.
+struct Triangulation {
+    std::vector<std::array<int, 4>> tets;        ///< positive volume, or none by a hair: exact predicates
+    std::vector<std::array<int, 4>> neighbours;  ///< [i][k] is opposite corner k; -1 at the hull
+};
+
+/// The Delaunay triangulation; the order of `points` and of the tets is the same for the same input. Throws MeshError
+/// when two points coincide or all lie in one plane. Progress is told as `first_share` to `last_share` of the step when
+/// `is_main` (the caller's own thread).
+Triangulation delaunay(std::span<const Vec3> points, RunContext& context, bool is_main = true);
+
+/// Which of the facets are triangles of the tets, and where: (tet, corner opposite) seen from behind and from before,
+/// -1 for none.
+struct FacetPlaces {
+    std::vector<int> facet_at;  ///< by 4 tet + corner: the facet there, or -1
+    std::vector<int> missing;   ///< facets that are no triangle of the tets
+};
+FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets);
+
+/// By tet: the region it is in, or -1, by flooding from the facets up to the facets. Empty when a region leaks into
+/// another.
+std::vector<int> flood_regions(const Triangulation& triangulation, std::span<const Facet> facets,
+                               const FacetPlaces& places);
+
+}  // namespace featuremesh
