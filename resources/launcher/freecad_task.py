@@ -34,7 +34,7 @@ def run_script(script, variables, lines_to=None):
         result_file = Path(folder) / "result.json"
         environment = freecad_environment(FEATUREMESH_RESULT=str(result_file), **variables)
         with open(FREECAD_LOG, "w", encoding="utf-8") as log:
-            process = subprocess.Popen([freecadcmd(), f"--module-path={WORKBENCH}", str(script)], env=environment,
+            process = subprocess.Popen([freecadcmd(), str(script), f"--module-path={WORKBENCH}"], env=environment,
                                        stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.PIPE)
             try:
                 pass_on(process.stderr, log, lines_to)
