@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "box_mesh.h"
+#include "catch.h"
+#include "mesh/quality.h"
+#include "mesh/second_order.h"
+
+using namespace featuremesh;
+
+namespace {
+
+std::array<Vec3, 10> straight_element(const std::array<Vec3, 4>& corners) {
+    std::array<Vec3, 10> nodes;
+    for (int i = 0; i < 4; ++i) nodes[i] = corners[i];
+    for (int s = 0; s < 6; ++s) nodes[4 + s] = (corners[tet_sides[s][0]] + corners[tet_sides[s][1]]) * 0.5;
+    return nodes;
+}
+
+std::array<Vec3, 10> bent_element(std::mt19937& random, double by) {
+    std::uniform_real_distribution<double> shift(-by, by);
+    auto nodes = straight_element({Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0.2, 0.9, 0}, Vec3{0.3, 0.2, 0.8}});
+    for (int s = 4; s < 10; ++s) nodes[s] += {shift(random), shift(random), shift(random)};
+    return nodes;
+}
+
+/// The element's map, by its quadratic shape functions.
+Vec3 position(const std::array<Vec3, 10>& nodes, const std::array<double, 4>& l) {
+    Vec3 p;
+    for (int i = 0; i < 4; ++i) p += l[i] * (2 * l[i] - 1) * nodes[i];
+    for (int s = 0; s < 6; ++s) p += 4 * l[tet_sides[s][0]] * l[tet_sides[s][1]] * nodes[4 + s];
+    return p;
+}
+
+/// det J by central differences, which are exact for a quadratic map.
+double determinant(const std::array<Vec3, 10>& nodes, const std::array<double, 4>& l) {
+    const double step = 0.25;
+    std::array<Vec3, 3> column;
+    for (int k = 0; k < 3; ++k) {
+        auto before = l, after = l;
+        before[0] += step, before[k + 1] -= step;
+        after[0] -= step, after[k + 1] += step;
+        column[k] = (position(nodes, after) - position(nodes, before)) / (2 * step);
+    }
+    return dot(cross(column[0], column[1]), column[2]);
+}
+
+std::vector<std::array<double, 4>> lattice(int n) {
+    std::vector<std::array<double, 4>> points;
+    for (int i = 0; i <= n; ++i)
+        for (int j = 0; i + j <= n; ++j)
+            for (int k = 0; i + j + k <= n; ++k)
+                points.push_back({double(n - i - j - k) / n, double(i) / n, double(j) / n, double(k) / n});
+    return points;
+}
+
+}  // namespace
+
+TEST_CASE("a straight element has constant Jacobian, six times its volume") {
+    const auto nodes = straight_element({Vec3{1, 2, 3}, Vec3{2, 2, 3}, Vec3{1, 4, 3}, Vec3{1, 2, 6}});
+    for (double coefficient : jacobian_coefficients(nodes)) CHECK(coefficient == Approx(6.0));
+    CHECK(min_scaled_jacobian(nodes) == Approx(1.0));
+}
+
+TEST_CASE("the Bernstein coefficients bound the Jacobian and the subdivision finds its minimum") {
+    std::mt19937 random(11);
+    const auto samples = lattice(24);
+    int folded = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        const auto nodes = bent_element(random, trial % 2 ? 0.06 : 0.14);
+        const double straight = 6 * signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]);
+        const auto coefficients = jacobian_coefficients(nodes);
+        const auto [low, high] = std::minmax_element(coefficients.begin(), coefficients.end());
+        double sampled = 1e300;
+        for (const auto& l : samples) {
+            const double value = determinant(nodes, l);
+            REQUIRE(value >= *low - 1e-12);
+            REQUIRE(value <= *high + 1e-12);
+            sampled = std::min(sampled, value / straight);
+        }
+        const double bound = min_scaled_jacobian(nodes);
+        if (sampled > 0) {
+            CHECK(bound <= sampled + 1e-12);
+            CHECK(bound >= sampled - 0.02);
+        } else {
+            CHECK(bound <= 0);
+            ++folded;
+        }
+    }
+    CHECK(folded > 0);
+}
+
+TEST_CASE("the Jacobian does not depend on how the corners are numbered") {
+    std::mt19937 random(5);
+    const auto nodes = bent_element(random, 0.08);
+    // corners 1, 2, 3 turned: sides 01 12 02 03 13 23 become 02 23 03 01 12 13
+    const std::array<Vec3, 10> turned{nodes[0], nodes[2], nodes[3], nodes[1], nodes[6], nodes[9], nodes[7], nodes[4], nodes[5], nodes[8]};
+    CHECK(min_scaled_jacobian(turned) == Approx(min_scaled_jacobian(nodes)).margin(2e-3));
+}
+
+TEST_CASE("an element without positive volume is invalid") {
+    CHECK(min_scaled_jacobian(straight_element({Vec3{0, 0, 0}, Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}})) < 0);
+    CHECK(min_scaled_jacobian(straight_element({Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{1, 1, 0}})) < 0);
+}
+
+TEST_CASE("mid-side nodes: one per side, on the entity of the side") {
+    Mesh mesh = box_mesh(3);
+    std::set<std::pair<NodeId, NodeId>> sides;
+    for (const auto& tet : mesh.tets)
+        for (const auto& [i, j] : tet_sides) sides.insert(std::minmax(tet[i], tet[j]));
+    const std::size_t corners = mesh.points.size();
+    const auto added = add_mid_side_nodes(mesh);
+    CHECK(added.size() == sides.size());
+    CHECK(mesh.points.size() == corners + sides.size());
+    CHECK(mesh.corner_count == corners);
+    CHECK(broken_invariants(mesh, box_expectation()).empty());
+    for (std::size_t i = 0; i < mesh.segments.size(); ++i) CHECK(mesh.entities[mesh.segment_mids[i].index()] == entity_of(mesh.segment_edges[i]));
+    for (NodeId n : added) {
+        const Vec3& p = mesh.point(n);
+        int on = 0;
+        for (double c : {p.x, p.y, p.z}) on += c == 0 || c == 1;
+        CHECK(mesh.entities[n.index()].dim == 3 - on);
+    }
+    CHECK(measure_quality(mesh).min_scaled_jacobian == 1.0);
+}
+
+TEST_CASE("kept mid-side nodes keep bits, numbers and order") {
+    Mesh kept = box_mesh(2);
+    add_mid_side_nodes(kept);
+    for (std::size_t i = kept.corner_count; i < kept.points.size(); ++i) kept.points[i].x += 1e-3;
+    Mesh again = box_mesh(2);
+    again.next_node_number = kept.next_node_number;
+    CHECK(add_mid_side_nodes(again, &kept).empty());
+    CHECK(again.points == kept.points);
+    CHECK(again.node_numbers == kept.node_numbers);
+    CHECK(again.tet_mids == kept.tet_mids);
+
+    Mesh less = kept;
+    less.tets.resize(6), less.tet_mids.resize(6), less.tet_solids.resize(6), less.tet_numbers.resize(6);
+    less.triangles.clear(), less.triangle_mids.clear(), less.triangle_faces.clear(), less.triangle_numbers.clear();
+    less.segments.clear(), less.segment_mids.clear(), less.segment_edges.clear(), less.segment_numbers.clear();
+    Mesh partly = box_mesh(2);
+    partly.next_node_number = kept.next_node_number;
+    const auto added = add_mid_side_nodes(partly, &less);
+    CHECK(added.size() == kept.points.size() - kept.corner_count - 19);   // a cube of six tets has 19 sides
+    for (std::size_t t = 0; t < 6; ++t)
+        for (int s = 0; s < 6; ++s) {
+            CHECK(partly.point(partly.tet_mids[t][s]) == kept.point(kept.tet_mids[t][s]));
+            CHECK(partly.node_numbers[partly.tet_mids[t][s].index()] == kept.node_numbers[kept.tet_mids[t][s].index()]);
+        }
+    for (NodeId n : added) CHECK(partly.node_numbers[n.index()] >= kept.next_node_number);
+}

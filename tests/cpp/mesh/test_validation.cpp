@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+
+#include "box_mesh.h"
+#include "catch.h"
+#include "mesh/validation.h"
+
+using namespace featuremesh;
+
+namespace {
+
+/// All messages of a mesh that was broken on purpose.
+std::string messages_after(const std::function<void(Mesh&, Expectation&)>& harm, int order = 1) {
+    Mesh mesh = box_mesh(2);
+    if (order == 2) add_mid_side_nodes(mesh);
+    Expectation expected = box_expectation();
+    harm(mesh, expected);
+    std::string all;
+    for (const std::string& message : broken_invariants(mesh, expected)) all += message + "\n";
+    return all;
+}
+
+bool has(const std::string& text, const std::string& part) {
+    INFO(text);
+    return text.find(part) != std::string::npos;
+}
+
+void remove_tet(Mesh& mesh, std::size_t t) {
+    const auto at = static_cast<std::ptrdiff_t>(t);
+    mesh.tets.erase(mesh.tets.begin() + at);
+    mesh.tet_solids.erase(mesh.tet_solids.begin() + at);
+    mesh.tet_numbers.erase(mesh.tet_numbers.begin() + at);
+}
+
+void remove_triangle(Mesh& mesh, std::size_t t) {
+    const auto at = static_cast<std::ptrdiff_t>(t);
+    mesh.triangles.erase(mesh.triangles.begin() + at);
+    mesh.triangle_faces.erase(mesh.triangle_faces.begin() + at);
+    mesh.triangle_numbers.erase(mesh.triangle_numbers.begin() + at);
+}
+
+/// The middle of the box becomes a wall between two solids, as face 6.
+Mesh two_solids(Expectation& expected) {
+    Mesh mesh = box_mesh(2);
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+        double x = 0;
+        for (NodeId n : mesh.tets[t]) x += mesh.point(n).x / 4;
+        if (x < 0.5) continue;
+        mesh.tet_solids[t] = SolidId(1);
+        for (const auto& face : tet_faces) {
+            const std::array<NodeId, 3> nodes{mesh.tets[t][face[0]], mesh.tets[t][face[1]], mesh.tets[t][face[2]]};
+            bool on_wall = true;
+            for (NodeId n : nodes) on_wall = on_wall && mesh.point(n).x == 0.5;
+            if (on_wall) mesh.add_triangle(nodes, FaceId(6));
+        }
+    }
+    expected.solid_volumes = {0.5, 0.5};
+    expected.face_sides = {{SolidId(0), {}}, {SolidId(1), {}}, {}, {}, {}, {}, {SolidId(1), SolidId(0)}};
+    return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("a good mesh breaks no invariant, for any number of threads") {
+    for (int n : {1, 2, 5}) CHECK(broken_invariants(box_mesh(n), box_expectation()).empty());
+    Mesh mesh = box_mesh(15);
+    RunContext context;
+    context.threads = 3;
+    CHECK(broken_invariants(mesh, box_expectation(), context).empty());
+    CHECK(broken_invariants(Mesh{}).empty());
+}
+
+TEST_CASE("tets: volume, overlap, gaps") {
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { std::swap(m.tets[3][0], m.tets[3][1]); }), "tet without positive volume: tet "));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { std::swap(m.tets[3][0], m.tets[3][1]); }), "two tets on the same side"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_tet(m.tets[5], SolidId(0)); }), "triangle shared by more than two tets"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { remove_tet(m, 7); }), "boundary of the tets without a triangle"));
+    CHECK(has(messages_after([](Mesh&, Expectation& e) { e.solid_volumes = {1.1}; }), "volume is wrong: Solid1"));
+    // moving the inner node onto the boundary makes tets flat
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.points[13] = {0.5, 0.5, 0}; }), "tet without positive volume"));
+}
+
+TEST_CASE("triangles: missing, twice, loose, on the wrong side") {
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { remove_triangle(m, 2); }), "boundary of the tets without a triangle"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_triangle(m.triangles[2], FaceId(0)); }), "the same triangle twice"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_triangle({NodeId(0), NodeId(1), NodeId(26)}, FaceId(0)); }), "triangle without a tet"));
+    const auto flipped = messages_after([](Mesh& m, Expectation&) { std::swap(m.triangles[4][0], m.triangles[4][1]); });
+    CHECK(has(flipped, "wrong solid at a triangle"));
+    CHECK(has(flipped, "Face"));
+    CHECK(has(flipped, "the outside behind it, not Solid1"));
+}
+
+TEST_CASE("several solids: the wall between them has triangles with the right sides") {
+    Expectation expected;
+    Mesh mesh = two_solids(expected);
+    // the outer faces y and z belong to both solids here, so only the wall is checked
+    expected.face_sides.clear();
+    CHECK(broken_invariants(mesh, expected).empty());
+    Mesh without = mesh;
+    remove_triangle(without, without.triangles.size() - 1);
+    CHECK_FALSE(broken_invariants(without, expected).empty());
+    CHECK(has(broken_invariants(without, expected)[0], "border of two solids without a triangle"));
+}
+
+TEST_CASE("numbers, arrays and ids") {
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.node_numbers[4] = m.node_numbers[9]; }), "node number given twice"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.tet_numbers[4] = m.triangle_numbers[1]; }), "element number given twice"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.tet_numbers[4] = m.next_element_number; }), "element number out of range"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.node_numbers[0] = 0; }), "node number out of range"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.entities.pop_back(); }), "array of wrong length: entities"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.tets[2][1] = NodeId(27); }), "node out of range: tet at place 2"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.triangle_faces[2] = FaceId(6); }), "CAD entity out of range"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.points[5].y = std::nan(""); }), "coordinate is not a number"));
+}
+
+TEST_CASE("segments lie on sides of triangles, once") {
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_segment({NodeId(0), NodeId(2)}, EdgeId(7)); }), "segment that is no triangle's side"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_segment({m.segments[0][1], m.segments[0][0]}, EdgeId(7)); }), "the same segment twice"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_segment({m.segments[0][1], m.segments[0][0]}, EdgeId(7)); }), "Edge8"));
+}
+
+TEST_CASE("10-node tets: shared mid-side nodes and positive Jacobians") {
+    CHECK(messages_after([](Mesh&, Expectation&) {}, 2).empty());
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.tet_mids[0][0] = m.tet_mids[40][3]; }, 2), "mid-side node"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.triangle_mids[3][1] = m.triangle_mids[20][2]; }, 2), "two mid-side nodes on one side"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.points[m.tet_mids[0][0].index()] += {0.4, 0.3, -0.3}; }, 2), "non-positive Jacobian: tet "));
+    CHECK(messages_after([](Mesh& m, Expectation&) { m.points[m.tet_mids[0][0].index()] += {0.02, 0.01, -0.01}; }, 2).empty());
+}
+
+TEST_CASE("a surface without tets is closed around its solid") {
+    Mesh surface = box_mesh(2);
+    surface.tets.clear(), surface.tet_solids.clear(), surface.tet_numbers.clear();
+    Expectation sides;
+    sides.face_sides = box_expectation().face_sides;
+    CHECK(broken_invariants(surface, sides).empty());
+    CHECK(broken_invariants(surface).empty());
+    Mesh open = surface;
+    remove_triangle(open, 3);
+    CHECK(has(broken_invariants(open, sides).at(0), "open surface around Solid1"));
+    CHECK(has(broken_invariants(open).at(0), "open surface"));
+    Mesh turned = surface;
+    std::swap(turned.triangles[3][0], turned.triangles[3][1]);
+    CHECK(has(broken_invariants(turned, sides).at(0), "open surface around Solid1"));
+    CHECK(has(broken_invariants(surface, box_expectation()).at(0), "volume is wrong"));
+}
