@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one way in which connectivity changes: a set of tets is replaced by others with the same outside. And the queries that plan it.
+// The one way in which connectivity changes: a set of tets is replaced by others with the same outside. And the queries
+// that plan it.
 #pragma once
 
 #include <array>
@@ -27,12 +28,14 @@ class CavityEditor {
   public:
     explicit CavityEditor(TetComplex& complex);
 
-    /// All tets of a vertex that is inside; empty when it lies on the boundary or has no tet. Valid until the next call.
+    /// All tets of a vertex that is inside; empty when it lies on the boundary or has no tet. Valid until the next
+    /// call.
     std::span<const int> star(int vertex);
     std::span<const int> last_star() const { return star_; }
 
-    /// Takes `removed` out and puts `added` in, which must have the same outside. Gives the ids of the added tets (slots are used again).
-    /// Vertices that lose their last tet get tet_of_vertex -1. The result is valid until the next call and may not be passed to it.
+    /// Takes `removed` out and puts `added` in, which must have the same outside. Gives the ids of the added tets
+    /// (slots are used again). Vertices that lose their last tet get tet_of_vertex -1. The result is valid until the
+    /// next call and may not be passed to it.
     std::span<const int> replace(std::span<const int> removed, std::span<const Tet> added);
 
     /// Appends a free vertex without a tet.

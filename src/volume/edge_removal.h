@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Removal of an edge: the best triangulation of its ring by dynamic programming (Klincsek 1980; Shewchuk, "Two discrete optimization algorithms for the
-// topological improvement of tetrahedral meshes", 2002).
+// Removal of an edge: the best triangulation of its ring by dynamic programming (Klincsek 1980; Shewchuk, "Two discrete
+// optimization algorithms for the topological improvement of tetrahedral meshes", 2002).
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ struct RingTriangulation {
     std::array<std::array<signed char, EdgeRing::max_size>, EdgeRing::max_size> apex{};
 };
 
-/// Minimises Objective::combine over the costs of the size-2 triangles: all choices are covered in O(size^3). `cost(i, j, k)`, i < j < k,
-/// is that of a triangle of ring places; `limit` is the cost from which on a solution is of no use.
+/// Minimises Objective::combine over the costs of the size-2 triangles: all choices are covered in O(size^3). `cost(i,
+/// j, k)`, i < j < k, is that of a triangle of ring places; `limit` is the cost from which on a solution is of no use.
 template <class Objective, class Cost>
 RingTriangulation triangulate_ring(int size, double limit, const Cost& cost) {
     RingTriangulation result;

@@ -136,7 +136,8 @@ class OdtOptimiser {
             sum.six_volumes += sphere.six_volumes;
         }
         if (sum.is_still()) return false;
-        return try_shift(vertex, sum.shift(), smallest_volume_share * sum.six_volumes / static_cast<double>(star.size()));
+        return try_shift(vertex, sum.shift(),
+                         smallest_volume_share * sum.six_volumes / static_cast<double>(star.size()));
     }
 
     bool try_shift(int vertex, const Vec3& shift, double smallest) {
@@ -229,7 +230,8 @@ class OdtOptimiser {
         if (std::isinf(best.cost)) return false;
         std::array<Tet, 2 * EdgeRing::max_size> fresh;
         const int count = tets_of_triangulation(ring, best, fresh);
-        replace({ring.tets.data(), static_cast<std::size_t>(ring.size)}, {fresh.data(), static_cast<std::size_t>(count)});
+        replace({ring.tets.data(), static_cast<std::size_t>(ring.size)},
+                {fresh.data(), static_cast<std::size_t>(count)});
         return true;
     }
 

@@ -76,10 +76,12 @@ class SliverRemover {
         bool gained = false;
         for (std::size_t i = 0; i < ranked.size(); ++i) {
             if (i % rounds_between_reports == 0)
-                context_.progress((pass + static_cast<double>(i) / static_cast<double>(ranked.size())) / options_.passes);
+                context_.progress((pass + static_cast<double>(i) / static_cast<double>(ranked.size())) /
+                                  options_.passes);
             const int tet = ranked[i].tet;
             changed_.push_back(tet);
-            // an earlier operation may have improved it or used its place for another tet, whose turn is in the next pass
+            // an earlier operation may have improved it or used its place for another tet, whose turn is in the next
+            // pass
             if (complex_.tets[tet][0] < 0 || flatness_of(tet) != ranked[i].flatness) continue;
             gained |= improve(tet);
         }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/geometry.h"
@@ -13,15 +14,20 @@ namespace featuremesh {
 /// Tets with neighbours, for local operations. Vertices are ints here: they count within one cavity.
 struct TetComplex {
     std::vector<Vec3> points;
-    std::vector<std::uint8_t> is_fixed;                  ///< by vertex: boundary or kept, never moved
-    std::vector<std::array<int, 4>> tets;                ///< positive volume; tets[i][0] < 0 marks a removed one
-    std::vector<std::array<int, 4>> neighbours;          ///< neighbours[i][k] is opposite vertex k; -1 at the cavity's boundary
-    std::vector<int> regions;                            ///< by tet: the solid; faces between regions are never flipped away
-    std::vector<int> tet_of_vertex;                      ///< any one live tet of the vertex; -1 for none
+    std::vector<std::uint8_t> is_fixed;          ///< by vertex: boundary or kept, never moved
+    std::vector<std::array<int, 4>> tets;        ///< positive volume; tets[i][0] < 0 marks a removed one
+    std::vector<std::array<int, 4>> neighbours;  ///< neighbours[i][k] is opposite vertex k; -1 at the cavity's boundary
+    std::vector<int> regions;                    ///< by tet: the solid; faces between regions are never flipped away
+    std::vector<int> tet_of_vertex;              ///< any one live tet of the vertex; -1 for none
 };
 
-/// Finds neighbours and tet_of_vertex from points and tets. A triangle between two regions counts as boundary (-1 on both sides).
-/// Throws MeshError where a triangle has more than two tets.
+/// Finds neighbours and tet_of_vertex from points and tets. A triangle between two regions counts as boundary (-1 on
+/// both sides). Throws MeshError where a triangle has more than two tets.
 void connect(TetComplex& complex);
+
+/// What is wrong with the complex, one line each (at most ten): neighbours that do not know each other or share other
+/// triangles, faces between regions that are linked, tets without positive volume, tet_of_vertex that points elsewhere.
+/// Empty when all is well.
+std::vector<std::string> find_flaws(const TetComplex& complex);
 
 }  // namespace featuremesh

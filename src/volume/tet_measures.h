@@ -12,8 +12,8 @@ namespace featuremesh {
 /// The tet has no positive volume; worse than any angle.
 inline constexpr double inverted_flatness = 2.0;
 
-/// Largest squared cosine of the six dihedral angles: 1/9 for the regular tet, 1 for a flat one, `inverted_flatness` without volume. It grows
-/// as min(smallest angle, 180 deg - largest angle) falls: small and large angles alike.
+/// Largest squared cosine of the six dihedral angles: 1/9 for the regular tet, 1 for a flat one, `inverted_flatness`
+/// without volume. It grows as min(smallest angle, 180 deg - largest angle) falls: small and large angles alike.
 inline double flatness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     const Vec3 u = b - a, v = c - a, w = d - a;
     const Vec3 n1 = cross(v, w), n2 = cross(w, u), n3 = cross(u, v);
@@ -40,8 +40,8 @@ inline double angle_of_flatness(double value) {
     return value > 1 ? 0.0 : std::acos(std::sqrt(value)) * (180 / 3.14159265358979323846);
 }
 
-/// ODT energy of a tet, V S / 20 with S the sum of the six squared edge lengths (Alliez et al. 2005), mm^5. Negative volumes give
-/// negative values.
+/// ODT energy of a tet, V S / 20 with S the sum of the six squared edge lengths (Alliez et al. 2005), mm^5. Negative
+/// volumes give negative values.
 inline double odt_energy(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     const Vec3 u = b - a, v = c - a, w = d - a;
     const double squares = 3 * (dot(u, u) + dot(v, v) + dot(w, w)) - 2 * (dot(u, v) + dot(v, w) + dot(w, u));

@@ -10,7 +10,8 @@
 
 namespace featuremesh {
 
-/// The triangles a point sees, each with positive volume (point, a, b, c). Also the outside of a cavity that is filled from one point.
+/// The triangles a point sees, each with positive volume (point, a, b, c). Also the outside of a cavity that is filled
+/// from one point.
 class StarShape {
   public:
     void clear() { faces_.clear(); }
@@ -21,13 +22,15 @@ class StarShape {
     /// Flatness of the worst tet; stops early, with some value >= limit, once it reaches `limit`.
     double worst(const Vec3& point, double limit) const;
 
-    /// Deterministic hill climbing from `point`, which is moved; gives the flatness of the worst tet there. Stops at `good_enough`.
+    /// Deterministic hill climbing from `point`, which is moved; gives the flatness of the worst tet there. Stops at
+    /// `good_enough`.
     double climb(Vec3& point, double good_enough) const;
 
   private:
     double mean_height(const Vec3& point) const;
 
-    // the triangle that refused last is the likeliest to refuse again and moves to the front: results do not depend on the order
+    // the triangle that refused last is the likeliest to refuse again and moves to the front: results do not depend on
+    // the order
     mutable std::vector<std::array<Vec3, 3>> faces_;
 };
 
