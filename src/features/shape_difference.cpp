@@ -3,17 +3,14 @@
 
 #include <BOPAlgo_MakerVolume.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
-#include <BRepGProp.hxx>
-#include <BRep_Builder.hxx>
-#include <GProp_GProps.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <cmath>
 
 #include "features/deadline.h"
+#include "features/flux.h"
 #include "features/occt_geometry.h"
 #include "features/solid_probe.h"
 
@@ -23,14 +20,6 @@ namespace {
 
 constexpr double volume_share = 1e-6;   // as the books of the cells
 
-TopoDS_Compound compound_of(const std::vector<TopoDS_Shape>& shapes) {
-    TopoDS_Compound compound;
-    BRep_Builder builder;
-    builder.MakeCompound(compound);
-    for (const TopoDS_Shape& shape : shapes) builder.Add(compound, shape);
-    return compound;
-}
-
 std::vector<TopoDS_Shape> solids_of(const TopoDS_Shape& shape) {
     std::vector<TopoDS_Shape> solids;
     if (!shape.IsNull())
@@ -38,23 +27,17 @@ std::vector<TopoDS_Shape> solids_of(const TopoDS_Shape& shape) {
     return solids;
 }
 
-/// Volume that oriented faces span with a point: of a closed shell, the volume inside.
-double flux(const std::vector<TopoDS_Shape>& faces, const gp_Pnt& apex) {
-    GProp_GProps properties(apex);
-    BRepGProp::VolumeProperties(compound_of(faces), properties);
-    return properties.Mass();
-}
-
-double volume_of(const std::vector<TopoDS_Shape>& solids) {
-    double volume = 0;
-    for (const TopoDS_Shape& solid : solids) volume += flux({solid}, gp::Origin());
-    return volume;
+double flux(const std::vector<TopoDS_Shape>& shapes, const Vec3& apex) {
+    double sum = 0;
+    for (const TopoDS_Shape& shape : shapes) sum += flux(shape, apex);
+    return sum;
 }
 
 struct Change {
     const TopoDS_Shape& before;
     const TopoDS_Shape& after;
     std::vector<TopoDS_Shape> vanished, appeared;   // faces
+    Vec3 apex;
     double volume = 0, scale = 0;
 
     Change(const TopoDS_Shape& b, const TopoDS_Shape& a)
@@ -63,14 +46,14 @@ struct Change {
         for (const auto& faces : {vanished, appeared})
             for (const TopoDS_Shape& face : faces) box.add(box_of(face));
         if (box.is_empty()) return;
-        const gp_Pnt apex = to_pnt(box.center());
+        apex = box.center();
         const double gained = flux(appeared, apex), lost = flux(vanished, apex);
         volume = gained - lost;
         scale = std::max({std::abs(gained), std::abs(lost), 1e-3 * box.size().x * box.size().y * box.size().z});
     }
 
     bool is_explained_by(const ShapeDifference& d) const {
-        return std::abs(volume_of(d.added) - volume_of(d.removed) - volume) <= volume_share * scale;
+        return std::abs(flux(d.added, apex) - flux(d.removed, apex) - volume) <= volume_share * scale;
     }
 };
 
@@ -89,8 +72,8 @@ ShapeDifference between_faces(const Change& change, double seconds) {
     maker.SetNonDestructive(true);
     maker.Perform(deadline->Start());
     if (maker.HasErrors() || deadline->is_over()) return result;
-    const SolidProbe before(change.before.IsNull() ? TopoDS_Shape(TopoDS_Compound()) : change.before);
-    const SolidProbe after(change.after.IsNull() ? TopoDS_Shape(TopoDS_Compound()) : change.after);
+    const SolidProbe before(change.before);
+    const SolidProbe after(change.after);
     for (const TopoDS_Shape& solid : solids_of(maker.Shape())) {
         const auto inner = point_inside(solid);
         if (!inner) return result;

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cells/cell_model.h"
+
+#include <TopExp_Explorer.hxx>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+
+#include "cells/final_faces.h"
+#include "cells/fuse.h"
+#include "cells/replay.h"
+#include "core/errors.h"
+#include "features/solid_probe.h"
+
+namespace featuremesh {
+
+namespace {
+
+constexpr double most_seconds = 30;   // for all attempts together; what is fused in that time is worth it, see docs/design/cells.md
+
+std::vector<FuseArgument> volumes_of(const FeatureTree& tree, const std::set<FeatureId>& left_out) {
+    std::vector<FuseArgument> arguments;
+    for (std::size_t f = 0; f < tree.features.size(); ++f) {
+        if (left_out.count(FeatureId(f))) continue;
+        for (std::size_t v = 0; v < tree.features[f].volumes.size(); ++v)
+            for (TopExp_Explorer it(tree.features[f].volumes[v].shape, TopAbs_SOLID); it.More(); it.Next())
+                arguments.push_back({{FeatureId(f), static_cast<int>(v)}, it.Current()});
+    }
+    return arguments;
+}
+
+void add_final_shape(std::vector<FuseArgument>& arguments, const Brep& final_shape) {
+    for (std::size_t s = 0; s < final_shape.solid_count(); ++s) arguments.push_back({Owner{}, final_shape.solid(SolidId(s))});
+}
+
+double volume_of(const Brep& shape) {
+    double volume = 0;
+    for (std::size_t s = 0; s < shape.solid_count(); ++s) volume += shape.volume_of(SolidId(s));
+    return volume;
+}
+
+class CellBuilder {
+  public:
+    CellBuilder(const FeatureTree& tree, const Brep& final_shape, RunContext& context)
+        : tree_(tree), final_shape_(final_shape), probe_(final_shape.shape()), context_(context), final_volume_(volume_of(final_shape)) {}
+
+    /// One attempt after the other until the books close; the last cannot fail.
+    CellModel run() {
+        const double diagonal = final_shape_.box().diagonal();
+        const std::vector<FuseArgument> volumes = volumes_of(tree_, {});
+        if (volumes.empty()) return opaque("no feature has a volume of its own");
+        if (attempt(volumes, 0)) return finish();
+        for (const double share : {1e-8, 1e-7}) {
+            note("the volumes are fused with a tolerance of " + std::to_string(share * diagonal) + " mm");
+            if (attempt(volumes, std::max(share * diagonal, 1e-6))) return finish();
+        }
+        std::vector<FuseArgument> with_final = volumes;
+        add_final_shape(with_final, final_shape_);
+        note("the final shape itself takes part in the fuse");
+        if (attempt(with_final, 0)) return finish();
+        std::vector<FuseArgument> trusted = volumes_of(tree_, {offenders_.begin(), offenders_.end()});
+        add_final_shape(trusted, final_shape_);
+        note("the features whose volumes do not add up are left out: " + names(offenders_));
+        for (const FeatureId id : offenders_) distrust(id);
+        if (!offenders_.empty() && attempt(trusted, 0)) return finish();
+        return opaque("no fuse of the volumes adds up to the final shape");
+    }
+
+  private:
+    double seconds_left() const {
+        return most_seconds - std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+    void note(std::string text) { notes_.push_back(std::move(text)); }
+    void distrust(FeatureId id) { untrusted_.insert(id); }
+
+    std::string names(const std::set<FeatureId>& ids) const {
+        std::string text;
+        for (const FeatureId id : ids) text += (text.empty() ? "" : ", ") + tree_[id].label;
+        return text.empty() ? "none" : text;
+    }
+
+    bool attempt(const std::vector<FuseArgument>& arguments, double fuzzy) {
+        if (seconds_left() <= 0) return note("out of time"), false;
+        context_.check_cancelled();
+        FusedComplex complex = fuse(arguments, {fuzzy, seconds_left()}, context_);
+        if (!complex.trouble.empty()) return note("fuse: " + complex.trouble), false;
+        model_ = {};
+        model_.cells = std::move(complex.cells);
+        model_.faces = std::move(complex.faces);
+        for (const Owner& owner : complex.offenders) offenders_.insert(owner.feature);
+        return decide_material() && books_close();
+    }
+
+    bool decide_material() {
+        for (Cell& cell : model_.cells) {
+            context_.check_cancelled();
+            const auto inner = point_inside(cell.solid);
+            if (!inner && cell.volume > Tolerances::volume_books * final_volume_) return note("a cell without a sound inner point"), false;
+            cell.material = inner && probe_.side_of(*inner) == Side::inside;
+        }
+        return true;
+    }
+
+    bool books_close() {
+        double material = 0;
+        for (const Cell& cell : model_.cells)
+            if (cell.material) material += cell.volume;
+        model_.report.material_volume = material;
+        model_.report.final_volume = final_volume_;
+        if (std::abs(material - final_volume_) <= Tolerances::volume_books * final_volume_) return true;
+        note("the cells' material is " + std::to_string(material) + " mm^3 where the final shape has " + std::to_string(final_volume_));
+        return false;
+    }
+
+    /// The tree says otherwise than the final shape: what FreeCAD did is not what the tree says, so nobody should build on its features there.
+    void cross_check() {
+        const std::vector<bool> expected = replay(tree_, model_.cells);
+        for (std::size_t c = 0; c < model_.cells.size(); ++c)
+            if (expected[c] != model_.cells[c].material && model_.cells[c].volume > Tolerances::volume_books * final_volume_)
+                for (const Owner& owner : model_.cells[c].owners) distrust(owner.feature);
+    }
+
+    CellModel finish() {
+        cross_check();
+        match_final_faces(model_, final_shape_);
+        for (std::size_t f = 0; f < tree_.features.size(); ++f)
+            if (!tree_.features[f].error.empty()) distrust(FeatureId(f));
+        model_.report.fallbacks = std::move(notes_);
+        model_.report.untrusted.assign(untrusted_.begin(), untrusted_.end());
+        return std::move(model_);
+    }
+
+    /// The final shape as it is, owned by every feature and trusted to none.
+    CellModel opaque(const std::string& why) {
+        note("the part is taken as one piece: " + why);
+        std::vector<FuseArgument> whole;
+        add_final_shape(whole, final_shape_);
+        model_ = {};
+        for (std::size_t s = 0; s < whole.size(); ++s) {
+            FusedComplex solid = fuse({whole[s]}, {}, context_);
+            const auto offset = static_cast<std::int32_t>(model_.cells.size());
+            for (Cell& cell : solid.cells) {
+                cell.material = true;
+                model_.cells.push_back(std::move(cell));
+            }
+            for (CellFace& face : solid.faces) {
+                for (CellId& id : face.cells)
+                    if (id.is_valid()) id.value += offset;
+                model_.faces.push_back(std::move(face));
+            }
+        }
+        own_everything();
+        model_.report.material_volume = model_.report.final_volume = final_volume_;
+        match_final_faces(model_, final_shape_);
+        model_.report.fallbacks = std::move(notes_);
+        model_.report.untrusted.assign(untrusted_.begin(), untrusted_.end());
+        return std::move(model_);
+    }
+
+    void own_everything() {
+        std::vector<Owner> owners;
+        for (std::size_t f = 0; f < tree_.features.size(); ++f) {
+            if (tree_.features[f].volumes.empty()) continue;
+            owners.push_back({FeatureId(f), 0});
+            distrust(FeatureId(f));
+        }
+        for (Cell& cell : model_.cells) cell.owners = owners;
+        for (CellFace& face : model_.faces) face.owners = owners;
+    }
+
+    const FeatureTree& tree_;
+    const Brep& final_shape_;
+    SolidProbe probe_;
+    RunContext& context_;
+    double final_volume_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    CellModel model_;
+    std::vector<std::string> notes_;
+    std::set<FeatureId> offenders_, untrusted_;
+};
+
+}  // namespace
+
+CellModel build_cells(const FeatureTree& tree, const Brep& final_shape, RunContext& context) {
+    RunContext::Step step(context, "cells");
+    return CellBuilder(tree, final_shape, context).run();
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cells/final_faces.h"
+
+#include <algorithm>
+
+#include "features/face_probe.h"
+
+namespace featuremesh {
+
+namespace {
+
+constexpr double on_face = 1e-5;         // mm: how closely booleans and repairs keep a face on its surface
+constexpr double same_normal = 0.999;    // cosine
+
+class Matcher {
+  public:
+    Matcher(CellModel& model, const Brep& final_shape) : model_(model), final_shape_(final_shape) {
+        for (std::size_t f = 0; f < final_shape.face_count(); ++f) final_faces_.emplace_back(final_shape.face(FaceId(f)));
+        model.owners_of_final_face.assign(final_shape.face_count(), {});
+    }
+
+    void run() {
+        for (std::size_t f = 0; f < model_.faces.size(); ++f)
+            if (is_boundary(model_.faces[f])) match(f);
+        for (std::size_t f = 0; f < final_faces_.size(); ++f)
+            if (model_.owners_of_final_face[f].empty()) find_owners(FaceId(f));
+        for (auto& owners : model_.owners_of_final_face) {
+            std::sort(owners.begin(), owners.end());
+            owners.erase(std::unique(owners.begin(), owners.end()), owners.end());
+        }
+    }
+
+  private:
+    bool is_material(CellId id) const { return id.is_valid() && model_.cells[id.index()].material; }
+    bool is_boundary(const CellFace& face) const { return is_material(face.cells[0]) != is_material(face.cells[1]); }
+
+    /// Out of the material on the cell face, at a point of it.
+    Vec3 outward(const CellFace& face, const FaceProbe& probe, const Vec3& p) const {
+        return probe.normal_at(p) * (is_material(face.cells[0]) ? 1.0 : -1.0);
+    }
+
+    /// Orientation in the final shape: as first met there, so the solid may lie on either side.
+    Vec3 outward(FaceId face, const Vec3& p) const {
+        const bool behind = final_shape_.sides_of(face)[0].is_valid();
+        return final_faces_[face.index()].normal_at(p) * (behind ? 1.0 : -1.0);
+    }
+
+    void give(FaceId final_face, const CellFace& face) {
+        auto& owners = model_.owners_of_final_face[final_face.index()];
+        owners.insert(owners.end(), face.owners.begin(), face.owners.end());
+    }
+
+    void match(std::size_t index) {
+        CellFace& face = model_.faces[index];
+        face.final_face = final_shape_.find(face.face);
+        if (!face.final_face.is_valid()) {
+            const FaceProbe probe(face.face);
+            if (!probe.inner_point()) return;
+            const Vec3 p = *probe.inner_point(), normal = outward(face, probe, p);
+            for (std::size_t f = 0; f < final_faces_.size() && !face.final_face.is_valid(); ++f)
+                if (final_faces_[f].contains(p, on_face) && dot(outward(FaceId(f), p), normal) > same_normal) face.final_face = FaceId(f);
+        }
+        if (face.final_face.is_valid()) give(face.final_face, face);
+    }
+
+    /// The final face may be smaller than the cell faces on it: look from its side.
+    void find_owners(FaceId id) {
+        const auto& p = final_faces_[id.index()].inner_point();
+        if (!p) return;
+        const Vec3 normal = outward(id, *p);
+        for (CellFace& face : model_.faces) {
+            if (!is_boundary(face)) continue;
+            const FaceProbe probe(face.face);
+            if (!probe.contains(*p, on_face) || dot(outward(face, probe, *p), normal) < same_normal) continue;
+            if (!face.final_face.is_valid()) face.final_face = id;
+            give(id, face);
+        }
+    }
+
+    CellModel& model_;
+    const Brep& final_shape_;
+    std::vector<FaceProbe> final_faces_;
+};
+
+}  // namespace
+
+void match_final_faces(CellModel& model, const Brep& final_shape) { Matcher(model, final_shape).run(); }
+
+}  // namespace featuremesh

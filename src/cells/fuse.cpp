@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cells/fuse.h"
+
+#include <BOPAlgo_Builder.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/errors.h"
+#include "features/deadline.h"
+#include "features/flux.h"
+#include "features/occt_geometry.h"
+
+namespace featuremesh {
+
+namespace {
+
+template <class T>
+void sort_unique(std::vector<T>& list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+/// Runs the kernel's builder and answers what became of the arguments' parts. A lone argument needs no builder.
+class Builder {
+  public:
+    Builder(const std::vector<FuseArgument>& arguments, const FuseOptions& options, RunContext& context) {
+        TopTools_IndexedMapOfShape different;
+        for (const FuseArgument& argument : arguments) different.Add(argument.solid);
+        if (different.Extent() < 2) return;
+        const Handle(Deadline) deadline = new Deadline(options.seconds, [&context] { return wants_to_stop(context); });
+        used_ = true;
+        for (int i = 1; i <= different.Extent(); ++i) builder_.AddArgument(different(i));
+        builder_.SetNonDestructive(true);
+        builder_.SetFuzzyValue(options.fuzzy);
+        builder_.SetRunParallel(false);
+        try {
+            builder_.Perform(deadline->Start());
+        } catch (const Standard_Failure& failure) {
+            trouble_ = std::string("the kernel gave up: ") + failure.GetMessageString();
+        }
+        context.check_cancelled();
+        if (deadline->is_over())
+            trouble_ = "it took longer than " + std::to_string(static_cast<int>(options.seconds)) + " s";
+        else if (trouble_.empty() && builder_.HasErrors())
+            trouble_ = "the kernel could not intersect the volumes";
+    }
+
+    const std::string& trouble() const { return trouble_; }
+
+    std::vector<TopoDS_Shape> images(const TopoDS_Shape& shape) {
+        if (!used_) return {shape};
+        const TopTools_ListOfShape& modified = builder_.Modified(shape);
+        if (modified.IsEmpty() && builder_.IsDeleted(shape)) return {};
+        if (modified.IsEmpty()) return {shape};
+        return {modified.begin(), modified.end()};
+    }
+
+  private:
+    static bool wants_to_stop(RunContext& context) {
+        try {
+            context.progress(0.5);
+            return false;
+        } catch (const Cancelled&) {
+            return true;
+        }
+    }
+
+    BOPAlgo_Builder builder_;
+    bool used_ = false;
+    std::string trouble_;
+};
+
+class Collector {
+  public:
+    Collector(const std::vector<FuseArgument>& arguments, Builder& builder) {
+        for (const FuseArgument& argument : arguments) add_argument(argument, builder);
+        for (std::size_t c = 0; c < complex_.cells.size(); ++c) add_faces(CellId(c));
+        for (const FuseArgument& argument : arguments)
+            for (TopExp_Explorer it(argument.solid, TopAbs_FACE); it.More(); it.Next()) own_faces(it.Current(), argument.owner, builder);
+        for (Cell& cell : complex_.cells) sort_unique(cell.owners);
+        for (CellFace& face : complex_.faces) sort_unique(face.owners);
+    }
+
+    FusedComplex take() { return std::move(complex_); }
+
+  private:
+    void add_argument(const FuseArgument& argument, Builder& builder) {
+        for (const TopoDS_Shape& image : builder.images(argument.solid))
+            for (TopExp_Explorer it(image, TopAbs_SOLID); it.More(); it.Next()) {
+                const int index = cell_map_.Add(it.Current());
+                if (index > static_cast<int>(complex_.cells.size())) {
+                    Cell cell;
+                    cell.solid = TopoDS::Solid(it.Current());
+                    complex_.cells.push_back(std::move(cell));
+                }
+                if (argument.owner.feature.is_valid()) complex_.cells[index - 1].owners.push_back(argument.owner);
+            }
+    }
+
+    void add_faces(CellId id) {
+        for (TopExp_Explorer it(complex_.cells[id.index()].solid, TopAbs_FACE); it.More(); it.Next()) {
+            const TopAbs_Orientation orientation = it.Current().Orientation();
+            if (orientation != TopAbs_FORWARD && orientation != TopAbs_REVERSED) continue;
+            const int index = face_map_.Add(it.Current());
+            if (index > static_cast<int>(complex_.faces.size())) {
+                CellFace face;
+                face.face = TopoDS::Face(it.Current().Oriented(TopAbs_FORWARD));
+                complex_.faces.push_back(std::move(face));
+            }
+            complex_.faces[index - 1].cells[orientation == TopAbs_FORWARD ? 0 : 1] = id;
+        }
+    }
+
+    void own_faces(const TopoDS_Shape& face, const Owner& owner, Builder& builder) {
+        if (!owner.feature.is_valid()) return;
+        for (const TopoDS_Shape& image : builder.images(face))
+            if (const int index = face_map_.FindIndex(image); index > 0) complex_.faces[index - 1].owners.push_back(owner);
+    }
+
+    FusedComplex complex_;
+    TopTools_IndexedMapOfShape cell_map_, face_map_;
+};
+
+/// Boxes and volumes; a face's share is integrated once for the cells on both of its sides.
+void measure(FusedComplex& complex) {
+    std::vector<Box> face_boxes;
+    Box whole;
+    for (const CellFace& face : complex.faces) whole.add(face_boxes.emplace_back(box_of(face.face)));
+    const Vec3 apex = whole.center();
+    for (std::size_t f = 0; f < complex.faces.size(); ++f) {
+        const double share = flux(complex.faces[f].face, apex);
+        for (int side : {0, 1}) {
+            const CellId id = complex.faces[f].cells[side];
+            if (!id.is_valid()) continue;
+            Cell& cell = complex.cells[id.index()];
+            cell.volume += side == 0 ? share : -share;
+            cell.box.add(face_boxes[f]);
+        }
+    }
+}
+
+/// Every argument is the sum of its cells, or the fuse went wrong there.
+void check_arguments(FusedComplex& complex, const std::vector<FuseArgument>& arguments) {
+    if (complex.cells.size() < 2) return;
+    std::map<Owner, double> sums, wanted;
+    for (const Cell& cell : complex.cells)
+        for (const Owner& owner : cell.owners) sums[owner] += cell.volume;
+    for (const FuseArgument& argument : arguments)
+        if (argument.owner.feature.is_valid())
+            wanted[argument.owner] += std::abs(flux(argument.solid, box_of(argument.solid).center()));
+    for (const auto& [owner, volume] : wanted)
+        if (std::abs(sums[owner] - volume) > 10 * Tolerances::volume_books * volume) complex.offenders.push_back(owner);
+}
+
+}  // namespace
+
+FusedComplex fuse(const std::vector<FuseArgument>& arguments, const FuseOptions& options, RunContext& context) {
+    Builder builder(arguments, options, context);
+    FusedComplex complex;
+    complex.trouble = builder.trouble();
+    if (!complex.trouble.empty()) return complex;
+    try {
+        complex = Collector(arguments, builder).take();
+        measure(complex);
+        check_arguments(complex, arguments);
+    } catch (const Standard_Failure& failure) {
+        complex = {};
+        complex.trouble = std::string("the kernel gave up: ") + failure.GetMessageString();
+    }
+    return complex;
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// General Fuse of solids into cells and faces that know which of them they came from.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cells/cell_model.h"
+
+namespace featuremesh {
+
+/// One solid that takes part; an owner without a feature cuts but owns nothing.
+struct FuseArgument {
+    Owner owner;
+    TopoDS_Shape solid;
+};
+
+struct FuseOptions {
+    double fuzzy = 0;        ///< mm, added to the shapes' own tolerances
+    double seconds = 20;     ///< no more than this
+};
+
+/// Cells and faces with owners, sides and volumes; material and final faces are not decided yet.
+struct FusedComplex {
+    std::vector<Cell> cells;
+    std::vector<CellFace> faces;
+    std::string trouble;             ///< what went wrong, in words; empty when nothing did
+    std::vector<Owner> offenders;    ///< arguments whose cells do not add up to their own volume
+};
+
+/// Never throws for the kernel's sake: that is told in `trouble`. Throws Cancelled.
+FusedComplex fuse(const std::vector<FuseArgument>& arguments, const FuseOptions& options, RunContext& context);
+
+}  // namespace featuremesh

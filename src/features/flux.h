@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Volumes face by face.
+#pragma once
+
+#include "core/geometry.h"
+
+class TopoDS_Shape;
+
+namespace featuremesh {
+
+/// Signed volume, mm^3, of the cones from `apex` to the faces of the shape: positive where a face looks away from the apex. Of a closed, oriented
+/// shell it is the volume inside, wherever the apex. (The kernel's own VolumeProperties puts the apex where it likes, so that its
+/// results for open shapes cannot be added.)
+double flux(const TopoDS_Shape& faces, const Vec3& apex);
+
+}  // namespace featuremesh

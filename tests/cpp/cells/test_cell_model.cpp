@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "catch.h"
+#include "cells/cell_model.h"
+#include "core/errors.h"
+#include "parts.h"
+
+using namespace featuremesh;
+using namespace featuremesh::test;
+constexpr double pi = std::numbers::pi;
+
+namespace {
+
+CellModel cells_of(const Part& part) {
+    RunContext context;
+    return build_cells(part.tree(), Brep(part.tree().final_shape), context);
+}
+
+/// Names of the owners of each cell with its volume, the one number that tells cells apart here.
+std::map<std::set<std::string>, std::vector<double>> by_owner(const Part& part, const CellModel& model) {
+    std::map<std::set<std::string>, std::vector<double>> result;
+    for (const Cell& cell : model.cells) {
+        std::set<std::string> owners;
+        for (const Owner& owner : cell.owners) owners.insert(part.tree()[owner.feature].name);
+        result[owners].push_back(cell.volume);
+    }
+    for (auto& [owners, volumes] : result) std::sort(volumes.begin(), volumes.end());
+    return result;
+}
+
+/// What holds for every cellular model that needed no fallback.
+void check_sound(const Part& part, const CellModel& model) {
+    const Brep brep(part.tree().final_shape);
+    CHECK(model.report.fallbacks.empty());
+    CHECK(model.report.untrusted.empty());
+    CHECK(model.report.material_volume == Approx(model.report.final_volume).epsilon(1e-6));
+    std::vector<std::size_t> faces_of_cell(model.cells.size());
+    for (const CellFace& face : model.faces) {
+        CHECK_FALSE(face.owners.empty());
+        CHECK((face.cells[0].is_valid() || face.cells[1].is_valid()));
+        CHECK(std::is_sorted(face.owners.begin(), face.owners.end()));
+        int material = 0;
+        for (const CellId id : face.cells) {
+            if (!id.is_valid()) continue;
+            ++faces_of_cell[id.index()];
+            material += model.cells[id.index()].material;
+        }
+        CHECK(face.final_face.is_valid() == (material == 1));
+    }
+    for (const std::size_t count : faces_of_cell) CHECK(count > 0);
+    for (const Cell& cell : model.cells) {
+        CHECK(cell.volume > 0);
+        CHECK_FALSE(cell.owners.empty());
+    }
+    REQUIRE(model.owners_of_final_face.size() == brep.face_count());
+    for (const auto& owners : model.owners_of_final_face) CHECK_FALSE(owners.empty());
+}
+
+double material_of(const CellModel& model) {
+    double volume = 0;
+    for (const Cell& cell : model.cells) volume += cell.material ? cell.volume : 0;
+    return volume;
+}
+
+}  // namespace
+
+TEST_CASE("a lone box is one cell with six faces") {
+    const Part part = Part().add("Pad", box(0, 0, 0, 10, 20, 30));
+    const CellModel model = cells_of(part);
+    check_sound(part, model);
+    REQUIRE(model.cells.size() == 1);
+    CHECK(model.cells[0].volume == Approx(6000));
+    CHECK(model.cells[0].box.size().z == Approx(30).epsilon(1e-5));
+    CHECK(model.faces.size() == 6);
+}
+
+TEST_CASE("two overlapping boxes are three cells") {
+    const Part part = Part().add("A", box(0, 0, 0, 10, 10, 10)).add("B", box(5, 5, 5, 10, 10, 10));
+    const CellModel model = cells_of(part);
+    check_sound(part, model);
+    const auto cells = by_owner(part, model);
+    REQUIRE(model.cells.size() == 3);
+    CHECK(cells.at({"A"})[0] == Approx(875));
+    CHECK(cells.at({"B"})[0] == Approx(875));
+    CHECK(cells.at({"A", "B"})[0] == Approx(125));
+}
+
+TEST_CASE("a cavity within a box") {
+    const Part part = Part().add("A", box(0, 0, 0, 10, 10, 10)).remove("B", box(3, 3, 3, 2, 2, 2));
+    const CellModel model = cells_of(part);
+    check_sound(part, model);
+    const auto cells = by_owner(part, model);
+    REQUIRE(model.cells.size() == 2);
+    CHECK(cells.at({"A"})[0] == Approx(992));
+    CHECK(cells.at({"A", "B"})[0] == Approx(8));
+    CHECK(model.faces.size() == 12);
+}
+
+TEST_CASE("boxes face to face share one face and keep their coplanar sides apart") {
+    const Part part = Part().add("A", box(0, 0, 0, 10, 10, 10)).add("B", box(10, 0, 0, 5, 10, 10));
+    const CellModel model = cells_of(part);
+    check_sound(part, model);
+    REQUIRE(model.cells.size() == 2);
+    CHECK(model.faces.size() == 11);
+    const auto shared = std::count_if(model.faces.begin(), model.faces.end(),
+                                      [](const CellFace& f) { return f.cells[0].is_valid() && f.cells[1].is_valid() && f.owners.size() == 2; });
+    CHECK(shared == 1);
+}
+
+TEST_CASE("a pocket flush with a face of the block") {
+    const Part part = Part().add("A", box(0, 0, 0, 10, 10, 10)).remove("B", box(2, 2, 6, 3, 3, 4));
+    const CellModel model = cells_of(part);
+    check_sound(part, model);
+    const auto cells = by_owner(part, model);
+    REQUIRE(model.cells.size() == 2);
+    CHECK(cells.at({"A", "B"})[0] == Approx(36));
+    CHECK(material_of(model) == Approx(964));
+}
+
+TEST_CASE("a tool longer than the part leaves cells outside the material") {
+    const Part part = Part().add("A", box(0, 0, 0, 10, 10, 10)).remove("Hole", cylinder({5, 5, -5}, {0, 0, 1}, 2, 20));
+    const CellModel model = cells_of(part);
+    check_sound(part, model);
+    const auto cells = by_owner(part, model);
+    REQUIRE(model.cells.size() == 4);
+    CHECK(cells.at({"Hole"})[0] == Approx(20 * pi));
+    CHECK(cells.at({"Hole"})[1] == Approx(20 * pi));
+    CHECK(cells.at({"A", "Hole"})[0] == Approx(40 * pi));
+    CHECK(material_of(model) == Approx(1000 - 40 * pi));
+}
+
+TEST_CASE("a cylinder tangent to a side of the box it stands in") {
+    const Part part = Part().add("A", box(0, 0, 0, 10, 10, 10)).add("B", cylinder({5, 3, 4}, {0, 0, 1}, 3, 12));
+    const CellModel model = cells_of(part);
+    check_sound(part, model);
+    CHECK(material_of(model) == Approx(1000 + 54 * pi));
+    CHECK(by_owner(part, model).at({"A", "B"})[0] == Approx(54 * pi));
+}
+
+TEST_CASE("two equal cylinders that cross at right angles") {
+    const double r = 3;
+    const Part part = Part().add("A", cylinder({-10, 0, 0}, {1, 0, 0}, r, 20)).add("B", cylinder({0, -10, 0}, {0, 1, 0}, r, 20));
+    const CellModel model = cells_of(part);
+    check_sound(part, model);
+    const auto cells = by_owner(part, model);
+    const double common = 16 * r * r * r / 3;   // Steinmetz
+    CHECK(cells.at({"A", "B"})[0] == Approx(common).epsilon(1e-6));
+    CHECK(cells.at({"A"}).size() == 2);
+    CHECK(cells.at({"B"}).size() == 2);
+    CHECK(material_of(model) == Approx(2 * pi * r * r * 20 - common).epsilon(1e-6));
+}
+
+TEST_CASE("a pattern whose instances overlap") {
+    std::vector<TopoDS_Shape> instances;
+    for (int i = 0; i < 4; ++i) instances.push_back(box(2 + 2 * i, 2, -1, 3, 3, 12));
+    const Part part = Part().add("A", box(0, 0, 0, 20, 10, 10)).step("Pattern", instances, Effect::removes);
+    const CellModel model = cells_of(part);
+    check_sound(part, model);
+    CHECK(material_of(model) == Approx(2000 - 9 * 3 * 10));
+    // In the block: 2 + 1 + 1 + 1 + 1 + 1 + 2 along x; above and below the same again.
+    CHECK(model.cells.size() == 1 + 3 * 7);
+    std::set<int> volumes;
+    for (const Cell& cell : model.cells)
+        for (const Owner& owner : cell.owners)
+            if (owner.feature == FeatureId(1)) volumes.insert(owner.volume);
+    CHECK(volumes == std::set<int>{0, 1, 2, 3});
+}
+
+TEST_CASE("a hole through another hole of the same radius") {
+    const double r = 2;
+    const Part part = Part()
+                          .add("A", box(-10, -10, -10, 20, 20, 20))
+                          .remove("X", cylinder({-10, 0, 0}, {1, 0, 0}, r, 20))
+                          .remove("Y", cylinder({0, -10, 0}, {0, 1, 0}, r, 20));
+    const CellModel model = cells_of(part);
+    check_sound(part, model);
+    CHECK(model.cells.size() == 6);
+    CHECK(material_of(model) == Approx(8000 - 2 * pi * r * r * 20 + 16 * r * r * r / 3).epsilon(1e-6));
+}
+
+TEST_CASE("the same hole twice is one cell with both owners") {
+    const Part part = Part()
+                          .add("A", box(0, 0, 0, 10, 10, 10))
+                          .remove("First", cylinder({5, 5, 0}, {0, 0, 1}, 2, 10))
+                          .remove("Second", cylinder({5, 5, 0}, {0, 0, 1}, 2, 10));
+    const CellModel model = cells_of(part);
+    check_sound(part, model);
+    REQUIRE(model.cells.size() == 2);
+    CHECK(by_owner(part, model).at({"A", "First", "Second"})[0] == Approx(40 * pi));
+}
+
+TEST_CASE("a later feature fills what an earlier one removed") {
+    const Part part = Part()
+                          .add("A", box(0, 0, 0, 10, 10, 10))
+                          .remove("Slot", box(4, 0, 5, 2, 10, 5))
+                          .add("Rib", box(0, 4, 5, 10, 2, 5));
+    const CellModel model = cells_of(part);
+    check_sound(part, model);
+    CHECK(material_of(model) == Approx(1000 - 80));
+    for (const Cell& cell : model.cells)
+        if (cell.owners.size() == 3) CHECK(cell.material);
+}
+
+TEST_CASE("a sphere that touches a face from outside in one point") {
+    const Part part = Part().add("A", box(0, 0, 0, 10, 10, 10)).add("B", sphere({5, 5, 12}, 2));
+    const CellModel model = cells_of(part);
+    CHECK(model.cells.size() == 2);
+    CHECK(material_of(model) == Approx(1000 + 4.0 / 3 * pi * 8));
+}
+
+TEST_CASE("only what all have in common is kept") {
+    const Part part = Part().add("A", box(0, 0, 0, 10, 10, 10)).step("B", {sphere({5, 5, 5}, 6)}, Effect::keeps_only);
+    const CellModel model = cells_of(part);
+    check_sound(part, model);
+    const double cap = pi * 1 * (3 * 6 - 1) / 3;
+    CHECK(material_of(model) == Approx(4.0 / 3 * pi * 216 - 6 * cap));
+    CHECK(model.cells.size() == 1 + 6 + 1);
+}
+
+TEST_CASE("the order of independent features does not change the cells") {
+    const auto block = box(0, 0, 0, 30, 20, 10);
+    const auto boss = cylinder({8, 10, 0}, {0, 0, 1}, 4, 18), rib = box(5, 8, 9, 20, 4, 6), hole = cylinder({25, 5, -1}, {0, 0, 1}, 2, 12);
+    const Part one = Part().add("Block", block).add("Boss", boss).add("Rib", rib).remove("Hole", hole);
+    const Part other = Part().add("Block", block).remove("Hole", hole).add("Rib", rib).add("Boss", boss);
+    const auto first = by_owner(one, cells_of(one)), second = by_owner(other, cells_of(other));
+    REQUIRE(first.size() == second.size());
+    for (const auto& [owners, volumes] : first) {
+        REQUIRE(second.count(owners) == 1);
+        REQUIRE(second.at(owners).size() == volumes.size());
+        for (std::size_t i = 0; i < volumes.size(); ++i) CHECK(second.at(owners)[i] == Approx(volumes[i]));
+    }
+}
+
+TEST_CASE("the same input gives the same cells in the same order") {
+    const Part part = Part().add("A", box(0, 0, 0, 10, 10, 10)).add("B", box(5, 5, 5, 10, 10, 10)).remove("C", sphere({5, 5, 5}, 4));
+    const CellModel one = cells_of(part), other = cells_of(part);
+    REQUIRE(one.cells.size() == other.cells.size());
+    for (std::size_t i = 0; i < one.cells.size(); ++i) {
+        CHECK(one.cells[i].owners == other.cells[i].owners);
+        CHECK(one.cells[i].volume == other.cells[i].volume);
+    }
+}
+
+TEST_CASE("a final shape that the tree does not explain is reported, and the tree distrusted") {
+    Part part = Part().add("A", box(0, 0, 0, 10, 10, 10)).remove("Hole", cylinder({5, 5, 0}, {0, 0, 1}, 2, 10));
+    FeatureTree tree = part.tree();
+    tree.final_shape = BRepAlgoAPI_Cut(box(0, 0, 0, 10, 10, 10), cylinder({5, 5, 0}, {0, 0, 1}, 3, 10)).Shape();
+    RunContext context;
+    const CellModel model = build_cells(tree, Brep(tree.final_shape), context);
+    CHECK_FALSE(model.report.fallbacks.empty());
+    CHECK(model.report.material_volume == Approx(1000 - 90 * pi));
+    CHECK(model.report.untrusted == std::vector<FeatureId>{FeatureId(0)});
+}
+
+TEST_CASE("a tree without any volume is one opaque cell") {
+    FeatureTree tree;
+    tree.object = "Lost";
+    tree.final_shape = box(0, 0, 0, 1, 2, 3);
+    tree.features.emplace_back().name = "Lost";
+    RunContext context;
+    const CellModel model = build_cells(tree, Brep(tree.final_shape), context);
+    REQUIRE(model.cells.size() == 1);
+    CHECK(model.cells[0].material);
+    CHECK(model.report.fallbacks.size() == 1);
+}
+
+TEST_CASE("a cancelled fuse throws") {
+    const Part part = Part().add("A", box(0, 0, 0, 10, 10, 10)).add("B", box(5, 5, 5, 10, 10, 10));
+    const Brep brep(part.tree().final_shape);
+    RunContext context;
+    context.on_progress = [](std::string_view, double) { return false; };
+    CHECK_THROWS_AS(build_cells(part.tree(), brep, context), Cancelled);
+}
