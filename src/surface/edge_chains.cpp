@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/edge_chains.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <TopoDS_Edge.hxx>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/errors.h"
+
+namespace featuremesh {
+
+namespace {
+
+Vec3 to_vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
+
+/// Length over wanted length, arc length and turning of a piece of a curve, cumulated at equal steps of the parameter.
+class Measure {
+  public:
+    Measure(const BRepAdaptor_Curve& curve, const SizingField& sizing, double first, double last) : first_(first) {
+        is_line_ = curve.GetType() == GeomAbs_Line;
+        const double rough = length_between(curve, first, last);
+        const bool is_even = is_line_ && sizing.is_uniform();
+        const double wanted = std::max(sizing.smallest(), rough / 4000);
+        const int steps = is_even ? 1 : std::clamp(static_cast<int>(std::ceil(4 * rough / wanted)), 32, 16000);
+        step_ = (last - first) / steps;
+        metric_.assign(1, 0);
+        Vec3 last_direction{};
+        for (int i = 0; i < steps; ++i) add_step(curve, sizing, first + i * step_, last_direction);
+    }
+
+    double metric_length() const { return metric_.back(); }
+    double arc_length() const { return arc_; }
+    double turning() const { return turning_; }
+    bool is_line() const { return is_line_; }
+
+    /// The parameter where the metric length is `share` of the whole.
+    double at_share(double share) const {
+        const double wanted = share * metric_.back();
+        const auto above = std::upper_bound(metric_.begin() + 1, metric_.end() - 1, wanted);
+        const auto i = static_cast<std::size_t>(above - metric_.begin()) - 1;
+        const double width = metric_[i + 1] - metric_[i];
+        return first_ + step_ * (static_cast<double>(i) + (width > 0 ? (wanted - metric_[i]) / width : 0.5));
+    }
+
+  private:
+    static double length_between(const BRepAdaptor_Curve& curve, double first, double last) {
+        constexpr int pieces = 64;
+        double sum = 0;
+        Vec3 before = to_vec(curve.Value(first));
+        for (int i = 1; i <= pieces; ++i) {
+            const Vec3 here = to_vec(curve.Value(first + (last - first) * i / pieces));
+            sum += distance(before, here);
+            before = here;
+        }
+        return sum;
+    }
+
+    void add_step(const BRepAdaptor_Curve& curve, const SizingField& sizing, double start, Vec3& last_direction) {
+        // Two Gauss points per step: exact for cubic integrands, the same from either end.
+        const double offset = 0.5 / std::sqrt(3.0);
+        double sum = 0;
+        for (const double x : {0.5 - offset, 0.5 + offset}) {
+            gp_Pnt p;
+            gp_Vec d;
+            curve.D1(start + x * step_, p, d);
+            const Vec3 direction{d.X(), d.Y(), d.Z()};
+            const double speed = length(direction);
+            sum += 0.5 * speed * step_ / sizing.at(to_vec(p));
+            arc_ += 0.5 * speed * step_;
+            if (squared_length(last_direction) > 0 && speed > 0)
+                turning_ += std::atan2(length(cross(last_direction, direction)), dot(last_direction, direction));
+            if (speed > 0) last_direction = direction;
+        }
+        metric_.push_back(metric_.back() + sum);
+    }
+
+    double first_, step_ = 0, arc_ = 0, turning_ = 0;
+    bool is_line_ = false;
+    std::vector<double> metric_;
+};
+
+/// What the mesh already has on the edges.
+struct KeptOnEdges {
+    std::vector<std::vector<NodeId>> nodes;                       ///< by edge
+    std::vector<std::vector<std::array<NodeId, 2>>> segments;     ///< by edge
+};
+
+KeptOnEdges kept_on_edges(const Brep& brep, const Mesh& mesh) {
+    KeptOnEdges kept;
+    kept.nodes.resize(brep.edge_count());
+    kept.segments.resize(brep.edge_count());
+    for (std::size_t n = 0; n < mesh.node_count(); ++n)
+        if (mesh.entities[n].dim == 1) kept.nodes[static_cast<std::size_t>(mesh.entities[n].index)].push_back(NodeId(n));
+    for (std::size_t s = 0; s < mesh.segments.size(); ++s) kept.segments[mesh.segment_edges[s].index()].push_back(mesh.segments[s]);
+    return kept;
+}
+
+bool is_used(const Brep& brep, EdgeId edge) {
+    const auto faces = brep.faces_of(edge);
+    return std::any_of(faces.begin(), faces.end(), [&](FaceId f) {
+        const auto sides = brep.sides_of(f);
+        return sides[0].is_valid() || sides[1].is_valid();
+    });
+}
+
+std::vector<NodeId> vertex_nodes(const Brep& brep, Mesh& mesh) {
+    std::vector<NodeId> nodes(brep.vertex_count());
+    for (std::size_t n = 0; n < mesh.node_count(); ++n)
+        if (mesh.entities[n].dim == 0) nodes[static_cast<std::size_t>(mesh.entities[n].index)] = NodeId(n);
+    for (std::size_t v = 0; v < nodes.size(); ++v) {
+        const VertexId vertex(v);
+        const auto edges = brep.edges_of(vertex);
+        if (!nodes[v].is_valid() && std::any_of(edges.begin(), edges.end(), [&](EdgeId e) { return is_used(brep, e); }))
+            nodes[v] = mesh.add_node(brep.point_of(vertex), entity_of(vertex));
+    }
+    return nodes;
+}
+
+/// Fewest pieces by which a whole edge stays a curve of its own: a quarter turn at most per piece, a closed one three.
+int fewest_pieces(const Measure& measure, bool is_closed, bool has_twin) {
+    const int by_turning = static_cast<int>(std::ceil(measure.turning() / (0.5 * M_PI) - 0.05));
+    const int by_closure = is_closed ? 3 : has_twin && !measure.is_line() ? 2 : 1;
+    return std::max({1, by_turning, by_closure});
+}
+
+void check_order(const EdgeChain& chain, EdgeId edge) {
+    if (std::is_sorted(chain.t.begin(), chain.t.end(), std::less_equal<>())) return;
+    throw MeshError("The kept nodes of " + name_of(entity_of(edge)) + " are not in the order of the edge. Mesh the part from scratch.");
+}
+
+/// The kept part of a chain: ends, kept nodes between them, and which neighbours are joined by a kept segment.
+EdgeChain kept_chain(const BRepAdaptor_Curve& curve, EdgeId edge, const std::array<NodeId, 2>& ends, const std::vector<NodeId>& kept_nodes,
+                     const std::vector<std::array<NodeId, 2>>& kept_segments, const Mesh& mesh) {
+    std::vector<std::pair<double, NodeId>> inner;
+    for (const NodeId n : kept_nodes) inner.emplace_back(mesh.parameters[n.index()][0], n);
+    std::sort(inner.begin(), inner.end());
+    EdgeChain chain;
+    chain.nodes.push_back(ends[0]), chain.t.push_back(curve.FirstParameter());
+    for (const auto& [t, n] : inner) chain.nodes.push_back(n), chain.t.push_back(t);
+    chain.nodes.push_back(ends[1]), chain.t.push_back(curve.LastParameter());
+    check_order(chain, edge);
+    std::vector<std::array<NodeId, 2>> segments = kept_segments;
+    std::sort(segments.begin(), segments.end());
+    std::size_t found = 0;
+    for (std::size_t i = 0; i + 1 < chain.nodes.size(); ++i) {
+        const bool kept = std::binary_search(segments.begin(), segments.end(), std::array{chain.nodes[i], chain.nodes[i + 1]});
+        chain.is_kept.push_back(kept);
+        found += kept;
+    }
+    if (found != segments.size())
+        throw MeshError("The kept segments of " + name_of(entity_of(edge)) + " do not follow the edge. Mesh the part from scratch.");
+    return chain;
+}
+
+}  // namespace
+
+EdgeChains::EdgeChains(const Brep& brep, const SizingField& sizing, Mesh& mesh, RunContext& context)
+    : chains_(brep.edge_count()), vertex_nodes_(vertex_nodes(brep, mesh)) {
+    const KeptOnEdges kept = kept_on_edges(brep, mesh);
+    std::map<std::array<VertexId, 2>, int> between;
+    for (std::size_t e = 0; e < brep.edge_count(); ++e) {
+        auto ends = brep.ends_of(EdgeId(e));
+        if (ends[1] < ends[0]) std::swap(ends[0], ends[1]);
+        ++between[ends];
+    }
+    for (std::size_t e = 0; e < brep.edge_count(); ++e) {
+        const EdgeId edge(e);
+        if (e % 64 == 0) context.progress(0.1 * static_cast<double>(e) / static_cast<double>(brep.edge_count()));
+        if (brep.is_degenerated(edge) || !is_used(brep, edge)) continue;
+        auto ends = brep.ends_of(edge);
+        if (!ends[0].is_valid() || !ends[1].is_valid())
+            throw MeshError(name_of(entity_of(edge)) + " has no end points. Check the feature that made it (Part: Check geometry).");
+        const BRepAdaptor_Curve curve(brep.edge(edge));
+        const EdgeChain base = kept_chain(curve, edge, {node_of(ends[0]), node_of(ends[1])}, kept.nodes[e], kept.segments[e], mesh);
+        if (ends[1] < ends[0]) std::swap(ends[0], ends[1]);
+        EdgeChain& chain = chains_[e];
+        const bool is_whole = base.is_kept.size() == 1;
+        for (std::size_t i = 0; i < base.is_kept.size(); ++i) {
+            chain.nodes.push_back(base.nodes[i]), chain.t.push_back(base.t[i]);
+            if (base.is_kept[i]) {
+                chain.is_kept.push_back(1);
+                continue;
+            }
+            const Measure measure(curve, sizing, base.t[i], base.t[i + 1]);
+            const int fewest = fewest_pieces(measure, is_whole && ends[0] == ends[1], is_whole && between[ends] > 1);
+            const int pieces = std::max(fewest, static_cast<int>(std::lround(measure.metric_length())));
+            for (int k = 1; k < pieces; ++k) {
+                const double t = measure.at_share(static_cast<double>(k) / pieces);
+                chain.nodes.push_back(mesh.add_node(to_vec(curve.Value(t)), entity_of(edge), {t, 0}));
+                chain.t.push_back(t);
+            }
+            chain.is_kept.insert(chain.is_kept.end(), static_cast<std::size_t>(pieces), 0);
+        }
+        chain.nodes.push_back(base.nodes.back()), chain.t.push_back(base.t.back());
+    }
+}
+
+bool EdgeChains::halve(const Brep& brep, EdgeId edge, std::size_t piece, Mesh& mesh) {
+    EdgeChain& chain = chains_[edge.index()];
+    if (chain.is_kept[piece]) return false;
+    const double t = 0.5 * (chain.t[piece] + chain.t[piece + 1]);
+    const Vec3 p = to_vec(BRepAdaptor_Curve(brep.edge(edge)).Value(t));
+    const double smallest = 100 * brep.tolerances().same_geometry();
+    if (distance(p, mesh.point(chain.nodes[piece])) < smallest || distance(p, mesh.point(chain.nodes[piece + 1])) < smallest) return false;
+    const auto at = static_cast<std::ptrdiff_t>(piece) + 1;
+    chain.nodes.insert(chain.nodes.begin() + at, mesh.add_node(p, entity_of(edge), {t, 0}));
+    chain.t.insert(chain.t.begin() + at, t);
+    chain.is_kept.insert(chain.is_kept.begin() + at, 0);
+    return true;
+}
+
+void EdgeChains::add_segments(Mesh& mesh) const {
+    for (std::size_t e = 0; e < chains_.size(); ++e)
+        for (std::size_t i = 0; i < chains_[e].is_kept.size(); ++i)
+            if (!chains_[e].is_kept[i]) mesh.add_segment({chains_[e].nodes[i], chains_[e].nodes[i + 1]}, EdgeId(e));
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The CAD edges as chains of nodes.
+#pragma once
+
+#include <vector>
+
+#include "core/run_context.h"
+#include "features/brep.h"
+#include "mesh/mesh.h"
+#include "sizing/sizing_field.h"
+
+namespace featuremesh {
+
+/// The nodes of one CAD edge by growing edge parameter, vertices included. Empty for an edge that no solid's face uses and for a pole.
+struct EdgeChain {
+    std::vector<NodeId> nodes;
+    std::vector<double> t;
+    std::vector<char> is_kept;   ///< per piece: whether the mesh has this segment already
+
+    std::size_t piece_count() const { return is_kept.size(); }
+};
+
+/// A node per CAD vertex and a chain per CAD edge, each the same for all faces that use it.
+class EdgeChains {
+  public:
+    /// Keeps the mesh's nodes and segments on edges and fills the gaps by the sizing field along the arc length: equal shares, at least one piece, a curve at
+    /// least one per quarter turn, two edges between the same two vertices never the same chain. New nodes are appended to `mesh`.
+    EdgeChains(const Brep& brep, const SizingField& sizing, Mesh& mesh, RunContext& context);
+
+    const EdgeChain& operator[](EdgeId edge) const { return chains_[edge.index()]; }
+    NodeId node_of(VertexId vertex) const { return vertex_nodes_[vertex.index()]; }
+
+    /// Halves a piece, unless it is kept or too short to be halved; says whether it did.
+    bool halve(const Brep& brep, EdgeId edge, std::size_t piece, Mesh& mesh);
+    /// Appends the segments that the mesh does not have yet.
+    void add_segments(Mesh& mesh) const;
+
+  private:
+    std::vector<EdgeChain> chains_;
+    std::vector<NodeId> vertex_nodes_;
+};
+
+}  // namespace featuremesh

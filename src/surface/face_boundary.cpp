@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/face_boundary.h"
+
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+#include "core/errors.h"
+
+namespace featuremesh {
+
+namespace {
+
+/// One use of an edge by the face, in the direction that has the face on its left.
+struct Use {
+    EdgeId edge;
+    NodeId start, end;
+    std::vector<Vec2> points;      ///< in the direction of the use
+    std::vector<NodeId> nodes;
+    std::vector<std::size_t> pieces;
+    bool is_pole = false, is_inner = false;
+    int start_point = -1, end_point = -1;   ///< index in the boundary, once the uses are joined
+};
+
+/// A pole is drawn as a line of several points in the chart, so that the triangles around it find a corner each.
+constexpr int pole_pieces = 8;
+
+class BoundaryBuilder {
+  public:
+    BoundaryBuilder(const Brep& brep, FaceId face, const Chart& chart, const EdgeChains& chains, const Mesh& mesh)
+        : brep_(brep), face_(face), chart_(chart), chains_(chains), mesh_(mesh) {}
+
+    FaceBoundary from_loops() {
+        collect_uses();
+        join_uses();
+        for (const Use& use : uses_) add_segments(use);
+        return std::move(boundary_);
+    }
+
+  private:
+    void collect_uses() {
+        const TopoDS_Face forward = TopoDS::Face(brep_.face(face_).Oriented(TopAbs_FORWARD));
+        for (TopExp_Explorer it(forward, TopAbs_EDGE); it.More(); it.Next()) {
+            const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+            double first = 0, last = 0;
+            const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, forward, first, last);
+            if (curve.IsNull()) fail(name_of(entity_of(brep_.find(edge))) + " has no curve in the face's parameters");
+            Use use;
+            use.edge = brep_.find(edge);
+            use.is_pole = brep_.is_degenerated(use.edge);
+            use.is_inner = edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED;
+            sample(use, *curve, first, last);
+            if (edge.Orientation() == TopAbs_REVERSED) {
+                std::reverse(use.points.begin(), use.points.end());
+                std::reverse(use.nodes.begin(), use.nodes.end());
+                std::reverse(use.pieces.begin(), use.pieces.end());
+            }
+            // A cone's apex is one point of its developed plane.
+            const double extent = distance(use.points.front(), use.points.back());
+            if (use.is_pole && extent < 1e-9 * (1 + brep_.tolerances().diagonal)) continue;
+            use.start = use.nodes.front(), use.end = use.nodes.back();
+            uses_.push_back(std::move(use));
+        }
+    }
+
+    void sample(Use& use, const Geom2d_Curve& curve, double first, double last) const {
+        const auto add = [&](double t, NodeId node) {
+            const gp_Pnt2d uv = curve.Value(t);
+            use.points.push_back(chart_.to_plane({uv.X(), uv.Y()}));
+            use.nodes.push_back(node);
+        };
+        if (use.is_pole) {
+            const NodeId node = chains_.node_of(brep_.ends_of(use.edge)[0]);
+            for (int i = 0; i <= pole_pieces; ++i) add(first + (last - first) * i / pole_pieces, node);
+            for (std::size_t i = 0; i < pole_pieces; ++i) use.pieces.push_back(i);
+            return;
+        }
+        const EdgeChain& chain = chains_[use.edge];
+        // The range of the curve in the face is the edge's own; rescaling covers edges that are not "same range".
+        const double t0 = chain.t.front(), scale = (last - first) / (chain.t.back() - t0);
+        for (std::size_t i = 0; i < chain.nodes.size(); ++i) add(first + scale * (chain.t[i] - t0), chain.nodes[i]);
+        for (std::size_t i = 0; i < chain.piece_count(); ++i) use.pieces.push_back(i);
+    }
+
+    /// Joins the end of each use to the start of another at the same vertex, the nearest pairs in the chart first.
+    void join_uses() {
+        struct Pair {
+            double distance;
+            std::size_t from, to;
+        };
+        std::map<NodeId, std::vector<std::size_t>> starts;
+        for (std::size_t u = 0; u < uses_.size(); ++u)
+            if (!uses_[u].is_inner) starts[uses_[u].start].push_back(u);
+        std::vector<Pair> pairs;
+        for (std::size_t u = 0; u < uses_.size(); ++u)
+            if (!uses_[u].is_inner)
+                for (const std::size_t next : starts[uses_[u].end])
+                    pairs.push_back({distance(uses_[u].points.back(), uses_[next].points.front()), u, next});
+        std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
+        for (const Pair& pair : pairs)
+            if (uses_[pair.from].end_point < 0 && uses_[pair.to].start_point < 0)
+                uses_[pair.from].end_point = uses_[pair.to].start_point =
+                    corner(uses_[pair.to].start, uses_[pair.to].points.front(), shortest_piece(uses_[pair.from], uses_[pair.to]));
+        for (Use& use : uses_) {
+            if (use.is_inner) {
+                use.start_point = corner(use.start, use.points.front(), 1e-3 * distance(use.points[0], use.points[1]));
+                use.end_point = corner(use.end, use.points.back(), 1e-3 * distance(use.points[0], use.points[1]));
+            }
+            if (use.start_point < 0 || use.end_point < 0) fail("its boundary is not closed at " + name_of(entity_of(use.edge)));
+        }
+    }
+
+    static double shortest_piece(const Use& a, const Use& b) {
+        return 1e-3 * std::min(distance(a.points[a.points.size() - 2], a.points.back()), distance(b.points[0], b.points[1]));
+    }
+
+    /// The point of a vertex: one that is there already when it is as near as two wires that touch are.
+    int corner(NodeId node, Vec2 p, double near) {
+        auto& known = corners_[node];
+        for (const int c : known)
+            if (distance(boundary_.points[static_cast<std::size_t>(c)], p) <= near) return c;
+        known.push_back(add_point(p, node));
+        return known.back();
+    }
+
+    int add_point(Vec2 p, NodeId node) {
+        boundary_.points.push_back(p);
+        boundary_.nodes.push_back(node);
+        return static_cast<int>(boundary_.points.size()) - 1;
+    }
+
+    void add_segments(const Use& use) {
+        int before = use.start_point;
+        for (std::size_t i = 0; i < use.pieces.size(); ++i) {
+            const int here = i + 1 == use.pieces.size() ? use.end_point : add_point(use.points[i + 1], use.nodes[i + 1]);
+            (use.is_inner ? boundary_.inner : boundary_.segments).push_back({before, here, use.edge, use.pieces[i], use.is_pole});
+            before = here;
+        }
+    }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw MeshError(name_of(entity_of(face_)) + " cannot be meshed: " + what +
+                        ". Check the feature that made it (Part: Check geometry), or refine the shape.");
+    }
+
+    const Brep& brep_;
+    FaceId face_;
+    const Chart& chart_;
+    const EdgeChains& chains_;
+    const Mesh& mesh_;
+    std::vector<Use> uses_;
+    std::map<NodeId, std::vector<int>> corners_;
+    FaceBoundary boundary_;
+};
+
+std::uint64_t side_key(int a, int b) { return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b); }
+
+/// Cuts the kept triangles out of what is to be filled.
+class KeptCutter {
+  public:
+    KeptCutter(const Brep& brep, FaceId face, const Chart& chart, const Mesh& mesh, FaceBoundary boundary)
+        : brep_(brep), face_(face), chart_(chart), mesh_(mesh), boundary_(std::move(boundary)) {
+        for (std::size_t p = 0; p < boundary_.points.size(); ++p) points_of_[boundary_.nodes[p].value].push_back(static_cast<int>(p));
+    }
+
+    FaceBoundary cut(std::span<const TriangleId> triangles, std::span<const NodeId> nodes) {
+        for (const TriangleId t : triangles) add_sides(corners_in_chart(t));
+        replace_segments();
+        for (const NodeId n : nodes)
+            if (!points_of_.count(n.value)) boundary_.lone_points.push_back(points_of(n).front());
+        return std::move(boundary_);
+    }
+
+  private:
+    const std::vector<int>& points_of(NodeId node) {
+        auto& known = points_of_[node.value];
+        if (known.empty()) {
+            if (mesh_.entities[node.index()] != entity_of(face_))
+                fail("a kept triangle has a node (number " + std::to_string(mesh_.node_numbers[node.index()]) + ") that is not on the face");
+            boundary_.points.push_back(chart_.to_plane(chart_.in_trim_period(mesh_.parameters[node.index()])));
+            boundary_.nodes.push_back(node);
+            known.push_back(static_cast<int>(boundary_.points.size()) - 1);
+        }
+        return known;
+    }
+
+    /// The points of a kept triangle's corners, in the chart's orientation. Where a corner has several (seam, pole), the choice with the shortest sides among
+    /// those that are the right way round.
+    std::array<int, 3> corners_in_chart(TriangleId t) {
+        auto corners = mesh_.triangles[t.index()];
+        if (chart_.is_reversed()) std::swap(corners[1], corners[2]);
+        const std::vector<int> a = points_of(corners[0]), b = points_of(corners[1]), c = points_of(corners[2]);
+        std::array<int, 3> best{-1, -1, -1};
+        double shortest = std::numeric_limits<double>::infinity();
+        for (const int i : a)
+            for (const int j : b)
+                for (const int k : c) {
+                    const Vec2 p = at(i), q = at(j), r = at(k);
+                    const double length = distance(p, q) + distance(q, r) + distance(r, p);
+                    if (doubled_area(p, q, r) > 0 && length < shortest) shortest = length, best = {i, j, k};
+                }
+        if (best[0] < 0) fail("a kept triangle lies the wrong way round in it");
+        return best;
+    }
+
+    Vec2 at(int p) const { return boundary_.points[static_cast<std::size_t>(p)]; }
+
+    void add_sides(const std::array<int, 3>& t) {
+        for (int i = 0; i < 3; ++i) {
+            const int a = t[i], b = t[(i + 1) % 3];
+            if (const auto back = sides_.find(side_key(b, a)); back != sides_.end()) {
+                sides_.erase(back);
+            } else if (!sides_.emplace(side_key(a, b), order_++).second) {
+                fail("two kept triangles overlap");
+            }
+        }
+    }
+
+    /// Segments that a kept triangle covers go; the other sides of kept triangles become segments the other way round.
+    void replace_segments() {
+        std::vector<BoundarySegment> open;
+        for (const BoundarySegment& s : boundary_.segments)
+            if (sides_.erase(side_key(s.a, s.b)) == 0) open.push_back(s);
+        std::vector<std::pair<int, std::uint64_t>> rest;
+        for (const auto& [key, order] : sides_) rest.emplace_back(order, key);
+        std::sort(rest.begin(), rest.end());
+        for (const auto& [order, key] : rest)
+            open.push_back({static_cast<int>(key & 0xffffffffu), static_cast<int>(key >> 32), EdgeId(), 0, false});
+        boundary_.segments = std::move(open);
+    }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw MeshError(name_of(entity_of(face_)) + " cannot be filled: " + what + ". Mesh the part from scratch.");
+    }
+
+    const Brep& brep_;
+    FaceId face_;
+    const Chart& chart_;
+    const Mesh& mesh_;
+    FaceBoundary boundary_;
+    std::unordered_map<std::int32_t, std::vector<int>> points_of_;
+    std::unordered_map<std::uint64_t, int> sides_;
+    int order_ = 0;
+};
+
+}  // namespace
+
+FaceBoundary find_boundary(const Brep& brep, FaceId face, const Chart& chart, const EdgeChains& chains, const Mesh& mesh,
+                           std::span<const TriangleId> kept_triangles, std::span<const NodeId> kept_nodes) {
+    FaceBoundary boundary = BoundaryBuilder(brep, face, chart, chains, mesh).from_loops();
+    if (kept_triangles.empty() && kept_nodes.empty()) return boundary;
+    return KeptCutter(brep, face, chart, mesh, std::move(boundary)).cut(kept_triangles, kept_nodes);
+}
+
+}  // namespace featuremesh

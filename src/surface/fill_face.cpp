@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/fill_face.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/errors.h"
+#include "surface/patch_improvement.h"
+#include "surface/seeds.h"
+
+namespace featuremesh {
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// An angle that the improvement tries to reach everywhere.
+constexpr double wanted_angle = 35 * M_PI / 180;
+
+class FaceFiller {
+  public:
+    FaceFiller(const Brep& brep, FaceId face, const Chart& chart, const FaceBoundary& boundary, ChartDomain& domain,
+               const SizingField& sizing, const Mesh& mesh, RunContext& context)
+        : brep_(brep), face_(face), chart_(chart), geometry_(chart), boundary_(boundary), domain_(domain), sizing_(sizing), mesh_(mesh),
+          context_(context) {}
+
+    FaceFilling fill() {
+        plant();
+        improve();
+        check_cover();
+        return result();
+    }
+
+  private:
+    bool takes_lattice() const { return geometry_.is_flat() && sizing_.is_uniform(); }
+
+    void plant() {
+        const auto seeds = takes_lattice() ? lattice_seeds(boundary_, sizing_.largest())
+                                           : front_seeds(boundary_, domain_, chart_, sizing_, mesh_, context_);
+        domain_.insert(seeds);
+        patch_ = domain_.patch();
+        for (std::size_t p = 0; p < patch_.points.size(); ++p) {
+            const bool is_boundary = p < boundary_.nodes.size();
+            if (geometry_.is_flat()) patch_.places.push_back({patch_.points[p].x, patch_.points[p].y, 0});
+            else patch_.places.push_back(is_boundary ? mesh_.point(boundary_.nodes[p]) : chart_.point(patch_.points[p]));
+        }
+    }
+
+    void improve() {
+        if (!geometry_.is_flat()) make_delaunay(patch_);
+        if (!takes_lattice()) split_long_sides(patch_, geometry_, sizing_, context_);
+        smooth(patch_, geometry_, sizing_, context_);
+        raise_smallest_angles(patch_, geometry_, wanted_angle, context_);
+        patch_.compact();
+    }
+
+    /// All triangles the right way round, with the region's area in sum: then they cover it exactly once.
+    void check_cover() const {
+        double region = 0, covered = 0;
+        for (const auto& s : boundary_.segments) region += cross(boundary_.points[at(s.a)], boundary_.points[at(s.b)]);
+        for (const auto& t : patch_.triangles) {
+            const double area = doubled_area(patch_.point(t[0]), patch_.point(t[1]), patch_.point(t[2]));
+            if (!(area > 0)) fail("a triangle came out the wrong way round");
+            covered += area;
+        }
+        double magnitude = 0;
+        for (const auto& s : boundary_.segments)
+            magnitude += std::abs(boundary_.points[at(s.a)].x * boundary_.points[at(s.b)].y) +
+                         std::abs(boundary_.points[at(s.a)].y * boundary_.points[at(s.b)].x);
+        if (std::abs(region - covered) > 1e-9 * region + 1e-13 * magnitude) fail("its triangles do not cover it");
+    }
+
+    FaceFilling result() const {
+        FaceFilling filling;
+        const std::size_t boundary_count = boundary_.points.size();
+        std::vector<int> new_index(patch_.points.size(), -1);
+        for (std::size_t p = 0; p < boundary_count; ++p) new_index[p] = static_cast<int>(p);
+        for (std::size_t p = boundary_count; p < patch_.points.size(); ++p) {
+            if (patch_.triangle_of[p] < 0) continue;
+            new_index[p] = static_cast<int>(boundary_count + filling.points.size());
+            const auto uv = chart_.to_uv(patch_.points[p]);
+            filling.parameters.push_back(uv);
+            filling.points.push_back(chart_.point(patch_.points[p]));
+        }
+        const auto place = [&](int p) {
+            return at(p) < boundary_count ? mesh_.point(boundary_.nodes[at(p)]) : filling.points[at(p) - boundary_count];
+        };
+        const auto node = [&](int p) { return at(p) < boundary_count ? boundary_.nodes[at(p)].value : -1 - p; };
+        filling.smallest_angle = M_PI;
+        for (const auto& t : patch_.triangles) {
+            std::array<int, 3> c{new_index[at(t[0])], new_index[at(t[1])], new_index[at(t[2])]};
+            // Triangles at a pole, two corners of which are its one node, exist in the chart only.
+            if (node(c[0]) == node(c[1]) || node(c[1]) == node(c[2]) || node(c[2]) == node(c[0])) continue;
+            if (chart_.is_reversed()) std::swap(c[1], c[2]);
+            filling.triangles.push_back(c);
+            filling.smallest_angle = std::min(filling.smallest_angle, smallest_angle(place(c[0]), place(c[1]), place(c[2])));
+        }
+        return filling;
+    }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw MeshError(name_of(entity_of(face_)) + " cannot be meshed: " + what +
+                        ". Try a smaller size on this face, or check the feature that made it (Part: Check geometry).");
+    }
+
+    const Brep& brep_;
+    FaceId face_;
+    const Chart& chart_;
+    PatchGeometry geometry_;
+    const FaceBoundary& boundary_;
+    ChartDomain& domain_;
+    const SizingField& sizing_;
+    const Mesh& mesh_;
+    RunContext& context_;
+    TrianglePatch patch_;
+};
+
+}  // namespace
+
+FaceFilling fill_face(const Brep& brep, FaceId face, const Chart& chart, const FaceBoundary& boundary, ChartDomain& domain,
+                      const SizingField& sizing, const Mesh& mesh, RunContext& context) {
+    return FaceFiller(brep, face, chart, boundary, domain, sizing, mesh, context).fill();
+}
+
+}  // namespace featuremesh

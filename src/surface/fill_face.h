@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fills what is not meshed yet of one CAD face.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/run_context.h"
+#include "sizing/sizing_field.h"
+#include "surface/chart_domain.h"
+#include "surface/face_boundary.h"
+
+namespace featuremesh {
+
+/// New nodes and triangles of a face. A corner below `boundary node count` is that point of the FaceBoundary, others are new nodes.
+struct FaceFilling {
+    std::vector<Vec3> points;
+    std::vector<std::array<double, 2>> parameters;
+    std::vector<std::array<int, 3>> triangles;    ///< right-hand normal as the face is oriented in the shape
+    double smallest_angle = 0;                    ///< radians
+};
+
+/// Fills the region with nearly equilateral triangles of the wanted size and checks that they cover it exactly once.
+/// Throws MeshError that names the face.
+FaceFilling fill_face(const Brep& brep, FaceId face, const Chart& chart, const FaceBoundary& boundary, ChartDomain& domain,
+                      const SizingField& sizing, const Mesh& mesh, RunContext& context);
+
+}  // namespace featuremesh

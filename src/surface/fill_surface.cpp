@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/fill_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "core/errors.h"
+#include "surface/chart.h"
+#include "surface/chart_domain.h"
+#include "surface/edge_chains.h"
+#include "surface/face_boundary.h"
+#include "surface/fill_face.h"
+
+namespace featuremesh {
+
+namespace {
+
+/// One face on its way; empty when nothing of it is left to fill.
+struct FaceJob {
+    std::unique_ptr<Chart> chart;
+    FaceBoundary boundary;
+    std::optional<ChartDomain> domain;
+    FaceFilling filling;
+};
+
+class SurfaceFiller {
+  public:
+    SurfaceFiller(const Brep& brep, const SizingField& sizing, Mesh kept, RunContext& context)
+        : brep_(brep), sizing_(sizing), mesh_(std::move(kept)), context_(context), first_new_node_(mesh_.node_count()),
+          first_new_triangle_(mesh_.triangles.size()), chains_(brep, sizing, mesh_, context), jobs_(brep.face_count()) {}
+
+    SurfaceResult fill() {
+        sort_kept();
+        bound_faces();
+        fill_faces();
+        chains_.add_segments(mesh_);
+        for (std::size_t f = 0; f < jobs_.size(); ++f) append(FaceId(f));
+        report_.new_nodes = mesh_.node_count() - first_new_node_;
+        report_.new_triangles = mesh_.triangles.size() - first_new_triangle_;
+        return {std::move(mesh_), std::move(report_)};
+    }
+
+  private:
+    bool is_used(FaceId face) const {
+        const auto sides = brep_.sides_of(face);
+        return sides[0].is_valid() || sides[1].is_valid();
+    }
+
+    void sort_kept() {
+        kept_triangles_.resize(brep_.face_count());
+        kept_nodes_.resize(brep_.face_count());
+        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) kept_triangles_[mesh_.triangle_faces[t].index()].push_back(TriangleId(t));
+        for (std::size_t n = 0; n < first_new_node_; ++n)
+            if (mesh_.entities[n].dim == 2) kept_nodes_[static_cast<std::size_t>(mesh_.entities[n].index)].push_back(NodeId(n));
+    }
+
+    /// Triangulates the boundary of every face; where coarse chains cross in it, halves their pieces and tries again, for all faces of the edge.
+    void bound_faces() {
+        std::vector<FaceId> open;
+        for (std::size_t f = 0; f < jobs_.size(); ++f)
+            if (is_used(FaceId(f))) open.push_back(FaceId(f));
+        constexpr int rounds = 14;
+        std::set<EdgeId> refined;
+        for (int round = 0; !open.empty(); ++round) {
+            parallel_for(context_, open.size(), 1, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) bound(open[i]);
+            });
+            std::set<FaceId> again;
+            for (const FaceId f : open) {
+                const FaceJob& job = jobs_[f.index()];
+                if (!job.domain || job.domain->is_valid()) continue;
+                if (round == rounds || !refine(f, refined, again)) fail_crossing(f);
+                again.insert(f);
+            }
+            open.assign(again.begin(), again.end());
+        }
+        for (const EdgeId e : refined)
+            report_.warnings.push_back(name_of(entity_of(e)) + " is meshed finer than asked: at the wanted size a face beside it would cross itself.");
+    }
+
+    void bound(FaceId face) {
+        FaceJob& job = jobs_[face.index()];
+        if (!job.chart) job.chart = std::make_unique<Chart>(brep_, face);
+        job.boundary = find_boundary(brep_, face, *job.chart, chains_, mesh_, kept_triangles_[face.index()], kept_nodes_[face.index()]);
+        job.domain.reset();
+        if (!job.boundary.is_complete()) job.domain.emplace(job.boundary);
+    }
+
+    /// Halves the curved pieces that cross; false when there is nothing to halve.
+    bool refine(FaceId face, std::set<EdgeId>& refined, std::set<FaceId>& again) {
+        const FaceJob& job = jobs_[face.index()];
+        std::set<std::pair<EdgeId, std::size_t>, std::greater<>> pieces;   // the last first, so that halving does not renumber the others
+        for (const Crossing& c : job.domain->crossings())
+            for (const std::size_t s : {c.first, c.second}) {
+                const BoundarySegment& segment = job.boundary.segments[s];
+                if (segment.edge.is_valid() && !segment.is_pole) pieces.insert({segment.edge, segment.piece});
+            }
+        bool halved = false;
+        for (const auto& [edge, piece] : pieces) {
+            if (!chains_.halve(brep_, edge, piece, mesh_)) continue;
+            halved = true;
+            refined.insert(edge);
+            for (const FaceId f : brep_.faces_of(edge))
+                if (is_used(f)) again.insert(f);
+        }
+        return halved;
+    }
+
+    [[noreturn]] void fail_crossing(FaceId face) const {
+        const FaceJob& job = jobs_[face.index()];
+        std::string where;
+        if (!job.domain->crossings().empty()) {
+            const Crossing& c = job.domain->crossings().front();
+            const EdgeId a = job.boundary.segments[c.first].edge, b = job.boundary.segments[c.second].edge;
+            if (a.is_valid() && b.is_valid()) where = " (" + name_of(entity_of(a)) + " and " + name_of(entity_of(b)) + ")";
+        }
+        throw MeshError(name_of(entity_of(face)) + " cannot be meshed: its boundary crosses or touches itself" + where +
+                        ". Check the feature that made it (Part: Check geometry), or try a smaller size.");
+    }
+
+    void fill_faces() {
+        std::vector<FaceId> open;
+        for (std::size_t f = 0; f < jobs_.size(); ++f)
+            if (jobs_[f].domain) open.push_back(FaceId(f));
+        constexpr std::size_t batch = 256;
+        for (std::size_t from = 0; from < open.size(); from += batch) {
+            context_.progress(0.2 + 0.8 * static_cast<double>(from) / static_cast<double>(open.size()));
+            parallel_for(context_, std::min(batch, open.size() - from), 1, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    FaceJob& job = jobs_[open[from + i].index()];
+                    job.filling = fill_face(brep_, open[from + i], *job.chart, job.boundary, *job.domain, sizing_, mesh_, context_);
+                    job.domain.reset();
+                }
+            });
+        }
+    }
+
+    void append(FaceId face) {
+        const FaceJob& job = jobs_[face.index()];
+        const std::size_t boundary_count = job.boundary.points.size();
+        const NodeId first(mesh_.node_count());
+        for (std::size_t p = 0; p < job.filling.points.size(); ++p)
+            mesh_.add_node(job.filling.points[p], entity_of(face), job.filling.parameters[p]);
+        const auto node = [&](int c) {
+            const auto i = static_cast<std::size_t>(c);
+            return i < boundary_count ? job.boundary.nodes[i] : NodeId(first.index() + i - boundary_count);
+        };
+        for (const auto& t : job.filling.triangles) mesh_.add_triangle({node(t[0]), node(t[1]), node(t[2])}, face);
+        if (!job.filling.triangles.empty())
+            report_.min_angle_deg = std::min(report_.min_angle_deg, job.filling.smallest_angle * 180 / M_PI);
+    }
+
+    const Brep& brep_;
+    const SizingField& sizing_;
+    Mesh mesh_;
+    RunContext& context_;
+    std::size_t first_new_node_, first_new_triangle_;
+    EdgeChains chains_;
+    std::vector<FaceJob> jobs_;
+    std::vector<std::vector<TriangleId>> kept_triangles_;
+    std::vector<std::vector<NodeId>> kept_nodes_;
+    SurfaceReport report_;
+};
+
+}  // namespace
+
+SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kept, RunContext& context) {
+    const RunContext::Step step(context, "surface");
+    return SurfaceFiller(brep, sizing, std::move(kept), context).fill();
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+#include "surface/seeds.h"
+
+namespace featuremesh {
+
+namespace {
+
+/// A seed nearer to another one than this share of the wanted length is one too many.
+constexpr double spacing = 0.72;
+/// A seed nearer than this to the middle of a boundary piece makes a flat triangle there.
+constexpr double boundary_spacing = 0.5;
+
+/// Points in space in cells of about their own spacing, one grid per power of two of the spacing.
+class PointGrid {
+  public:
+    void add(const Vec3& p, double reach) {
+        const int level = level_of(reach);
+        const Cell c = cell_of(p, level);
+        auto& first = heads_.try_emplace(key(c, level), -1).first->second;
+        entries_.push_back({p, reach, first});
+        first = static_cast<int>(entries_.size()) - 1;
+        low_level_ = std::min(low_level_, level), high_level_ = std::max(high_level_, level);
+    }
+
+    /// Whether a point lies nearer than its own reach or than `reach`, whichever is smaller.
+    bool has_near(const Vec3& p, double reach) const {
+        const int level = level_of(reach);
+        for (int l = std::max(low_level_, level - 1); l <= std::min(high_level_, level + 1); ++l)
+            if (has_near_on_level(p, reach, l)) return true;
+        return false;
+    }
+
+  private:
+    struct Cell {
+        long x, y, z;
+    };
+    struct Entry {
+        Vec3 p;
+        double reach;
+        int next;
+    };
+    static int level_of(double reach) { return std::ilogb(reach) + 1; }
+    static Cell cell_of(const Vec3& p, int level) {
+        const double inverse = std::ldexp(1.0, -level);
+        return {static_cast<long>(std::floor(p.x * inverse)), static_cast<long>(std::floor(p.y * inverse)),
+                static_cast<long>(std::floor(p.z * inverse))};
+    }
+    static std::uint64_t key(const Cell& c, int level) {
+        auto mix = [](std::uint64_t h, long v) { return (h ^ static_cast<std::uint64_t>(v)) * 0x9E3779B97F4A7C15ull; };
+        std::uint64_t h = mix(mix(mix(mix(0x51ED270B, c.x), c.y), c.z), level);
+        return h ^ (h >> 29);
+    }
+
+    bool has_near_on_level(const Vec3& p, double reach, int level) const {
+        const double side = std::ldexp(1.0, level), limit = std::min(reach, side);
+        const Cell low = cell_of(p - Vec3{limit, limit, limit}, level), high = cell_of(p + Vec3{limit, limit, limit}, level);
+        for (long x = low.x; x <= high.x; ++x)
+            for (long y = low.y; y <= high.y; ++y)
+                for (long z = low.z; z <= high.z; ++z) {
+                    const auto head = heads_.find(key({x, y, z}, level));
+                    if (head == heads_.end()) continue;
+                    for (int e = head->second; e >= 0; e = entries_[static_cast<std::size_t>(e)].next) {
+                        const Entry& entry = entries_[static_cast<std::size_t>(e)];
+                        const double r = std::min(reach, entry.reach);
+                        if (squared_length(entry.p - p) < r * r) return true;
+                    }
+                }
+        return false;
+    }
+
+    std::unordered_map<std::uint64_t, int> heads_;
+    std::vector<Entry> entries_;
+    int low_level_ = 1 << 20, high_level_ = -(1 << 20);
+};
+
+struct Seed {
+    Vec2 point;
+    Vec3 place, direction;   ///< direction of one of its six neighbours, in the surface
+    void* hint = nullptr;
+};
+
+class Front {
+  public:
+    Front(const FaceBoundary& boundary, const ChartDomain& domain, const Chart& chart, const SizingField& sizing, const Mesh& mesh,
+          RunContext& context)
+        : boundary_(boundary), domain_(domain), chart_(chart), sizing_(sizing), mesh_(mesh), context_(context) {}
+
+    std::vector<Vec2> grow() {
+        place_boundary();
+        for (const auto& s : boundary_.segments)
+            if (!s.is_pole) start_from(s, 1);
+        for (const auto& s : boundary_.inner) start_from(s, 1), start_from(s, -1);
+        for (std::size_t i = 0; i < seeds_.size(); ++i) {
+            if (i % 1024 == 0) context_.check_cancelled();
+            grow_around(i);
+        }
+        std::vector<Vec2> points;
+        points.reserve(seeds_.size());
+        for (const Seed& s : seeds_) points.push_back(s.point);
+        return points;
+    }
+
+  private:
+    Vec2 point(int p) const { return boundary_.points[static_cast<std::size_t>(p)]; }
+    Vec3 place(int p) const { return mesh_.point(boundary_.nodes[static_cast<std::size_t>(p)]); }
+
+    void place_boundary() {
+        const auto add_piece = [&](const BoundarySegment& s) {
+            const Vec3 a = place(s.a), b = place(s.b);
+            const double l = s.is_pole ? sizing_.at(a) : distance(a, b);
+            grid_.add(a, spacing * std::max(l, sizing_.at(a)));
+            if (!s.is_pole) grid_.add(0.5 * (a + b), boundary_spacing * std::min(l, 2 * sizing_.at(a)));
+        };
+        for (const auto& s : boundary_.segments) add_piece(s);
+        for (const auto& s : boundary_.inner) add_piece(s), grid_.add(place(s.b), spacing * sizing_.at(place(s.b)));
+        for (const int p : boundary_.lone_points) grid_.add(place(p), spacing * sizing_.at(place(p)));
+    }
+
+    /// The apex of the equilateral triangle on a piece.
+    void start_from(const BoundarySegment& s, double side) {
+        const Vec2 middle = 0.5 * (point(s.a) + point(s.b));
+        const Chart::Frame frame = chart_.frame(middle);
+        const Vec3 along = place(s.b) - place(s.a);
+        const double l = length(along);
+        if (!(l > 0)) return;
+        const Vec3 inwards = normalized(cross(cross(frame.dx, frame.dy), along));
+        const double h = sizing_.at(frame.point), height = std::sqrt(std::max(0.25 * h * h, h * h - 0.25 * l * l));
+        try_add(middle, frame, side * height * inwards, along, nullptr, 0.5 * (place(s.a) + place(s.b)));
+    }
+
+    void grow_around(std::size_t i) {
+        const Seed seed = seeds_[i];
+        const Chart::Frame frame = chart_.frame(seed.point);
+        const Vec3 normal = normalized(cross(frame.dx, frame.dy));
+        const Vec3 e1 = normalized(seed.direction - dot(seed.direction, normal) * normal), e2 = cross(normal, e1);
+        const double h_here = sizing_.at(seed.place);
+        for (int k = 0; k < 6; ++k) {
+            const double angle = k * M_PI / 3;
+            const Vec3 direction = std::cos(angle) * e1 + std::sin(angle) * e2;
+            const Vec3 rough = seed.place + h_here * direction;
+            const double h = sizing_.is_uniform() ? h_here : 0.5 * (h_here + sizing_.at(rough));
+            if (grid_.has_near(seed.place + h * direction, 0.5 * spacing * h)) continue;
+            try_add(seed.point, frame, h * direction, direction, seed.hint, seed.place);
+        }
+    }
+
+    /// Steps along the surface and adds what it reaches when that is inside and nothing is near.
+    void try_add(Vec2 from, const Chart::Frame& frame, const Vec3& step, const Vec3& direction, void* hint, const Vec3& start) {
+        Vec2 p;
+        if (!step_in_chart(frame, step, p)) return;
+        p = from + p;
+        const Vec3 target = start + step;
+        Chart::Frame there = chart_.frame(p);
+        for (int round = 0; round < 3; ++round) {
+            Vec2 correction;
+            if (!step_in_chart(there, target - there.point, correction)) return;
+            p = p + correction;
+            const Chart::Frame next = chart_.frame(p);
+            const double moved = distance(next.point, there.point);
+            there = next;
+            if (moved < 0.05 * length(step)) break;
+        }
+        if (distance(there.point, target) > 0.5 * length(step)) return;
+        const double h = sizing_.at(there.point);
+        if (grid_.has_near(there.point, spacing * h) || !domain_.contains(p, hint)) return;
+        grid_.add(there.point, spacing * h);
+        seeds_.push_back({p, there.point, direction, hint});
+    }
+
+    /// The step in the chart that moves by the given vector on the surface, in the least-squares sense; false where the surface is singular.
+    static bool step_in_chart(const Chart::Frame& f, const Vec3& d, Vec2& step) {
+        const double e = dot(f.dx, f.dx), g = dot(f.dy, f.dy), m = dot(f.dx, f.dy), det = e * g - m * m;
+        if (!(det > 1e-12 * e * g)) return false;
+        const double a = dot(f.dx, d), b = dot(f.dy, d);
+        step = {(a * g - b * m) / det, (b * e - a * m) / det};
+        return true;
+    }
+
+    const FaceBoundary& boundary_;
+    const ChartDomain& domain_;
+    const Chart& chart_;
+    const SizingField& sizing_;
+    const Mesh& mesh_;
+    RunContext& context_;
+    PointGrid grid_;
+    std::vector<Seed> seeds_;
+};
+
+}  // namespace
+
+std::vector<Vec2> front_seeds(const FaceBoundary& boundary, const ChartDomain& domain, const Chart& chart, const SizingField& sizing,
+                              const Mesh& mesh, RunContext& context) {
+    return Front(boundary, domain, chart, sizing, mesh, context).grow();
+}
+
+}  // namespace featuremesh

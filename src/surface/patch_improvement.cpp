@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/patch_improvement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace featuremesh {
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Stars at least this good are left alone at the start; lattice nodes are.
+constexpr double good_enough = 0.97;
+constexpr int smoothing_sweeps = 8;
+
+
+double quality_of(const TrianglePatch& patch, int t) {
+    const auto& c = patch.corners(t);
+    return triangle_quality(patch.place(c[0]), patch.place(c[1]), patch.place(c[2]));
+}
+
+Vec3 area_vector(const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b - a, c - a); }
+
+/// Cotangent of the angle at corner i of t; 0 in a triangle at a pole.
+double cotangent(const TrianglePatch& patch, int t, int i) {
+    const auto& c = patch.corners(t);
+    const Vec3 &a = patch.place(c[at(i)]), &b = patch.place(c[at((i + 1) % 3)]), &d = patch.place(c[at((i + 2) % 3)]);
+    if (a == b || b == d || d == a) return 0;
+    const Vec3 u = b - a, v = d - a;
+    const double s = length(cross(u, v)), k = dot(u, v);
+    return s > 1e-12 * (squared_length(u) + squared_length(v)) ? k / s : (k > 0 ? 1e12 : -1e12);
+}
+
+/// Whether turning the side opposite corner i of t would fold the surface more than it is.
+bool would_fold(const TrianglePatch& patch, int t, int i) {
+    const int n = patch.neighbour(t, i), j = patch.opposite_index(n, t);
+    const Vec3 &a = patch.place(patch.corners(t)[at(i)]), &b = patch.place(patch.corners(t)[at((i + 1) % 3)]);
+    const Vec3 &d = patch.place(patch.corners(t)[at((i + 2) % 3)]), &e = patch.place(patch.corners(n)[at(j)]);
+    const Vec3 n1 = area_vector(a, b, e), n2 = area_vector(a, e, d);
+    const double after = dot(n1, n2);
+    if (after > 0) return false;
+    const double scale = length(n1) * length(n2);
+    if (scale == 0) return false;
+    const Vec3 m1 = area_vector(a, b, d), m2 = area_vector(e, d, b);
+    const double before_scale = length(m1) * length(m2);
+    return before_scale > 0 && after / scale < dot(m1, m2) / before_scale;
+}
+
+bool is_badly_turned(const TrianglePatch& patch, int t, int i) {
+    const int n = patch.neighbour(t, i);
+    if (n < 0 || cotangent(patch, t, i) + cotangent(patch, n, patch.opposite_index(n, t)) > -1e-6) return false;
+    return patch.can_flip(t, i) && !would_fold(patch, t, i);
+}
+
+/// Turns the sides of the queued triangles, and of those that this changes, until all are Delaunay.
+void flip_from(TrianglePatch& patch, std::vector<int>& queue, std::vector<int>* touched = nullptr) {
+    std::size_t budget = 64 + 24 * patch.triangles.size();
+    while (!queue.empty() && budget > 0) {
+        const int t = queue.back();
+        queue.pop_back();
+        if (patch.is_removed(t)) continue;
+        for (int i = 0; i < 3; ++i) {
+            if (!is_badly_turned(patch, t, i)) continue;
+            const int n = patch.neighbour(t, i);
+            patch.flip(t, i);
+            --budget;
+            queue.push_back(n), queue.push_back(t);
+            if (touched)
+                for (const int p : patch.corners(t)) touched->push_back(p);
+            break;
+        }
+    }
+    queue.clear();
+}
+
+/// The point where the star's energy is least for fixed connectivity, relative to p; false for a star at a pole.
+bool variational_step(const TrianglePatch& patch, int p, const std::vector<int>& star, const std::vector<double>& density, Vec3& step) {
+    const Vec3& x = patch.place(p);
+    Vec3 sum{};
+    double total = 0;
+    for (const int t : star) {
+        const auto& c = patch.corners(t);
+        const int i = patch.corner_index(t, p);
+        const Vec3 u = patch.place(c[at((i + 1) % 3)]) - x, v = patch.place(c[at((i + 2) % 3)]) - x;
+        const Vec3 n = cross(u, v);
+        const double nn = squared_length(n);
+        if (!(nn > 0)) continue;
+        const Vec3 circumcentre = (squared_length(u) * cross(v, n) + squared_length(v) * cross(n, u)) / (2 * nn);
+        double weight = std::sqrt(nn);
+        if (!density.empty()) weight *= (density[at(c[0])] + density[at(c[1])] + density[at(c[2])]) / 3;
+        sum += weight * circumcentre;
+        total += weight;
+    }
+    if (!(total > 0)) return false;
+    step = sum / total;
+    return true;
+}
+
+struct StarMeasure {
+    double smallest_quality = 1;
+    double shortest_side = 1e300;
+};
+
+StarMeasure measure_star(const TrianglePatch& patch, int p, const std::vector<int>& star) {
+    StarMeasure m;
+    for (const int t : star) {
+        m.smallest_quality = std::min(m.smallest_quality, quality_of(patch, t));
+        const int i = patch.corner_index(t, p);
+        m.shortest_side = std::min(m.shortest_side, distance(patch.place(p), patch.place(patch.corners(t)[at((i + 1) % 3)])));
+    }
+    return m;
+}
+
+bool is_right_way_round(const TrianglePatch& patch, const std::vector<int>& star) {
+    return std::all_of(star.begin(), star.end(), [&](int t) {
+        const auto& c = patch.corners(t);
+        const Vec2 u = patch.point(c[1]) - patch.point(c[0]), v = patch.point(c[2]) - patch.point(c[0]);
+        return cross(u, v) > 1e-10 * (dot(u, u) + dot(v, v));
+    });
+}
+
+/// Moves p when the star stays valid and is not made worse than it may be; else puts it back.
+bool try_move(TrianglePatch& patch, const PatchGeometry& geometry, int p, const std::vector<int>& star, Vec2 to, double least_quality) {
+    const Vec2 old_point = patch.point(p);
+    const Vec3 old_place = patch.place(p);
+    patch.points[at(p)] = to;
+    if (is_right_way_round(patch, star)) {
+        patch.places[at(p)] = geometry.place(to);
+        if (measure_star(patch, p, star).smallest_quality >= least_quality) return true;
+    }
+    patch.points[at(p)] = old_point;
+    patch.places[at(p)] = old_place;
+    return false;
+}
+
+/// The weight per area that makes the triangles' sides follow the wanted length: its power -4. Empty where that is the same everywhere.
+std::vector<double> densities(const TrianglePatch& patch, const PatchGeometry& geometry, const SizingField& sizing) {
+    std::vector<double> density;
+    if (sizing.is_uniform()) return density;
+    for (std::size_t p = 0; p < patch.points.size(); ++p) {
+        const double h = sizing.at(geometry.is_flat() ? geometry.chart().point(patch.points[p]) : patch.places[p]) / sizing.largest();
+        density.push_back(1 / (h * h * h * h));
+    }
+    return density;
+}
+
+void mark_ring(const TrianglePatch& patch, const std::vector<int>& star, std::vector<char>& marks) {
+    for (const int t : star)
+        for (const int q : patch.corners(t)) marks[at(q)] = 1;
+}
+
+}  // namespace
+
+Vec2 PatchGeometry::step(Vec2 p, const Vec3& d) const {
+    if (is_flat_) return {d.x, d.y};
+    const Chart::Frame f = chart_.frame(p);
+    const double e = dot(f.dx, f.dx), g = dot(f.dy, f.dy), m = dot(f.dx, f.dy), det = e * g - m * m;
+    if (!(det > 1e-12 * e * g)) return {};
+    const double a = dot(f.dx, d), b = dot(f.dy, d);
+    return {(a * g - b * m) / det, (b * e - a * m) / det};
+}
+
+double triangle_quality(const Vec3& a, const Vec3& b, const Vec3& c) {
+    if (a == b || b == c || c == a) return 1;
+    const double sides = squared_length(b - a) + squared_length(c - b) + squared_length(a - c);
+    return 2 * std::sqrt(3.0) * length(area_vector(a, b, c)) / sides;
+}
+
+double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto angle = [](const Vec3& p, const Vec3& q, const Vec3& r) {
+        return std::atan2(length(cross(q - p, r - p)), dot(q - p, r - p));
+    };
+    return std::min({angle(a, b, c), angle(b, c, a), angle(c, a, b)});
+}
+
+void make_delaunay(TrianglePatch& patch) {
+    std::vector<int> queue;
+    for (int t = static_cast<int>(patch.triangles.size()) - 1; t >= 0; --t)
+        if (!patch.is_removed(t)) queue.push_back(t);
+    flip_from(patch, queue);
+}
+
+std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry, const SizingField& sizing, RunContext& context) {
+    constexpr double too_long = 1.6;
+    std::size_t splits = 0;
+    std::vector<int> queue;
+    for (int round = 0; round < 12; ++round) {
+        std::size_t before = splits;
+        const std::size_t count = patch.triangles.size();
+        for (std::size_t t = 0; t < count; ++t) {
+            if (t % 1024 == 0) context.check_cancelled();
+            int longest = -1;
+            double excess = too_long;
+            for (int i = 0; i < 3; ++i) {
+                const int n = patch.neighbours[t][at(i)];
+                if (n < 0) continue;
+                const int a = patch.triangles[t][at((i + 1) % 3)], b = patch.triangles[t][at((i + 2) % 3)];
+                const Vec2 middle = 0.5 * (patch.point(a) + patch.point(b));
+                const double l = distance(patch.place(a), patch.place(b));
+                const double h = geometry.is_flat() && sizing.is_uniform() ? sizing.largest() : sizing.at(geometry.chart().point(middle));
+                if (l > excess * h) excess = l / h, longest = i;
+            }
+            if (longest < 0) continue;
+            const int a = patch.triangles[t][at((longest + 1) % 3)], b = patch.triangles[t][at((longest + 2) % 3)];
+            const Vec2 middle = 0.5 * (patch.point(a) + patch.point(b));
+            const int p = patch.split_side(static_cast<int>(t), longest, middle, geometry.place(middle));
+            ++splits;
+            std::vector<int> star;
+            patch.star(p, star);
+            queue = star;
+            flip_from(patch, queue);
+        }
+        if (splits == before) break;
+    }
+    return splits;
+}
+
+void smooth(TrianglePatch& patch, const PatchGeometry& geometry, const SizingField& sizing, RunContext& context) {
+    const std::vector<double> density = densities(patch, geometry, sizing);
+    std::vector<char> is_active(patch.points.size(), 0), next(patch.points.size(), 0);
+    for (std::size_t t = 0; t < patch.triangles.size(); ++t)
+        if (!patch.is_removed(static_cast<int>(t)) && quality_of(patch, static_cast<int>(t)) < good_enough)
+            for (const int p : patch.triangles[t]) is_active[at(p)] = 1;
+    std::vector<int> star, queue, touched;
+    for (int sweep = 0; sweep < smoothing_sweeps; ++sweep) {
+        bool has_moved = false;
+        for (int p = 0; p < static_cast<int>(patch.points.size()); ++p) {
+            if (p % 1024 == 0) context.check_cancelled();
+            if (!is_active[at(p)] || patch.is_fixed[at(p)] || patch.triangle_of[at(p)] < 0) continue;
+            patch.star(p, star);
+            Vec3 step;
+            if (!variational_step(patch, p, star, density, step)) continue;
+            const StarMeasure before = measure_star(patch, p, star);
+            const double least = std::min(before.smallest_quality, 0.75);
+            const double wanted = length(step);
+            if (wanted < 2e-3 * before.shortest_side) continue;
+            Vec2 move = geometry.step(patch.point(p), step);
+            bool moved = false;
+            for (int halving = 0; halving < 3 && !moved; ++halving, move = 0.5 * move)
+                moved = try_move(patch, geometry, p, star, patch.point(p) + move, least);
+            if (!moved) continue;
+            has_moved = true;
+            if (wanted > 0.02 * before.shortest_side) mark_ring(patch, star, next);
+            queue.insert(queue.end(), star.begin(), star.end());
+        }
+        flip_from(patch, queue, &touched);
+        for (const int p : touched) next[at(p)] = 1;
+        touched.clear();
+        if (!has_moved) break;
+        is_active.swap(next);
+        std::fill(next.begin(), next.end(), 0);
+    }
+}
+
+namespace {
+
+/// The operations of raise_smallest_angles on one triangle.
+class AngleRaiser {
+  public:
+    AngleRaiser(TrianglePatch& patch, const PatchGeometry& geometry) : patch_(patch), geometry_(geometry) {}
+
+    double angle_of(int t) const {
+        const auto& c = patch_.corners(t);
+        return smallest_angle_or_pole(patch_.place(c[0]), patch_.place(c[1]), patch_.place(c[2]));
+    }
+
+    bool improve(int t) { return turn(t) || move_corners(t) || split(t); }
+
+  private:
+    static double smallest_angle_or_pole(const Vec3& a, const Vec3& b, const Vec3& c) {
+        return a == b || b == c || c == a ? M_PI / 3 : smallest_angle(a, b, c);
+    }
+
+    double angle_of(const std::vector<int>& list) const {
+        double smallest = M_PI;
+        for (const int t : list) smallest = std::min(smallest, angle_of(t));
+        return smallest;
+    }
+
+    bool turn(int t) {
+        for (int i = 0; i < 3; ++i) {
+            const int n = patch_.neighbour(t, i);
+            if (n < 0 || !patch_.can_flip(t, i) || would_fold(patch_, t, i)) continue;
+            if (angle_after_turn(t, i) <= std::min(angle_of(t), angle_of(n)) + 1e-9) continue;
+            patch_.flip(t, i);
+            return true;
+        }
+        return false;
+    }
+
+    double angle_after_turn(int t, int i) const {
+        const int n = patch_.neighbour(t, i);
+        const auto& c = patch_.corners(t);
+        const Vec3 &a = patch_.place(c[at(i)]), &b = patch_.place(c[at((i + 1) % 3)]), &d = patch_.place(c[at((i + 2) % 3)]);
+        const Vec3& e = patch_.place(patch_.corners(n)[at(patch_.opposite_index(n, t))]);
+        return std::min(smallest_angle_or_pole(a, b, e), smallest_angle_or_pole(a, e, d));
+    }
+
+    bool move_corners(int t) {
+        const auto corners = patch_.corners(t);
+        return std::any_of(corners.begin(), corners.end(), [&](int p) { return !patch_.is_fixed[at(p)] && climb(p); });
+    }
+
+    /// Hill climbing of one inner node by shrinking steps in eight directions.
+    bool climb(int p) {
+        patch_.star(p, star_);
+        const double start = angle_of(star_);
+        double best = start, radius = 0.25 * measure_star(patch_, p, star_).shortest_side;
+        for (int round = 0; round < 6; ++round) {
+            bool better = false;
+            for (int k = 0; k < 8 && !better; ++k) {
+                const double angle = k * M_PI / 4;
+                better = try_place(p, radius * std::cos(angle), radius * std::sin(angle), best);
+            }
+            if (!better) radius *= 0.5;
+        }
+        return best > start + 1e-6;
+    }
+
+    bool try_place(int p, double dx, double dy, double& best) {
+        const Vec2 old_point = patch_.point(p);
+        const Vec3 old_place = patch_.place(p);
+        Vec2 step{dx, dy};
+        if (!geometry_.is_flat()) {
+            const Chart::Frame f = geometry_.chart().frame(old_point);
+            const Vec3 e1 = normalized(f.dx), normal = normalized(cross(f.dx, f.dy));
+            step = geometry_.step(old_point, dx * e1 + dy * cross(normal, e1));
+        }
+        patch_.points[at(p)] = old_point + step;
+        if (is_right_way_round(patch_, star_)) {
+            patch_.places[at(p)] = geometry_.place(patch_.point(p));
+            if (const double now = angle_of(star_); now > best + 1e-9) {
+                best = now;
+                return true;
+            }
+        }
+        patch_.points[at(p)] = old_point;
+        patch_.places[at(p)] = old_place;
+        return false;
+    }
+
+    /// Splits the longest inner side of a needle or cap when the two new nodes' surroundings gain by it.
+    bool split(int t) {
+        const auto corners = patch_.corners(t);
+        int longest = -1;
+        double length_of_it = 0;
+        for (int i = 0; i < 3; ++i) {
+            const double l = distance(patch_.place(corners[at((i + 1) % 3)]), patch_.place(corners[at((i + 2) % 3)]));
+            if (l > length_of_it) length_of_it = l, longest = i;
+        }
+        const int n = patch_.neighbour(t, longest);
+        if (n < 0 || !patch_.is_fixed[at(corners[at((longest + 1) % 3)])] || !patch_.is_fixed[at(corners[at((longest + 2) % 3)])])
+            return false;
+        const double before = std::min(angle_of(t), angle_of(n));
+        const Vec2 middle =
+            0.5 * (patch_.point(corners[at((longest + 1) % 3)]) + patch_.point(corners[at((longest + 2) % 3)]));
+        const int p = patch_.split_side(t, longest, middle, geometry_.place(middle));
+        climb(p);
+        patch_.star(p, star_);
+        if (angle_of(star_) > before + 0.02) return true;
+        undo_split(p);
+        return false;
+    }
+
+    /// The new node has four triangles: turning one of its sides leaves three, which become one.
+    void undo_split(int p) {
+        patch_.star(p, star_);
+        for (const int t : star_) {
+            const int i = patch_.corner_index(t, p), side = (i + 1) % 3;
+            if (patch_.can_flip(t, side)) {
+                patch_.flip(t, side);
+                patch_.remove_of_three(p);
+                return;
+            }
+        }
+    }
+
+    TrianglePatch& patch_;
+    const PatchGeometry& geometry_;
+    std::vector<int> star_;
+};
+
+}  // namespace
+
+void raise_smallest_angles(TrianglePatch& patch, const PatchGeometry& geometry, double wanted_angle, RunContext& context) {
+    AngleRaiser raiser(patch, geometry);
+    for (int pass = 0; pass < 4; ++pass) {
+        std::vector<std::pair<double, int>> bad;
+        for (int t = 0; t < static_cast<int>(patch.triangles.size()); ++t)
+            if (!patch.is_removed(t))
+                if (const double angle = raiser.angle_of(t); angle < wanted_angle) bad.emplace_back(angle, t);
+        std::sort(bad.begin(), bad.end());
+        bool gained = false;
+        for (const auto& [angle, t] : bad) {
+            context.check_cancelled();
+            if (!patch.is_removed(t) && raiser.angle_of(t) < wanted_angle) gained = raiser.improve(t) || gained;
+        }
+        if (!gained) break;
+    }
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/projection.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepTools.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <BRep_Tool.hxx>
+#include <ElCLib.hxx>
+#include <ElSLib.hxx>
+#include <Extrema_ExtPC.hxx>
+#include <Extrema_ExtPS.hxx>
+#include <ShapeAnalysis_Surface.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace featuremesh {
+
+namespace {
+
+using Uv = std::array<double, 2>;
+
+gp_Pnt to_pnt(const Vec3& p) { return {p.x, p.y, p.z}; }
+Vec3 to_vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
+Vec3 to_vec(const gp_Pnt& p) { return to_vec(p.XYZ()); }
+Vec3 to_vec(const gp_Vec& v) { return to_vec(v.XYZ()); }
+
+struct UvBox {
+    double u_min = 0, u_max = 0, v_min = 0, v_max = 0;
+};
+
+/// What is kept per face; built when the face is first asked for.
+struct SurfaceData {
+    explicit SurfaceData(const TopoDS_Face& f) : face(f), adaptor(f, Standard_False) {
+        BRepTools::UVBounds(face, trim_box.u_min, trim_box.u_max, trim_box.v_min, trim_box.v_max);
+        u_period = adaptor.IsUPeriodic() ? adaptor.UPeriod() : 0;
+        v_period = adaptor.IsVPeriodic() ? adaptor.VPeriod() : 0;
+    }
+    TopoDS_Face face;
+    BRepAdaptor_Surface adaptor;
+    UvBox trim_box;
+    double u_period = 0, v_period = 0;
+    std::unique_ptr<BRepTopAdaptor_FClass2d> trim;
+    Handle(ShapeAnalysis_Surface) global;
+};
+
+double shifted_near(double x, double period, double wanted) {
+    return period > 0 ? x + period * std::round((wanted - x) / period) : x;
+}
+
+/// The same point of the surface, in the period that the face's trim (or the guess) uses.
+Uv in_period(const SurfaceData& s, Uv uv, const std::optional<Uv>& guess) {
+    const Uv wanted = guess ? *guess
+                            : Uv{0.5 * (s.trim_box.u_min + s.trim_box.u_max), 0.5 * (s.trim_box.v_min + s.trim_box.v_max)};
+    return {shifted_near(uv[0], s.u_period, wanted[0]), shifted_near(uv[1], s.v_period, wanted[1])};
+}
+
+std::optional<Uv> analytic_parameters(const BRepAdaptor_Surface& a, const gp_Pnt& p) {
+    Uv uv;
+    switch (a.GetType()) {
+        case GeomAbs_Plane: ElSLib::Parameters(a.Plane(), p, uv[0], uv[1]); return uv;
+        case GeomAbs_Cylinder: ElSLib::Parameters(a.Cylinder(), p, uv[0], uv[1]); return uv;
+        case GeomAbs_Cone: ElSLib::Parameters(a.Cone(), p, uv[0], uv[1]); return uv;
+        case GeomAbs_Sphere: ElSLib::Parameters(a.Sphere(), p, uv[0], uv[1]); return uv;
+        case GeomAbs_Torus: ElSLib::Parameters(a.Torus(), p, uv[0], uv[1]); return uv;
+        default: return std::nullopt;
+    }
+}
+
+OnFace at(const SurfaceData& s, const Uv& uv, const Vec3& asked) {
+    const Vec3 q = to_vec(s.adaptor.Value(uv[0], uv[1]));
+    return {q, uv, distance(q, asked)};
+}
+
+double clamped(double x, double low, double high, double period) { return period > 0 ? x : std::clamp(x, low, high); }
+
+/// Newton on |S(u,v) - p|^2 with step halving; none when it does not reach a stationary point.
+std::optional<Uv> newton(const SurfaceData& s, const Vec3& p, Uv uv) {
+    const auto& a = s.adaptor;
+    const auto value = [&](const Uv& w) { return squared_length(to_vec(a.Value(w[0], w[1])) - p); };
+    double f = value(uv);
+    for (int round = 0; round < 30; ++round) {
+        gp_Pnt q;
+        gp_Vec du, dv, duu, dvv, duv;
+        a.D2(uv[0], uv[1], q, du, dv, duu, dvv, duv);
+        const gp_Vec r(to_pnt(p), q);
+        const double gu = r * du, gv = r * dv, e = du * du, g = dv * dv, m = du * dv;
+        double huu = e + r * duu, hvv = g + r * dvv, huv = m + r * duv;
+        if (huu <= 0 || huu * hvv - huv * huv <= 1e-8 * e * g) huu = e, hvv = g, huv = m;
+        const double det = huu * hvv - huv * huv;
+        if (!(det > 0)) return std::nullopt;
+        const Uv step{(-gu * hvv + gv * huv) / det, (-gv * huu + gu * huv) / det};
+        const double move = std::sqrt(std::abs(step[0] * step[0] * e + 2 * step[0] * step[1] * m + step[1] * step[1] * g));
+        if (move < 1e-12 * (1 + std::sqrt(f))) return uv;
+        double scale = 1;
+        bool better = false;
+        for (int halving = 0; halving < 12 && !better; ++halving, scale *= 0.5) {
+            const Uv next{clamped(uv[0] + scale * step[0], a.FirstUParameter(), a.LastUParameter(), s.u_period),
+                          clamped(uv[1] + scale * step[1], a.FirstVParameter(), a.LastVParameter(), s.v_period)};
+            const double f_next = value(next);
+            if (f_next < f || (f_next <= f * (1 + 1e-14) && halving == 0)) {
+                better = next != uv;
+                uv = next, f = std::min(f, f_next);
+                if (!better) return uv;
+            }
+        }
+        if (!better) return move < 1e-7 * (1 + std::sqrt(f)) ? std::optional<Uv>(uv) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
+OnFace global_nearest(SurfaceData& s, const Vec3& p) {
+    if (s.global.IsNull()) s.global = new ShapeAnalysis_Surface(BRep_Tool::Surface(s.face));
+    const gp_Pnt2d start = s.global->ValueOfUV(to_pnt(p), 1e-9);
+    Uv best{start.X(), start.Y()};
+    if (const auto polished = newton(s, p, best)) best = *polished;
+    OnFace result = at(s, in_period(s, best, {}), p);
+    const auto& b = s.trim_box;
+    if (result.distance < 1e-6) return result;
+    Extrema_ExtPS extrema(to_pnt(p), s.adaptor, b.u_min, b.u_max, b.v_min, b.v_max, 1e-10, 1e-10);
+    if (extrema.IsDone())
+        for (int i = 1; i <= extrema.NbExt(); ++i) {
+            Uv uv;
+            extrema.Point(i).Parameter(uv[0], uv[1]);
+            if (const OnFace other = at(s, in_period(s, uv, {}), p); other.distance < result.distance) result = other;
+        }
+    return result;
+}
+
+/// What is kept per edge.
+struct CurveData {
+    explicit CurveData(const TopoDS_Edge& e) : adaptor(e), first(adaptor.FirstParameter()), last(adaptor.LastParameter()) {}
+    BRepAdaptor_Curve adaptor;
+    double first, last;
+};
+
+OnEdge at(const CurveData& c, double t, const Vec3& asked) {
+    const Vec3 q = to_vec(c.adaptor.Value(t));
+    return {q, t, distance(q, asked)};
+}
+
+OnEdge nearer_of(const OnEdge& a, const OnEdge& b) { return b.distance < a.distance ? b : a; }
+
+/// The parameter within the trimmed edge, or the nearer end.
+OnEdge within_edge(const CurveData& c, double t, double period, const Vec3& p) {
+    t = shifted_near(t, period, 0.5 * (c.first + c.last));
+    if (t >= c.first && t <= c.last) return at(c, t, p);
+    return nearer_of(at(c, c.first, p), at(c, c.last, p));
+}
+
+std::optional<double> newton(const CurveData& c, const Vec3& p, double t) {
+    for (int round = 0; round < 30; ++round) {
+        gp_Pnt q;
+        gp_Vec d1, d2;
+        c.adaptor.D2(t, q, d1, d2);
+        const gp_Vec r(to_pnt(p), q);
+        const double slope = r * d1, speed = d1 * d1;
+        double curvature = speed + r * d2;
+        if (curvature <= 0.1 * speed) curvature = speed;
+        if (!(curvature > 0)) return std::nullopt;
+        const double next = std::clamp(t - slope / curvature, c.first, c.last);
+        if (std::abs(next - t) * std::sqrt(speed) < 1e-12 * (1 + r.Magnitude())) return next;
+        t = next;
+    }
+    return std::nullopt;
+}
+
+OnEdge global_nearest(const CurveData& c, const Vec3& p) {
+    OnEdge best = nearer_of(at(c, c.first, p), at(c, c.last, p));
+    Extrema_ExtPC extrema(to_pnt(p), c.adaptor, c.first, c.last, 1e-10);
+    if (extrema.IsDone())
+        for (int i = 1; i <= extrema.NbExt(); ++i) best = nearer_of(best, at(c, extrema.Point(i).Parameter(), p));
+    return best;
+}
+
+/// Builds the entry when it is first asked for.
+template <class Entry, class Shape>
+Entry& entry(std::vector<std::unique_ptr<Entry>>& list, std::size_t index, const Shape& shape) {
+    if (!list[index]) list[index] = std::make_unique<Entry>(shape);
+    return *list[index];
+}
+
+}  // namespace
+
+struct Projector::Data {
+    explicit Data(const Brep& b) : brep(b), curves(b.edge_count()), surfaces(b.face_count()) {}
+    CurveData& curve(EdgeId id) { return entry(curves, id.index(), brep.edge(id)); }
+    SurfaceData& surface(FaceId id) { return entry(surfaces, id.index(), brep.face(id)); }
+
+    Brep brep;
+    std::vector<std::unique_ptr<CurveData>> curves;
+    std::vector<std::unique_ptr<SurfaceData>> surfaces;
+};
+
+Projector::Projector(const Brep& brep) : data_(std::make_unique<Data>(brep)) {}
+Projector::~Projector() = default;
+Projector::Projector(Projector&&) noexcept = default;
+
+Vec3 Projector::on_edge(EdgeId edge, double t) const { return to_vec(data_->curve(edge).adaptor.Value(t)); }
+
+Vec3 Projector::on_face(FaceId face, std::array<double, 2> uv) const {
+    return to_vec(data_->surface(face).adaptor.Value(uv[0], uv[1]));
+}
+
+OnEdge Projector::nearest(EdgeId edge, const Vec3& p, std::optional<double> guess) const {
+    const CurveData& c = data_->curve(edge);
+    if (c.adaptor.GetType() == GeomAbs_Line)
+        return within_edge(c, ElCLib::Parameter(c.adaptor.Line(), to_pnt(p)), 0, p);
+    if (c.adaptor.GetType() == GeomAbs_Circle)
+        return within_edge(c, ElCLib::Parameter(c.adaptor.Circle(), to_pnt(p)), 2 * M_PI, p);
+    if (guess)
+        if (const auto t = newton(c, p, std::clamp(*guess, c.first, c.last))) return at(c, *t, p);
+    return global_nearest(c, p);
+}
+
+OnFace Projector::nearest(FaceId face, const Vec3& p, std::optional<std::array<double, 2>> guess) const {
+    SurfaceData& s = data_->surface(face);
+    if (const auto uv = analytic_parameters(s.adaptor, to_pnt(p))) return at(s, in_period(s, *uv, guess), p);
+    if (guess)
+        if (const auto uv = newton(s, p, *guess)) return at(s, *uv, p);
+    return global_nearest(s, p);
+}
+
+bool Projector::is_inside_trim(FaceId face, std::array<double, 2> uv) const {
+    SurfaceData& s = data_->surface(face);
+    if (!s.trim) s.trim = std::make_unique<BRepTopAdaptor_FClass2d>(s.face, 1e-9);
+    const TopAbs_State state = s.trim->Perform(gp_Pnt2d(uv[0], uv[1]));
+    return state == TopAbs_IN || state == TopAbs_ON;
+}
+
+Vec3 Projector::normal(FaceId face, std::array<double, 2> uv) const {
+    const SurfaceData& s = data_->surface(face);
+    gp_Pnt q;
+    gp_Vec du, dv;
+    s.adaptor.D1(uv[0], uv[1], q, du, dv);
+    Vec3 n = cross(to_vec(du), to_vec(dv));
+    if (length(n) <= 1e-12 * length(to_vec(du)) * length(to_vec(dv)) || length(n) == 0) {
+        // A pole: the normal a little way into the face is the one of the pole to first order.
+        const auto& b = s.trim_box;
+        const double share = 1e-6;
+        s.adaptor.D1(uv[0] + share * (0.5 * (b.u_min + b.u_max) - uv[0]), uv[1] + share * (0.5 * (b.v_min + b.v_max) - uv[1]),
+                     q, du, dv);
+        n = cross(to_vec(du), to_vec(dv));
+    }
+    n = normalized(n);
+    return s.face.Orientation() == TopAbs_REVERSED ? -n : n;
+}
+
+}  // namespace featuremesh
