@@ -66,7 +66,7 @@ def write_page(folder, numbers):
     page.add_figure(folder / "pictures" / "kept_close.png", "The same close up. Active nodes survived as start positions and were then moved to where they serve best.")
     add_difference(page, numbers)
     add_meshes(page, numbers)
-    page.add_figure(folder / "pictures" / "quality.png", "Quality of all tets of the mesh before and after: an update costs none.")
+    page.add_figure(folder / "pictures" / "quality.png", "Quality of all tets of the mesh before and after the update.")
     add_results(page, numbers)
     page.add_figure(folder / "pictures" / "stress.png", "Both solutions in the same colours, deformations drawn at the same scale.")
     page.write(folder / "report.html", "Made by ./featuremesh demo. Times are those of this run on this machine.")
@@ -87,11 +87,11 @@ def add_difference(page, numbers):
 def add_meshes(page, numbers):
     page.add_heading("The meshes")
     rows = []
-    for title, name in (("first mesh", "first"), ("updated mesh", "update"), ("full mesh of the edited part, for comparison", "full")):
+    for title, name in (("first mesh", "first"), ("updated mesh", "update"), ("full mesh, to compare", "full")):
         report, quality = numbers[name], numbers[name]["quality"]
         rows.append((title, f"{report['nodes']:,}", f"{report['tets']:,}", f"{report['seconds']['engine_total']:.2f}",
-                     f"{quality['min_dihedral']:.1f}", f"{quality['mean_min_dihedral']:.1f}", f"{quality['mean_radius_ratio']:.3f}", quality["below_20"]))
-    page.add_table(("", "nodes", "tets", "seconds", "smallest dihedral, deg", "mean smallest, deg", "mean radius ratio", "tets below 20 deg"), rows)
+                     f"{quality['min_dihedral']:.1f}°", f"{quality['mean_min_dihedral']:.1f}°", f"{quality['mean_radius_ratio']:.3f}", quality["below_20"]))
+    page.add_table(("", "nodes", "tets", "seconds", "smallest dihedral", "mean of smallest", "mean radius ratio", "below 20°"), rows)
     steps = sorted({step for name in ("update", "full") for step in numbers[name]["seconds"]} & set(STEPS), key=STEPS.index)
     page.add_table(("seconds by step", *steps),
                    [(title, *(f"{numbers[name]['seconds'].get(step, 0):.3f}" for step in steps))

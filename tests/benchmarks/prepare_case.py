@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads a part before and after its edit, in FreeCAD, so that the meshers can be measured without it.
+
+FEATUREMESH_CASE is JSON: part, after, final, edit, folder. Writes old.json, new.json (raw documents) and new.brep there.
+"""
+import base64
+import json
+import os
+import sys
+import traceback
+from pathlib import Path
+
+import FreeCAD as App
+import freecad
+
+ROOT = Path(__file__).resolve().parents[2]
+freecad.__path__.append(str(ROOT / "Mod" / "FeatureMesh" / "freecad"))
+sys.path.insert(0, str(Path(__file__).parent))
+
+
+def prepare(case):
+    from freecad.featuremesh import api, reading
+    folder = Path(case["folder"])
+    document = open_part(case["part"])
+    write_raw(folder / "old.json", reading.read_document(document.getObject(case["final"])))
+    if case["after"]:
+        document = open_part(case["after"])
+    api.set_parameters(document, case["edit"])
+    api.recompute(document)
+    part = document.getObject(case["final"])
+    write_raw(folder / "new.json", reading.read_document(part))
+    part.Shape.exportBrep(str(folder / "new.brep"))
+
+
+def open_part(name):
+    example = ROOT / "resources" / "examples" / (name + ".FCStd")
+    if example.is_file():
+        return App.openDocument(str(example))
+    import bench_parts
+    return bench_parts.make(name)
+
+
+def write_raw(path, raw):
+    raw = {**raw, "shapes": base64.b64encode(raw["shapes"]).decode("ascii")}
+    path.write_text(json.dumps(raw), encoding="utf-8")
+
+
+def main():
+    try:
+        prepare(json.loads(os.environ["FEATUREMESH_CASE"]))
+        result = {"exit_code": 0, "message": "", "data": {}}
+    except Exception as error:
+        traceback.print_exc()
+        result = {"exit_code": 1, "message": str(error), "data": {}}
+    Path(os.environ["FEATUREMESH_RESULT"]).write_text(json.dumps(result), encoding="utf-8")
+
+
+if __name__ == "prepare_case":
+    main()

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measures the full mesh, the update and Gmsh on the same parts in one run, and prints a table.
+
+Seconds of the engine are its `engine_total` (from FreeCAD's shapes to a validated mesh); Gmsh's are those of its whole
+process. In every round each of them runs once, one after the other, and ratios are medians of the rounds' ratios, so that
+a machine that is slower for a while does not bend them. Results are appended to build/benchmarks.jsonl.
+"""
+import argparse
+import base64
+import json
+import os
+import platform
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(Path(__file__).parent), str(ROOT / "resources" / "launcher"), str(ROOT / "build" / "release" / "bindings")]
+
+import cases  # noqa: E402
+from freecad_task import run_script  # noqa: E402
+from gmsh_peer import ALGORITHMS, mesh_with_gmsh, quality_of  # noqa: E402
+
+RESULTS = ROOT / "build" / "benchmarks.jsonl"
+OURS = ("full mesh", "update")
+HEADER = f"  {'':14s} {'tets':>9s} {'seconds':>8s} {'spread':>13s} {'tets/s':>9s} {'min deg':>8s} {'ratio':>6s} {'<20 deg':>8s}"
+
+
+def main():
+    given = parse_arguments()
+    if given.list:
+        for case in cases.CASES:
+            print(f"{case.name:20s} {case.about}, size {case.size:g} mm")
+        return 0
+    chosen = [cases.named(name) for name in given.case] if given.case else cases.CASES
+    if None in chosen:
+        print("featuremesh bench: no such case; see featuremesh bench --list", file=sys.stderr)
+        return 2
+    failed = 0
+    for case in chosen:
+        try:
+            measure(case, given)
+        except Exception as error:
+            failed += 1
+            print(f"  {case.name} failed: {error}", file=sys.stderr, flush=True)
+    print(f"{len(chosen) - failed} of {len(chosen)} cases measured; appended to {RESULTS}")
+    return 1 if failed else 0
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--case", action="append")
+    parser.add_argument("--repeat", type=int, default=5)
+    parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--list", action="store_true")
+    return parser.parse_args()
+
+
+def measure(case, given):
+    """Measures one case, prints its rows and appends them to the results."""
+    print(f"{case.name}: {case.about}, size {case.size:g} mm, {given.threads} thread{'s' if given.threads > 1 else ''}, "
+          f"{given.repeat} rounds\n{HEADER}", flush=True)
+    with tempfile.TemporaryDirectory(prefix="featuremesh-bench-") as name:
+        folder = Path(name)
+        prepare(case, folder)
+        rows = run_rounds(case, folder, given)
+    for who, row in rows.items():
+        print(row_in_words(who, row), flush=True)
+    summary = compare_rows(rows)
+    print("  " + "; ".join(summary_in_words(summary)) + "\n", flush=True)
+    record = {"case": case.name, "size": case.size, "threads": given.threads, "machine": machine(), "rows": rows, "summary": summary}
+    with open(RESULTS, "a", encoding="utf-8") as results:
+        results.write(json.dumps(record) + "\n")
+
+
+def prepare(case, folder):
+    task = {"part": case.part, "after": case.after, "final": case.final, "edit": case.edit, "folder": str(folder)}
+    result = run_script(Path(__file__).parent / "prepare_case.py", {"FEATUREMESH_CASE": json.dumps(task)})
+    if result["exit_code"]:
+        raise RuntimeError(result["message"])
+
+
+def run_rounds(case, folder, given):
+    """By mesher: the seconds of every round, and the figures of its mesh."""
+    import featuremesh_engine as engine
+    options = {"size": case.size, "threads": given.threads}
+    old_raw, new_raw = (read_raw(folder / name) for name in ("old.json", "new.json"))
+    old, _ = engine.mesh_part(old_raw, options)
+    rows = {}
+    for _ in range(given.repeat):
+        _, report = engine.mesh_part(new_raw, options)
+        add_round(rows, "full mesh", report["seconds"]["engine_total"], figures_of(report))
+        _, report = engine.update_part(old, new_raw, options)
+        add_round(rows, "update", report["seconds"]["engine_total"], figures_of(report) | kept_of(report))
+        for peer in ALGORITHMS:
+            add_peer_round(rows, peer, folder / "new.brep", case.size, given.threads)
+    return rows
+
+
+def add_peer_round(rows, peer, brep, size, threads):
+    try:
+        seconds, points, tets = mesh_with_gmsh(peer, brep, size, threads)
+    except (RuntimeError, subprocess.TimeoutExpired) as error:
+        print(f"  {peer}: {error}", file=sys.stderr)
+        return
+    figures = {"tets": len(tets)} if peer in rows else {"tets": len(tets), **quality_of(points, tets)}
+    add_round(rows, peer, seconds, figures)
+
+
+def add_round(rows, who, seconds, figures):
+    row = rows.setdefault(who, {"seconds": []})
+    row["seconds"].append(seconds)
+    row.update(figures)
+
+
+def figures_of(report):
+    quality = {name: report["quality"][name] for name in ("min_dihedral", "mean_radius_ratio", "below_20", "below_25")}
+    return {"tets": report["tets"], "steps": report["seconds"], "peak_memory_mb": report["peak_memory_mb"], **quality}
+
+
+def kept_of(report):
+    return {"kept_nodes": report["kept"]["nodes_share"], "kept_tets": report["kept"]["tets_share"], "fallback": report["fallback"]}
+
+
+def compare_rows(rows):
+    """Medians of the rounds' ratios, and what the update kept."""
+    update, full = rows["update"]["seconds"], rows["full mesh"]["seconds"]
+    summary = {"kept_nodes": rows["update"]["kept_nodes"], "kept_tets": rows["update"]["kept_tets"],
+               "update_over_full": statistics.median(a / b for a, b in zip(update, full)), "fallback": rows["update"]["fallback"]}
+    for peer in ALGORITHMS:
+        if peer in rows:
+            seconds = rows[peer]["seconds"]
+            summary[f"update_over_{peer}"] = statistics.median(a / b for a, b in zip(update, seconds))
+            speeds = zip(full, seconds)
+            summary[f"full_speed_over_{peer}"] = statistics.median(
+                (rows["full mesh"]["tets"] / a) / (rows[peer]["tets"] / b) for a, b in speeds)
+    return summary
+
+
+def row_in_words(who, row):
+    middle = statistics.median(row["seconds"])
+    spread = f"{min(row['seconds']):.2f}..{max(row['seconds']):.2f}"
+    return (f"  {who:14s} {row['tets']:9,d} {middle:8.3f} {spread:>13s} {row['tets'] / middle:9,.0f} {row['min_dihedral']:8.1f} "
+            f"{row['mean_radius_ratio']:6.3f} {row['below_20']:8,d}")
+
+
+def summary_in_words(summary):
+    words = [f"kept {summary['kept_nodes']:.1%} of the nodes", f"update / full mesh {summary['update_over_full']:.1%}"]
+    for peer in ALGORITHMS:
+        if f"update_over_{peer}" in summary:
+            words.append(f"update / {peer} {summary[f'update_over_{peer}']:.1%}")
+            words.append(f"full mesh's tets per second / {peer}'s {summary[f'full_speed_over_{peer}']:.2f}")
+    return words + ([f"fallback: {summary['fallback']}"] if summary["fallback"] else [])
+
+
+def read_raw(path):
+    raw = json.loads(path.read_text(encoding="utf-8"))
+    return {**raw, "shapes": base64.b64decode(raw["shapes"])}
+
+
+def machine():
+    """What a later reader must know to compare figures."""
+    with open("/proc/cpuinfo", encoding="utf-8") as info:
+        model = next((line.split(":")[1].strip() for line in info if line.startswith("model name")), platform.machine())
+    commit = subprocess.run(["git", "-C", str(ROOT), "rev-parse", "--short", "HEAD"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    return {"processor": model, "processors": os.cpu_count(), "memory_gb": round(os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30, 1),
+            "system": platform.platform(), "commit": commit.stdout.strip(), "time": time.strftime("%Y-%m-%dT%H:%M:%S%z")}
+
+
+sys.exit(main())
