@@ -33,16 +33,15 @@ def run_script(script, variables, lines_to=None):
     with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
         result_file = Path(folder) / "result.json"
         environment = freecad_environment(FEATUREMESH_RESULT=str(result_file), **variables)
-        with open(FREECAD_LOG, "w", encoding="utf-8") as log:
-            process = subprocess.Popen([freecadcmd(), str(script), f"--module-path={WORKBENCH}"], env=environment,
-                                       stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.PIPE)
+        command = [freecadcmd(), str(script), f"--module-path={WORKBENCH}"]
+        with open(FREECAD_LOG, "w", encoding="utf-8") as log, subprocess.Popen(
+                command, env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.PIPE) as process:
             try:
                 pass_on(process.stderr, log, lines_to)
-                code = process.wait()
             except KeyboardInterrupt:
                 process.terminate()
-                process.wait()
                 raise
+        code = process.returncode
         if not result_file.is_file():
             raise Failure(f"FreeCAD {how_it_ended(code)} before it was done, and no file was changed; "
                           f"the end of {FREECAD_LOG}:\n{end_of(FREECAD_LOG)}")

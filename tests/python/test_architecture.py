@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The modules of the engine use only those before them, libraries stop where they are needed, and the workbench's model
+side never touches a window. Runs in plain Python."""
+import ast
+import re
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+SOURCES = ROOT / "src"
+WORKBENCH = ROOT / "Mod" / "FeatureMesh" / "freecad" / "featuremesh"
+INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
+ORDER = ["core", "features", "cells", "difference", "mesh", "sizing", "surface", "volume", "update"]
+# Which modules know which library, and which of these may show it in their headers.
+KNOW_OCCT = {"features", "cells", "difference", "sizing", "surface", "update"}
+SHOW_OCCT = {"features", "cells", "difference", "update"}
+KNOW_CGAL = {"surface", "volume"}
+WINDOW_FILES = {"init_gui.py", "view_provider.py"}
+WINDOW_FOLDERS = {"commands", "gui"}
+WINDOW_MODULES = {"FreeCADGui", "FemGui", "PySide", "PySide2", "PySide6"}
+
+
+def source_files(folder):
+    return sorted(path for path in folder.rglob("*") if path.suffix in (".h", ".cpp"))
+
+
+def includes(path):
+    """(quoted or angled, name) of every include."""
+    return INCLUDE.findall(path.read_text(encoding="utf-8"))
+
+
+def imported_names(path):
+    """Every module named by an import anywhere in a Python file."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            yield "." * node.level + (node.module or "")
+
+
+class ModuleOrder(unittest.TestCase):
+    def test_build_and_folders_name_the_same_modules_in_the_same_order(self):
+        text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
+        self.assertEqual(re.search(r"set\(FEATUREMESH_MODULES ([a-z ]+)", text).group(1).split(), ORDER)
+        self.assertEqual({path.name for path in SOURCES.iterdir()}, set(ORDER))
+
+    def test_a_file_includes_only_modules_above_its_own(self):
+        seen = 0
+        for module in ORDER:
+            allowed = set(ORDER[:ORDER.index(module) + 1])
+            for path in source_files(SOURCES / module):
+                for quote, name in includes(path):
+                    if quote == '"':
+                        seen += 1
+                        self.assertIn(name.split("/")[0], allowed, f"{path.relative_to(ROOT)} includes {name}")
+        self.assertGreater(seen, 100)
+
+    def test_a_module_links_only_modules_above_its_own(self):
+        for module in ORDER:
+            text = (SOURCES / module / "CMakeLists.txt").read_text(encoding="utf-8")
+            used = re.search(r"\bUSES\s+([a-z\s]+)", text)
+            for name in used.group(1).split() if used else []:
+                self.assertIn(name, ORDER[:ORDER.index(module)], f"{module} uses {name}")
+
+    def test_every_source_file_is_built(self):
+        for module in ORDER:
+            text = (SOURCES / module / "CMakeLists.txt").read_text(encoding="utf-8")
+            for path in (SOURCES / module).glob("*.cpp"):
+                self.assertIn(path.name, text)
+
+
+class Libraries(unittest.TestCase):
+    def test_occt_stops_where_it_is_needed(self):
+        for module in ORDER:
+            for path in source_files(SOURCES / module):
+                if any(name.endswith(".hxx") for _, name in includes(path)):
+                    allowed = KNOW_OCCT if path.suffix == ".cpp" else SHOW_OCCT
+                    self.assertIn(module, allowed, f"{path.relative_to(ROOT)} includes OCCT")
+
+    def test_cgal_is_seen_by_source_files_only(self):
+        for path in source_files(SOURCES):
+            if any(name.startswith("CGAL/") for _, name in includes(path)):
+                self.assertEqual(path.suffix, ".cpp", path.relative_to(ROOT))
+                self.assertIn(path.relative_to(SOURCES).parts[0], KNOW_CGAL, path.relative_to(ROOT))
+
+    def test_the_engine_knows_nothing_of_python_and_freecad(self):
+        for path in source_files(SOURCES):
+            for _, name in includes(path):
+                self.assertFalse(name.startswith(("pybind11/", "Python.h", "App/", "Base/")), f"{path.relative_to(ROOT)} includes {name}")
+
+
+class Workbench(unittest.TestCase):
+    def test_the_model_side_imports_nothing_of_the_window(self):
+        files = [path for path in WORKBENCH.rglob("*.py") if path.name not in WINDOW_FILES
+                 and not WINDOW_FOLDERS & set(path.relative_to(WORKBENCH).parts)]
+        self.assertGreater(len(files), 8)
+        for path in files:
+            for name in imported_names(path):
+                self.assertNotIn(name.split(".")[0], WINDOW_MODULES, f"{path.relative_to(ROOT)} imports {name}")
+
+
+class Style(unittest.TestCase):
+    def test_every_file_names_its_licence(self):
+        folders = ("src", "bindings", "tests", "resources", "Mod")
+        for path in (path for folder in folders for path in (ROOT / folder).rglob("*")):
+            if path.suffix in (".h", ".cpp", ".py") or path.name == "CMakeLists.txt":
+                self.assertIn("SPDX-License-Identifier: GPL-3.0-or-later", path.read_text(encoding="utf-8")[:200], path.relative_to(ROOT))
+
+    def test_no_file_grows_beyond_600_lines(self):
+        for folder in ("src", "bindings", "tests", "resources", "Mod"):
+            for path in (ROOT / folder).rglob("*"):
+                if path.suffix in (".h", ".cpp", ".py"):
+                    self.assertLessEqual(len(path.read_text(encoding="utf-8").splitlines()), 600, path.relative_to(ROOT))
+
+
+if __name__ == "__main__":
+    unittest.main()

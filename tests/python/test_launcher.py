@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The launcher as a user meets it, and the set-up's parts that need neither root nor a network. Runs in plain Python."""
+import io
+import json
+import os
+import stat
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+ROOT = Path(__file__).resolve().parents[2]
+LAUNCHER = ROOT / "featuremesh"
+sys.path.insert(0, str(ROOT / "resources" / "launcher"))
+
+import cgal_headers  # noqa: E402
+import engine_build  # noqa: E402
+import freecad_task  # noqa: E402
+import packages  # noqa: E402
+from layout import Failure  # noqa: E402
+
+
+def run(*words):
+    return subprocess.run([str(LAUNCHER), *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+class CommandLine(unittest.TestCase):
+    def test_help_explains_each_command(self):
+        shown = run("--help")
+        self.assertEqual(shown.returncode, 0)
+        for command in ("demo", "test", "mesh", "update", "diff", "tree", "export", "gui", "bench"):
+            self.assertRegex(shown.stdout, rf"\n    {command} +[a-z]")
+            self.assertEqual(run(command, "--help").returncode, 0)
+
+    def test_wrong_use_is_the_users_error_in_one_line(self):
+        for words in ((), ("mesh",), ("mesh", "no_such.FCStd"), ("mesh", __file__, "--size", "0"), ("mesh", __file__, "--size", "-1"),
+                      ("mesh", __file__, "--size", "nan"), ("mesh", __file__, "--order", "3"), ("mesh", __file__, "--threads", "0"),
+                      ("update", "no_such.FCStd", "--set", "A.B=1"), ("diff", __file__), ("export", __file__, "out.vtu"),
+                      ("mesh", __file__, "--out", "no/such/folder/out.FCStd"), ("demo", "--out", __file__), ("nothing",)):
+            with self.subTest(words=words):
+                done = run(*words)
+                self.assertEqual(done.returncode, 2)
+                self.assertEqual(done.stdout, "")
+                self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+                self.assertNotIn("Traceback", done.stderr)
+
+
+class FreecadTask(unittest.TestCase):
+    """The launcher's side of a task, with other programs in FreeCAD's place."""
+
+    def run_with(self, script_text, **arguments):
+        with tempfile.TemporaryDirectory() as folder:
+            program = Path(folder) / "freecadcmd"
+            program.write_text("#!/bin/sh\n" + script_text, encoding="utf-8")
+            program.chmod(program.stat().st_mode | stat.S_IXUSR)
+            with mock.patch.dict(os.environ, FREECADCMD=str(program)), \
+                    mock.patch.object(freecad_task, "FREECAD_LOG", Path(folder) / "freecad.log"):
+                return freecad_task.run_script("script.py", {"FEATUREMESH_TASK": "{}"}, **arguments)
+
+    def test_the_result_file_is_the_answer(self):
+        answer = {"exit_code": 2, "message": "no", "data": {"a": [1]}}
+        self.assertEqual(self.run_with(f"echo '{json.dumps(answer)}' > $FEATUREMESH_RESULT; exit 7"), answer)
+
+    def test_a_crash_is_told_with_its_signal_and_the_logs_end(self):
+        with self.assertRaisesRegex(Failure, r"(?s)SIGSEGV.*no file was changed.*last words"):
+            self.run_with("echo last words >&2; kill -SEGV $$")
+
+    def test_an_end_without_result_is_a_failure(self):
+        with self.assertRaisesRegex(Failure, "exit code 0"):
+            self.run_with("exit 0")
+
+    def test_marked_lines_are_passed_on(self):
+        lines = io.StringIO()
+        self.run_with("echo noise >&2; echo 'featuremesh: step 1' >&2; echo '{}' > $FEATUREMESH_RESULT", lines_to=lines)
+        self.assertEqual(lines.getvalue(), "step 1\n")
+
+    def test_freecad_gets_a_utf8_locale_and_the_engine(self):
+        environment = freecad_task.freecad_environment()
+        self.assertEqual(environment["LC_ALL"], "C.UTF-8")
+        self.assertTrue(environment["PYTHONPATH"].startswith(str(ROOT / "build" / "release" / "bindings")))
+
+
+class DebianSources(unittest.TestCase):
+    ONE_LINE = """
+# deb http://old.example/debian buster main
+deb [arch=amd64 signed-by=/usr/share/keyrings/other.gpg] https://packages.example/apt stable main
+deb-src http://mirror.example/debian bookworm main
+deb [ check-valid-until=no ] http://mirror.example/debian bookworm main  # ours
+"""
+    DEB822 = """Types: deb
+# http://snapshot.example/archive
+URIs: https://packages.example/apt
+Suites: nodistro
+Signed-By: /usr/share/keyrings/other.gpg
+
+Types: deb
+Enabled: no
+URIs: http://switched-off.example/debian
+Suites: bookworm
+
+Types: deb deb-src
+URIs: http://mirror.example/debian
+Suites: bookworm bookworm-updates
+Components: main
+Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
+"""
+
+    def source_with(self, **files):
+        with tempfile.TemporaryDirectory() as folder:
+            etc = Path(folder)
+            (etc / "sources.list.d").mkdir()
+            for name, text in files.items():
+                place = etc / "sources.list" if name == "main" else etc / "sources.list.d" / name.replace("_", ".")
+                place.write_text(text, encoding="utf-8")
+            return cgal_headers.debian_source(etc)
+
+    def test_the_machines_own_mirror_is_found_in_either_form(self):
+        self.assertEqual(self.source_with(main=self.ONE_LINE),
+                         {"uri": "http://mirror.example/debian", "signed_by": "", "check_valid_until": "no"})
+        self.assertEqual(self.source_with(debian_sources=self.DEB822),
+                         {"uri": "http://mirror.example/debian", "check_valid_until": "",
+                          "signed_by": "/usr/share/keyrings/debian-archive-keyring.gpg"})
+
+    def test_without_a_debian_mirror_the_message_says_what_to_do(self):
+        with self.assertRaisesRegex(Failure, "no Debian mirror.*build/deps/cgal"):
+            self.source_with(main="deb http://archive.example/ubuntu noble main\n")
+
+    def test_only_a_frozen_archive_may_be_out_of_date(self):
+        source = self.source_with(debian_sources=self.DEB822)
+        self.assertFalse(cgal_headers.is_frozen(source))
+        self.assertTrue(cgal_headers.is_frozen({**source, "uri": "http://snapshot.example/archive/debian/20250101T000000Z"}))
+        self.assertTrue(cgal_headers.is_frozen({**source, "check_valid_until": "no"}))
+
+    def test_the_signature_is_always_checked(self):
+        line = cgal_headers.testing_line(self.source_with(debian_sources=self.DEB822))
+        self.assertEqual(line, "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] http://mirror.example/debian testing main\n")
+        self.assertNotIn("trusted", line)
+
+    def test_the_version_of_unpacked_headers_is_read(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(cgal_headers.version_of(Path(folder)), (0, 0))
+            header = Path(folder) / "usr/include/CGAL/version.h"
+            header.parent.mkdir(parents=True)
+            header.write_text("#define CGAL_VERSION_STR CGAL_STR(CGAL_VERSION)\n#define CGAL_VERSION 6.2.1\n", encoding="utf-8")
+            self.assertEqual(cgal_headers.version_of(Path(folder)), (6, 2))
+
+
+class SetUp(unittest.TestCase):
+    def test_installed_packages_are_not_missing(self):
+        self.assertEqual(packages.missing(["dpkg", "no-such-package-anywhere", "apt"]), ["no-such-package-anywhere"])
+
+    def test_every_package_has_a_reason(self):
+        groups = (packages.BUILD_PACKAGES, packages.RUN_PACKAGES, packages.PICTURE_PACKAGES, packages.PEER_PACKAGES, packages.WINDOW_PACKAGES)
+        self.assertEqual({group for group, _ in packages.REASONS}, set(groups))
+
+    def test_without_root_the_missing_packages_are_named(self):
+        with mock.patch("os.geteuid", return_value=1000), mock.patch("shutil.which", return_value=None):
+            with self.assertRaisesRegex(Failure, "cmake.*root"):
+                packages.root_prefix(["cmake"])
+
+    def test_a_changed_source_changes_the_stamp(self):
+        before = engine_build.fingerprint(("a",))
+        self.assertEqual(before, engine_build.fingerprint(("a",)))
+        self.assertNotEqual(before, engine_build.fingerprint(("a", "b")))
+        with tempfile.NamedTemporaryFile() as source:
+            with mock.patch.object(engine_build, "source_files", return_value=[Path(source.name)]):
+                empty = engine_build.fingerprint(())
+                source.write(b"more")
+                source.flush()
+                self.assertNotEqual(empty, engine_build.fingerprint(()))
+
+    def test_sources_of_the_engine_are_watched(self):
+        watched = {path.relative_to(ROOT).as_posix() for path in engine_build.source_files()}
+        self.assertLessEqual({"CMakeLists.txt", "src/core/errors.h", "bindings/CMakeLists.txt"}, watched)
+
+
+if __name__ == "__main__":
+    unittest.main()
