@@ -45,6 +45,15 @@ TetShape shape_of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 double angle_deg(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * degrees; }
 
+/// Arc cosine for sums, within 1.2e-6 degrees and without a call. Abramowitz and Stegun, 4.4.46.
+double fast_angle_deg(double cosine) {
+    const double x = std::min(std::abs(cosine), 1.0);
+    double p = -0.0012624911;
+    for (double c : {0.0066700901, -0.0170881256, 0.0308918810, -0.0501743046, 0.0889789874, -0.2145988016, 1.5707963050}) p = p * x + c;
+    const double angle = std::sqrt(1 - x) * p * degrees;
+    return cosine < 0 ? 180 - angle : angle;
+}
+
 /// Finds the 5-degree bin of an angle from its cosine without an arc cosine: a fine table gives the bin at a cell's right end, and a cell holds at
 /// most one border.
 class AngleBins {
@@ -91,7 +100,7 @@ Tally tally_of(const Mesh& mesh, const std::vector<bool>& is_forced, std::size_t
         for (double cosine : shape.cosines) ++tally.histogram[bin_of(cosine)];
         tally.largest_cosine = std::max(tally.largest_cosine, *high);
         tally.smallest_cosine = std::min(tally.smallest_cosine, *low);
-        tally.sum_of_min_angles += angle_deg(*high);
+        tally.sum_of_min_angles += fast_angle_deg(*high);
         tally.sum_of_ratios += shape.radius_ratio;
         tally.smallest_ratio = std::min(tally.smallest_ratio, shape.radius_ratio);
         tally.below_10 += *high > cos_10;
