@@ -3,7 +3,9 @@
 // (Sypkens Smit and Bronsvoort 2007).
 #pragma once
 
+#include <array>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,15 +45,19 @@ struct FaceChange {
 };
 
 /// The part of either boundary that the other does not have, as triangles, conservative: every point of the symmetric difference of the
-/// two boundaries is on one of them or closer than `slack` to one.
+/// two boundaries, and of the edges that only one of them has, is on a triangle or no further from one than a quarter of the
+/// resolution that was asked for. It reaches at most about one resolution beyond that difference.
 class ChangedBoundary {
   public:
     ChangedBoundary();
     explicit ChangedBoundary(std::vector<std::array<Vec3, 3>> triangles);
+    /// Nothing was looked at outside the domain: all of that counts as changed.
+    ChangedBoundary(std::vector<std::array<Vec3, 3>> triangles, const Box& domain);
     bool is_empty() const;
     std::span<const std::array<Vec3, 3>> triangles() const;
     /// Distance from p, mm; `limit` when it is not closer than that. Safe to call from several threads.
     double distance(const Vec3& p, double limit) const;
+    /// Holds everything that is changed: all of space when there is a domain.
     Box box() const;
 
   private:
@@ -69,6 +75,9 @@ struct CarriedRegion {
     std::vector<FaceId> new_face_of;                   ///< by old FaceId: the new face on the same carrier under the motion; none
     std::vector<EdgeId> new_edge_of;                   ///< by old EdgeId, same curve under the motion (trims may differ); none
     std::vector<VertexId> new_vertex_of;               ///< by old VertexId; none
+    /// All new faces (edges) that overlap the old one, the largest share first, so that [0] is the one above: a face may have been split.
+    std::vector<std::vector<FaceId>> new_faces_of;
+    std::vector<std::vector<EdgeId>> new_edges_of;
 };
 
 struct FeatureDifference {

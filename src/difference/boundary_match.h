@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Old boundary, moved, against new boundary: which faces lie on the same carrier, and where the borders of their trims differ.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "difference/boundary_model.h"
+
+namespace featuremesh {
+
+/// The old boundary under a motion and the new one; only what touches `domain` is compared, everything when there is none.
+struct BoundaryPair {
+    const BoundaryModel& old_model;
+    const BoundaryModel& new_model;
+    RigidMotion motion;
+    std::optional<Box> domain;
+    Sameness sameness;
+};
+
+/// An edge as a stretch of a curve that several edges may share.
+struct Stretch {
+    int curve = -1;               ///< index into BoundaryMatch::curves; -1 outside the domain or without a curve
+    double first = 0, last = 0;   ///< curve parameters, first < last; of a closed curve first is in [0, period)
+    bool along = true;            ///< the edge runs in the direction of the curve
+};
+
+/// Part of the border of one trim that the other does not have.
+struct ChangedPiece {
+    int curve = -1;
+    double first = 0, last = 0;
+};
+
+/// All faces of both states on one carrier with material on the same side.
+struct CarrierGroup {
+    std::vector<FaceId> old_faces, new_faces;
+    std::vector<ChangedPiece> pieces;
+    std::vector<Vec3> points;     ///< vertices that one side does not have, in the new state's place
+
+    bool is_unchanged() const { return pieces.empty() && points.empty(); }
+};
+
+struct BoundaryMatch {
+    std::vector<CurveCarrier> curves;                 ///< in the new state's place
+    std::vector<Stretch> old_edges, new_edges;        ///< by EdgeId
+    std::vector<VertexId> new_vertex_of;              ///< by old VertexId
+    std::vector<CarrierGroup> groups;
+    std::vector<int> group_of_old_face, group_of_new_face;   ///< -1 outside the domain
+};
+
+BoundaryMatch match_boundaries(const BoundaryPair& pair);
+
+/// 2 pi for circles and ellipses, 0 for curves that do not come round.
+double period_of(const CurveCarrier& curve);
+
+}  // namespace featuremesh

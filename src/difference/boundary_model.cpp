@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "difference/boundary_model.h"
+
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Precision.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+namespace featuremesh {
+
+BoundaryModel::BoundaryModel(const Brep& brep) : brep_(brep), classifiers_(brep.face_count()) {
+    for (std::size_t e = 0; e < brep.edge_count(); ++e) take_edge(EdgeId(e));
+    for (std::size_t f = 0; f < brep.face_count(); ++f) take_face(FaceId(f));
+}
+
+void BoundaryModel::take_edge(EdgeId id) {
+    BoundaryEdge edge;
+    edge.is_degenerated = brep_.is_degenerated(id);
+    if (!edge.is_degenerated) {
+        edge.curve = carrier_of(brep_.edge(id));
+        edge.first = point_at(edge.curve, edge.curve.first);
+        edge.last = point_at(edge.curve, edge.curve.last);
+        edge.box = box_of(brep_.edge(id));
+    }
+    edges_.push_back(std::move(edge));
+}
+
+void BoundaryModel::take_face(FaceId id) {
+    BoundaryFace face;
+    face.carrier = carrier_of(brep_.face(id));
+    for (TopExp_Explorer e(brep_.face(id), TopAbs_EDGE); e.More(); e.Next()) {
+        const EdgeId edge = brep_.find(TopoDS::Edge(e.Current()));
+        if (!edge.is_valid() || edges_[edge.index()].is_degenerated) continue;
+        const TopAbs_Orientation orientation = e.Current().Orientation();
+        face.uses.push_back({edge, orientation == TopAbs_FORWARD,
+                             orientation == TopAbs_INTERNAL || orientation == TopAbs_EXTERNAL});
+    }
+    const auto [behind, before] = brep_.sides_of(id);
+    face.material_behind = behind.is_valid();
+    face.material_before = before.is_valid();
+    face.box = box_of(brep_.face(id));
+    find_sense(id, face);
+    faces_.push_back(std::move(face));
+}
+
+void BoundaryModel::find_sense(FaceId id, BoundaryFace& face) const {
+    const TopoDS_Face& shape = brep_.face(id);
+    for (const EdgeUse& use : face.uses) {
+        double first = 0, last = 0;
+        const Handle(Geom2d_Curve) trace = BRep_Tool::CurveOnSurface(brep_.edge(use.edge), shape, first, last);
+        if (trace.IsNull()) continue;
+        const gp_Pnt2d uv = trace->Value(0.4 * first + 0.6 * last);
+        gp_Pnt point;
+        gp_Vec du, dv;
+        face.carrier.surface->D1(uv.X(), uv.Y(), point, du, dv);
+        point.Transform(face.carrier.placement);
+        const gp_Vec normal = du.Crossed(dv).Transformed(face.carrier.placement);
+        if (normal.Magnitude() <= 1e-12 * (du.Magnitude() * dv.Magnitude())) continue;
+        const double along = dot(to_vec3(normal), outward_at(face.carrier, to_vec3(point), to_vec3(normal)));
+        face.normal_is_outward = (along > 0) == (shape.Orientation() != TopAbs_REVERSED);
+        return;
+    }
+}
+
+Side BoundaryModel::classify(FaceId face, std::array<double, 2> uv) const {
+    auto& classifier = classifiers_[face.index()];
+    if (!classifier)
+        classifier = std::make_unique<BRepTopAdaptor_FClass2d>(brep_.face(face), Precision::PConfusion());
+    switch (classifier->Perform(gp_Pnt2d(uv[0], uv[1]))) {
+        case TopAbs_IN:
+            return Side::in;
+        case TopAbs_OUT:
+            return Side::out;
+        default:
+            return Side::on;
+    }
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The boundary of a final shape as trimmed carriers, ready to be compared under any motion.
+#pragma once
+
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <memory>
+#include <vector>
+
+#include "difference/carriers.h"
+#include "features/brep.h"
+
+namespace featuremesh {
+
+/// An edge in the border of a face; the face lies to its left seen against the face's normal, or on both sides.
+struct EdgeUse {
+    EdgeId edge;
+    bool forward = true;
+    bool both_sides = false;    ///< drawn into the face, not at its border
+};
+
+struct BoundaryFace {
+    SurfaceCarrier carrier;
+    bool normal_is_outward = true;            ///< the oriented face's normal has the sense of `outward_at`
+    bool material_behind = true, material_before = false;   ///< against and along the oriented normal
+    std::vector<EdgeUse> uses;                ///< without degenerated edges
+    Box box;
+};
+
+struct BoundaryEdge {
+    CurveCarrier curve;
+    Vec3 first, last;                         ///< at the ends of the range
+    Box box;
+    bool is_degenerated = false;
+};
+
+enum class Side { in, out, on };
+
+class BoundaryModel {
+  public:
+    explicit BoundaryModel(const Brep& brep);
+
+    const Brep& brep() const { return brep_; }
+    const std::vector<BoundaryFace>& faces() const { return faces_; }
+    const std::vector<BoundaryEdge>& edges() const { return edges_; }
+    /// Where the parameters are relative to the face's trim. Not for several threads at once.
+    Side classify(FaceId face, std::array<double, 2> uv) const;
+
+  private:
+    void take_edge(EdgeId id);
+    void take_face(FaceId id);
+    void find_sense(FaceId id, BoundaryFace& face) const;
+
+    Brep brep_;
+    std::vector<BoundaryFace> faces_;
+    std::vector<BoundaryEdge> edges_;
+    mutable std::vector<std::unique_ptr<BRepTopAdaptor_FClass2d>> classifiers_;
+};
+
+}  // namespace featuremesh

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "difference/carrier_chart.h"
+
+#include <numbers>
+
+namespace featuremesh {
+
+namespace {
+constexpr double two_pi = 2 * std::numbers::pi;
+constexpr double straight = 1e300;
+
+double step_on_circle(double radius, double sag) {
+    return sag >= radius ? std::numbers::pi / 2 : std::min(std::numbers::pi / 2, 2 * std::acos(1 - sag / radius));
+}
+}  // namespace
+
+CarrierChart::CarrierChart(const SurfaceCarrier& carrier, const UvBox& natural) : carrier_(carrier), natural_(natural) {
+    if (carrier.kind != SurfaceKind::free_form) return;
+    analysis_ = new ShapeAnalysis_Surface(carrier.surface);
+    to_own_ = carrier.placement.Inverted();
+}
+
+void CarrierChart::scale_for(const UvBox& box) {
+    const double r = carrier_.radius;
+    switch (carrier_.kind) {
+        case SurfaceKind::plane:
+            scale_ = {1, 1};
+            break;
+        case SurfaceKind::cylinder:
+            scale_ = {r, 1};
+            break;
+        case SurfaceKind::cone:
+            scale_ = {std::max(std::abs(r + box.low[1] * std::sin(carrier_.second)),
+                               std::abs(r + box.high[1] * std::sin(carrier_.second))), 1};
+            scale_[0] = std::max(scale_[0], 1e-12);
+            break;
+        case SurfaceKind::sphere:
+            scale_ = {r, r};
+            break;
+        case SurfaceKind::torus:
+            scale_ = {r + carrier_.second, carrier_.second};
+            break;
+        case SurfaceKind::free_form: {
+            constexpr int samples = 12;
+            double du = 0, dv = 0;
+            for (int i = 0; i <= samples; ++i)
+                for (int j = 0; j <= samples; ++j) {
+                    const Uv uv = box.at(double(i) / samples, double(j) / samples);
+                    gp_Pnt p;
+                    gp_Vec u, v;
+                    carrier_.surface->D1(uv[0], uv[1], p, u, v);
+                    du = std::max(du, u.Magnitude()), dv = std::max(dv, v.Magnitude());
+                }
+            scale_ = {std::max(1.2 * du, 1e-12), std::max(1.2 * dv, 1e-12)};
+        }
+    }
+}
+
+double CarrierChart::period(int direction) const {
+    if (carrier_.kind == SurfaceKind::plane || carrier_.kind == SurfaceKind::free_form) return 0;
+    return direction == 0 || carrier_.kind == SurfaceKind::torus ? two_pi : 0;
+}
+
+bool CarrierChart::is_pole(const Uv& uv) const {
+    if (carrier_.kind == SurfaceKind::sphere) return std::cos(uv[1]) < 1e-7;
+    if (carrier_.kind == SurfaceKind::cone)
+        return std::abs(carrier_.radius + uv[1] * std::sin(carrier_.second)) < 1e-7;
+    return false;
+}
+
+std::optional<Uv> CarrierChart::parameters(const Vec3& p, const std::optional<Uv>& previous) const {
+    if (carrier_.kind == SurfaceKind::free_form) {
+        const gp_Pnt own = to_pnt(p).Transformed(to_own_);
+        const gp_Pnt2d found = previous ? analysis_->NextValueOfUV(gp_Pnt2d((*previous)[0], (*previous)[1]), own, 1e-6)
+                                        : analysis_->ValueOfUV(own, 1e-6);
+        const Uv uv{found.X(), found.Y()};
+        if (distance(point(uv), p) > 1e-4) return std::nullopt;
+        return uv;
+    }
+    Uv uv = parameters_of(carrier_, p);
+    if (previous && is_pole(uv)) uv[0] = (*previous)[0];
+    for (int k = 0; k < 2; ++k)
+        if (const double full = period(k); previous && full > 0) uv[k] += full * std::round(((*previous)[k] - uv[k]) / full);
+    return uv;
+}
+
+Uv CarrierChart::step_for_sag(double sag) const {
+    const double quarter = std::numbers::pi / 2;
+    switch (carrier_.kind) {
+        case SurfaceKind::plane:
+            return {straight, straight};
+        case SurfaceKind::cylinder:
+        case SurfaceKind::cone:
+            return {step_on_circle(scale_[0], sag), straight};
+        case SurfaceKind::sphere:
+            return {step_on_circle(carrier_.radius, sag / 2), step_on_circle(carrier_.radius, sag / 2)};
+        case SurfaceKind::torus:
+            return {step_on_circle(scale_[0], sag / 2), step_on_circle(carrier_.second, sag / 2)};
+        case SurfaceKind::free_form:
+            break;
+    }
+    // A step of this length strays by less than its sixteenth unless the surface is bent tighter than the step.
+    return {std::min(8 * sag / scale_[0], quarter * natural_.size(0)), std::min(8 * sag / scale_[1], quarter * natural_.size(1))};
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+#include "difference/feature_difference.h"
+
+namespace featuremesh {
+namespace {
+using Triangle = std::array<Vec3, 3>;
+
+double squared_distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+    const Vec3 ab = b - a;
+    const double l2 = squared_length(ab);
+    const double t = l2 > 0 ? std::clamp(dot(p - a, ab) / l2, 0.0, 1.0) : 0.0;
+    return squared_length(p - (a + ab * t));
+}
+
+/// To the plane of the triangle when the foot is inside, else to the nearest side.
+double squared_distance_to_triangle(const Vec3& p, const Triangle& t) {
+    const auto& [a, b, c] = t;
+    const Vec3 normal = cross(b - a, c - a);
+    const double area2 = squared_length(normal);
+    const bool inside = area2 > 0 && dot(cross(b - a, p - a), normal) >= 0 && dot(cross(c - b, p - b), normal) >= 0 &&
+                        dot(cross(a - c, p - c), normal) >= 0;
+    if (inside) {
+        const double along = dot(p - a, normal);
+        return along * along / area2;
+    }
+    return std::min({squared_distance_to_segment(p, a, b), squared_distance_to_segment(p, b, c),
+                     squared_distance_to_segment(p, c, a)});
+}
+
+double squared_distance_to_box(const Vec3& p, const Box& box) {
+    const auto outside = [](double x, double low, double high) { return x < low ? low - x : x > high ? x - high : 0.0; };
+    return squared_length({outside(p.x, box.low.x, box.high.x), outside(p.y, box.low.y, box.high.y),
+                           outside(p.z, box.low.z, box.high.z)});
+}
+
+double depth_in_box(const Vec3& p, const Box& box) {
+    const Vec3 low = p - box.low, high = box.high - p;
+    return std::max(0.0, std::min({low.x, low.y, low.z, high.x, high.y, high.z}));
+}
+}  // namespace
+
+/// Boxes in preorder: the left child follows its parent, the right one is named; leaves hold up to four triangles.
+struct ChangedBoundary::Tree {
+    struct Node {
+        Box box;
+        std::int32_t right = -1, begin = 0, count = 0;
+    };
+    std::vector<Triangle> triangles;
+    std::vector<Node> nodes;
+    std::optional<Box> domain;
+
+    void build() {
+        if (!triangles.empty()) split(0, triangles.size());
+    }
+
+    std::int32_t split(std::size_t begin, std::size_t end) {
+        const auto index = std::int32_t(nodes.size());
+        Node node;
+        Box centres;
+        for (std::size_t t = begin; t < end; ++t) {
+            for (const Vec3& p : triangles[t]) node.box.add(p);
+            centres.add(centre(triangles[t]));
+        }
+        nodes.push_back(node);
+        if (end - begin <= 4) {
+            nodes.back().begin = std::int32_t(begin);
+            nodes.back().count = std::int32_t(end - begin);
+            return index;
+        }
+        const Vec3 size = centres.size();
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        const auto middle = std::ptrdiff_t((begin + end) / 2);
+        std::nth_element(triangles.begin() + std::ptrdiff_t(begin), triangles.begin() + middle,
+                         triangles.begin() + std::ptrdiff_t(end),
+                         [&](const Triangle& a, const Triangle& b) { return centre(a)[axis] < centre(b)[axis]; });
+        split(begin, std::size_t(middle));
+        const std::int32_t right = split(std::size_t(middle), end);
+        nodes[std::size_t(index)].right = right;
+        return index;
+    }
+
+    static Vec3 centre(const Triangle& t) { return t[0] + t[1] + t[2]; }
+
+    /// The smaller of `best` and the squared distance.
+    double nearest(const Vec3& p, double best) const {
+        struct Waiting {
+            std::int32_t node;
+            double at_least;
+        };
+        std::array<Waiting, 64> stack;
+        int depth = 0;
+        if (!nodes.empty()) stack[depth++] = {0, squared_distance_to_box(p, nodes[0].box)};
+        while (depth > 0) {
+            const auto [index, at_least] = stack[--depth];
+            if (at_least >= best) continue;
+            const Node& node = nodes[std::size_t(index)];
+            for (std::int32_t t = node.begin; t < node.begin + node.count; ++t)
+                best = std::min(best, squared_distance_to_triangle(p, triangles[std::size_t(t)]));
+            if (node.count > 0) continue;
+            const Waiting left{index + 1, squared_distance_to_box(p, nodes[std::size_t(index) + 1].box)};
+            const Waiting right{node.right, squared_distance_to_box(p, nodes[std::size_t(node.right)].box)};
+            const bool left_first = left.at_least <= right.at_least;
+            stack[depth++] = left_first ? right : left;
+            stack[depth++] = left_first ? left : right;
+        }
+        return best;
+    }
+};
+
+ChangedBoundary::ChangedBoundary() : ChangedBoundary(std::vector<Triangle>{}) {}
+
+ChangedBoundary::ChangedBoundary(std::vector<Triangle> triangles) {
+    auto tree = std::make_shared<Tree>();
+    tree->triangles = std::move(triangles);
+    tree->build();
+    tree_ = std::move(tree);
+}
+
+ChangedBoundary::ChangedBoundary(std::vector<Triangle> triangles, const Box& domain) {
+    auto tree = std::make_shared<Tree>();
+    tree->triangles = std::move(triangles);
+    tree->domain = domain;
+    tree->build();
+    tree_ = std::move(tree);
+}
+
+bool ChangedBoundary::is_empty() const { return tree_->triangles.empty() && !tree_->domain; }
+
+std::span<const std::array<Vec3, 3>> ChangedBoundary::triangles() const { return tree_->triangles; }
+
+double ChangedBoundary::distance(const Vec3& p, double limit) const {
+    if (tree_->domain) limit = std::min(limit, depth_in_box(p, *tree_->domain));
+    if (!(limit > 0)) return 0;
+    const double best = tree_->nearest(p, limit * limit);
+    return best < limit * limit ? std::sqrt(best) : limit;
+}
+
+Box ChangedBoundary::box() const {
+    if (tree_->domain) return Box{Box{}.high, Box{}.low};
+    return tree_->nodes.empty() ? Box{} : tree_->nodes[0].box;
+}
+
+}  // namespace featuremesh

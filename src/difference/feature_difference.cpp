@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "difference/feature_difference.h"
+
+#include <algorithm>
+
+#include "core/errors.h"
+#include "difference/boundary_match.h"
+#include "difference/feature_verdicts.h"
+#include "difference/partners.h"
+#include "difference/trim_difference.h"
+
+namespace featuremesh {
+
+std::string to_string(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::same:
+            return "same";
+        case Verdict::moved:
+            return "moved";
+        case Verdict::reshaped:
+            return "reshaped";
+        case Verdict::added:
+            return "added";
+        case Verdict::removed:
+            return "removed";
+        case Verdict::suppressed:
+            return "suppressed";
+        case Verdict::interaction_changed:
+            return "interaction changed";
+    }
+    return "";
+}
+
+bool FeatureDifference::is_empty() const {
+    const bool features_same = std::all_of(features.begin(), features.end(),
+                                           [](const FeatureChange& f) { return f.verdict == Verdict::same; });
+    const bool faces_same =
+        std::all_of(faces.begin(), faces.end(), [](const FaceChange& f) { return f.verdict == FaceVerdict::kept; });
+    return features_same && faces_same && (regions.empty() || regions[0].changed.is_empty());
+}
+
+namespace {
+constexpr std::size_t most_motions = 64;
+
+Sameness sameness_for(const PartState& old_state, const PartState& new_state) {
+    Box box = old_state.brep.box();
+    box.add(new_state.brep.box());
+    return {Tolerances{box.diagonal()}.same_geometry(), box.center(), box.diagonal()};
+}
+
+// A motion is asked for near what moved only; beyond, the identity keeps more.
+std::optional<Box> domain_of(const MovedFeatures& moved, bool everything_moved, double resolution) {
+    if (everything_moved) return std::nullopt;
+    return moved.new_place.grown(std::max(8 * resolution, 0.5 * moved.new_place.diagonal()));
+}
+
+CarriedRegion carry(const BoundaryPair& pair, double resolution, BoundaryMatch& match) {
+    CarriedRegion region;
+    region.motion = pair.motion;
+    match = match_boundaries(pair);
+    std::vector<SpaceTriangle> triangles;
+    for (const CarrierGroup& group : match.groups) append_trim_difference(pair, match, group, resolution, triangles);
+    region.changed = pair.domain ? ChangedBoundary(std::move(triangles), *pair.domain) : ChangedBoundary(std::move(triangles));
+    find_partners(pair, match, region);
+    return region;
+}
+
+std::vector<std::string> names_of_unmoved(const std::vector<FeatureChange>& changes) {
+    std::vector<std::string> names;
+    for (const FeatureChange& change : changes)
+        if (change.verdict == Verdict::same || change.verdict == Verdict::interaction_changed) names.push_back(change.name);
+    return names;
+}
+
+void note_unrelated(const PartState& old_state, const PartState& new_state, std::vector<std::string>& notes) {
+    const auto& features = new_state.tree.features;
+    const bool common = std::any_of(features.begin(), features.end(),
+                                    [&](const Feature& f) { return old_state.tree.find(f.name).has_value(); });
+    if (!common) notes.push_back("the two parts look unrelated: they have no feature name in common");
+}
+}  // namespace
+
+FeatureDifference compare(const PartState& old_state, const PartState& new_state, double resolution, RunContext& context) {
+    const RunContext::Step step(context, "difference");
+    if (!(resolution > 0) || !std::isfinite(resolution))
+        throw InputError("the resolution of the difference must be a positive length, not " + std::to_string(resolution) + " mm");
+    const Sameness sameness = sameness_for(old_state, new_state);
+    FeatureVerdicts verdicts = compare_features(old_state, new_state, sameness);
+    const BoundaryModel old_model(old_state.brep), new_model(new_state.brep);
+    context.progress(0.3);
+
+    FeatureDifference difference;
+    BoundaryMatch match;
+    const BoundaryPair in_place{old_model, new_model, RigidMotion{}, std::nullopt, sameness};
+    difference.regions.push_back(carry(in_place, resolution, match));
+    difference.faces = face_changes(in_place, match, difference.regions[0]);
+    context.progress(0.6);
+
+    if (verdicts.moved.size() > most_motions) {
+        difference.notes.push_back(std::to_string(verdicts.moved.size()) + " different motions; only the first " +
+                                   std::to_string(most_motions) + " carry parts of the mesh");
+        verdicts.moved.resize(most_motions);
+    }
+    for (std::size_t m = 0; m < verdicts.moved.size(); ++m) {
+        MovedFeatures& moved = verdicts.moved[m];
+        const BoundaryPair pair{old_model, new_model, moved.motion, domain_of(moved, verdicts.everything_moved, resolution), sameness};
+        CarriedRegion region = carry(pair, resolution, match);
+        region.features = std::move(moved.features);
+        region.volumes = std::move(moved.additive_volumes);
+        difference.regions.push_back(std::move(region));
+        context.progress(0.6 + 0.4 * double(m + 1) / double(verdicts.moved.size()));
+    }
+
+    difference.features = std::move(verdicts.changes);
+    add_face_verdicts(old_state, new_state, difference.faces, difference.features);
+    difference.regions[0].features = names_of_unmoved(difference.features);
+    note_unrelated(old_state, new_state, difference.notes);
+    return difference;
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "difference/feature_verdicts.h"
+
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
+#include <algorithm>
+#include <map>
+
+#include "difference/feature_motion.h"
+#include "difference/numbers_in_words.h"
+
+namespace featuremesh {
+namespace {
+/// Volumes of one state, mm^3, by feature; from the cells where the books close, else integrated.
+class Volumes {
+  public:
+    explicit Volumes(const PartState& state) : state_(state), from_cells_(state.tree.features.size(), 0) {
+        const CellReport& report = state.cells.report;
+        trusted_ = !state.cells.cells.empty() && report.fallbacks.empty() && report.untrusted.empty();
+        for (const Cell& cell : state.cells.cells)
+            for (std::size_t i = 0; i < cell.owners.size(); ++i)
+                if (i == 0 || cell.owners[i].feature != cell.owners[i - 1].feature)
+                    from_cells_[cell.owners[i].feature.index()] += cell.volume;
+    }
+
+    double operator()(std::size_t feature) const {
+        if (trusted_ && from_cells_[feature] > 0) return from_cells_[feature];
+        double sum = 0;
+        for (const FeatureVolume& v : state_.tree.features[feature].volumes) {
+            GProp_GProps properties;
+            BRepGProp::VolumeProperties(v.shape, properties, 1e-4);
+            sum += std::abs(properties.Mass());
+        }
+        return sum;
+    }
+
+  private:
+    const PartState& state_;
+    std::vector<double> from_cells_;
+    bool trusted_ = false;
+};
+
+/// How the volumes of one feature correspond: instances by geometry, not by number.
+struct InstanceMatch {
+    std::vector<int> new_of;                 ///< by old volume; -1 for none
+    std::vector<RigidMotion> motions;        ///< by old volume
+    std::size_t same = 0, moved = 0, added = 0, removed = 0;
+};
+
+std::string changed_parameters(const Feature& was, const Feature& is) {
+    std::string words;
+    for (const auto& [name, value] : is.parameters) {
+        const auto old = std::find_if(was.parameters.begin(), was.parameters.end(), [&](const auto& p) { return p.first == name; });
+        if (old == was.parameters.end() || std::abs(old->second - value) <= 1e-9 * (1 + std::abs(value))) continue;
+        words += (words.empty() ? "" : ", ") + name + " " + in_words(old->second) + " -> " + in_words(value);
+    }
+    return words;
+}
+
+class FeatureComparison {
+  public:
+    FeatureComparison(const PartState& old_state, const PartState& new_state, const Sameness& sameness)
+        : old_(old_state), new_(new_state), sameness_(sameness), old_volumes_(old_state), new_volumes_(new_state) {}
+
+    FeatureVerdicts run() {
+        std::size_t next_old = 0;
+        for (std::size_t n = 0; n < new_.tree.features.size(); ++n) {
+            const auto o = old_.tree.find(new_.tree.features[n].name);
+            if (o)
+                for (; next_old < o->index(); ++next_old) add_removed(next_old);
+            result_.changes.push_back(o ? compare(o->index(), n) : added(n));
+        }
+        for (; next_old < old_.tree.features.size(); ++next_old) add_removed(next_old);
+        result_.everything_moved = result_.moved.size() == 1 && !something_stayed_;
+        return std::move(result_);
+    }
+
+  private:
+    void add_removed(std::size_t o) {
+        const Feature& was = old_.tree.features[o];
+        if (new_.tree.find(was.name)) return;
+        result_.changes.push_back({was.name, was.label, Verdict::removed, {}, old_volumes_(o), 0, {}, {}, "removed"});
+        if (!was.volumes.empty()) something_stayed_ = true;
+    }
+
+    FeatureChange added(std::size_t n) {
+        const Feature& is = new_.tree.features[n];
+        if (!is.volumes.empty()) something_stayed_ = true;
+        return {is.name, is.label, Verdict::added, {}, 0, new_volumes_(n), {}, {}, "added"};
+    }
+
+    FeatureChange compare(std::size_t o, std::size_t n) {
+        const Feature& was = old_.tree.features[o];
+        const Feature& is = new_.tree.features[n];
+        FeatureChange change{is.name, is.label, Verdict::same, {}, old_volumes_(o), 0, {}, {}, {}};
+        if (was.suppressed != is.suppressed) return suppression(change, is, n);
+        if (is.suppressed) return change;
+        if (const std::string why = distrust(o, n); !why.empty()) {
+            something_stayed_ = true;
+            change.verdict = Verdict::reshaped;
+            change.new_volume = new_volumes_(n);
+            change.detail = "treated as changed: " + why;
+            return change;
+        }
+        if (was.volumes.empty() && is.volumes.empty()) return compare_without_volume(change, was, is);
+        compare_volumes(change, was, is, n);
+        return change;
+    }
+
+    FeatureChange suppression(FeatureChange change, const Feature& is, std::size_t n) {
+        something_stayed_ = true;
+        change.verdict = is.suppressed ? Verdict::suppressed : Verdict::added;
+        change.new_volume = is.suppressed ? 0 : new_volumes_(n);
+        if (!is.suppressed) change.old_volume = 0;
+        change.detail = is.suppressed ? "suppressed" : "no longer suppressed";
+        return change;
+    }
+
+    std::string distrust(std::size_t o, std::size_t n) const {
+        const Feature& was = old_.tree.features[o];
+        const Feature& is = new_.tree.features[n];
+        if (!is.error.empty()) return is.error;
+        if (!was.error.empty()) return "was in error before (" + was.error + ")";
+        const auto listed = [](const CellModel& cells, std::size_t f) {
+            const auto& u = cells.report.untrusted;
+            return std::find(u.begin(), u.end(), FeatureId(f)) != u.end();
+        };
+        if (listed(old_.cells, o) || listed(new_.cells, n)) return "its volume does not add up with the part";
+        return "";
+    }
+
+    FeatureChange compare_without_volume(FeatureChange change, const Feature& was, const Feature& is) const {
+        const RigidMotion motion = compose(is.frame, was.frame.inverse());
+        const std::string parameters = changed_parameters(was, is);
+        if (!parameters.empty()) {
+            change.verdict = Verdict::reshaped;
+            change.detail = parameters;
+        } else if (!same_motion(motion, RigidMotion{}, sameness_)) {
+            change.verdict = Verdict::moved;
+            change.motion = motion;
+            change.detail = describe(motion);
+        }
+        return change;
+    }
+
+    void compare_volumes(FeatureChange& change, const Feature& was, const Feature& is, std::size_t n) {
+        std::vector<VolumeOutline> old_outlines, new_outlines;
+        for (const FeatureVolume& v : was.volumes) old_outlines.push_back(outline_of(v.shape));
+        for (const FeatureVolume& v : is.volumes) new_outlines.push_back(outline_of(v.shape));
+        const InstanceMatch match = match_instances(was, is, old_outlines, new_outlines);
+        register_motions(was, match, new_outlines);
+        const std::size_t count = was.volumes.size();
+        const bool complete = match.added == 0 && match.removed == 0;
+        if (complete && match.same == count) {
+            change.new_volume = change.old_volume;
+            return;
+        }
+        if (complete && match.moved == count && one_motion(match)) {
+            change.new_volume = change.old_volume;
+            change.verdict = Verdict::moved;
+            change.motion = match.motions[0];
+            change.detail = describe(change.motion);
+            return;
+        }
+        change.new_volume = new_volumes_(n);
+        change.verdict = Verdict::reshaped;
+        change.detail = words_for(change, was, is, match);
+    }
+
+    InstanceMatch match_instances(const Feature& was, const Feature& is, const std::vector<VolumeOutline>& old_outlines,
+                                  const std::vector<VolumeOutline>& new_outlines) const {
+        InstanceMatch match;
+        match.new_of.assign(was.volumes.size(), -1);
+        match.motions.resize(was.volumes.size());
+        std::vector<char> taken(is.volumes.size(), 0);
+        const auto pair_up = [&](bool may_move) {
+            for (std::size_t i = 0; i < was.volumes.size(); ++i)
+                for (std::size_t j = 0; j < is.volumes.size() && match.new_of[i] < 0; ++j) {
+                    if (taken[j] || was.volumes[i].effect != is.volumes[j].effect) continue;
+                    const auto motion = fit(was, is, old_outlines[i], new_outlines[j], may_move);
+                    if (!motion) continue;
+                    match.new_of[i] = int(j), match.motions[i] = *motion, taken[j] = 1;
+                    ++(may_move ? match.moved : match.same);
+                }
+        };
+        pair_up(false);
+        pair_up(true);
+        match.removed = was.volumes.size() - match.same - match.moved;
+        match.added = is.volumes.size() - match.same - match.moved;
+        return match;
+    }
+
+    std::optional<RigidMotion> fit(const Feature& was, const Feature& is, const VolumeOutline& from, const VolumeOutline& to,
+                                   bool may_move) const {
+        if (may_move) return motion_between(from, to, compose(is.frame, was.frame.inverse()), sameness_);
+        return is_image(from, to, RigidMotion{}, sameness_) ? std::optional(RigidMotion{}) : std::nullopt;
+    }
+
+    bool one_motion(const InstanceMatch& match) const {
+        return std::all_of(match.motions.begin(), match.motions.end(),
+                           [&](const RigidMotion& m) { return same_motion(m, match.motions[0], sameness_); });
+    }
+
+    void register_motions(const Feature& was, const InstanceMatch& match, const std::vector<VolumeOutline>& new_outlines) {
+        if (match.same > 0 || match.added > 0 || match.removed > 0) something_stayed_ = true;
+        for (std::size_t i = 0; i < was.volumes.size(); ++i) {
+            if (match.new_of[i] < 0 || match.motions[i].is_identity()) continue;
+            auto group = std::find_if(result_.moved.begin(), result_.moved.end(),
+                                      [&](const MovedFeatures& m) { return same_motion(m.motion, match.motions[i], sameness_); });
+            if (group == result_.moved.end()) group = result_.moved.insert(group, MovedFeatures{match.motions[i], {}, {}, {}});
+            if (group->features.empty() || group->features.back() != was.name) group->features.push_back(was.name);
+            if (was.volumes[i].effect == Effect::adds) group->additive_volumes.push_back(was.volumes[i].shape);
+            group->new_place.add(new_outlines[std::size_t(match.new_of[i])].box());
+        }
+    }
+
+    std::string words_for(const FeatureChange& change, const Feature& was, const Feature& is, const InstanceMatch& match) const {
+        std::string words = changed_parameters(was, is);
+        if (was.volumes.size() > 1 || is.volumes.size() > 1) {
+            const auto count = [&](std::size_t k, const char* what) {
+                if (k > 0) words += (words.empty() ? "" : ", ") + std::to_string(k) + " " + what;
+            };
+            count(match.same, "instances same");
+            count(match.moved, "moved");
+            count(match.added, "added");
+            count(match.removed, "removed");
+        }
+        if (!words.empty()) return words;
+        return "volume " + in_words(change.old_volume) + " -> " + in_words(change.new_volume) + " mm^3";
+    }
+
+    const PartState& old_;
+    const PartState& new_;
+    const Sameness& sameness_;
+    Volumes old_volumes_, new_volumes_;
+    FeatureVerdicts result_;
+    bool something_stayed_ = false;
+};
+
+/// Faces of the final shape by the feature that owns them.
+std::map<std::string, std::vector<FaceId>> faces_by_feature(const PartState& state) {
+    std::map<std::string, std::vector<FaceId>> result;
+    const auto& owners = state.cells.owners_of_final_face;
+    for (std::size_t f = 0; f < owners.size() && f < state.brep.face_count(); ++f)
+        for (const Owner& owner : owners[f]) {
+            auto& faces = result[state.tree[owner.feature].name];
+            if (faces.empty() || faces.back() != FaceId(f)) faces.push_back(FaceId(f));
+        }
+    return result;
+}
+}  // namespace
+
+FeatureVerdicts compare_features(const PartState& old_state, const PartState& new_state, const Sameness& sameness) {
+    return FeatureComparison(old_state, new_state, sameness).run();
+}
+
+void add_face_verdicts(const PartState& old_state, const PartState& new_state, const std::vector<FaceChange>& faces,
+                       std::vector<FeatureChange>& changes) {
+    std::vector<char> old_kept(old_state.brep.face_count(), 0), new_kept(new_state.brep.face_count(), 0);
+    for (const FaceChange& face : faces)
+        if (face.verdict == FaceVerdict::kept) old_kept[face.old_face.index()] = new_kept[face.new_face.index()] = 1;
+    auto old_faces = faces_by_feature(old_state), new_faces = faces_by_feature(new_state);
+    for (FeatureChange& change : changes) {
+        change.old_faces = old_faces[change.name];
+        change.new_faces = new_faces[change.name];
+        if (change.verdict != Verdict::same) continue;
+        std::erase_if(change.old_faces, [&](FaceId f) { return old_kept[f.index()] != 0; });
+        std::erase_if(change.new_faces, [&](FaceId f) { return new_kept[f.index()] != 0; });
+        if (change.old_faces.empty() && change.new_faces.empty()) continue;
+        change.verdict = Verdict::interaction_changed;
+        change.detail = "its own volume is the same, but other features now meet " +
+                        std::to_string(std::max(change.old_faces.size(), change.new_faces.size())) + " of its faces differently";
+    }
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "difference/partners.h"
+
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
+#include <algorithm>
+
+namespace featuremesh {
+namespace {
+class PartnerFinder {
+  public:
+    PartnerFinder(const BoundaryPair& pair, const BoundaryMatch& match) : pair_(pair), match_(match) {}
+
+    void find_edges(CarriedRegion& region) const {
+        std::vector<std::vector<EdgeId>> new_edges_on(match_.curves.size());
+        for (std::size_t e = 0; e < match_.new_edges.size(); ++e)
+            if (match_.new_edges[e].curve >= 0) new_edges_on[std::size_t(match_.new_edges[e].curve)].push_back(EdgeId(e));
+        region.new_edge_of.assign(match_.old_edges.size(), EdgeId());
+        region.new_edges_of.assign(match_.old_edges.size(), {});
+        for (std::size_t e = 0; e < match_.old_edges.size(); ++e) {
+            if (match_.old_edges[e].curve < 0) continue;
+            std::vector<std::pair<double, EdgeId>> found;
+            for (const EdgeId candidate : new_edges_on[std::size_t(match_.old_edges[e].curve)])
+                if (const double share = overlap(match_.old_edges[e], match_.new_edges[candidate.index()]); share > 0)
+                    found.emplace_back(-share, candidate);
+            std::sort(found.begin(), found.end());
+            for (const auto& [share, id] : found) region.new_edges_of[e].push_back(id);
+            if (!found.empty()) region.new_edge_of[e] = found[0].second;
+        }
+    }
+
+    void find_faces(CarriedRegion& region) const {
+        region.new_face_of.assign(match_.group_of_old_face.size(), FaceId());
+        region.new_faces_of.assign(match_.group_of_old_face.size(), {});
+        for (const CarrierGroup& group : match_.groups)
+            for (const FaceId f : group.old_faces) {
+                std::vector<std::pair<double, FaceId>> found;
+                const bool alone = group.is_unchanged() && group.old_faces.size() == 1 && group.new_faces.size() == 1;
+                for (const FaceId candidate : group.new_faces)
+                    if (const double share = alone ? 1.0 : overlap(f, candidate, region); share > 0)
+                        found.emplace_back(-share, candidate);
+                std::sort(found.begin(), found.end());
+                for (const auto& [share, id] : found) region.new_faces_of[f.index()].push_back(id);
+                if (!found.empty()) region.new_face_of[f.index()] = found[0].second;
+            }
+    }
+
+    /// Every edge of the old face is an edge of the new one, and no other.
+    bool same_trim(FaceId old_face, FaceId new_face) const {
+        const std::vector<Border> old_border = border(old_face, false), new_border = border(new_face, true);
+        return old_border.size() == new_border.size() &&
+               std::equal(old_border.begin(), old_border.end(), new_border.begin(), [&](const Border& a, const Border& b) {
+                   return a.curve == b.curve && a.left == b.left && std::abs(a.first - b.first) <= tolerance(a.curve) &&
+                          std::abs(a.last - b.last) <= tolerance(a.curve);
+               });
+    }
+
+  private:
+    /// A stretch of a face's border, seen so that it compares.
+    struct Border {
+        int curve;
+        bool left;
+        double first, last;
+        bool operator<(const Border& b) const {
+            return std::tie(curve, left, first, last) < std::tie(b.curve, b.left, b.first, b.last);
+        }
+    };
+
+    double tolerance(int curve) const {
+        const CurveCarrier& c = match_.curves[std::size_t(curve)];
+        return period_of(c) > 0 ? pair_.sameness.length / c.radius : pair_.sameness.length;
+    }
+
+    /// Length in curve parameters that both have in common.
+    double overlap(const Stretch& a, const Stretch& b) const {
+        const double period = period_of(match_.curves[std::size_t(a.curve)]);
+        double share = 0;
+        for (int turn = period > 0 ? -1 : 0; turn <= (period > 0 ? 1 : 0); ++turn)
+            share += std::max(0.0, std::min(a.last, b.last + turn * period) - std::max(a.first, b.first + turn * period));
+        return share > tolerance(a.curve) ? share : 0;
+    }
+
+    double length_of(int curve, double share) const {
+        const CurveCarrier& c = match_.curves[std::size_t(curve)];
+        return period_of(c) > 0 ? share * c.radius : share;
+    }
+
+    bool use_is_left(const BoundaryFace& face, const EdgeUse& use, const Stretch& s) const {
+        return (use.forward == s.along) == face.normal_is_outward;
+    }
+
+    std::vector<Border> border(FaceId id, bool is_new) const {
+        const BoundaryFace& face = (is_new ? pair_.new_model : pair_.old_model).faces()[id.index()];
+        std::vector<Border> result;
+        for (const EdgeUse& use : face.uses) {
+            const Stretch& s = (is_new ? match_.new_edges : match_.old_edges)[use.edge.index()];
+            result.push_back({s.curve, (use.forward == s.along) == left_sense(id, is_new), s.first, s.last});
+        }
+        std::sort(result.begin(), result.end());
+        return result;
+    }
+
+    // The faces of one group have one outward side; on a plane it is the first face's.
+    bool left_sense(FaceId id, bool is_new) const {
+        const BoundaryFace& face = (is_new ? pair_.new_model : pair_.old_model).faces()[id.index()];
+        if (face.carrier.kind != SurfaceKind::plane) return face.normal_is_outward;
+        const int group = (is_new ? match_.group_of_new_face : match_.group_of_old_face)[id.index()];
+        const CarrierGroup& g = match_.groups[std::size_t(group)];
+        const SurfaceCarrier leader = g.old_faces.empty() ? pair_.new_model.faces()[g.new_faces[0].index()].carrier : moved_carrier(g.old_faces[0]);
+        const SurfaceCarrier own = is_new ? face.carrier : moved_carrier(id);
+        return same_side(own, leader) == face.normal_is_outward;
+    }
+
+    SurfaceCarrier moved_carrier(FaceId old_face) const {
+        return moved(pair_.old_model.faces()[old_face.index()].carrier, to_trsf(pair_.motion));
+    }
+
+    /// Border that both have on the same side, mm; a little when one has a vertex inside the other; 0 when they seem to be apart.
+    double overlap(FaceId old_face, FaceId new_face, const CarriedRegion&) const {
+        const std::vector<Border> was = border(old_face, false), is = border(new_face, true);
+        double share = 0;
+        for (const Border& a : was)
+            for (auto b = std::lower_bound(is.begin(), is.end(), Border{a.curve, a.left, -1e300, 0});
+                 a.curve >= 0 && b != is.end() && b->curve == a.curve && b->left == a.left; ++b)
+                share += length_of(a.curve, overlap(Stretch{a.curve, a.first, a.last}, Stretch{b->curve, b->first, b->last}));
+        if (share > 0) return share;
+        return reaches_into(new_face, true, old_face) || reaches_into(old_face, false, new_face) ? 1e-9 : 0;
+    }
+
+    /// Whether a point of the border of one face is inside the other state's face.
+    bool reaches_into(FaceId id, bool is_new, FaceId other) const {
+        const BoundaryModel& model = is_new ? pair_.new_model : pair_.old_model;
+        const BoundaryModel& other_model = is_new ? pair_.old_model : pair_.new_model;
+        const BoundaryFace& target = other_model.faces()[other.index()];
+        if (target.carrier.kind == SurfaceKind::free_form) return true;
+        const RigidMotion motion = is_new ? pair_.motion.inverse() : pair_.motion;
+        for (const EdgeUse& use : model.faces()[id.index()].uses) {
+            const Vec3 p = motion.apply(model.edges()[use.edge.index()].first);
+            if (target.box.grown(pair_.sameness.length).contains(p) &&
+                other_model.classify(other, parameters_of(target.carrier, p)) == Side::in)
+                return true;
+        }
+        return false;
+    }
+
+    const BoundaryPair& pair_;
+    const BoundaryMatch& match_;
+};
+
+double area_of(const TopoDS_Face& face) {
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(face, properties, 1e-4);
+    return std::abs(properties.Mass());
+}
+}  // namespace
+
+void find_partners(const BoundaryPair& pair, const BoundaryMatch& match, CarriedRegion& region) {
+    const PartnerFinder finder(pair, match);
+    finder.find_edges(region);
+    finder.find_faces(region);
+    region.new_vertex_of = match.new_vertex_of;
+}
+
+std::vector<FaceChange> face_changes(const BoundaryPair& pair, const BoundaryMatch& match, const CarriedRegion& region) {
+    const PartnerFinder finder(pair, match);
+    std::vector<FaceChange> changes;
+    std::vector<char> has_partner(match.group_of_new_face.size(), 0);
+    for (std::size_t f = 0; f < match.group_of_old_face.size(); ++f) {
+        FaceChange change{FaceVerdict::vanished, FaceId(f), FaceId(), area_of(pair.old_model.brep().face(FaceId(f))), 0};
+        for (const FaceId partner : region.new_faces_of[f]) has_partner[partner.index()] = 1;
+        if (const FaceId partner = region.new_face_of[f]; partner.is_valid()) {
+            const CarrierGroup& group = match.groups[std::size_t(match.group_of_old_face[f])];
+            const bool kept = (group.is_unchanged() || finder.same_trim(FaceId(f), partner)) && region.new_faces_of[f].size() == 1;
+            change.verdict = kept ? FaceVerdict::kept : FaceVerdict::trimmed_differently;
+            change.new_face = partner;
+            change.new_area = kept ? change.old_area : area_of(pair.new_model.brep().face(partner));
+        }
+        changes.push_back(change);
+    }
+    for (std::size_t f = 0; f < has_partner.size(); ++f)
+        if (!has_partner[f])
+            changes.push_back({FaceVerdict::appeared, FaceId(), FaceId(f), 0, area_of(pair.new_model.brep().face(FaceId(f)))});
+    return changes;
+}
+
+}  // namespace featuremesh

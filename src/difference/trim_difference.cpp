@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "difference/trim_difference.h"
+
+#include <BRepTools.hxx>
+#include <algorithm>
+
+#include "difference/carrier_chart.h"
+
+namespace featuremesh {
+namespace {
+constexpr double most_border_cells = 20000;
+
+/// A stretch of a changed border in the parameter plane; the true border is no further from it than `margin` (scaled, mm).
+struct Segment {
+    Uv a, b;
+    double margin;
+};
+
+class TrimRaster {
+  public:
+    TrimRaster(const BoundaryPair& pair, const BoundaryMatch& match, const CarrierGroup& group, double resolution,
+               std::vector<SpaceTriangle>& triangles)
+        : pair_(pair), match_(match), group_(group), resolution_(resolution), leaf_(resolution), triangles_(triangles),
+          to_old_(pair.motion.inverse()), chart_(carrier(), natural_box()) {}
+
+    void run() {
+        const bool known = take_borders();
+        root_ = root_box();
+        chart_.scale_for(root_);
+        step_ = chart_.step_for_sag(resolution_ / 8);
+        if (!known) return emit(root_);
+        shift_into_root();
+        widen_margins();
+        std::vector<int> all(segments_.size());
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] = int(i);
+        visit(root_, all);
+    }
+
+  private:
+    bool has_new() const { return !group_.new_faces.empty(); }
+
+    SurfaceCarrier carrier() const {
+        if (has_new()) return pair_.new_model.faces()[group_.new_faces[0].index()].carrier;
+        return moved(pair_.old_model.faces()[group_.old_faces[0].index()].carrier, to_trsf(pair_.motion));
+    }
+
+    UvBox natural_box() const {
+        UvBox box;
+        const auto add = [&](const BoundaryModel& model, FaceId f) {
+            double u0, u1, v0, v1;
+            BRepTools::UVBounds(model.brep().face(f), u0, u1, v0, v1);
+            box.add({u0, v0}), box.add({u1, v1});
+        };
+        if ((has_new() ? pair_.new_model.faces()[group_.new_faces[0].index()]
+                       : pair_.old_model.faces()[group_.old_faces[0].index()]).carrier.kind != SurfaceKind::free_form)
+            return box;
+        for (const FaceId f : group_.old_faces) add(pair_.old_model, f);
+        for (const FaceId f : group_.new_faces) add(pair_.new_model, f);
+        return box;
+    }
+
+    /// False when a border could not be found in the parameter plane.
+    bool take_borders() {
+        double total = 0;
+        for (const ChangedPiece& piece : group_.pieces) {
+            const CurveCarrier& curve = match_.curves[std::size_t(piece.curve)];
+            const double speed = curve.kind == CurveKind::circle || curve.kind == CurveKind::ellipse ? curve.radius : 1;
+            total += speed * (piece.last - piece.first);
+        }
+        leaf_ = std::max(leaf_, 2 * total / most_border_cells);
+        for (const ChangedPiece& piece : group_.pieces)
+            if (!take_piece(piece)) return false;
+        for (const Vec3& p : group_.points) {
+            const auto uv = chart_.parameters(p, std::nullopt);
+            if (!uv) return false;
+            segments_.push_back({*uv, *uv, 0});
+        }
+        return true;
+    }
+
+    bool take_piece(const ChangedPiece& piece) {
+        const CurveCarrier& curve = match_.curves[std::size_t(piece.curve)];
+        const int count = samples_of(curve, piece);
+        std::vector<Vec3> points;
+        std::vector<Uv> trace;
+        for (int i = 0; i <= count; ++i) {
+            points.push_back(point_at(curve, piece.first + (piece.last - piece.first) * i / count));
+            const auto uv = chart_.parameters(points.back(), trace.empty() ? std::nullopt : std::optional(trace.back()));
+            if (!uv) return false;
+            trace.push_back(*uv);
+        }
+        // The first point may be a pole, where u was arbitrary: it takes u from its neighbour.
+        if (const auto again = chart_.parameters(points[0], trace[1])) trace[0] = *again;
+        const double margin = count == 1 ? 0.0 : 0.15;
+        for (int i = 0; i < count; ++i)
+            if (near_domain(points[std::size_t(i)], points[std::size_t(i) + 1]))
+                segments_.push_back({trace[std::size_t(i)], trace[std::size_t(i) + 1], margin});
+        return true;
+    }
+
+    int samples_of(const CurveCarrier& curve, const ChangedPiece& piece) const {
+        const SurfaceKind kind = chart_.carrier().kind;
+        if (curve.kind == CurveKind::line)
+            return kind == SurfaceKind::free_form
+                       ? int(std::clamp(std::ceil(4 * (piece.last - piece.first) / leaf_), 4.0, 400.0))
+                       : 1;
+        double size = curve.radius * (piece.last - piece.first), turns = (piece.last - piece.first) / 0.2;
+        if (curve.kind == CurveKind::free_form) {
+            size = 0, turns = 24;
+            Vec3 last = point_at(curve, piece.first);
+            for (int i = 1; i <= 16; ++i) {
+                const Vec3 p = point_at(curve, piece.first + (piece.last - piece.first) * i / 16);
+                size += distance(last, p), last = p;
+            }
+        }
+        const double most = curve.kind == CurveKind::free_form ? 1000 : 10000;
+        return int(std::clamp(std::max(std::ceil(2 * size / leaf_), turns), 2.0, most));
+    }
+
+    bool near_domain(const Vec3& a, const Vec3& b) const {
+        if (!pair_.domain) return true;
+        Box box;
+        box.add(a), box.add(b);
+        return pair_.domain->overlaps(box.grown(distance(a, b) + leaf_));
+    }
+
+    // A difference ends at changed pieces, so its extent is theirs, except round a sphere or a torus or on a closed free-form carrier.
+    UvBox root_box() {
+        const SurfaceKind kind = chart_.carrier().kind;
+        if (kind == SurfaceKind::free_form) return natural_box();
+        constexpr double pi = 3.14159265358979323846;
+        if (kind == SurfaceKind::sphere) return UvBox{{0, -pi / 2}, {2 * pi, pi / 2}};
+        if (kind == SurfaceKind::torus) return UvBox{{0, 0}, {2 * pi, 2 * pi}};
+        UvBox box;
+        for (const Segment& s : segments_) box.add(s.a), box.add(s.b);
+        if (kind != SurfaceKind::plane) std::tie(box.low[0], box.high[0]) = covered_arc();
+        if (box.is_empty()) box.add({0, 0});
+        chart_.scale_for(box);
+        for (int k = 0; k < 2; ++k)
+            if (const double least = 0.25 * leaf_ / chart_.scale()[k]; box.size(k) < least)
+                box.low[k] -= least / 2, box.high[k] += least / 2;
+        return box;
+    }
+
+    // Where no border is over a whole arc, a line along the axis there meets no border: it is outside the difference.
+    std::tuple<double, double> covered_arc() const {
+        const double full = chart_.period(0);
+        std::vector<std::array<double, 2>> arcs;
+        for (const Segment& s : segments_) {
+            const double low = std::min(s.a[0], s.b[0]), length = std::abs(s.a[0] - s.b[0]);
+            const double start = low - full * std::floor(low / full);
+            arcs.push_back({start, start + length});
+        }
+        if (arcs.empty()) return {0, full};
+        std::sort(arcs.begin(), arcs.end());
+        double reach = arcs[0][1], widest = -1, begin = 0;
+        for (const auto& arc : arcs) reach = std::max(reach, arc[1] - full);
+        for (const auto& arc : arcs) {
+            if (arc[0] - reach > widest) widest = arc[0] - reach, begin = arc[0];
+            reach = std::max(reach, arc[1]);
+        }
+        if (arcs[0][0] + full - reach > widest) widest = arcs[0][0] + full - reach, begin = arcs[0][0];
+        return widest <= 1e-9 ? std::tuple{0.0, full} : std::tuple{begin, begin + full - widest};
+    }
+
+    // Segments are repeated a period away where that reaches into the root.
+    void shift_into_root() {
+        for (int k = 0; k < 2; ++k) {
+            const double full = chart_.period(k);
+            if (full == 0) continue;
+            std::vector<Segment> shifted;
+            for (const Segment& s : segments_) {
+                const double low = std::min(s.a[k], s.b[k]), high = std::max(s.a[k], s.b[k]);
+                const double slack = 1e-9 + s.margin * (high - low);
+                for (double n = std::floor((root_.low[k] - high - slack) / full); n * full <= root_.high[k] - low + slack; ++n)
+                    if (high + n * full >= root_.low[k] - slack) {
+                        shifted.push_back(s);
+                        shifted.back().a[k] += n * full, shifted.back().b[k] += n * full;
+                    }
+            }
+            segments_ = std::move(shifted);
+        }
+    }
+
+    void widen_margins() {
+        const Uv scale = chart_.scale();
+        for (Segment& s : segments_) {
+            const double length = std::hypot((s.b[0] - s.a[0]) * scale[0], (s.b[1] - s.a[1]) * scale[1]);
+            s.margin = s.margin * length + 2 * pair_.sameness.length;
+        }
+    }
+
+    // Liang and Barsky: the part of the segment inside the box grown by the margin.
+    bool enters(const Segment& s, const UvBox& box) const {
+        double from = 0, to = 1;
+        for (int k = 0; k < 2; ++k) {
+            const double margin = s.margin / chart_.scale()[k];
+            const double low = box.low[k] - margin, high = box.high[k] + margin, d = s.b[k] - s.a[k];
+            if (d == 0) {
+                if (s.a[k] < low || s.a[k] > high) return false;
+                continue;
+            }
+            const double t0 = (low - s.a[k]) / d, t1 = (high - s.a[k]) / d;
+            from = std::max(from, std::min(t0, t1));
+            to = std::min(to, std::max(t0, t1));
+        }
+        return from <= to;
+    }
+
+    void visit(const UvBox& cell, const std::vector<int>& segments) {
+        const Uv scale = chart_.scale();
+        const double width = cell.size(0) * scale[0], height = cell.size(1) * scale[1];
+        if (outside_domain(cell, width, height)) return;
+        if (segments.empty()) {
+            if (differs(cell)) emit(cell);
+            return;
+        }
+        if (std::max(width, height) <= leaf_) return emit(cell);
+        const int k = width >= height ? 0 : 1;
+        UvBox low = cell, high = cell;
+        low.high[k] = high.low[k] = 0.5 * (cell.low[k] + cell.high[k]);
+        for (const UvBox* half : {&low, &high}) {
+            std::vector<int> entering;
+            for (const int s : segments)
+                if (enters(segments_[std::size_t(s)], *half)) entering.push_back(s);
+            visit(*half, entering);
+        }
+    }
+
+    bool outside_domain(const UvBox& cell, double width, double height) const {
+        if (!pair_.domain) return false;
+        const Vec3 centre = chart_.point(cell.at(0.5, 0.5));
+        return !pair_.domain->grown(0.5 * std::hypot(width, height) + resolution_).contains(centre);
+    }
+
+    /// True also when no point of the cell could be told.
+    bool differs(const UvBox& cell) const {
+        constexpr double fractions[][2] = {{0.5, 0.5}, {0.29, 0.37}, {0.71, 0.59}, {0.37, 0.73}, {0.61, 0.23}};
+        for (const auto& [s, t] : fractions) {
+            const Uv uv = cell.at(s, t);
+            const Vec3 p = chart_.point(uv);
+            const Side was = side(pair_.old_model, group_.old_faces, to_old_.apply(p), uv);
+            const Side is = side(pair_.new_model, group_.new_faces, p, uv);
+            if (was != Side::on && is != Side::on) return was != is;
+        }
+        return true;
+    }
+
+    Side side(const BoundaryModel& model, const std::vector<FaceId>& faces, const Vec3& p, const Uv& uv) const {
+        Side result = Side::out;
+        for (const FaceId f : faces) {
+            const BoundaryFace& face = model.faces()[f.index()];
+            if (!face.box.grown(pair_.sameness.length).contains(p)) continue;
+            const bool free = face.carrier.kind == SurfaceKind::free_form;
+            const Side here = model.classify(f, free ? uv : parameters_of(face.carrier, p));
+            if (here == Side::in) return here;
+            if (here == Side::on) result = Side::on;
+        }
+        return result;
+    }
+
+    void emit(const UvBox& cell) {
+        const auto parts = [&](int k) { return std::max(1, int(std::ceil(cell.size(k) / step_[k] - 1e-9))); };
+        const int columns = parts(0), rows = parts(1);
+        const auto corner = [&](int i, int j) { return chart_.point(cell.at(double(i) / columns, double(j) / rows)); };
+        for (int i = 0; i < columns; ++i)
+            for (int j = 0; j < rows; ++j) {
+                const Vec3 a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1), d = corner(i, j + 1);
+                add_triangle(a, b, c);
+                add_triangle(a, c, d);
+            }
+    }
+
+    // At a pole a side has no length.
+    void add_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
+        if (squared_length(cross(b - a, c - a)) > 0) triangles_.push_back({a, b, c});
+    }
+
+    const BoundaryPair& pair_;
+    const BoundaryMatch& match_;
+    const CarrierGroup& group_;
+    double resolution_, leaf_;
+    std::vector<SpaceTriangle>& triangles_;
+    RigidMotion to_old_;
+    CarrierChart chart_;
+    UvBox root_;
+    Uv step_{};
+    std::vector<Segment> segments_;
+};
+}  // namespace
+
+void append_trim_difference(const BoundaryPair& pair, const BoundaryMatch& match, const CarrierGroup& group, double resolution,
+                            std::vector<SpaceTriangle>& triangles) {
+    if (!group.is_unchanged()) TrimRaster(pair, match, group, resolution, triangles).run();
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "difference/sample_parts.h"
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <TopTools_ListOfShape.hxx>
+
+#include "features/occt_geometry.h"
+
+namespace featuremesh::test {
+
+TopoDS_Shape box(const Vec3& corner, const Vec3& size) {
+    return BRepPrimAPI_MakeBox(to_pnt(corner), size.x, size.y, size.z).Shape();
+}
+
+TopoDS_Shape cylinder(const Vec3& base, const Vec3& axis, double radius, double height) {
+    return BRepPrimAPI_MakeCylinder(gp_Ax2(to_pnt(base), gp_Dir(to_vec(axis))), radius, height).Shape();
+}
+
+TopoDS_Shape cone(const Vec3& base, const Vec3& axis, double radius, double top_radius, double height) {
+    return BRepPrimAPI_MakeCone(gp_Ax2(to_pnt(base), gp_Dir(to_vec(axis))), radius, top_radius, height).Shape();
+}
+
+TopoDS_Shape sphere(const Vec3& centre, double radius) { return BRepPrimAPI_MakeSphere(to_pnt(centre), radius).Shape(); }
+
+TopoDS_Shape moved(const TopoDS_Shape& shape, const RigidMotion& motion) {
+    return BRepBuilderAPI_Transform(shape, to_trsf(motion), true).Shape();
+}
+
+RigidMotion shift(const Vec3& by) {
+    RigidMotion m;
+    m.translation = by;
+    return m;
+}
+
+RigidMotion turn(const Vec3& centre, const Vec3& axis, double angle) {
+    gp_Trsf trsf;
+    trsf.SetRotation(gp_Ax1(to_pnt(centre), gp_Dir(to_vec(axis))), angle);
+    return to_motion(trsf);
+}
+
+TopoDS_Shape evaluate(const std::vector<Primitive>& features) {
+    TopoDS_Shape shape;
+    for (const Primitive& f : features) {
+        if (shape.IsNull()) {
+            shape = f.instances[0];
+            continue;
+        }
+        TopTools_ListOfShape arguments, tools;
+        arguments.Append(shape);
+        for (const TopoDS_Shape& s : f.instances) tools.Append(s);
+        BRepAlgoAPI_Fuse fuse;
+        BRepAlgoAPI_Cut cut;
+        BRepAlgoAPI_BooleanOperation& operation = f.effect == Effect::adds ? static_cast<BRepAlgoAPI_BooleanOperation&>(fuse) : cut;
+        operation.SetArguments(arguments);
+        operation.SetTools(tools);
+        operation.SetNonDestructive(true);
+        operation.Build();
+        shape = operation.Shape();
+    }
+    return shape;
+}
+
+namespace {
+FeatureTree tree_of(const std::vector<Primitive>& features) {
+    FeatureTree tree;
+    tree.object = features.back().name;
+    for (const Primitive& p : features) {
+        Feature f;
+        f.name = f.label = p.name;
+        f.type = "Test::Primitive";
+        f.role = p.effect == Effect::adds ? Role::additive : Role::subtractive;
+        f.parameters = p.parameters;
+        for (const TopoDS_Shape& s : p.instances) f.volumes.push_back({s, p.effect, int(f.volumes.size()), {}});
+        if (!tree.features.empty()) f.depends_on.push_back(FeatureId(tree.features.size() - 1));
+        tree.features.push_back(std::move(f));
+    }
+    tree.final_shape = evaluate(features);
+    return tree;
+}
+}  // namespace
+
+PartState part(const std::vector<Primitive>& features) {
+    FeatureTree tree = tree_of(features);
+    Brep brep(tree.final_shape);
+    return {std::move(tree), std::move(brep), CellModel{}};
+}
+
+PartState part_with_cells(const std::vector<Primitive>& features) {
+    PartState state = part(features);
+    RunContext context;
+    state.cells = build_cells(state.tree, state.brep, context);
+    return state;
+}
+
+std::vector<Primitive> bracket(const Vec3& hole) {
+    std::vector<Primitive> f;
+    f.push_back({"Plate", Effect::adds, {box({0, 0, 0}, {120, 80, 15})}, {{"Length", 15}}});
+    f.push_back({"Boss", Effect::adds, {cylinder({85, 40, 15}, {0, 0, 1}, 18, 20)}, {}});
+    f.push_back({"Bore", Effect::removes, {cylinder({85, 40, 0}, {0, 0, 1}, 10, 35)}, {{"Diameter", 20}}});
+    f.push_back({"Rib", Effect::adds, {box({20, 37, 15}, {50, 6, 12})}, {}});
+    const Vec3 holes[] = {hole, {12, 68, 0}, {108, 12, 0}, {108, 68, 0}, {55, 12, 0}, {55, 68, 0}};
+    int number = 0;
+    for (const Vec3& h : holes)
+        f.push_back({"Hole" + std::to_string(number++), Effect::removes, {cylinder(h, {0, 0, 1}, 4, 15)}, {}});
+    return f;
+}
+
+std::vector<Primitive> many_features(int count) {
+    std::vector<Primitive> f;
+    const int columns = 15;
+    const int rows = (count + columns - 1) / columns;
+    f.push_back({"Plate", Effect::adds, {box({0, 0, 0}, {columns * 10.0, rows * 10.0, 5})}, {}});
+    for (int i = 0; i + 1 < count; ++i) {
+        const Vec3 at{10.0 * (i % columns) + 5, 10.0 * (i / columns) + 5, 0};
+        if (i % 3 == 0)
+            f.push_back({"Boss" + std::to_string(i), Effect::adds, {box(at + Vec3{-2, -2, 5}, {4, 4, 6})}, {}});
+        else
+            f.push_back({"Hole" + std::to_string(i), Effect::removes, {cylinder(at, {0, 0, 1}, 2.5, 5)}, {}});
+    }
+    return f;
+}
+
+}  // namespace featuremesh::test

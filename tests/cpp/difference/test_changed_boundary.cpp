@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <random>
+
+#include "catch.h"
+#include "difference/feature_difference.h"
+
+using namespace featuremesh;
+
+namespace {
+using Triangle = std::array<Vec3, 3>;
+
+std::vector<Triangle> random_triangles(std::size_t count, double size, std::mt19937& random) {
+    std::uniform_real_distribution<double> at(0, 100), step(-size, size);
+    std::vector<Triangle> triangles;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 a{at(random), at(random), at(random)};
+        triangles.push_back({a, a + Vec3{step(random), step(random), step(random)}, a + Vec3{step(random), step(random), step(random)}});
+    }
+    return triangles;
+}
+
+/// By sampling the triangle ever more finely around the best point.
+double brute_force(const Vec3& p, const Triangle& t) {
+    double s0 = 0, t0 = 0, width = 1, best = 1e300;
+    for (int level = 0; level < 30; ++level, width *= 0.6) {
+        double best_s = s0, best_t = t0;
+        for (int i = -4; i <= 4; ++i)
+            for (int j = -4; j <= 4; ++j) {
+                const double s = std::clamp(s0 + width * i / 4, 0.0, 1.0);
+                const double r = std::clamp(t0 + width * j / 4, 0.0, 1.0 - s);
+                const double d = distance(p, t[0] + (t[1] - t[0]) * s + (t[2] - t[0]) * r);
+                if (d < best) best = d, best_s = s, best_t = r;
+            }
+        s0 = best_s, t0 = best_t;
+    }
+    return best;
+}
+}  // namespace
+
+TEST_CASE("the distance agrees with sampling the triangles") {
+    std::mt19937 random(7);
+    std::vector<Triangle> triangles = random_triangles(40, 15, random);
+    triangles.push_back({Vec3{5, 5, 5}, Vec3{5, 5, 5}, Vec3{9, 5, 5}});   // without area
+    const ChangedBoundary changed(triangles);
+    std::uniform_real_distribution<double> at(-20, 120);
+    for (int i = 0; i < 60; ++i) {
+        const Vec3 p{at(random), at(random), at(random)};
+        double expected = 1e300;
+        for (const Triangle& t : triangles) expected = std::min(expected, brute_force(p, t));
+        CHECK(changed.distance(p, 1e9) == Approx(expected).epsilon(1e-4).margin(1e-4));
+        CHECK(changed.distance(p, 3.0) == Approx(std::min(3.0, expected)).epsilon(1e-4).margin(1e-4));
+    }
+}
+
+TEST_CASE("nothing changed is as far as the limit") {
+    const ChangedBoundary nothing;
+    CHECK(nothing.is_empty());
+    CHECK(nothing.box().is_empty());
+    CHECK(nothing.distance({1, 2, 3}, 7.5) == 7.5);
+}
+
+TEST_CASE("outside its domain everything counts as changed") {
+    const ChangedBoundary changed({}, Box{{0, 0, 0}, {10, 10, 10}});
+    CHECK_FALSE(changed.is_empty());
+    CHECK(changed.box().contains({1e6, -1e6, 0}));
+    CHECK(changed.distance({-1, 5, 5}, 3) == 0);
+    CHECK(changed.distance({2, 5, 5}, 3) == Approx(2));
+    CHECK(changed.distance({5, 5, 5}, 3) == 3);
+}
+
+TEST_CASE("many queries with a small limit are fast") {
+    std::mt19937 random(11);
+    const ChangedBoundary changed(random_triangles(5000, 1.5, random));
+    std::uniform_real_distribution<double> at(0, 100);
+    std::vector<Vec3> points;
+    for (int i = 0; i < 100000; ++i) points.push_back({at(random), at(random), at(random)});
+    double best = 1e300, sum = 0;
+    for (int round = 0; round < 3; ++round) {
+        const auto start = std::chrono::steady_clock::now();
+        for (const Vec3& p : points) sum += changed.distance(p, 2.0);
+        best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    INFO("seconds for 100 000 queries: " << best);
+    CHECK(sum > 0);
+    CHECK(best < 0.5);
+}

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "difference/feature_difference.h"
+
+#include "catch.h"
+#include "core/errors.h"
+#include "difference/sample_parts.h"
+
+using namespace featuremesh;
+using namespace featuremesh::test;
+
+namespace {
+FeatureDifference diff(const PartState& a, const PartState& b, double resolution = 1.0) {
+    RunContext context;
+    return compare(a, b, resolution, context);
+}
+
+const FeatureChange& change_of(const FeatureDifference& d, const std::string& name) {
+    for (const FeatureChange& f : d.features)
+        if (f.name == name) return f;
+    FAIL("no feature " << name);
+    return d.features.front();
+}
+
+int count(const FeatureDifference& d, FaceVerdict verdict) {
+    return int(std::count_if(d.faces.begin(), d.faces.end(), [&](const FaceChange& f) { return f.verdict == verdict; }));
+}
+}  // namespace
+
+TEST_CASE("equal parts made twice have no difference") {
+    const FeatureDifference d = diff(part(bracket({12, 12, 0})), part(bracket({12, 12, 0})));
+    CHECK(d.is_empty());
+    REQUIRE(d.regions.size() == 1);
+    CHECK(d.regions[0].motion.is_identity());
+    CHECK(d.regions[0].changed.is_empty());
+    CHECK(d.regions[0].features.size() == 10);
+    for (std::size_t f = 0; f < d.regions[0].new_face_of.size(); ++f) CHECK(d.regions[0].new_face_of[f] == FaceId(f));
+    for (std::size_t e = 0; e < d.regions[0].new_edge_of.size(); ++e) CHECK(d.regions[0].new_edge_of[e] == EdgeId(e));
+    for (std::size_t v = 0; v < d.regions[0].new_vertex_of.size(); ++v) CHECK(d.regions[0].new_vertex_of[v] == VertexId(v));
+}
+
+TEST_CASE("a moved hole") {
+    const FeatureDifference d = diff(part_with_cells(bracket({12, 12, 0})), part_with_cells(bracket({17, 12, 0})));
+    CHECK_FALSE(d.is_empty());
+    const FeatureChange& hole = change_of(d, "Hole0");
+    CHECK(hole.verdict == Verdict::moved);
+    CHECK(hole.detail == "moved by (5, 0, 0) mm");
+    CHECK(hole.old_volume == Approx(M_PI * 16 * 15));
+    CHECK(hole.old_faces.size() == 1);
+    CHECK(change_of(d, "Plate").verdict == Verdict::interaction_changed);
+    CHECK(change_of(d, "Boss").verdict == Verdict::same);
+    CHECK(change_of(d, "Hole3").verdict == Verdict::same);
+    CHECK(count(d, FaceVerdict::trimmed_differently) == 2);
+    CHECK(count(d, FaceVerdict::vanished) == 1);
+    CHECK(count(d, FaceVerdict::appeared) == 1);
+
+    const ChangedBoundary& changed = d.regions[0].changed;
+    CHECK(changed.distance({8, 12, 7}, 1) < 0.3);      // the old wall
+    CHECK(changed.distance({21, 12, 7}, 1) < 0.3);     // the new wall
+    CHECK(changed.distance({9, 12, 15}, 1) < 0.3);     // closed
+    CHECK(changed.distance({30, 12, 15}, 5) == 5);
+    CHECK(changed.distance({12, 12, 7}, 10) == Approx(1).margin(0.3));
+
+    REQUIRE(d.regions.size() == 2);
+    CHECK(d.regions[1].motion == shift({5, 0, 0}));
+    CHECK(d.regions[1].features == std::vector<std::string>{"Hole0"});
+    CHECK(d.regions[1].volumes.empty());
+    CHECK(d.regions[1].new_face_of[hole.old_faces[0].index()] == hole.new_faces[0]);
+    CHECK(d.regions[1].changed.distance({21, 12, 7}, 3) == 3);
+    CHECK(d.regions[1].changed.distance({5, 12, 7}, 3) == Approx(0).margin(0.3));   // the plate's old side, moved
+}
+
+TEST_CASE("a moved boss carries its volume") {
+    auto before = bracket({12, 12, 0}), after = before;
+    after[3].instances = {test::moved(before[3].instances[0], shift({0, 8, 0}))};
+    const FeatureDifference d = diff(part(before), part(after));
+    CHECK(change_of(d, "Rib").verdict == Verdict::moved);
+    REQUIRE(d.regions.size() == 2);
+    CHECK(d.regions[1].volumes.size() == 1);
+    CHECK(d.regions[1].changed.distance({40, 48, 25}, 5) == Approx(5).margin(1.6));
+}
+
+TEST_CASE("a size change names the parameter") {
+    auto before = bracket({12, 12, 0}), after = before;
+    after[2].instances = {cylinder({85, 40, 0}, {0, 0, 1}, 12, 35)};
+    after[2].parameters = {{"Diameter", 24}};
+    const FeatureDifference d = diff(part(before), part(after));
+    CHECK(change_of(d, "Bore").verdict == Verdict::reshaped);
+    CHECK(change_of(d, "Bore").detail == "Diameter 20 -> 24");
+    CHECK(d.regions.size() == 1);
+    CHECK(d.regions[0].changed.distance({85 + 14, 40, 20}, 5) == Approx(2).margin(0.3));
+}
+
+TEST_CASE("a part that moves as a whole is carried as a whole") {
+    const RigidMotion motion = turn({10, 0, 0}, {1, 2, 3}, 0.7);
+    auto before = bracket({12, 12, 0}), after = before;
+    for (Primitive& p : after) p.instances[0] = test::moved(p.instances[0], motion);
+    const FeatureDifference d = diff(part(before), part(after));
+    for (const FeatureChange& f : d.features) CHECK(f.verdict == Verdict::moved);
+    REQUIRE(d.regions.size() == 2);
+    CHECK(d.regions[1].changed.is_empty());
+    for (std::size_t f = 0; f < d.regions[1].new_face_of.size(); ++f) CHECK(d.regions[1].new_face_of[f].is_valid());
+    for (const EdgeId e : d.regions[1].new_edge_of) CHECK(e.is_valid());
+    for (const VertexId v : d.regions[1].new_vertex_of) CHECK(v.is_valid());
+}
+
+TEST_CASE("a notch at an edge changes only where it is") {
+    std::vector<Primitive> before{{"Plate", Effect::adds, {box({0, 0, 0}, {100, 50, 10})}, {}}}, after = before;
+    after.push_back({"Notch", Effect::removes, {box({40, -1, 5}, {10, 6, 10})}, {}});
+    const FeatureDifference d = diff(part(before), part(after));
+    CHECK(change_of(d, "Notch").verdict == Verdict::added);
+    CHECK(d.regions[0].changed.distance({30, 0, 10}, 20) == Approx(10).margin(1.1));
+    CHECK(d.regions[0].changed.distance({45, 0, 7}, 20) < 0.3);
+    int split = 0;
+    for (const auto& edges : d.regions[0].new_edges_of) split += edges.size() == 2;
+    CHECK(split == 1);
+}
+
+TEST_CASE("pattern instances are matched by geometry") {
+    const auto hole = [](double x) { return cylinder({x, 10, 0}, {0, 0, 1}, 3, 10); };
+    std::vector<Primitive> before{{"Plate", Effect::adds, {box({0, 0, 0}, {100, 20, 10})}, {}},
+                                  {"Pattern", Effect::removes, {hole(10), hole(40), hole(70)}, {{"Occurrences", 3}}}};
+    auto after = before;
+    after[1].instances = {hole(10), hole(25), hole(40), hole(70)};
+    after[1].parameters = {{"Occurrences", 4}};
+    const FeatureDifference d = diff(part(before), part(after));
+    CHECK(change_of(d, "Pattern").verdict == Verdict::reshaped);
+    CHECK(change_of(d, "Pattern").detail == "Occurrences 3 -> 4, 3 instances same, 1 added");
+    CHECK(d.regions.size() == 1);
+    CHECK(d.regions[0].changed.distance({40, 10, 5}, 50) > 8);
+}
+
+TEST_CASE("unrelated parts are noted") {
+    const FeatureDifference d = diff(part({{"A", Effect::adds, {box({0, 0, 0}, {1, 1, 1})}, {}}}),
+                                     part({{"B", Effect::adds, {sphere({9, 9, 9}, 1)}, {}}}), 0.2);
+    REQUIRE(d.features.size() == 2);
+    CHECK(change_of(d, "A").verdict == Verdict::removed);
+    CHECK(change_of(d, "B").verdict == Verdict::added);
+    CHECK(d.notes.size() == 1);
+}
+
+TEST_CASE("suppressed features and features in error") {
+    const auto features = bracket({12, 12, 0});
+    const PartState before = part(features);
+    PartState after = part({features.begin(), features.end() - 1});
+    after.tree.features.push_back(before.tree.features.back());
+    after.tree.features.back().suppressed = true;
+    after.tree.features[1].error = "recompute failed";
+    const FeatureDifference d = diff(before, after);
+    CHECK(change_of(d, "Hole5").verdict == Verdict::suppressed);
+    CHECK(change_of(d, "Boss").verdict == Verdict::reshaped);
+    CHECK(change_of(d, "Boss").detail.find("recompute failed") != std::string::npos);
+}
+
+TEST_CASE("a resolution that is no length is refused") {
+    const PartState p = part({{"A", Effect::adds, {box({0, 0, 0}, {1, 1, 1})}, {}}});
+    RunContext context;
+    CHECK_THROWS_AS(compare(p, p, 0, context), InputError);
+}
+
+TEST_CASE("a step named difference is timed") {
+    const PartState p = part({{"A", Effect::adds, {box({0, 0, 0}, {1, 1, 1})}, {}}});
+    RunContext context;
+    compare(p, p, 0.5, context);
+    CHECK(context.seconds().count("difference") == 1);
+}
