@@ -37,8 +37,10 @@ def open_document(path):
 
 def save_document(document, path):
     """Saves a copy to `path`, whole or not at all; what the document shows (colours, views) is taken from its file."""
-    temporary = os.path.join(os.path.dirname(os.path.abspath(path)),
-                             ".%s.%d.FCStd" % (os.path.basename(path), os.getpid()))
+    folder = os.path.dirname(os.path.abspath(path))
+    if not os.path.isdir(folder):
+        raise UserError("cannot write %s: there is no folder %s" % (path, folder))
+    temporary = os.path.join(folder, ".%s.%d.FCStd" % (os.path.basename(path), os.getpid()))
     try:
         document.saveCopy(temporary)
         if not FreeCAD.GuiUp and document.FileName and os.path.isfile(document.FileName):

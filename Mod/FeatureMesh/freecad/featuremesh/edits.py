@@ -4,7 +4,7 @@
 import FreeCAD
 
 from .errors import UserError
-from .reading import close_names, describe, find_object
+from .reading import DIMENSIONS, close_names, describe, find_object
 
 _TRUE, _FALSE = ("true", "yes", "on", "1"), ("false", "no", "off", "0")
 
@@ -122,8 +122,9 @@ def _set_constraint(sketch, name, text):
 def _constraint_index(sketch, name):
     dimensions = {}
     for index, constraint in enumerate(sketch.Constraints):
-        if constraint.Type in ("Distance", "DistanceX", "DistanceY", "Radius", "Diameter", "Angle", "Weight"):
+        if constraint.Type in DIMENSIONS:
             dimensions[constraint.Name or "Constraint%d" % (index + 1)] = index
+            dimensions["Constraint%d" % (index + 1)] = index
     if name.startswith("Constraints."):
         name = name[len("Constraints."):]
     if name not in dimensions:

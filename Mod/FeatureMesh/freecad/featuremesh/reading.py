@@ -22,10 +22,12 @@ _REFERENCE_TYPES = ("Sketcher::", "Spreadsheet::", "App::Line", "App::Plane", "A
 # A binder's shape is all that comes from the parts behind it; those lie in frames of their own.
 _BINDERS = ("PartDesign::ShapeBinder", "PartDesign::SubShapeBinder")
 _SKIPPED_LINKS = ("_Body", "Origin", "ExpressionEngine", "Proxy", "_ChildCache", "_CopyOnChangeControl")
-_DIMENSIONS = ("Distance", "DistanceX", "DistanceY", "Radius", "Diameter", "Angle", "Weight", "SnellsLaw")
+# Types of sketch constraints that have a value.
+DIMENSIONS = ("Distance", "DistanceX", "DistanceY", "Radius", "Diameter", "Angle", "Weight", "SnellsLaw")
 _NUMBER_TYPES = ("App::PropertyFloat", "App::PropertyInteger", "App::PropertyQuantity", "App::PropertyLength",
                  "App::PropertyDistance", "App::PropertyAngle", "App::PropertyArea", "App::PropertyVolume",
-                 "App::PropertyPrecision", "App::PropertyPercent", "App::PropertyBool", "App::PropertySpeed")
+                 "App::PropertyPrecision", "App::PropertyPercent", "App::PropertyBool", "App::PropertySpeed",
+                 "Spreadsheet::PropertySpreadsheetQuantity")
 
 
 def read_document(part):
@@ -213,7 +215,9 @@ def _linked_objects(obj):
 
 
 def _links(obj):
-    """(property, object, sub-element) of every visible link, in the order of the lists."""
+    """(property, object, sub-element) of every visible link, in the order of the lists; none behind a binder."""
+    if obj.TypeId in _BINDERS:
+        return
     members = _members_up_to_tip(obj) if obj.TypeId == "PartDesign::Body" else None
     for name in obj.PropertiesList:
         kind = obj.getTypeIdOfProperty(name)
@@ -282,8 +286,8 @@ class _ShapeList:
         return len(self._shapes) - 1
 
     def to_bytes(self):
-        """One compound in FreeCAD's binary form, without the triangulations that a view may have left."""
-        compound = Part.Compound(self._shapes).cleaned()
+        """One compound in FreeCAD's binary form, which leaves out the triangulations of a view."""
+        compound = Part.Compound(self._shapes)
         folder = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
         handle, path = tempfile.mkstemp(".bin", "featuremesh-", folder)
         os.close(handle)
@@ -343,7 +347,7 @@ def _alias(obj, name):
 def _constraints(sketch):
     numbers = {}
     for index, constraint in enumerate(sketch.Constraints):
-        if constraint.Type not in _DIMENSIONS:
+        if constraint.Type not in DIMENSIONS:
             continue
         value = constraint.Value
         if constraint.Type == "Angle":

@@ -46,6 +46,8 @@ def save(path, state):
     members = {"meta": _bytes_to_array(json.dumps(meta, sort_keys=True).encode()),
                "shapes": _bytes_to_array(state.raw["shapes"])}
     members.update(("array." + name, np.ascontiguousarray(values)) for name, values in state.arrays.items())
+    if any(values.dtype.hasobject for values in members.values()):
+        raise TypeError("a state holds plain numbers only")
     digest = _digest(members)
     members["checksum"] = _bytes_to_array(digest)
     temporary = "%s.%d.tmp" % (path, os.getpid())

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""OBJECT.PROPERTY=VALUE: every kind of target, and every way to get it wrong."""
+import unittest
+
+import FreeCAD
+from freecad.featuremesh.edits import set_parameter
+from freecad.featuremesh.errors import UserError
+from parts import new_document, placement, plate_with_hole
+
+
+class Edits(unittest.TestCase):
+
+    def setUp(self):
+        self.document = new_document()
+        self.body = plate_with_hole(self.document)
+        self.plate = self.document.getObject("Plate")
+        self.hole = self.document.getObject("Hole")
+        self.sketch = self.document.getObject("HoleSketch")
+
+    def set(self, assignment):
+        set_parameter(self.document, assignment)
+        self.document.recompute()
+
+    def refused(self, assignment, message):
+        with self.assertRaisesRegex(UserError, message):
+            set_parameter(self.document, assignment)
+
+    def test_length(self):
+        self.set("Plate.Length=12.5")
+        self.assertEqual(self.plate.Length.Value, 12.5)
+        self.assertAlmostEqual(self.body.Shape.BoundBox.ZLength, 12.5)
+
+    def test_length_with_a_unit(self):
+        self.set("Plate.Length = 0.5 in")
+        self.assertAlmostEqual(self.plate.Length.Value, 12.7)
+
+    def test_switch(self):
+        self.set("Plate.Midplane=yes")
+        self.assertTrue(self.plate.Midplane)
+        self.set("Plate.Midplane=false")
+        self.assertFalse(self.plate.Midplane)
+        self.refused("Plate.Midplane=perhaps", "true or false")
+
+    def test_choice(self):
+        self.set("Hole.Type=Length")
+        self.assertEqual(self.hole.Type, "Length")
+        self.refused("Hole.Type=Deep", "only one of: .*ThroughAll")
+
+    def test_label_as_object(self):
+        self.plate.Label = "Base plate"
+        self.set("Base plate.Length=11")
+        self.assertEqual(self.plate.Length.Value, 11)
+
+    def test_named_constraint(self):
+        self.set("HoleSketch.X=35")
+        self.assertAlmostEqual(self.body.Shape.CenterOfMass.x, (60 * 40 * 30 - 113.0973355 * 35) / (2400 - 113.0973355), 5)
+
+    def test_constraint_by_number(self):
+        self.set("HoleSketch.Constraint1=7")
+        self.assertEqual(self.sketch.getDatum("Radius").Value, 7)
+
+    def test_placement(self):
+        self.set("Body.Placement.Base.x=15")
+        self.set("Body.Placement.Rotation.Angle=30")
+        difference = self.body.Placement.inverse().multiply(placement(15, 0, 0, 30))
+        self.assertLess(difference.Base.Length, 1e-9)
+        self.assertLess(abs(difference.Rotation.Angle), 1e-9)
+        self.refused("Body.Placement.Top=3", "Base.x")
+
+    def test_spreadsheet_alias(self):
+        sheet = self.document.addObject("Spreadsheet::Sheet", "Sheet")
+        sheet.set("A1", "10")
+        sheet.setAlias("A1", "thickness")
+        sheet.set("A2", "=thickness * 2")
+        sheet.setAlias("A2", "double")
+        self.document.recompute()
+        self.plate.setExpression("Length", "Sheet.thickness")
+        self.set("Sheet.thickness=17")
+        self.assertEqual(self.plate.Length.Value, 17)
+        self.set("Sheet.thickness=2 cm")
+        self.assertEqual(self.plate.Length.Value, 20)
+        self.refused("Sheet.double=3", "is computed")
+        self.refused("Sheet.thicknes=3", "did you mean thickness")
+        self.refused("Sheet.thickness=thick", "no number")
+
+    def test_driven_values_are_refused(self):
+        self.plate.setExpression("Length", "HoleSketch.Constraints.Radius * 2")
+        self.refused("Plate.Length=3", "driven by the expression")
+        self.sketch.setExpression("Constraints.X", "20 mm")
+        self.refused("HoleSketch.X=3", "driven by the expression")
+
+    def test_unknown_names_come_with_near_ones(self):
+        self.refused("Plat.Length=3", "no object Plat; did you mean Plate")
+        self.refused("Plate.Lenght=3", "no property Lenght; did you mean Length")
+        self.refused("HoleSketch.Radios=3", "did you mean Radius")
+
+    def test_what_is_no_edit(self):
+        for text in ("Plate.Length", "Length=3", "=3", "Plate.=3", "Plate.Length="):
+            self.refused(text, "OBJECT.PROPERTY=VALUE")
+
+    def test_values_that_do_not_fit(self):
+        self.refused("Plate.Length=long", "no number")
+        self.refused("Plate.Length=3 deg", "wrong unit")
+        self.refused("HoleSketch.Radius=-2", "FreeCAD refuses")
+        self.refused("HoleSketch.Radius=", "OBJECT.PROPERTY=VALUE")
+        self.refused("Plate.Profile=HoleSketch", "cannot be set this way")
+
+    def test_clamped_value_is_refused_and_put_back(self):
+        cylinder = self.document.addObject("Part::Cylinder", "Cylinder")
+        self.refused("Cylinder.Angle=400", "FreeCAD refuses 400")
+        self.assertEqual(cylinder.Angle.Value, 360)
+
+    def test_read_only(self):
+        self.plate.setEditorMode("Length", ["ReadOnly"])
+        self.refused("Plate.Length=3", "read-only")

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Opening bad files and saving without ever leaving half a document."""
+import os
+import shutil
+import tempfile
+import unittest
+import zipfile
+
+import FreeCAD
+from freecad.featuremesh import documents
+from freecad.featuremesh.errors import UserError
+from parts import new_document, plate_with_hole
+
+
+class Files(unittest.TestCase):
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.path = os.path.join(self.folder, "part.FCStd")
+        self.document = new_document()
+        plate_with_hole(self.document)
+        documents.save_document(self.document, self.path)
+
+    def bytes(self):
+        with open(self.path, "rb") as stream:
+            return stream.read()
+
+    def write(self, name, content):
+        path = os.path.join(self.folder, name)
+        with open(path, "wb") as stream:
+            stream.write(content)
+        return path
+
+    def refused(self, path, message):
+        before = set(FreeCAD.listDocuments())
+        with self.assertRaisesRegex(UserError, message):
+            documents.open_document(path)
+        self.assertEqual(set(FreeCAD.listDocuments()), before)
+
+    def test_what_is_saved_can_be_opened(self):
+        opened = documents.open_document(self.path)
+        self.assertAlmostEqual(opened.getObject("Body").Shape.Volume, self.document.getObject("Body").Shape.Volume)
+
+    def test_missing(self):
+        self.refused(os.path.join(self.folder, "none.FCStd"), "no file")
+
+    def test_text(self):
+        self.refused(self.write("text.FCStd", b"this is no document"), "not a FreeCAD document")
+
+    def test_empty(self):
+        self.refused(self.write("empty.FCStd", b""), "not a FreeCAD document")
+
+    def test_cut_short_anywhere(self):
+        whole = self.bytes()
+        for share in (0.1, 0.5, 0.9, 0.99):
+            self.refused(self.write("cut.FCStd", whole[:int(share * len(whole))]), "not a FreeCAD document|damaged")
+
+    def test_flipped_byte_in_a_member(self):
+        whole = bytearray(self.bytes())
+        with zipfile.ZipFile(self.path) as archive:
+            info = archive.getinfo("Document.xml")
+        whole[info.header_offset + 200] ^= 0xFF
+        self.refused(self.write("flipped.FCStd", bytes(whole)), "damaged")
+
+    def test_another_zip(self):
+        path = os.path.join(self.folder, "other.FCStd")
+        with zipfile.ZipFile(path, "w") as archive:
+            archive.writestr("readme.txt", "hello")
+        self.refused(path, "no Document.xml")
+
+    def test_failed_save_leaves_the_old_file(self):
+        before = self.bytes()
+
+        class Broken:
+            FileName = ""
+
+            @staticmethod
+            def saveCopy(path):
+                with open(path, "wb") as stream:
+                    stream.write(b"half")
+                raise OSError("no space left on device")
+        with self.assertRaisesRegex(UserError, "no space left"):
+            documents.save_document(Broken, self.path)
+        self.assertEqual(self.bytes(), before)
+        self.assertEqual(os.listdir(self.folder), ["part.FCStd"])
+
+    def test_folder_that_does_not_exist(self):
+        with self.assertRaisesRegex(UserError, "cannot write"):
+            documents.save_document(self.document, os.path.join(self.folder, "none", "part.FCStd"))
+
+    def test_colours_of_the_file_survive(self):
+        view = b'<?xml version="1.0"?><Document><ViewProviderData><ViewProvider name="Body"><Property file="DiffuseColor"/></ViewProvider></ViewProviderData></Document>'
+        with zipfile.ZipFile(self.path, "a") as archive:
+            archive.writestr("GuiDocument.xml", view)
+            archive.writestr("DiffuseColor", b"\x01\x02")
+        opened = documents.open_document(self.path)
+        target = os.path.join(self.folder, "copy.FCStd")
+        documents.save_document(opened, target)
+        with zipfile.ZipFile(target) as archive:
+            self.assertEqual(archive.read("GuiDocument.xml"), view)
+            self.assertEqual(archive.read("DiffuseColor"), b"\x01\x02")

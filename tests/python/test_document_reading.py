@@ -1,0 +1,274 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What reading.py makes of a document: which objects, in which order, and their volumes in the final shape's frame."""
+import os
+import tempfile
+import time
+import unittest
+
+import FreeCAD
+import Part
+from freecad.featuremesh import reading
+from freecad.featuremesh.errors import UserError
+from parts import Vector, new_document, placement, plate_with_hole
+
+
+def shapes_in(raw):
+    handle, path = tempfile.mkstemp(".bin")
+    os.close(handle)
+    with open(path, "wb") as stream:
+        stream.write(raw["shapes"])
+    compound = Part.Shape()
+    compound.importBinary(path)
+    os.unlink(path)
+    return compound.SubShapes
+
+
+def by_name(raw):
+    return {record["name"]: record for record in raw["records"]}
+
+
+class Reading(unittest.TestCase):
+
+    def assert_same_solid(self, one, other):
+        """The two fill the same space: their symmetric difference has no volume."""
+        self.assertGreater(one.Volume, 0)
+        self.assertLess(one.cut(other).Volume + other.cut(one).Volume, 1e-6 * one.Volume)
+
+    def assert_order(self, raw):
+        """What a record links to comes before it."""
+        seen = set()
+        for record in raw["records"]:
+            for _, target, _ in record["links"]:
+                self.assertIn(target, seen, "%s comes before its %s" % (record["name"], target))
+            seen.add(record["name"])
+
+    def test_own_volumes_of_a_moved_body_replay_its_final_shape(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        body.Placement = placement(5, -3, 20, 37, (1, 2, 3))
+        document.recompute()
+        raw = reading.read_document(body)
+        shapes, records = shapes_in(raw), by_name(raw)
+        replayed = shapes[records["Plate"]["own_volume"]].cut(shapes[records["Hole"]["own_volume"]])
+        self.assert_same_solid(replayed, body.Shape)
+        self.assert_same_solid(shapes[records["Hole"]["shape"]], body.Shape)
+        self.assert_order(raw)
+
+    def test_feature_attached_off_the_origin(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        cylinder = body.newObject("PartDesign::AdditiveCylinder", "Post")
+        cylinder.Radius, cylinder.Height = 3, 15
+        cylinder.Placement = placement(45, 30, 5, 20, (1, 0, 0))
+        document.recompute()
+        raw = reading.read_document(body)
+        shapes, records = shapes_in(raw), by_name(raw)
+        replayed = (shapes[records["Plate"]["own_volume"]].cut(shapes[records["Hole"]["own_volume"]])
+                    .fuse(shapes[records["Post"]["own_volume"]]))
+        self.assert_same_solid(replayed, body.Shape)
+
+    def test_boolean_with_a_placement_of_its_own(self):
+        document = new_document()
+        box = document.addObject("Part::Box", "Box")
+        tool = document.addObject("Part::Cylinder", "Tool")
+        tool.Placement = placement(5, 5, -1)
+        box.Placement = placement(1, 0, 0, 10)
+        cut = document.addObject("Part::Cut", "Cut")
+        cut.Base, cut.Tool = box, tool
+        cut.Placement = placement(100, 0, 0, 90)
+        document.recompute()
+        raw = reading.read_document(cut)
+        shapes, records = shapes_in(raw), by_name(raw)
+        replayed = shapes[records["Box"]["shape"]].cut(shapes[records["Tool"]["shape"]])
+        self.assert_same_solid(replayed, cut.Shape)
+
+    def test_body_in_a_moved_boolean(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        body.Placement = placement(0, 0, 7)
+        tool = document.addObject("Part::Box", "Tool")
+        tool.Placement = placement(30, 10, 0)
+        cut = document.addObject("Part::Cut", "Cut")
+        cut.Base, cut.Tool, cut.Placement = body, tool, placement(3, 4, 5, 45)
+        document.recompute()
+        raw = reading.read_document(cut)
+        shapes, records = shapes_in(raw), by_name(raw)
+        replayed = (shapes[records["Plate"]["own_volume"]].cut(shapes[records["Hole"]["own_volume"]])
+                    .cut(shapes[records["Tool"]["shape"]]))
+        self.assert_same_solid(replayed, cut.Shape)
+        self.assert_order(raw)
+
+    def test_link_lies_where_the_link_is(self):
+        document = new_document()
+        box = document.addObject("Part::Box", "Box")
+        box.Placement = placement(50, 0, 0)
+        link = document.addObject("App::Link", "Link")
+        link.LinkedObject = box
+        link.Placement = placement(0, 30, 0, 30)
+        document.recompute()
+        for transform in (False, True):
+            link.LinkTransform = transform
+            document.recompute()
+            raw = reading.read_document(link)
+            shapes, records = shapes_in(raw), by_name(raw)
+            self.assert_same_solid(shapes[records["Box"]["shape"]], Part.getShape(link))
+            self.assert_same_solid(shapes[records["Link"]["shape"]], Part.getShape(link))
+
+    def test_only_what_lies_before_the_tip(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        body.Tip = document.getObject("Plate")
+        document.recompute()
+        records = by_name(reading.read_document(body))
+        self.assertIn("Plate", records)
+        self.assertNotIn("Hole", records)
+
+    def test_parameters(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        sheet = document.addObject("Spreadsheet::Sheet", "Sheet")
+        sheet.set("B2", "=12 mm")
+        sheet.setAlias("B2", "thickness")
+        document.recompute()
+        document.getObject("Plate").setExpression("Length", "Sheet.thickness")
+        document.recompute()
+        raw = reading.read_document(body)
+        records = by_name(raw)
+        self.assertEqual(records["Plate"]["numbers"]["Length"], 12.0)
+        self.assertEqual(records["Hole"]["numbers"]["Reversed"], 1.0)
+        self.assertEqual(records["Hole"]["texts"]["Type"], "ThroughAll")
+        self.assertEqual(records["HoleSketch"]["numbers"]["Radius"], 6.0)
+        self.assertEqual(records["Sheet"]["numbers"]["thickness"], 12.0)
+        self.assertEqual(records["HoleSketch"]["shape"], -1)
+        self.assert_order(raw)
+
+    def test_angle_constraints_are_degrees(self):
+        import Sketcher
+        document = new_document()
+        sketch = document.addObject("Sketcher::SketchObject", "Sketch")
+        sketch.addGeometry(Part.LineSegment(Vector(0, 0), Vector(10, 10)))
+        sketch.renameConstraint(sketch.addConstraint(Sketcher.Constraint("Angle", 0, 0.5)), "Slope")
+        document.recompute()
+        numbers, _ = reading._parameters(sketch)
+        self.assertAlmostEqual(numbers["Slope"], 28.64788975654116)
+
+    def test_error_is_freecads_own(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        document.getObject("Plate").Length = 0
+        document.recompute()
+        message = by_name(reading.read_document(body))["Plate"]["error"]
+        self.assertEqual(message, document.getObject("Plate").getStatusString())
+        self.assertTrue(message)
+
+    def test_faces_stay_shared_between_features(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        raw = reading.read_document(body)
+        shapes, records = shapes_in(raw), by_name(raw)
+        before, after = shapes[records["Plate"]["shape"]], shapes[records["Hole"]["shape"]]
+        shared = [one for one in before.Faces if any(one.isPartner(other) for other in after.Faces)]
+        self.assertEqual(len(shared), 4)  # the plate's sides, which the hole does not touch
+
+    def test_long_chain_of_booleans(self):
+        document = new_document()
+        part = document.addObject("Part::Box", "Box")
+        for index in range(1200):
+            cut = document.addObject("Part::Compound", "Step%d" % index)
+            cut.Links = [part]
+            part = cut
+        part.Shape = Part.makeBox(1, 1, 1)
+        self.assertEqual(len(reading.dependencies(part)), 1201)
+
+    def test_costs_little_against_a_recompute(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        pattern_of_holes(document, body)
+        for obj in document.Objects:
+            obj.touch()
+        start = time.perf_counter()
+        document.recompute()
+        recompute = time.perf_counter() - start
+        seconds = []
+        for _ in range(3):
+            start = time.perf_counter()
+            reading.read_document(body)
+            seconds.append(time.perf_counter() - start)
+        self.assertLess(min(seconds), 0.1 * recompute)
+
+
+def pattern_of_holes(document, body):
+    """A second small hole, eight times along x."""
+    from parts import circle
+    sketch = body.newObject("Sketcher::SketchObject", "SmallSketch")
+    circle(sketch, 32, 5, 1)
+    pocket = body.newObject("PartDesign::Pocket", "Small")
+    pocket.Profile, pocket.Type, pocket.Reversed = sketch, "ThroughAll", True
+    document.recompute()
+    pattern = body.newObject("PartDesign::LinearPattern", "Pattern")
+    pattern.Originals, pattern.Direction = [pocket], (sketch, ["H_Axis"])
+    pattern.Length, pattern.Occurrences = 25, 8
+    body.Tip = pattern
+    document.recompute()
+
+
+class Finding(unittest.TestCase):
+
+    def test_the_only_body(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        self.assertIs(reading.find_meshable(document), body)
+
+    def test_operands_do_not_count(self):
+        document = new_document()
+        box = document.addObject("Part::Box", "Box")
+        tool = document.addObject("Part::Cylinder", "Tool")
+        cut = document.addObject("Part::Cut", "Cut")
+        cut.Base, cut.Tool = box, tool
+        document.recompute()
+        self.assertIs(reading.find_meshable(document), cut)
+        self.assertIs(reading.find_meshable(document, "Box"), box)
+
+    def test_several_are_listed(self):
+        document = new_document()
+        for name in ("First", "Second"):
+            document.addObject("Part::Box", name)
+        document.recompute()
+        with self.assertRaisesRegex(UserError, "First, Second"):
+            reading.find_meshable(document)
+
+    def test_none(self):
+        document = new_document()
+        document.addObject("Part::Plane", "Plane")
+        document.recompute()
+        with self.assertRaisesRegex(UserError, "no solid"):
+            reading.find_meshable(document)
+
+    def test_unknown_name_comes_with_a_near_one(self):
+        document = new_document()
+        plate_with_hole(document)
+        with self.assertRaisesRegex(UserError, "did you mean Body"):
+            reading.find_meshable(document, "Bodi")
+
+    def test_label_works_as_a_name(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        body.Label = "My plate"
+        self.assertIs(reading.find_meshable(document, "My plate"), body)
+
+    def test_feature_without_a_solid(self):
+        document = new_document()
+        plate_with_hole(document)
+        with self.assertRaisesRegex(UserError, "PlateSketch has no solid"):
+            reading.find_meshable(document, "PlateSketch")
+
+    def test_a_part_with_a_binder_of_another_body(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        other = document.addObject("PartDesign::Body", "Other")
+        binder = other.newObject("PartDesign::SubShapeBinder", "Binder")
+        binder.Support = [(body, "")]
+        document.recompute()
+        with self.assertRaisesRegex(UserError, "Body"):
+            found = reading.find_meshable(document)
+            raise UserError(found.Name)
