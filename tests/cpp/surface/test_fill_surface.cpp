@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <GProp_GProps.hxx>
+
+#include "catch.h"
+#include "core/errors.h"
+#include "surface_checks.h"
+
+using namespace featuremesh;
+using namespace featuremesh::testing;
+
+TEST_CASE("every kind of face is covered by a closed, well-shaped surface mesh") {
+    for (const NamedShape& s : named_shapes()) {
+        INFO(s.name);
+        const Brep brep(s.shape);
+        const SurfaceResult result = mesh_surface(brep, s.size);
+        const auto broken = findings(brep, result.mesh);
+        INFO((broken.empty() ? std::string() : broken.front()));
+        CHECK(broken.empty());
+        CHECK(euler_characteristic(result.mesh) == s.euler);
+        CHECK(smallest_angle(result.mesh) > 25);
+        CHECK(result.report.min_angle_deg == Approx(smallest_angle(result.mesh)));
+        GProp_GProps properties;
+        BRepGProp::SurfaceProperties(s.shape, properties);
+        CHECK(area(result.mesh) == Approx(properties.Mass()).epsilon(0.04));
+        CHECK(result.report.new_nodes == result.mesh.node_count());
+        CHECK(result.report.new_triangles == result.mesh.triangles.size());
+    }
+}
+
+TEST_CASE("one thread and several give the same bytes") {
+    for (const NamedShape& s : named_shapes()) {
+        INFO(s.name);
+        const Brep brep(s.shape);
+        const Mesh one = mesh_surface(brep, s.size).mesh, two = mesh_surface(brep, s.size, {}, 2).mesh;
+        CHECK(one.points == two.points);
+        CHECK(one.triangles == two.triangles);
+        CHECK(one.segments == two.segments);
+        CHECK(one.parameters == two.parameters);
+    }
+}
+
+TEST_CASE("edge chains are even and symmetric") {
+    const Brep brep(BRepPrimAPI_MakeBox(10, 20, 30).Shape());
+    const Mesh mesh = mesh_surface(brep, 3).mesh;
+    for (std::size_t e = 0; e < brep.edge_count(); ++e) {
+        double shortest = 1e300, longest = 0;
+        for (std::size_t s = 0; s < mesh.segments.size(); ++s) {
+            if (mesh.segment_edges[s] != EdgeId(e)) continue;
+            const double l = distance(mesh.point(mesh.segments[s][0]), mesh.point(mesh.segments[s][1]));
+            shortest = std::min(shortest, l), longest = std::max(longest, l);
+        }
+        CHECK(longest - shortest < 1e-9);
+        CHECK(longest > 2.5);
+        CHECK(longest < 3.5);
+    }
+}
+
+TEST_CASE("a coarse mesh is still a closed surface") {
+    for (const NamedShape& s : named_shapes()) {
+        INFO(s.name);
+        const Brep brep(s.shape);
+        const Mesh mesh = mesh_surface(brep, 0.2 * brep.box().diagonal()).mesh;
+        CHECK(euler_characteristic(mesh) == s.euler);
+        const auto broken = findings(brep, mesh);
+        INFO((broken.empty() ? std::string() : broken.front()));
+        CHECK(broken.empty());
+    }
+}
+
+TEST_CASE("filling stops when it is cancelled") {
+    const Brep brep(BRepPrimAPI_MakeBox(10, 20, 30).Shape());
+    RunContext context;
+    SizingOptions options;
+    options.size = 0.5;
+    const SizingField sizing = make_sizing(brep, options, {}, context);
+    context.on_progress = [](std::string_view, double) { return false; };
+    CHECK_THROWS_AS(fill_surface(brep, sizing, {}, context), Cancelled);
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <random>
+
+#include "catch.h"
+#include "surface/projection.h"
+#include "surface_checks.h"
+
+using namespace featuremesh;
+using namespace featuremesh::testing;
+
+TEST_CASE("a point of a face or an edge projects on itself, with and without a guess") {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> share(0.02, 0.98);
+    for (const NamedShape& s : named_shapes()) {
+        INFO(s.name);
+        const Brep brep(s.shape);
+        const Projector projector(brep);
+        const Mesh mesh = mesh_surface(brep, s.size).mesh;
+        for (std::size_t n = 0; n < mesh.node_count(); n += 5) {
+            const Entity e = mesh.entities[n];
+            if (e.dim == 2) {
+                const FaceId face(e.index);
+                const auto uv = mesh.parameters[n];
+                const Vec3 off = mesh.points[n] + 0.3 * share(random) * projector.normal(face, uv);
+                for (const OnFace& foot : {projector.nearest(face, off, uv), projector.nearest(face, off)}) {
+                    CHECK(distance(foot.point, mesh.points[n]) < 1e-7);
+                    CHECK(distance(projector.on_face(face, foot.uv), foot.point) < 1e-12);
+                    CHECK(foot.distance == Approx(distance(off, foot.point)));
+                }
+                CHECK(projector.is_inside_trim(face, uv));
+            } else if (e.dim == 1) {
+                const EdgeId edge(e.index);
+                for (const OnEdge& foot : {projector.nearest(edge, mesh.points[n], mesh.parameters[n][0]), projector.nearest(edge, mesh.points[n])})
+                    CHECK(distance(foot.point, mesh.points[n]) < 1e-9);
+            }
+        }
+    }
+}
+
+TEST_CASE("the nearest point of an edge is within the edge") {
+    const NamedShape box = named_shapes().front();
+    const Brep brep(box.shape);
+    const Projector projector(brep);
+    for (std::size_t e = 0; e < brep.edge_count(); ++e) {
+        const auto ends = brep.ends_of(EdgeId(e));
+        const Vec3 a = brep.point_of(ends[0]), b = brep.point_of(ends[1]);
+        const Vec3 beyond = b + (b - a);
+        CHECK(distance(projector.nearest(EdgeId(e), beyond).point, b) < 1e-12);
+        CHECK(distance(projector.nearest(EdgeId(e), a - (b - a)).point, a) < 1e-12);
+    }
+}
+
+TEST_CASE("normals point out of the solid") {
+    for (const NamedShape& s : named_shapes()) {
+        INFO(s.name);
+        const Brep brep(s.shape);
+        const Mesh mesh = mesh_surface(brep, s.size).mesh;
+        double volume = 0;
+        for (const auto& t : mesh.triangles) volume += signed_volume({}, mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]));
+        CHECK(volume == Approx(brep.volume_of(SolidId(0))).epsilon(0.06));
+    }
+}
