@@ -10,7 +10,7 @@ import FreeCAD as App
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples")
 sys.path.insert(0, EXAMPLES)
 
-import make_examples  # noqa: E402
+from all_examples import MAKERS  # noqa: E402
 
 BLOCK_AND_CYLINDER = 80 * 50 * 20 + math.pi * 12 ** 2 * 40
 # Volume and faces of the same bracket built from primitives with OCCT alone.
@@ -30,7 +30,7 @@ class Examples(unittest.TestCase):
             App.closeDocument(document.Name)
 
     def made(self, name):
-        self.documents.append(make_examples.MAKERS[name]())
+        self.documents.append(MAKERS[name]())
         return self.documents[-1]
 
     def stored(self, name):
@@ -38,7 +38,7 @@ class Examples(unittest.TestCase):
         return self.documents[-1]
 
     def test_stored_documents_are_what_the_scripts_make(self):
-        for name in make_examples.MAKERS:
+        for name in MAKERS:
             with self.subTest(example=name):
                 made, stored = part_of(self.made(name)), part_of(self.stored(name))
                 self.assertAlmostEqual(made.Shape.Volume, stored.Shape.Volume, delta=1e-9 * made.Shape.Volume)
@@ -46,7 +46,7 @@ class Examples(unittest.TestCase):
                 self.assertEqual([o.Name for o in made.Document.Objects], [o.Name for o in stored.Document.Objects])
 
     def test_every_example_is_one_valid_solid_with_an_analysis(self):
-        for name in make_examples.MAKERS:
+        for name in MAKERS:
             with self.subTest(example=name):
                 document = self.made(name)
                 self.assertEqual([o.Name for o in document.Objects if "Invalid" in o.State], [])
@@ -63,7 +63,7 @@ class Examples(unittest.TestCase):
         self.assertAlmostEqual(stiffened.Shape.Volume - tool.Shape.Volume, 110 * 5 * 6, delta=1e-6)
 
     def test_sketches_are_fully_constrained(self):
-        for name in make_examples.MAKERS:
+        for name in MAKERS:
             for sketch in (o for o in self.made(name).Objects if o.TypeId == "Sketcher::SketchObject"):
                 self.assertTrue(sketch.FullyConstrained, f"{name}: {sketch.Name}")
 
