@@ -5,8 +5,6 @@ import math
 import os
 import time
 
-import FreeCAD
-
 from . import edits, engine, export, reading, versions
 from .errors import UserError
 from .mesh_object import FeatureMesh, is_feature_mesh, local_sizes, one_line, options_of
@@ -26,9 +24,6 @@ def add_mesh(part, size=None, order=1, threads=0, name="FeatureMesh"):
     setattr(mesh, versions.part_property(mesh), part)
     mesh.Size, mesh.Order, mesh.Threads = size, "2nd" if order == 2 else "1st", threads
     _join_analysis(mesh, part.Document)
-    if FreeCAD.GuiUp:
-        from . import view_provider
-        view_provider.attach(mesh)
     return mesh
 
 

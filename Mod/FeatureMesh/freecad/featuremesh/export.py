@@ -34,7 +34,7 @@ def write(mesh, path, file_format):
             mesh.FemMesh.write(temporary)
         else:
             writer = write_vtu if file_format == "vtu" else write_inp
-            writer(temporary, state.load(mesh.State).arrays, groups_in(mesh.FemMesh))
+            writer(temporary, state.load(mesh.SavedState).arrays, groups_in(mesh.FemMesh))
         os.replace(temporary, path)
     except OSError as error:
         raise UserError("cannot write %s: %s" % (path, error)) from error

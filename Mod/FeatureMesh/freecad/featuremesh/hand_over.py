@@ -42,7 +42,7 @@ def analysis_groups(mesh, part, entities):
                for member in analysis.Group]
     materials = [member for member in members if _is_material(member)]
     for member in members:
-        if member in materials or not member.isDerivedFrom("Fem::Constraint") and not hasattr(member, "References"):
+        if member in materials or not hasattr(member, "References"):
             continue
         nodes = _nodes_of_references(member, part, entities)
         if nodes is not None:
@@ -50,6 +50,20 @@ def analysis_groups(mesh, part, entities):
     if len(materials) > 1:
         groups += _material_groups(materials, part, entities)
     return groups
+
+
+def renew_analysis_groups(mesh, part, arrays):
+    """Replaces the groups of analysis members in the mesh as it is."""
+    fem_mesh = mesh.FemMesh
+    members = [member.Name for analysis in mesh.InList if analysis.isDerivedFrom("Fem::FemAnalysis")
+               for member in analysis.Group]
+    own = {name + suffix for name in members for suffix in ("_Nodes", "_Volumes")}
+    for group in fem_mesh.Groups:
+        if fem_mesh.getGroupName(group) in own:
+            fem_mesh.removeGroup(group)
+    for name, kind, numbers in analysis_groups(mesh, part, EntityGroups(arrays)):
+        if len(numbers):
+            fem_mesh.addGroupElements(fem_mesh.addGroup(name, kind), [int(number) for number in numbers])
 
 
 class EntityGroups:
@@ -165,8 +179,7 @@ def _material_groups(materials, part, entities):
 
 
 def _is_material(member):
-    return getattr(getattr(member, "Proxy", None), "Type", "") == "Fem::MaterialCommon" or hasattr(member, "Material") \
-        and hasattr(member, "References")
+    return member.isDerivedFrom("App::MaterialObject") and hasattr(member, "References")
 
 
 def _union(arrays):

@@ -7,8 +7,9 @@ import tempfile
 import time
 
 import FreeCAD
+import Fem
 
-from . import engine, hand_over, state, versions
+from . import engine, hand_over, history, state, versions
 from .errors import StateError, UserError
 from .reading import describe, read_document
 
@@ -43,8 +44,11 @@ PROPERTIES = [
      "Mean of three times the inscribed over the circumscribed radius; 1 for regular tets"),
     ("App::PropertyFloat", "Seconds", "Result", 0.0, True, "Time the last mesh or update took"),
     ("App::PropertyString", "Report", "Result", "", True, "Everything about the last mesh or update, as JSON"),
-    ("App::PropertyFileIncluded", "State", "Result", None, True, "What the next update needs"),
+    ("App::PropertyFileIncluded", "SavedState", "Result", None, True, "What the next update needs"),
 ]
+# Called with every mesh object that was made or opened; the window's side adds its view there.
+on_ready = []
+
 _OPTION_OF = {"Size": "size", "MinSize": "min_size", "ElementsPerCircle": "elements_per_circle",
               "ElementsAcrossGap": "elements_across_gap", "Growth": "growth", "Threads": "threads"}
 
@@ -58,7 +62,7 @@ class FeatureMesh:
         self.Type = FeatureMesh.Type
         mesh.Proxy = self
         self._forget()
-        self._add_properties(mesh)
+        self._get_ready(mesh)
 
     # FreeCAD's side
 
@@ -71,7 +75,8 @@ class FeatureMesh:
 
     def onDocumentRestored(self, mesh):
         self._forget()
-        self._add_properties(mesh)
+        self._get_ready(mesh)
+        self._shown = state.checksum_of(mesh.SavedState)
 
     def dumps(self):
         return {"Type": self.Type}
@@ -101,15 +106,43 @@ class FeatureMesh:
 
     def last_part_mesh(self, mesh):
         """The engine's mesh as it is now, from memory or from the saved state. Throws StateError."""
-        checksum = state.checksum_of(mesh.State)
+        checksum = state.checksum_of(mesh.SavedState)
         if self._part_mesh is None or checksum != self._checksum:
-            saved = state.load(mesh.State)
+            saved = state.load(mesh.SavedState)
             part = versions.part_of(mesh)
             if part is not None and saved.part_name != part.Name:
                 raise StateError("the saved mesh state belongs to %s, not to %s" % (saved.part_name, part.Name))
             self._part_mesh = _restore(saved)
             self._checksum = checksum
         return self._part_mesh
+
+    def show_state(self, mesh):
+        """Makes FemMesh what the saved state says, after undo or redo brought back another one."""
+        checksum = state.checksum_of(mesh.SavedState)
+        if checksum == self._shown:
+            return
+        if not checksum:
+            mesh.FemMesh = Fem.FemMesh()
+        else:
+            try:
+                self._show(mesh, self.last_part_mesh(mesh))
+            except (RuntimeError, UserError) as error:
+                mesh.Status = "failed: " + one_line(error)
+                FreeCAD.Console.PrintError("%s: %s\n" % (mesh.Label, one_line(error)))
+                return
+        self._shown = checksum
+
+    def renew_analysis_groups(self, mesh):
+        """Makes the groups of constraints and materials anew, without touching the mesh."""
+        part = versions.part_of(mesh)
+        if part is None or not mesh.FemMesh.VolumeCount or not self._shown:
+            return
+        try:
+            arrays = state.load(mesh.SavedState).arrays if self._part_mesh is None else self._part_mesh.arrays()
+        except StateError as error:
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, error))
+            return
+        hand_over.renew_analysis_groups(mesh, part, arrays)
 
     def _update(self, mesh, full, progress, start):
         part = versions.part_of(mesh)
@@ -129,7 +162,7 @@ class FeatureMesh:
             add_fallback(report, "meshed from scratch: " + problem)
             FreeCAD.Console.PrintWarning("%s: %s; meshed from scratch\n" % (mesh.Label, problem))
         meshed = time.perf_counter()
-        mesh.FemMesh = hand_over.to_fem_mesh(part_mesh, hand_over.groups_of(part_mesh, mesh, part))
+        self._show(mesh, part_mesh)
         handed_over = time.perf_counter()
         self._store(mesh, part_mesh, state.State(raw, options, part_mesh.arrays()))
         end = time.perf_counter()
@@ -140,26 +173,34 @@ class FeatureMesh:
 
     def _old(self, mesh):
         """The mesh to start from, or None and the reason why there is none (no reason for a first mesh)."""
-        if self._part_mesh is None and not mesh.State:
+        if self._part_mesh is None and not mesh.SavedState:
             return None, (None if not mesh.FemMesh.VolumeCount else "the document holds no mesh state")
         try:
             return self.last_part_mesh(mesh), None
         except (StateError, engine.load().StateError) as error:
             return None, one_line(error)
 
+    def _show(self, mesh, part_mesh):
+        groups = hand_over.groups_of(part_mesh, mesh, versions.part_of(mesh))
+        mesh.FemMesh = hand_over.to_fem_mesh(part_mesh, groups)
+
     def _store(self, mesh, part_mesh, new_state):
-        handle, path = tempfile.mkstemp(".npz", "featuremesh-")
-        os.close(handle)
-        try:
-            self._checksum = state.save(path, new_state)
-            mesh.State = path
+        with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
+            path = os.path.join(folder, mesh.Name + ".npz")
+            self._checksum = self._shown = state.save(path, new_state)
+            mesh.SavedState = path
             self._part_mesh = part_mesh
-        finally:
-            os.unlink(path)
 
     def _forget(self):
-        self._part_mesh = None
-        self._checksum = ""
+        self._part_mesh = None   # the engine's mesh, while it is in memory
+        self._checksum = ""      # of the saved state that it belongs to
+        self._shown = ""         # of the saved state that FemMesh was made from
+
+    def _get_ready(self, mesh):
+        self._add_properties(mesh)
+        history.watch()
+        for hook in on_ready:
+            hook(mesh)
 
     def _add_properties(self, mesh):
         """Adds what the object lacks: all of it when new, what came later when from an older document."""
@@ -171,7 +212,7 @@ class FeatureMesh:
                 if default is not None:
                     setattr(mesh, name, default)
             if read_only:
-                mesh.setEditorMode(name, 2 if name in ("Report", "State") else 1)
+                mesh.setEditorMode(name, 2 if name in ("Report", "SavedState") else 1)
 
 
 def is_feature_mesh(obj):

@@ -1,0 +1,252 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The mesh object in a document: it follows the part, survives saving and undo, and never shows a wrong mesh."""
+import json
+import os
+import shutil
+import tempfile
+import unittest
+
+import FreeCAD
+import ObjectsFem
+from freecad.featuremesh import api, engine, mesh_object, versions
+from freecad.featuremesh.errors import UserError
+from parts import new_document, plate_with_hole
+
+SIZE = 6.0
+
+
+def points_of(mesh):
+    """{number: (x, y, z)} of all nodes."""
+    return {number: tuple(point) for number, point in mesh.FemMesh.Nodes.items()}
+
+
+def groups_of(mesh):
+    fem_mesh = mesh.FemMesh
+    return {fem_mesh.getGroupName(group): (fem_mesh.getGroupElementType(group), set(fem_mesh.getGroupElements(group)))
+            for group in fem_mesh.Groups}
+
+
+class MeshObject(unittest.TestCase):
+
+    def setUp(self):
+        self.document = new_document()
+        self.body = plate_with_hole(self.document)
+        self.mesh = api.add_mesh(self.body, SIZE)
+        self.document.recompute()
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+
+    def edit(self, x=26):
+        """Moves the hole."""
+        self.document.getObject("HoleSketch").setDatum("X", FreeCAD.Units.Quantity("%g mm" % x))
+        self.document.recompute()
+
+    def assert_on_the_part(self, mesh=None):
+        """Every node of the hole's face is at the hole's radius around its axis, as FreeCAD itself finds them."""
+        mesh = mesh or self.mesh
+        axis_x = self.document.getObject("HoleSketch").getDatum("X").Value
+        for number, face in enumerate(self.body.Shape.Faces, 1):
+            if face.Surface.TypeId != "Part::GeomCylinder":
+                continue
+            found = mesh.FemMesh.getNodesByFace(face)
+            self.assertGreater(len(found), 8)
+            self.assertEqual(set(found), groups_of(mesh)["Face%d_Nodes" % number][1])
+            for node in found:
+                point = mesh.FemMesh.Nodes[node]
+                self.assertAlmostEqual(((point.x - axis_x) ** 2 + (point.y - 20) ** 2) ** 0.5, 6.0, 6)
+
+    def save_and_reopen(self):
+        folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, folder)
+        path = os.path.join(folder, "part.FCStd")
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        self.mesh = self.document.getObject("FeatureMesh")
+        self.body = self.document.getObject("Body")
+
+    def test_first_mesh(self):
+        self.assertEqual(self.mesh.NodeCount, self.mesh.FemMesh.NodeCount)
+        self.assertEqual(self.mesh.TetCount, self.mesh.FemMesh.VolumeCount)
+        self.assert_on_the_part()
+        report = json.loads(self.mesh.Report)
+        self.assertIsNone(report["fallback"])
+        for step in ("document", "hand_over", "state", "total", "engine_total"):
+            self.assertIn(step, report["seconds"])
+
+    def test_an_edit_is_followed_and_most_nodes_stay(self):
+        before = points_of(self.mesh)
+        self.edit()
+        after = points_of(self.mesh)
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        self.assert_on_the_part()
+        kept = sum(1 for number, point in after.items() if before.get(number) == point)
+        self.assertGreater(kept, 0.3 * len(after))
+        self.assertIsNone(json.loads(self.mesh.Report)["fallback"])
+        self.assertAlmostEqual(self.mesh.KeptNodes, 100 * kept / len(after), delta=1)
+
+    def test_a_number_is_never_given_to_another_point(self):
+        before = points_of(self.mesh)
+        self.edit()
+        moved = [number for number, point in points_of(self.mesh).items() if number in before and before[number] != point]
+        self.assertEqual(moved, [])
+
+    def test_recompute_without_an_edit_changes_nothing(self):
+        before = points_of(self.mesh)
+        self.mesh.touch()
+        self.document.recompute()
+        self.assertEqual(points_of(self.mesh), before)
+
+    def test_saved_and_reopened_it_updates_just_as_locally(self):
+        before = points_of(self.mesh)
+        self.save_and_reopen()
+        self.assertEqual(points_of(self.mesh), before)
+        self.edit()
+        self.assert_on_the_part()
+        reopened = points_of(self.mesh)
+        self.assertGreater(self.mesh.KeptNodes, 30)
+        self.setUp()
+        self.assertEqual(points_of(self.mesh), before)
+        self.edit()
+        self.assertEqual(points_of(self.mesh), reopened)
+
+    def test_damaged_state_gives_a_full_mesh_and_says_so(self):
+        self.save_and_reopen()
+        with open(self.mesh.SavedState, "r+b") as stream:
+            stream.seek(5000)
+            stream.write(b"\x00\xff" * 50)
+        self.edit()
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        self.assertIn("damaged", json.loads(self.mesh.Report)["fallback"])
+        self.assert_on_the_part()
+
+    def test_state_of_another_part_gives_a_full_mesh_and_says_so(self):
+        box = self.document.addObject("Part::Box", "Box")
+        setattr(self.mesh, versions.part_property(self.mesh), box)
+        self.mesh.Proxy.onDocumentRestored(self.mesh)
+        self.document.recompute()
+        self.assertIn("belongs to Body", json.loads(self.mesh.Report)["fallback"])
+
+    def test_failure_leaves_the_old_mesh_and_says_why(self):
+        before = points_of(self.mesh)
+        self.mesh.Size = 0
+        self.document.recompute()
+        self.assertTrue(self.mesh.Status.startswith("failed: "), self.mesh.Status)
+        self.assertIn("Invalid", self.mesh.State)
+        self.assertEqual(points_of(self.mesh), before)
+        self.mesh.Size = SIZE
+        self.document.recompute()
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        self.assertEqual(points_of(self.mesh), before)
+
+    def test_cancel_leaves_everything_as_it_was(self):
+        before = points_of(self.mesh)
+        self.mesh.Automatic = False
+        self.edit()
+        with self.assertRaises(engine.load().Cancelled):
+            api.update_mesh(self.mesh, progress=lambda step, share: False)
+        self.assertEqual(points_of(self.mesh), before)
+        api.update_mesh(self.mesh)
+        self.assert_on_the_part()
+
+    def test_manual_mode_says_that_it_is_out_of_date(self):
+        self.mesh.Automatic = False
+        before = points_of(self.mesh)
+        self.edit()
+        self.assertEqual(self.mesh.Status, mesh_object.OUT_OF_DATE)
+        self.assertEqual(points_of(self.mesh), before)
+        api.update_mesh(self.mesh)
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        self.assert_on_the_part()
+
+    def test_undo_and_redo_bring_the_mesh_back(self):
+        self.document.UndoMode = 1
+        before = points_of(self.mesh)
+        self.document.openTransaction("Move the hole")
+        self.edit()
+        self.document.commitTransaction()
+        after = points_of(self.mesh)
+        self.assertNotEqual(before, after)
+        self.document.undo()
+        self.assertEqual(points_of(self.mesh), before)
+        self.document.redo()
+        self.assertEqual(points_of(self.mesh), after)
+        self.assert_on_the_part()
+
+    def test_second_order(self):
+        self.mesh.Order = "2nd"
+        self.document.recompute()
+        self.assertEqual(len(self.mesh.FemMesh.getElementNodes(self.mesh.FemMesh.Volumes[0])), 10)
+        self.assert_on_the_part()
+
+    def test_parts_that_are_missing_or_in_error(self):
+        setattr(self.mesh, versions.part_property(self.mesh), None)
+        with self.assertRaisesRegex(UserError, "no part"):
+            api.update_mesh(self.mesh)
+        setattr(self.mesh, versions.part_property(self.mesh), self.body)
+        api.update_mesh(self.mesh)
+        self.document.getObject("Plate").Length = 0
+        with self.assertRaisesRegex(UserError, "Plate"):
+            api.recompute(self.document)
+
+    def test_volume_of_the_mesh(self):
+        self.mesh.Order = "2nd"
+        self.document.recompute()
+        self.assertAlmostEqual(self.mesh.FemMesh.Volume.Value, self.body.Shape.Volume, delta=0.002 * self.body.Shape.Volume)
+
+
+class Groups(unittest.TestCase):
+
+    def setUp(self):
+        self.document = new_document()
+        self.body = plate_with_hole(self.document)
+        self.analysis = ObjectsFem.makeAnalysis(self.document, "Analysis")
+        self.fixed = ObjectsFem.makeConstraintFixed(self.document, "Fixed")
+        self.fixed.References = [(self.body, "Face1")]
+        self.analysis.addObject(self.fixed)
+        self.mesh = api.add_mesh(self.body, SIZE)
+        self.document.recompute()
+
+    def test_mesh_joins_the_only_analysis(self):
+        self.assertIn(self.mesh, self.analysis.Group)
+
+    def test_faces_edges_solids_and_features(self):
+        groups = groups_of(self.mesh)
+        for number, face in enumerate(self.body.Shape.Faces, 1):
+            self.assertEqual(groups["Face%d_Nodes" % number], ("Node", set(self.mesh.FemMesh.getNodesByFace(face))))
+            self.assertEqual(groups["Face%d" % number], ("Face", set(self.mesh.FemMesh.getFacesByFace(face))))
+        for number, edge in enumerate(self.body.Shape.Edges, 1):
+            self.assertEqual(groups["Edge%d_Nodes" % number], ("Node", set(self.mesh.FemMesh.getNodesByEdge(edge))))
+        self.assertEqual(groups["Solid1"], ("Volume", set(self.mesh.FemMesh.Volumes)))
+        self.assertEqual(groups["Feature_Plate"], ("Volume", set(self.mesh.FemMesh.Volumes)))
+
+    def test_constraint_finds_its_nodes_and_follows_its_references(self):
+        self.assertEqual(groups_of(self.mesh)["Fixed_Nodes"], groups_of(self.mesh)["Face1_Nodes"])
+        self.fixed.References = [(self.body, "Face2"), (self.body, "Edge1")]
+        groups = groups_of(self.mesh)
+        self.assertEqual(groups["Fixed_Nodes"][1], groups["Face2_Nodes"][1] | groups["Edge1_Nodes"][1])
+        self.fixed.References = []
+        self.assertNotIn("Fixed_Nodes", groups_of(self.mesh))
+
+    def test_mesh_group_objects(self):
+        group = ObjectsFem.makeMeshGroup(self.document, self.mesh, False, "Clamp")
+        group.References = [(self.body, "Face1"), (self.body, "Face2")]
+        self.document.recompute()
+        groups = groups_of(self.mesh)
+        self.assertEqual(groups["Clamp"], ("Face", groups["Face1"][1] | groups["Face2"][1]))
+        self.assertEqual(groups["Clamp_Nodes"], ("Node", groups["Face1_Nodes"][1] | groups["Face2_Nodes"][1]))
+
+    def test_refinement_makes_more_nodes_where_it_is(self):
+        before = groups_of(self.mesh)
+        region = ObjectsFem.makeMeshRegion(self.document, self.mesh, 0.0, "Fine")
+        region.References, region.CharacteristicLength = [(self.body, "Face1")], SIZE / 3
+        self.document.recompute()
+        after = groups_of(self.mesh)
+        self.assertGreater(len(after["Face1_Nodes"][1]), 4 * len(before["Face1_Nodes"][1]))
+
+    def test_refinement_of_another_object_is_refused(self):
+        other = self.document.addObject("Part::Box", "Other")
+        region = ObjectsFem.makeMeshRegion(self.document, self.mesh, 1.0, "Fine")
+        region.References = [(other, "Face1")]
+        self.document.recompute()
+        self.assertIn("Fine", self.mesh.Status)
+        self.assertIn("Body", self.mesh.Status)
