@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/mid_side_nodes.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <TopoDS_Edge.hxx>
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/errors.h"
+#include "mesh/second_order.h"
+#include "surface/curved_tet_repair.h"
+#include "surface/projection.h"
+
+namespace featuremesh {
+namespace {
+
+/// The parameter of a segment's end: chains run from the edge's first parameter to its last, so an end on a vertex is the first or the last one.
+double parameter_at(const Mesh& mesh, NodeId node, bool is_start, const BRepAdaptor_Curve& curve) {
+    if (mesh.entities[node.index()].dim == 1) return mesh.parameters[node.index()][0];
+    return is_start ? curve.FirstParameter() : curve.LastParameter();
+}
+
+/// The parameter half way between two parameters in arc length.
+double half_way(const BRepAdaptor_Curve& curve, double from, double to) {
+    const double middle = 0.5 * (from + to);
+    if (curve.GetType() == GeomAbs_Line || curve.GetType() == GeomAbs_Circle) return middle;
+    const double half_length = 0.5 * GCPnts_AbscissaPoint::Length(curve, from, to);
+    GCPnts_AbscissaPoint search(curve, half_length, from, middle);
+    return search.IsDone() && search.Parameter() > from && search.Parameter() < to ? search.Parameter() : middle;
+}
+
+void place_on_edges(const Brep& brep, const Projector& projector, const std::vector<bool>& is_new, Mesh& mesh) {
+    std::vector<std::optional<BRepAdaptor_Curve>> curves(brep.edge_count());
+    for (std::size_t i = 0; i < mesh.segments.size(); ++i) {
+        const NodeId mid = mesh.segment_mids[i];
+        if (!is_new[mid.index()]) continue;
+        const EdgeId edge = mesh.segment_edges[i];
+        auto& curve = curves[edge.index()];
+        if (!curve) curve.emplace(brep.edge(edge));
+        const double t = half_way(*curve, parameter_at(mesh, mesh.segments[i][0], true, *curve), parameter_at(mesh, mesh.segments[i][1], false, *curve));
+        mesh.points[mid.index()] = projector.on_edge(edge, t);
+        mesh.parameters[mid.index()] = {t, 0};
+    }
+}
+
+/// Parameters on the face of a node of the triangle, to start a projection from.
+std::optional<std::array<double, 2>> start_parameters(const Mesh& mesh, std::size_t triangle) {
+    for (NodeId n : mesh.triangles[triangle])
+        if (mesh.entities[n.index()] == entity_of(mesh.triangle_faces[triangle])) return mesh.parameters[n.index()];
+    return std::nullopt;
+}
+
+void place_on_faces(const Projector& projector, std::vector<bool> is_new, Mesh& mesh, RunContext& context) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        if (i % 1024 == 0) context.check_cancelled();
+        for (int s = 0; s < 3; ++s) {
+            const NodeId mid = mesh.triangle_mids[i][s];
+            if (!is_new[mid.index()] || mesh.entities[mid.index()].dim != 2) continue;
+            is_new[mid.index()] = false;
+            const OnFace on = projector.nearest(mesh.triangle_faces[i], mesh.points[mid.index()], start_parameters(mesh, i));
+            mesh.points[mid.index()] = on.point;
+            mesh.parameters[mid.index()] = on.uv;
+        }
+    }
+}
+
+/// The face nearest to a tet's corners in the mesh, for messages.
+std::string place_of(const Mesh& mesh, TetId tet) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        for (NodeId n : mesh.triangles[i])
+            if (std::find(mesh.tets[tet.index()].begin(), mesh.tets[tet.index()].end(), n) != mesh.tets[tet.index()].end())
+                return name_of(entity_of(mesh.triangle_faces[i]));
+    return "the part";
+}
+
+}  // namespace
+
+Mesh curve_to_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {
+    RunContext::Step step(context, "surface");
+    const std::vector<NodeId> added = add_mid_side_nodes(mesh, kept);
+    std::vector<bool> is_new(mesh.points.size(), false);
+    for (NodeId n : added) is_new[n.index()] = true;
+    const Projector projector(brep);
+    place_on_edges(brep, projector, is_new, mesh);
+    place_on_faces(projector, is_new, mesh, context);
+    const std::vector<TetId> folded = tets_at_most(mesh, 0, context);
+    if (!folded.empty())
+        throw MeshError(std::to_string(folded.size()) + " 10-node tets would be folded near " + place_of(mesh, folded.front()) +
+                        ": the face bends too much within one element. Ask for a smaller size there, or for 4-node tets.");
+    return mesh;
+}
+
+}  // namespace featuremesh
