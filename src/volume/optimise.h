@@ -24,15 +24,16 @@ OdtReport optimise_odt(TetComplex& complex, const SizingField& sizing, const Odt
 
 struct SliverOptions {
     double target_dihedral_deg = 30;
-    int passes = 5;
+    int passes = 30;               ///< at most; they end when nothing gains any more
 };
 struct SliverReport {
     std::size_t before = 0, left = 0;
+    std::size_t forced = 0;        ///< of those left: the worst angle lies between two boundary triangles
     std::size_t edge_removals = 0, face_flips = 0, moves = 0, insertions = 0, collapses = 0;
 };
-/// Worst first; each operation is accepted only if the worst dihedral angle (small and large alike) of its cavity gets better, else rolled back.
-/// Boundary triangles (neighbour -1), boundary edges between them and fixed vertices stay as they are. Free vertices may be inserted (appended to `points`) or
-/// collapsed (left without a tet).
+/// Worst first; each operation is accepted only if the worst dihedral angle (small and large alike) of its cavity gets better, and planned before
+/// anything is changed. Boundary triangles (neighbour -1), boundary edges between them and fixed vertices stay as they are. Free vertices may be
+/// inserted (appended to `points`) or collapsed (left without a tet).
 SliverReport remove_slivers(TetComplex& complex, const SliverOptions& options, RunContext& context);
 
 }  // namespace featuremesh

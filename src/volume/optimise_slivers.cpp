@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "volume/cavity_editor.h"
+#include "volume/cone_refill.h"
 #include "volume/edge_removal.h"
 #include "volume/optimise.h"
 #include "volume/tet_measures.h"
@@ -12,176 +14,257 @@ namespace featuremesh {
 
 namespace {
 
-/// An operation has to win at least this share of flatness, else passes would go on for nothing.
-constexpr double least_gain = 1e-4;
-constexpr std::size_t rounds_between_reports = 256;
-
-/// What would happen to a cavity: planned on the untouched complex, so that a refusal needs no repair.
-struct Plan {
-    double flatness = inverted_flatness;
-    int removed_count = 0, added_count = 0;
-    std::array<int, EdgeRing::max_size> removed;
-    std::array<Tet, 2 * EdgeRing::max_size> added;
-};
+constexpr std::size_t rounds_between_reports = 64;
+/// Refilling costs a hundred times what an edge removal does. Where very many
+/// tets cannot be helped (thin walls) only the worst get it.
+constexpr std::size_t refills_at_least = 4000, tets_per_refill = 50;
+/// Below this share of the target angle a new vertex is welcome even if the
+/// target stays out of reach.
+constexpr double urgent_share = 0.85;
+/// Aims this much higher, so that rounding does not leave a tet a hair below.
+constexpr double margin_deg = 1e-4;
 
 class SliverRemover {
-  public:
-    SliverRemover(TetComplex& complex, const SliverOptions& options, RunContext& context)
-        : complex_(complex),
-          options_(options),
-          context_(context),
-          target_(flatness_of_angle(options.target_dihedral_deg)),
-          editor_(complex) {}
+public:
+  SliverRemover(TetComplex &complex, const SliverOptions &options,
+                RunContext &context)
+      : complex_(complex), options_(options), context_(context),
+        target_(flatness_of_angle(options.target_dihedral_deg + margin_deg)),
+        editor_(complex),
+        refill_(editor_, target_,
+                flatness_of_angle(urgent_share * options.target_dihedral_deg)),
+        refills_left_(refills_at_least + complex.tets.size() / tets_per_refill),
+        changed_at_(complex.points.size(), 1),
+        tried_at_(complex.tets.size(), 0) {}
 
-    SliverReport run() {
-        std::vector<int> all(complex_.tets.size());
-        for (std::size_t t = 0; t < all.size(); ++t) all[t] = static_cast<int>(t);
-        std::vector<Candidate> worst_first = rank(all);
-        report_.before = worst_first.size();
-        for (int pass = 0; pass < options_.passes && !worst_first.empty(); ++pass) {
-            const bool gained = work_off(worst_first, pass);
-            worst_first = rank(changed_);
-            if (!gained) break;
-        }
-        report_.left = worst_first.size();
-        return report_;
+  SliverReport run() {
+    changed_.resize(complex_.tets.size());
+    for (std::size_t t = 0; t < changed_.size(); ++t)
+      changed_[t] = static_cast<int>(t);
+    std::vector<Candidate> worst_first = rank_changed();
+    report_.before = count_missing(worst_first);
+    for (int pass = 0; pass < options_.passes && !worst_first.empty(); ++pass) {
+      const bool gained = work_off(worst_first, pass);
+      worst_first = rank_changed();
+      if (!gained)
+        break;
     }
+    report_.left = count_missing(worst_first);
+    for (const Candidate &c : worst_first)
+      report_.forced += is_forced(c.tet, c.flatness);
+    return report_;
+  }
 
-  private:
-    struct Candidate {
-        double flatness;
-        int tet;
-    };
+private:
+  struct Candidate {
+    double flatness;
+    int tet;
+  };
 
-    double flatness_of(int tet) const { return worst_flatness(complex_, &tet, &tet + 1); }
+  double flatness_of(int tet) const {
+    return worst_flatness(complex_, std::array{tet});
+  }
 
-    /// The tets that miss the target, worst first.
-    std::vector<Candidate> rank(std::vector<int>& tets) const {
-        std::sort(tets.begin(), tets.end());
-        tets.erase(std::unique(tets.begin(), tets.end()), tets.end());
-        std::vector<Candidate> ranked;
-        for (int tet : tets) {
-            if (complex_.tets[tet][0] < 0) continue;
-            const double value = flatness_of(tet);
-            if (value > target_) ranked.push_back({value, tet});
-        }
-        std::sort(ranked.begin(), ranked.end(), [](const Candidate& a, const Candidate& b) {
-            return a.flatness != b.flatness ? a.flatness > b.flatness : a.tet < b.tet;
-        });
-        return ranked;
+  /// The changed tets that miss the target, worst first.
+  std::vector<Candidate> rank_changed() {
+    std::sort(changed_.begin(), changed_.end());
+    changed_.erase(std::unique(changed_.begin(), changed_.end()),
+                   changed_.end());
+    std::vector<Candidate> ranked;
+    for (int tet : changed_) {
+      if (complex_.tets[tet][0] < 0)
+        continue;
+      const double value = flatness_of(tet);
+      if (value > target_)
+        ranked.push_back({value, tet});
     }
+    std::sort(ranked.begin(), ranked.end(),
+              [](const Candidate &a, const Candidate &b) {
+                return a.flatness != b.flatness ? a.flatness > b.flatness
+                                                : a.tet < b.tet;
+              });
+    changed_.clear();
+    return ranked;
+  }
 
-    bool work_off(const std::vector<Candidate>& ranked, int pass) {
-        changed_.clear();
-        bool gained = false;
-        for (std::size_t i = 0; i < ranked.size(); ++i) {
-            if (i % rounds_between_reports == 0)
-                context_.progress((pass + static_cast<double>(i) / static_cast<double>(ranked.size())) /
-                                  options_.passes);
-            const int tet = ranked[i].tet;
-            changed_.push_back(tet);
-            // an earlier operation may have improved it or used its place for another tet, whose turn is in the next
-            // pass
-            if (complex_.tets[tet][0] < 0 || flatness_of(tet) != ranked[i].flatness) continue;
-            gained |= improve(tet);
-        }
-        return gained;
+  std::size_t count_missing(const std::vector<Candidate> &ranked) const {
+    const double wanted = flatness_of_angle(options_.target_dihedral_deg);
+    return static_cast<std::size_t>(
+        std::count_if(ranked.begin(), ranked.end(),
+                      [&](const Candidate &c) { return c.flatness > wanted; }));
+  }
+
+  bool work_off(const std::vector<Candidate> &ranked, int pass) {
+    bool gained = false;
+    for (std::size_t i = 0; i < ranked.size(); ++i) {
+      if (i % rounds_between_reports == 0)
+        context_.progress((pass + static_cast<double>(i) /
+                                      static_cast<double>(ranked.size())) /
+                          options_.passes);
+      const auto [value, tet] = ranked[i];
+      changed_.push_back(tet);
+      // an earlier operation may have changed it or used its place for another
+      // tet, whose turn is in the next pass
+      if (complex_.tets[tet][0] < 0 || flatness_of(tet) != value ||
+          !is_worth_trying(tet, value))
+        continue;
+      if (improve(tet))
+        gained = true;
+      else
+        tried_at_[tet] = ++clock_;
     }
+    return gained;
+  }
 
-    bool improve(int tet) {
-        const bool flipped = flip(tet);
-        return flipped || move_corners(tet);
+  /// What failed once fails again until something near it has changed.
+  bool is_worth_trying(int tet, double value) const {
+    const Tet &v = complex_.tets[tet];
+    const bool is_new = std::any_of(v.begin(), v.end(), [&](int c) {
+      return changed_at_[c] > tried_at_[tet];
+    });
+    return is_new && !is_forced(tet, value);
+  }
+
+  /// The worst angle lies between two boundary triangles: no operation can
+  /// change it.
+  bool is_forced(int tet, double value) const {
+    std::array<Vec3, 4> normal;
+    int count = 0;
+    for (int face = 0; face < 4; ++face) {
+      if (complex_.neighbours[tet][face] >= 0)
+        continue;
+      const auto &corner = opposite_face[face];
+      const Vec3 &a = corner_point(tet, corner[0]),
+                 &b = corner_point(tet, corner[1]),
+                 &c = corner_point(tet, corner[2]);
+      normal[count++] = normalized(cross(b - a, c - a));
     }
+    for (int i = 0; i < count; ++i)
+      for (int j = 0; j < i; ++j) {
+        const double cosine = dot(normal[i], normal[j]);
+        if (cosine * cosine >= value * (1 - 1e-9))
+          return true;
+      }
+    return false;
+  }
 
-    bool flip(int tet) {
-        Plan best;
-        bool is_edge = false;
-        for (const auto& [from, to] : edge_corners)
-            if (plan_edge_removal(tet, from, to, best)) is_edge = true;
-        for (int face = 0; face < 4; ++face)
-            if (plan_face_flip(tet, face, best)) is_edge = false;
-        if (best.removed_count == 0) return false;
-        const auto added = editor_.replace({best.removed.data(), static_cast<std::size_t>(best.removed_count)},
-                                           {best.added.data(), static_cast<std::size_t>(best.added_count)});
-        changed_.insert(changed_.end(), added.begin(), added.end());
-        ++(is_edge ? report_.edge_removals : report_.face_flips);
-        return true;
+  const Vec3 &corner_point(int tet, int corner) const {
+    return complex_.points[complex_.tets[tet][corner]];
+  }
+
+  bool improve(int tet) {
+    return remove_edge(tet) || move_corners(tet) || refill(tet);
+  }
+
+  bool remove_edge(int tet) {
+    EdgeRing ring, best_ring;
+    RingTriangulation best;
+    best.cost = inverted_flatness;
+    for (const auto &[from, to] : edge_corners) {
+      if (!find_ring(complex_, tet, from, to, ring))
+        continue;
+      const double before = worst_flatness(complex_, ring.all_tets());
+      const double limit =
+          std::min(improved_flatness(before, least_gain), best.cost);
+      const RingTriangulation found =
+          least_flat_triangulation(complex_, ring, limit);
+      if (std::isinf(found.cost))
+        continue;
+      best = found;
+      best_ring = ring;
     }
+    if (best.cost >= inverted_flatness)
+      return false;
+    std::array<Tet, 2 * EdgeRing::max_size> added;
+    const int count = tets_of_triangulation(best_ring, best, added);
+    replace(best_ring.all_tets(),
+            {added.data(), static_cast<std::size_t>(count)});
+    ++report_.edge_removals;
+    return true;
+  }
 
-    bool plan_edge_removal(int tet, int from, int to, Plan& best) const {
-        EdgeRing ring;
-        if (!find_ring(complex_, tet, from, to, ring)) return false;
-        const double before = worst_flatness(complex_, ring.tets.data(), ring.tets.data() + ring.size);
-        const double limit = std::min(before * (1 - least_gain), best.flatness);
-        const auto found = least_flat_triangulation(complex_, ring, limit);
-        if (std::isinf(found.cost)) return false;
-        best.flatness = found.cost;
-        best.removed_count = ring.size;
-        std::copy_n(ring.tets.begin(), ring.size, best.removed.begin());
-        best.added_count = tets_of_triangulation(ring, found, best.added);
-        return true;
+  void replace(std::span<const int> removed, std::span<const Tet> added) {
+    note_changed(editor_.replace(removed, added));
+    tried_at_.resize(complex_.tets.size(), 0);
+  }
+
+  void note_changed(std::span<const int> tets) {
+    changed_.insert(changed_.end(), tets.begin(), tets.end());
+    ++clock_;
+    for (int tet : tets)
+      for (int v : complex_.tets[tet])
+        changed_at_[v] = clock_;
+  }
+
+  bool move_corners(int tet) {
+    bool gained = false;
+    for (int v : complex_.tets[tet])
+      if (!complex_.is_fixed[v] && move(v))
+        gained = true;
+    return gained;
+  }
+
+  bool move(int vertex) {
+    const auto star = editor_.star(vertex);
+    if (star.empty())
+      return false;
+    shape_.gather(complex_, star, vertex);
+    Vec3 place = complex_.points[vertex];
+    const double before = shape_.worst(place, 2 * inverted_flatness);
+    if (before <= target_ ||
+        shape_.climb(place, target_) >= improved_flatness(before, least_gain))
+      return false;
+    complex_.points[vertex] = place;
+    note_changed(star);
+    ++report_.moves;
+    return true;
+  }
+
+  bool refill(int tet) {
+    if (refills_left_ == 0)
+      return false;
+    --refills_left_;
+    const ConePlan *plan = refill_.plan(tet);
+    if (!plan)
+      return false;
+    if (plan->is_insertion) {
+      editor_.add_vertex(plan->point);
+      changed_at_.push_back(0);
     }
+    corners_.clear();
+    for (int t : plan->removed)
+      corners_.insert(corners_.end(), complex_.tets[t].begin(),
+                      complex_.tets[t].end());
+    replace(plan->removed, plan->added);
+    const bool is_collapse =
+        std::any_of(corners_.begin(), corners_.end(),
+                    [&](int v) { return complex_.tet_of_vertex[v] < 0; });
+    ++(plan->is_insertion ? report_.insertions
+       : is_collapse      ? report_.collapses
+                          : report_.face_flips);
+    return true;
+  }
 
-    bool plan_face_flip(int tet, int face, Plan& best) const {
-        const int next = complex_.neighbours[tet][face];
-        if (next < 0) return false;
-        const std::array<int, 2> pair{tet, next};
-        const double before = worst_flatness(complex_, pair.data(), pair.data() + 2);
-        const double limit = std::min(before * (1 - least_gain), best.flatness);
-        const Tet& v = complex_.tets[tet];
-        const Tet& w = complex_.tets[next];
-        const int apex = w[0] ^ w[1] ^ w[2] ^ w[3] ^ v[0] ^ v[1] ^ v[2] ^ v[3] ^ v[face];
-        const auto& corner = opposite_face[face];
-        std::array<Tet, 3> fresh;
-        double after = 0;
-        for (int i = 0; i < 3 && after < limit; ++i) {
-            fresh[i] = {v[face], v[corner[i]], v[corner[(i + 1) % 3]], apex};
-            const auto& p = complex_.points;
-            after = std::max(after, flatness(p[fresh[i][0]], p[fresh[i][1]], p[fresh[i][2]], p[fresh[i][3]]));
-        }
-        if (after >= limit) return false;
-        best.flatness = after;
-        best.removed_count = 2;
-        std::copy_n(pair.begin(), 2, best.removed.begin());
-        best.added_count = 3;
-        std::copy_n(fresh.begin(), 3, best.added.begin());
-        return true;
-    }
-
-    bool move_corners(int tet) {
-        bool gained = false;
-        for (int v : complex_.tets[tet])
-            if (!complex_.is_fixed[v] && move(v)) gained = true;
-        return gained;
-    }
-
-    bool move(int vertex) {
-        const auto star = editor_.star(vertex);
-        if (star.empty()) return false;
-        shape_.gather(complex_, star, vertex);
-        Vec3 place = complex_.points[vertex];
-        const double before = shape_.worst(place, 2 * inverted_flatness);
-        if (before <= target_ || shape_.climb(place, target_) > before * (1 - least_gain)) return false;
-        complex_.points[vertex] = place;
-        changed_.insert(changed_.end(), star.begin(), star.end());
-        ++report_.moves;
-        return true;
-    }
-
-    TetComplex& complex_;
-    const SliverOptions& options_;
-    RunContext& context_;
-    double target_;
-    CavityEditor editor_;
-    SliverReport report_;
-    StarShape shape_;
-    std::vector<int> changed_;
+  TetComplex &complex_;
+  const SliverOptions &options_;
+  RunContext &context_;
+  double target_;
+  CavityEditor editor_;
+  ConeRefill refill_;
+  std::size_t refills_left_;
+  SliverReport report_;
+  StarShape shape_;
+  std::vector<int> changed_, corners_;
+  // when a vertex last got another star, and when a tet was last tried in vain
+  std::vector<std::uint32_t> changed_at_, tried_at_;
+  std::uint32_t clock_ = 1;
 };
 
-}  // namespace
+} // namespace
 
-SliverReport remove_slivers(TetComplex& complex, const SliverOptions& options, RunContext& context) {
-    return SliverRemover(complex, options, context).run();
+SliverReport remove_slivers(TetComplex &complex, const SliverOptions &options,
+                            RunContext &context) {
+  return SliverRemover(complex, options, context).run();
 }
 
-}  // namespace featuremesh
+} // namespace featuremesh
