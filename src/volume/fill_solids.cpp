@@ -6,6 +6,9 @@
 #include <set>
 
 #include "core/errors.h"
+#include "surface/projection.h"
+#include "volume/constrained_delaunay.h"
+#include "volume/facet_split.h"
 #include "volume/fill_cavity.h"
 #include "volume/optimise.h"
 
@@ -37,6 +40,30 @@ std::vector<Ball> seam_balls(const Mesh& mesh, const Cavity& cavity) {
     return balls;
 }
 
+/// A triangulation from the round before, for a cavity of the same nodes.
+struct KnownTriangulation {
+    std::vector<NodeId> nodes;
+    std::vector<Vec3> seeds;
+    Triangulation triangulation;
+};
+
+std::vector<Vec3> seeds_of(const Cavity& cavity, const CavityFill& fill) {
+    return {fill.points.begin() + static_cast<std::ptrdiff_t>(cavity.points.size()), fill.points.end()};
+}
+
+/// Points that were put on the CAD faces may have turned tets over.
+bool has_inverted_tet(const CavityFill& fill) {
+    for (std::size_t t = 0; t < fill.regions.size(); ++t) {
+        if (fill.regions[t] < 0) continue;
+        const auto& tet = fill.triangulation.tets[t];
+        const Vec3 &a = fill.points[tet[0]], &b = fill.points[tet[1]], &c = fill.points[tet[2]],
+                   &d = fill.points[tet[3]];
+        const double edge = std::sqrt(std::max({squared_length(b - a), squared_length(c - a), squared_length(d - a)}));
+        if (signed_volume(a, b, c, d) < -1e-12 * edge * edge * edge) return true;
+    }
+    return false;
+}
+
 /// The filling of one mesh, round by round: what does not hold is released or recovered, and filled again.
 class Filling {
   public:
@@ -48,7 +75,8 @@ class Filling {
           options_(options),
           context_(context),
           sides_(sides_of_faces(brep)),
-          is_released_(surface.tets.size(), 0) {
+          is_released_(surface.tets.size(), 0),
+          projector_(brep) {
         result_.mesh = std::move(surface);
         size_ = {[this](const Vec3& p) { return sizing_.at(p); }, sizing.largest(), sizing.is_uniform()};
     }
@@ -74,18 +102,36 @@ class Filling {
         fills_.assign(cavities_.size(), {});
         const bool is_parallel = context_.threads > 1 && cavities_.size() > 1;
         parallel_for(context_, cavities_.size(), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                fills_[i] = fill_cavity(cavities_[i], seam_balls(result_.mesh, cavities_[i]), active_, size_, context_,
-                                        !is_parallel);
+            for (std::size_t i = begin; i < end; ++i) fill(i, !is_parallel);
         });
+        known_.clear();
         return std::all_of(fills_.begin(), fills_.end(), [](const CavityFill& f) { return f.is_complete(); });
+    }
+
+    void fill(std::size_t i, bool is_main) {
+        const Cavity& cavity = cavities_[i];
+        for (const KnownTriangulation& known : known_) {
+            if (known.nodes != cavity.nodes) continue;
+            std::vector<Vec3> points = cavity.points;
+            points.insert(points.end(), known.seeds.begin(), known.seeds.end());
+            fills_[i] = flood_cavity(cavity, std::move(points), known.triangulation);
+            if (fills_[i].is_complete() && !has_inverted_tet(fills_[i])) return;
+        }
+        fills_[i] = fill_cavity(cavity, seam_balls(result_.mesh, cavity), active_, size_, context_, is_main);
     }
 
     void mend(int round) {
         if (round >= most_rounds) throw_unrecovered();
         bool is_changed = false;
         for (std::size_t i = 0; i < cavities_.size(); ++i) is_changed |= release_behind(cavities_[i], fills_[i]);
-        if (!is_changed) throw_unrecovered();
+        for (std::size_t i = 0; i < cavities_.size(); ++i) {
+            CavityFill& fill = fills_[i];
+            if (round == 0) result_.report.recovered_triangles += fill.places.missing.size();
+            if (fill.is_complete())
+                known_.push_back({cavities_[i].nodes, seeds_of(cavities_[i], fill), std::move(fill.triangulation)});
+            else if (!is_changed)
+                recover(cavities_[i], fill);
+        }
     }
 
     /// Gives up the kept tets behind seam facets that are missing.
@@ -95,6 +141,25 @@ class Filling {
             if (const TetId tet = cavity.tet_of_facet[facet]; tet.is_valid())
                 is_released_[tet.index()] = 1, is_changed = true;
         return is_changed;
+    }
+
+    /// Has the missing facets by constraint, or cuts those that stand in the way of that.
+    void recover(const Cavity& cavity, const CavityFill& fill) {
+        const std::vector<Vec3> seeds = seeds_of(cavity, fill);
+        const std::vector<int> crossing = crossing_facets(cavity);
+        ConstrainedTriangulation constrained;
+        if (crossing.empty()) constrained = constrained_delaunay(cavity, seeds);
+        const std::vector<int>& bad = crossing.empty() ? constrained.failed : crossing;
+        const FacetSplit split = bad.empty() ? std::move(constrained.split) : halve_longest_edges(cavity, bad);
+        const std::vector<TetId> in_the_way = tets_in_the_way(split, cavity, result_.mesh, is_released_);
+        for (const TetId tet : in_the_way) is_released_[tet.index()] = 1;
+        if (!in_the_way.empty()) return;
+        const std::vector<NodeId> added = apply_split(split, cavity, projector_, result_.mesh);
+        result_.report.recovery_points += added.size();
+        if (!bad.empty()) return;
+        std::vector<NodeId> nodes = cavity.nodes;
+        nodes.insert(nodes.end(), added.begin(), added.end());
+        known_.push_back({nodes, seeds, std::move(constrained.triangulation)});
     }
 
     [[noreturn]] void throw_unrecovered() const {
@@ -170,9 +235,11 @@ class Filling {
     RunContext& context_;
     std::vector<std::array<SolidId, 2>> sides_;
     std::vector<std::uint8_t> is_released_;
+    Projector projector_;
     WantedSize size_;
     std::vector<Cavity> cavities_;
     std::vector<CavityFill> fills_;
+    std::vector<KnownTriangulation> known_;
     std::vector<TetComplex> complexes_;
     VolumeResult result_;
 };

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/constrained_delaunay.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/make_conforming_constrained_Delaunay_triangulation_3.h>
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace featuremesh {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using VertexBase = CGAL::Conforming_constrained_Delaunay_triangulation_vertex_base_3<Kernel>;
+using CellBase = CGAL::Conforming_constrained_Delaunay_triangulation_cell_base_3<
+    Kernel, CGAL::Triangulation_cell_base_with_info_3<int, Kernel>>;
+using Constrained = CGAL::Conforming_constrained_Delaunay_triangulation_3<
+    Kernel, CGAL::Triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>>;
+using Vertex = Constrained::Triangulation::Vertex_handle;
+using Cell = Constrained::Triangulation::Cell_handle;
+
+void append_converted(std::span<const Vec3> points, std::vector<Point>& result) {
+    for (const Vec3& p : points) result.emplace_back(p.x, p.y, p.z);
+}
+
+std::vector<std::array<std::size_t, 3>> corners_of(std::span<const Facet> facets) {
+    std::vector<std::array<std::size_t, 3>> result;
+    result.reserve(facets.size());
+    for (const Facet& f : facets)
+        result.push_back({static_cast<std::size_t>(f.corners[0]), static_cast<std::size_t>(f.corners[1]),
+                          static_cast<std::size_t>(f.corners[2])});
+    return result;
+}
+
+/// Reads the library's triangulation back into indices.
+class Reading {
+  public:
+    /// `points` are the cavity's own and the seeds.
+    Reading(const Constrained& constrained, const std::vector<Point>& points, const Cavity& cavity)
+        : constrained_(constrained),
+          all_(constrained.triangulation()),
+          points_(points),
+          own_(static_cast<int>(cavity.points.size())),
+          facets_(cavity.facets) {}
+
+    ConstrainedTriangulation read() {
+        number_vertices();
+        read_tets();
+        read_pieces();
+        find_edges();
+        return std::move(result_);
+    }
+
+  private:
+    int index_of(Vertex v) const { return index_[v->time_stamp()]; }
+
+    /// The given points are found by their coordinates; the others follow in the order of their coordinates.
+    void number_vertices() {
+        std::vector<std::size_t> order(points_.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return points_[a] < points_[b]; });
+        std::vector<Vertex> vertices;
+        std::size_t largest_stamp = 0;
+        for (Vertex v : all_.all_vertex_handles()) {
+            largest_stamp = std::max(largest_stamp, static_cast<std::size_t>(v->time_stamp()));
+            if (!all_.is_infinite(v)) vertices.push_back(v);
+        }
+        std::sort(vertices.begin(), vertices.end(), [](Vertex a, Vertex b) { return a->point() < b->point(); });
+        const int added_count = static_cast<int>(vertices.size() - points_.size());
+        index_.assign(largest_stamp + 1, -1);
+        std::size_t next = 0;
+        for (Vertex v : vertices) {
+            int& index = index_[v->time_stamp()];
+            if (next < order.size() && points_[order[next]] == v->point()) {
+                index = static_cast<int>(order[next++]);
+                if (index >= own_) index += added_count;
+                continue;
+            }
+            index = own_ + static_cast<int>(result_.split.added.size());
+            FacetSplit::Added added;
+            added.point = {v->point().x(), v->point().y(), v->point().z()};
+            if (v->ccdt_3_data().is_Steiner_vertex_in_face())
+                added.facet = static_cast<int>(v->ccdt_3_data().face_index());
+            result_.split.added.push_back(added);
+        }
+    }
+
+    void read_tets() {
+        Triangulation& t = result_.triangulation;
+        for (Cell c : all_.all_cell_handles()) {
+            c->info() = all_.is_infinite(c) ? -1 : static_cast<int>(t.tets.size());
+            if (c->info() >= 0)
+                t.tets.push_back(
+                    {index_of(c->vertex(0)), index_of(c->vertex(1)), index_of(c->vertex(2)), index_of(c->vertex(3))});
+        }
+        for (Cell c : all_.finite_cell_handles())
+            t.neighbours.push_back(
+                {c->neighbor(0)->info(), c->neighbor(1)->info(), c->neighbor(2)->info(), c->neighbor(3)->info()});
+    }
+
+    void read_pieces() {
+        for (const auto& [cell, k] : constrained_.constrained_facets()) {
+            const int facet = static_cast<int>(constrained_.face_constraint_index(cell, k));
+            FacetSplit::Piece piece{{index_of(cell->vertex((k + 1) % 4)), index_of(cell->vertex((k + 2) % 4)),
+                                     index_of(cell->vertex((k + 3) % 4))},
+                                    facet};
+            if (is_whole(piece)) continue;
+            if (!turns_like_facet(piece)) std::swap(piece.corners[1], piece.corners[2]);
+            result_.split.pieces.push_back(piece);
+        }
+        std::sort(result_.split.pieces.begin(), result_.split.pieces.end(), [](const auto& a, const auto& b) {
+            return std::tie(a.facet, a.corners) < std::tie(b.facet, b.corners);
+        });
+    }
+
+    bool is_whole(const FacetSplit::Piece& piece) const {
+        return *std::max_element(piece.corners.begin(), piece.corners.end()) < own_;
+    }
+    Vec3 point_of(int index) const {
+        if (index >= own_) return result_.split.added[index - own_].point;
+        return {points_[index].x(), points_[index].y(), points_[index].z()};
+    }
+    Vec3 normal_of(const std::array<int, 3>& c) const {
+        return cross(point_of(c[1]) - point_of(c[0]), point_of(c[2]) - point_of(c[0]));
+    }
+    bool turns_like_facet(const FacetSplit::Piece& piece) const {
+        return dot(normal_of(piece.corners), normal_of(facets_[piece.facet].corners)) > 0;
+    }
+
+    /// The edge of an added point is the one that the facets around it share.
+    void find_edges() {
+        std::vector<std::vector<int>> facets_around(result_.split.added.size());
+        for (const auto& piece : result_.split.pieces)
+            for (const int c : piece.corners)
+                if (c >= own_ && (facets_around[c - own_].empty() || facets_around[c - own_].back() != piece.facet))
+                    facets_around[c - own_].push_back(piece.facet);
+        for (std::size_t i = 0; i < result_.split.added.size(); ++i) {
+            if (result_.split.added[i].facet >= 0 || facets_around[i].size() < 2) continue;
+            std::array<int, 3> a = facets_[facets_around[i][0]].corners, b = facets_[facets_around[i][1]].corners;
+            std::sort(a.begin(), a.end()), std::sort(b.begin(), b.end());
+            std::vector<int> shared;
+            std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(shared));
+            if (shared.size() == 2) result_.split.added[i].edge = {shared[0], shared[1]};
+        }
+    }
+
+    const Constrained& constrained_;
+    const Constrained::Triangulation& all_;
+    const std::vector<Point>& points_;
+    int own_;
+    std::span<const Facet> facets_;
+    std::vector<int> index_;
+    ConstrainedTriangulation result_;
+};
+
+}  // namespace
+
+ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<const Vec3> seeds) {
+    std::vector<Point> points;
+    append_converted(cavity.points, points);
+    append_converted(seeds, points);
+    try {
+        const Constrained constrained(points, corners_of(cavity.facets));
+        return Reading(constrained, points, cavity).read();
+    } catch (const CGAL::Constrained_triangulation_insertion_exception& error) {
+        ConstrainedTriangulation result;
+        for (const auto facet : error.failed_faces()) result.failed.push_back(static_cast<int>(facet));
+        return result;
+    }
+}
+
+std::vector<int> crossing_facets(const Cavity& cavity) {
+    std::vector<Point> points;
+    append_converted(cavity.points, points);
+    const auto triangles = corners_of(cavity.facets);
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    CGAL::Polygon_mesh_processing::triangle_soup_self_intersections(points, triangles, std::back_inserter(pairs));
+    std::vector<int> crossing;
+    for (const auto& [a, b] : pairs) crossing.push_back(static_cast<int>(a)), crossing.push_back(static_cast<int>(b));
+    std::sort(crossing.begin(), crossing.end());
+    crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+    return crossing;
+}
+
+}  // namespace featuremesh

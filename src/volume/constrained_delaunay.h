@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tets that have every facet, if need be in pieces: the conforming constrained Delaunay triangulation.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/geometry.h"
+#include "volume/facet_split.h"
+#include "volume/triangulation.h"
+
+namespace featuremesh {
+
+struct ConstrainedTriangulation {
+    FacetSplit split;
+    Triangulation triangulation;  ///< of the cavity's points, then those added, then the seeds
+    std::vector<int> failed;      ///< facets that could not be had; all else is empty then
+};
+
+/// By CGAL's conforming constrained Delaunay triangulation (Si and Gaertner 2005, Diazzi et al. 2023) with each facet a
+/// constraint of its own. Facets must not cut one another: see `crossing_facets`.
+ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<const Vec3> seeds);
+
+/// Facets that cut or overlap others, or have no area; ascending.
+std::vector<int> crossing_facets(const Cavity& cavity);
+
+}  // namespace featuremesh
