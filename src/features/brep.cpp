@@ -109,8 +109,9 @@ Brep::Brep(const TopoDS_Shape& shape) {
             const auto face = id_in<FaceKind>(data->faces, it.Current());
             const bool behind = it.Current().Orientation() == data->face[face.index()].Orientation();
             if (it.Current().Orientation() != TopAbs_INTERNAL) data->sides[face.index()][behind ? 0 : 1] = SolidId(s);
+            // An edge within a face (where another feature is tangent to it) is no border and needs no second face.
             for (TopExp_Explorer side(it.Current(), TopAbs_EDGE); side.More(); side.Next())
-                ++uses[id_in<EdgeKind>(data->edges, side.Current()).index()];
+                uses[id_in<EdgeKind>(data->edges, side.Current()).index()] += side.Current().Orientation() == TopAbs_INTERNAL ? 2 : 1;
         }
         for (std::size_t e = 0; e < uses.size(); ++e)
             if (uses[e] == 1 && !BRep_Tool::Degenerated(data->edge[e]))
