@@ -57,6 +57,7 @@ class Matcher {
         group_curves();
         group_faces();
         for (CarrierGroup& group : match_.groups) {
+            if (!group.in_domain) continue;
             find_changed_pieces(group);
             find_changed_points(group);
         }
@@ -105,12 +106,12 @@ class Matcher {
         old_curves_.resize(old_edges.size());
         std::vector<Keyed> items;
         for (std::size_t e = 0; e < old_edges.size(); ++e) {
-            if (old_edges[e].is_degenerated || !in_domain(old_edges[e].box, false)) continue;
+            if (old_edges[e].is_degenerated) continue;
             old_curves_[e] = moved(old_edges[e].curve, motion_);
             items.push_back({sort_key(old_curves_[e], reference_), false, e});
         }
         for (std::size_t e = 0; e < new_edges.size(); ++e)
-            if (!new_edges[e].is_degenerated && in_domain(new_edges[e].box, true))
+            if (!new_edges[e].is_degenerated)
                 items.push_back({sort_key(new_edges[e].curve, reference_), true, e});
         int count = 0;
         const std::vector<int> group = group_equals(items, window_, count, [&](const Keyed& a, const Keyed& b) {
@@ -190,13 +191,11 @@ class Matcher {
         old_surfaces_.resize(old_faces.size());
         std::vector<Keyed> items;
         for (std::size_t f = 0; f < old_faces.size(); ++f) {
-            if (!in_domain(old_faces[f].box, false)) continue;
             old_surfaces_[f] = moved(old_faces[f].carrier, motion_);
             items.push_back({sort_key(old_surfaces_[f], reference_), false, f});
         }
         for (std::size_t f = 0; f < new_faces.size(); ++f)
-            if (in_domain(new_faces[f].box, true))
-                items.push_back({sort_key(new_faces[f].carrier, reference_), true, f});
+            items.push_back({sort_key(new_faces[f].carrier, reference_), true, f});
         int count = 0;
         const std::vector<int> group = group_equals(items, window_, count, [&](const Keyed& a, const Keyed& b) {
             return same_carrier(surface_of(a), surface_of(b), pair_.sameness) && material_of(a, a) == material_of(b, a);
@@ -210,6 +209,7 @@ class Matcher {
             if (!leader_[std::size_t(group[i])]) leader_[std::size_t(group[i])] = &surface_of(items[i]);
             (items[i].is_new ? match_.group_of_new_face : match_.group_of_old_face)[items[i].index] = group[i];
             (items[i].is_new ? g.new_faces : g.old_faces).push_back(FaceId(items[i].index));
+            g.in_domain = g.in_domain || in_domain(face_of(items[i]).box, items[i].is_new);
         }
         for (CarrierGroup& g : match_.groups) {
             std::sort(g.old_faces.begin(), g.old_faces.end());
@@ -282,6 +282,8 @@ class Matcher {
         }
     }
 
+    static bool is_one_side(int mask) { return ((mask & 1) != 0) != ((mask & 2) != 0); }
+
     void sweep(std::span<const Cover> covers, std::vector<ChangedPiece>& pieces) const {
         const int curve = covers[0].curve;
         const double snap = parameter_tolerance(curve);
@@ -296,10 +298,11 @@ class Matcher {
             for (const Cover& c : covers)
                 if (c.first <= middle && middle <= c.last) old_mask |= c.old_mask, new_mask |= c.new_mask;
             const bool changed = old_mask != new_mask;
-            if (changed && joins_last)
+            const bool is_border = is_one_side(old_mask) != is_one_side(new_mask);
+            if (changed && joins_last && pieces.back().is_border == is_border)
                 pieces.back().last = cuts[i + 1];
             else if (changed)
-                pieces.push_back({curve, cuts[i], cuts[i + 1]});
+                pieces.push_back({curve, cuts[i], cuts[i + 1], is_border});
             joins_last = changed;
         }
     }
@@ -320,8 +323,6 @@ class Matcher {
         for (const VertexId v : new_ends)
             if (!std::binary_search(matched.begin(), matched.end(), v))
                 group.points.push_back(pair_.new_model.brep().point_of(v));
-        if (pair_.domain)
-            std::erase_if(group.points, [&](const Vec3& p) { return !pair_.domain->grown(tolerance()).contains(p); });
     }
 
     static std::vector<VertexId> vertices_of(const std::vector<FaceId>& faces, const BoundaryModel& model) {

@@ -9,7 +9,7 @@
 
 namespace featuremesh {
 
-/// The old boundary under a motion and the new one; only what touches `domain` is compared, everything when there is none.
+/// The old boundary under a motion and the new one; only carriers with a face that touches `domain` matter, all when there is none.
 struct BoundaryPair {
     const BoundaryModel& old_model;
     const BoundaryModel& new_model;
@@ -20,7 +20,7 @@ struct BoundaryPair {
 
 /// An edge as a stretch of a curve that several edges may share.
 struct Stretch {
-    int curve = -1;               ///< index into BoundaryMatch::curves; -1 outside the domain or without a curve
+    int curve = -1;               ///< index into BoundaryMatch::curves; -1 for a pole
     double first = 0, last = 0;   ///< curve parameters, first < last; of a closed curve first is in [0, period)
     bool along = true;            ///< the edge runs in the direction of the curve
 };
@@ -29,6 +29,7 @@ struct Stretch {
 struct ChangedPiece {
     int curve = -1;
     double first = 0, last = 0;
+    bool is_border = false;       ///< exactly one side of it is in the symmetric difference of the trims
 };
 
 /// All faces of both states on one carrier with material on the same side.
@@ -36,6 +37,8 @@ struct CarrierGroup {
     std::vector<FaceId> old_faces, new_faces;
     std::vector<ChangedPiece> pieces;
     std::vector<Vec3> points;     ///< vertices that one side does not have, in the new state's place
+
+    bool in_domain = false;       ///< else nothing was compared
 
     bool is_unchanged() const { return pieces.empty() && points.empty(); }
 };
@@ -45,7 +48,7 @@ struct BoundaryMatch {
     std::vector<Stretch> old_edges, new_edges;        ///< by EdgeId
     std::vector<VertexId> new_vertex_of;              ///< by old VertexId
     std::vector<CarrierGroup> groups;
-    std::vector<int> group_of_old_face, group_of_new_face;   ///< -1 outside the domain
+    std::vector<int> group_of_old_face, group_of_new_face;
 };
 
 BoundaryMatch match_boundaries(const BoundaryPair& pair);

@@ -9,6 +9,23 @@
 
 namespace featuremesh {
 
+namespace {
+// Of a circle or an ellipse the whole, though the edge may be an arc.
+Box box_of_edge(const BoundaryEdge& edge, const TopoDS_Edge& shape) {
+    if (edge.curve.kind == CurveKind::free_form) return box_of(shape);
+    Box box;
+    if (edge.curve.kind == CurveKind::line) {
+        box.add(edge.first), box.add(edge.last);
+        return box;
+    }
+    const Vec3 axis = to_vec3(gp_Vec(edge.curve.position.Direction()));
+    const auto reach = [&](double cosine) { return edge.curve.radius * std::sqrt(std::max(0.0, 1 - cosine * cosine)); };
+    const Vec3 half{reach(axis.x), reach(axis.y), reach(axis.z)}, centre = to_vec3(edge.curve.position.Location());
+    box.add(centre - half), box.add(centre + half);
+    return box;
+}
+}  // namespace
+
 BoundaryModel::BoundaryModel(const Brep& brep) : brep_(brep), classifiers_(brep.face_count()) {
     for (std::size_t e = 0; e < brep.edge_count(); ++e) take_edge(EdgeId(e));
     for (std::size_t f = 0; f < brep.face_count(); ++f) take_face(FaceId(f));
@@ -21,7 +38,7 @@ void BoundaryModel::take_edge(EdgeId id) {
         edge.curve = carrier_of(brep_.edge(id));
         edge.first = point_at(edge.curve, edge.curve.first);
         edge.last = point_at(edge.curve, edge.curve.last);
-        edge.box = box_of(brep_.edge(id));
+        edge.box = box_of_edge(edge, brep_.edge(id));
     }
     edges_.push_back(std::move(edge));
 }
@@ -39,9 +56,25 @@ void BoundaryModel::take_face(FaceId id) {
     const auto [behind, before] = brep_.sides_of(id);
     face.material_behind = behind.is_valid();
     face.material_before = before.is_valid();
-    face.box = box_of(brep_.face(id));
+    face.box = box_of_face(face, id);
     find_sense(id, face);
     faces_.push_back(std::move(face));
+}
+
+// A point of a plane, a cylinder or a cone lies between two points of the border, so the edges' box holds the face.
+Box BoundaryModel::box_of_face(const BoundaryFace& face, FaceId id) const {
+    const SurfaceCarrier& c = face.carrier;
+    if (c.kind == SurfaceKind::free_form) return box_of(brep_.face(id));
+    Box box;
+    if (c.kind == SurfaceKind::sphere || c.kind == SurfaceKind::torus) {
+        box.add(to_vec3(c.position.Location()));
+        return box.grown(c.radius + c.second);
+    }
+    for (const EdgeUse& use : face.uses) box.add(edges_[use.edge.index()].box);
+    for (const EdgeId e : brep_.edges_of(id))
+        for (const VertexId v : brep_.ends_of(e))
+            if (v.is_valid()) box.add(brep_.point_of(v));
+    return box;
 }
 
 void BoundaryModel::find_sense(FaceId id, BoundaryFace& face) const {

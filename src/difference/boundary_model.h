@@ -23,7 +23,7 @@ struct BoundaryFace {
     bool normal_is_outward = true;            ///< the oriented face's normal has the sense of `outward_at`
     bool material_behind = true, material_before = false;   ///< against and along the oriented normal
     std::vector<EdgeUse> uses;                ///< without degenerated edges
-    Box box;
+    Box box;                                  ///< holds it, not tightly
 };
 
 struct BoundaryEdge {
@@ -48,6 +48,7 @@ class BoundaryModel {
   private:
     void take_edge(EdgeId id);
     void take_face(FaceId id);
+    Box box_of_face(const BoundaryFace& face, FaceId id) const;
     void find_sense(FaceId id, BoundaryFace& face) const;
 
     Brep brep_;

@@ -11,20 +11,19 @@
 
 namespace featuremesh {
 namespace {
-/// Volumes of one state, mm^3, by feature; from the cells where the books close, else integrated.
+/// Volumes of one state, mm^3, by feature; summed up from the cells unless those are not to be trusted, then integrated.
 class Volumes {
   public:
     explicit Volumes(const PartState& state) : state_(state), from_cells_(state.tree.features.size(), 0) {
-        const CellReport& report = state.cells.report;
-        trusted_ = !state.cells.cells.empty() && report.fallbacks.empty() && report.untrusted.empty();
         for (const Cell& cell : state.cells.cells)
             for (std::size_t i = 0; i < cell.owners.size(); ++i)
                 if (i == 0 || cell.owners[i].feature != cell.owners[i - 1].feature)
                     from_cells_[cell.owners[i].feature.index()] += cell.volume;
+        for (const FeatureId id : state.cells.report.untrusted) from_cells_[id.index()] = 0;
     }
 
     double operator()(std::size_t feature) const {
-        if (trusted_ && from_cells_[feature] > 0) return from_cells_[feature];
+        if (from_cells_[feature] > 0) return from_cells_[feature];
         double sum = 0;
         for (const FeatureVolume& v : state_.tree.features[feature].volumes) {
             GProp_GProps properties;
@@ -37,7 +36,6 @@ class Volumes {
   private:
     const PartState& state_;
     std::vector<double> from_cells_;
-    bool trusted_ = false;
 };
 
 /// How the volumes of one feature correspond: instances by geometry, not by number.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "difference/partners.h"
 
-#include <BRepGProp.hxx>
-#include <GProp_GProps.hxx>
 #include <algorithm>
+
+#include "difference/face_area.h"
 
 namespace featuremesh {
 namespace {
@@ -33,11 +33,11 @@ class PartnerFinder {
         region.new_face_of.assign(match_.group_of_old_face.size(), FaceId());
         region.new_faces_of.assign(match_.group_of_old_face.size(), {});
         for (const CarrierGroup& group : match_.groups)
-            for (const FaceId f : group.old_faces) {
+            for (const FaceId f : group.in_domain ? group.old_faces : std::vector<FaceId>{}) {
                 std::vector<std::pair<double, FaceId>> found;
                 const bool alone = group.is_unchanged() && group.old_faces.size() == 1 && group.new_faces.size() == 1;
                 for (const FaceId candidate : group.new_faces)
-                    if (const double share = alone ? 1.0 : overlap(f, candidate, region); share > 0)
+                    if (const double share = alone ? 1.0 : overlap(f, candidate); share > 0)
                         found.emplace_back(-share, candidate);
                 std::sort(found.begin(), found.end());
                 for (const auto& [share, id] : found) region.new_faces_of[f.index()].push_back(id);
@@ -85,10 +85,6 @@ class PartnerFinder {
         return period_of(c) > 0 ? share * c.radius : share;
     }
 
-    bool use_is_left(const BoundaryFace& face, const EdgeUse& use, const Stretch& s) const {
-        return (use.forward == s.along) == face.normal_is_outward;
-    }
-
     std::vector<Border> border(FaceId id, bool is_new) const {
         const BoundaryFace& face = (is_new ? pair_.new_model : pair_.old_model).faces()[id.index()];
         std::vector<Border> result;
@@ -116,7 +112,7 @@ class PartnerFinder {
     }
 
     /// Border that both have on the same side, mm; a little when one has a vertex inside the other; 0 when they seem to be apart.
-    double overlap(FaceId old_face, FaceId new_face, const CarriedRegion&) const {
+    double overlap(FaceId old_face, FaceId new_face) const {
         const std::vector<Border> was = border(old_face, false), is = border(new_face, true);
         double share = 0;
         for (const Border& a : was)
@@ -147,11 +143,6 @@ class PartnerFinder {
     const BoundaryMatch& match_;
 };
 
-double area_of(const TopoDS_Face& face) {
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(face, properties, 1e-4);
-    return std::abs(properties.Mass());
-}
 }  // namespace
 
 void find_partners(const BoundaryPair& pair, const BoundaryMatch& match, CarriedRegion& region) {

@@ -9,11 +9,13 @@
 namespace featuremesh {
 namespace {
 constexpr double most_border_cells = 20000;
+constexpr double gap = 1e-6;   // mm, between ends of edges that are meant to meet
 
-/// A stretch of a changed border in the parameter plane; the true border is no further from it than `margin` (scaled, mm).
+/// A stretch of a changed piece in the parameter plane; the true curve is no further from it than `margin` (scaled, mm).
 struct Segment {
     Uv a, b;
     double margin;
+    bool is_border;   ///< on one side of it is difference, on the other not
 };
 
 class TrimRaster {
@@ -31,6 +33,8 @@ class TrimRaster {
         if (!known) return emit(root_);
         shift_into_root();
         widen_margins();
+        by_crossings_ = has_open_lines() && borders_close();
+        if (by_crossings_) sort_into_columns();
         std::vector<int> all(segments_.size());
         for (std::size_t i = 0; i < all.size(); ++i) all[i] = int(i);
         visit(root_, all);
@@ -73,7 +77,7 @@ class TrimRaster {
         for (const Vec3& p : group_.points) {
             const auto uv = chart_.parameters(p, std::nullopt);
             if (!uv) return false;
-            segments_.push_back({*uv, *uv, 0});
+            segments_.push_back({*uv, *uv, 0, false});
         }
         return true;
     }
@@ -92,9 +96,9 @@ class TrimRaster {
         // The first point may be a pole, where u was arbitrary: it takes u from its neighbour.
         if (const auto again = chart_.parameters(points[0], trace[1])) trace[0] = *again;
         const double margin = count == 1 ? 0.0 : 0.15;
-        for (int i = 0; i < count; ++i)
-            if (near_domain(points[std::size_t(i)], points[std::size_t(i) + 1]))
-                segments_.push_back({trace[std::size_t(i)], trace[std::size_t(i) + 1], margin});
+        for (std::size_t i = 0; i < std::size_t(count); ++i)
+            segments_.push_back({trace[i], trace[i + 1], margin, piece.is_border});
+        if (piece.is_border) border_ends_.push_back(points.front()), border_ends_.push_back(points.back());
         return true;
     }
 
@@ -115,13 +119,6 @@ class TrimRaster {
         }
         const double most = curve.kind == CurveKind::free_form ? 1000 : 10000;
         return int(std::clamp(std::max(std::ceil(2 * size / leaf_), turns), 2.0, most));
-    }
-
-    bool near_domain(const Vec3& a, const Vec3& b) const {
-        if (!pair_.domain) return true;
-        Box box;
-        box.add(a), box.add(b);
-        return pair_.domain->overlaps(box.grown(distance(a, b) + leaf_));
     }
 
     // A difference ends at changed pieces, so its extent is theirs, except round a sphere or a torus or on a closed free-form carrier.
@@ -233,17 +230,74 @@ class TrimRaster {
         return !pair_.domain->grown(0.5 * std::hypot(width, height) + resolution_).contains(centre);
     }
 
+    /// On these carriers the difference ends along every line u = const.
+    bool has_open_lines() const {
+        const SurfaceKind kind = chart_.carrier().kind;
+        return kind == SurfaceKind::plane || kind == SurfaceKind::cylinder || kind == SurfaceKind::cone;
+    }
+
+    /// Whether the borders of the difference are closed lines, as they are when the shapes' vertices are where their edges end.
+    bool borders_close() {
+        std::sort(border_ends_.begin(), border_ends_.end(), [](const Vec3& a, const Vec3& b) { return a.x < b.x; });
+        std::vector<char> visited(border_ends_.size(), 0);
+        for (std::size_t i = 0; i < border_ends_.size(); ++i) {
+            if (visited[i]) continue;
+            int meeting = 0;
+            for (std::size_t j = i; j < border_ends_.size() && border_ends_[j].x - border_ends_[i].x <= 2 * gap; ++j)
+                if (!visited[j] && distance(border_ends_[i], border_ends_[j]) <= 2 * gap) visited[j] = 1, ++meeting;
+            if (meeting % 2 != 0) return false;
+        }
+        return true;
+    }
+
+    void sort_into_columns() {
+        columns_.resize(std::clamp<std::size_t>(segments_.size() / 4, 1, 1000));
+        for (std::size_t i = 0; i < segments_.size(); ++i) {
+            const Segment& s = segments_[i];
+            if (!s.is_border) continue;
+            const double slack = 2 * gap / chart_.scale()[0];
+            const int last = column_of(std::max(s.a[0], s.b[0]) + slack);
+            for (int c = column_of(std::min(s.a[0], s.b[0]) - slack); c <= last; ++c) columns_[std::size_t(c)].push_back(int(i));
+        }
+    }
+
+    int column_of(double u) const {
+        const double share = (u - root_.low[0]) / root_.size(0);
+        return int(std::clamp(share * double(columns_.size()), 0.0, double(columns_.size()) - 1));
+    }
+
     /// True also when no point of the cell could be told.
     bool differs(const UvBox& cell) const {
         constexpr double fractions[][2] = {{0.5, 0.5}, {0.29, 0.37}, {0.71, 0.59}, {0.37, 0.73}, {0.61, 0.23}};
         for (const auto& [s, t] : fractions) {
-            const Uv uv = cell.at(s, t);
-            const Vec3 p = chart_.point(uv);
-            const Side was = side(pair_.old_model, group_.old_faces, to_old_.apply(p), uv);
-            const Side is = side(pair_.new_model, group_.new_faces, p, uv);
-            if (was != Side::on && is != Side::on) return was != is;
+            const auto verdict = by_crossings_ ? differs_by_crossings(cell.at(s, t)) : differs_by_trims(cell.at(s, t));
+            if (verdict) return *verdict;
         }
         return true;
+    }
+
+    /// The parity of the borders between the point and infinity, on a cone away from the apex; nothing when a border starts there.
+    std::optional<bool> differs_by_crossings(const Uv& uv) const {
+        const SurfaceCarrier& c = chart_.carrier();
+        const double cone_side = (c.radius + uv[1] * std::sin(c.second)) * std::sin(c.second);
+        const double away = c.kind == SurfaceKind::cone && cone_side < 0 ? -1 : 1;
+        const double slack = gap / chart_.scale()[0];
+        bool odd = false;
+        for (const int i : columns_[std::size_t(column_of(uv[0]))]) {
+            const Segment& s = segments_[std::size_t(i)];
+            if (std::abs(s.a[0] - uv[0]) <= slack || std::abs(s.b[0] - uv[0]) <= slack) return std::nullopt;
+            if ((s.a[0] < uv[0]) == (s.b[0] < uv[0])) continue;
+            const double v = s.a[1] + (s.b[1] - s.a[1]) * (uv[0] - s.a[0]) / (s.b[0] - s.a[0]);
+            if ((v - uv[1]) * away > 0) odd = !odd;
+        }
+        return odd;
+    }
+
+    std::optional<bool> differs_by_trims(const Uv& uv) const {
+        const Vec3 p = chart_.point(uv);
+        const Side was = side(pair_.old_model, group_.old_faces, to_old_.apply(p), uv);
+        const Side is = side(pair_.new_model, group_.new_faces, p, uv);
+        return was == Side::on || is == Side::on ? std::nullopt : std::optional(was != is);
     }
 
     Side side(const BoundaryModel& model, const std::vector<FaceId>& faces, const Vec3& p, const Uv& uv) const {
@@ -286,6 +340,9 @@ class TrimRaster {
     UvBox root_;
     Uv step_{};
     std::vector<Segment> segments_;
+    std::vector<Vec3> border_ends_;
+    bool by_crossings_ = false;
+    std::vector<std::vector<int>> columns_;   ///< border segments by u
 };
 }  // namespace
 

@@ -76,8 +76,9 @@ FeatureTree tree_of(const std::vector<Primitive>& features) {
         f.type = "Test::Primitive";
         f.role = p.effect == Effect::adds ? Role::additive : Role::subtractive;
         f.parameters = p.parameters;
-        for (const TopoDS_Shape& s : p.instances) f.volumes.push_back({s, p.effect, int(f.volumes.size()), {}});
-        if (!tree.features.empty()) f.depends_on.push_back(FeatureId(tree.features.size() - 1));
+        for (const TopoDS_Shape& s : p.instances) f.volumes.push_back({s, p.effect, int(f.volumes.size()), {}, p.effect});
+        f.combination = Combination::chain;
+        if (!tree.features.empty()) f.depends_on = f.operands = {FeatureId(tree.features.size() - 1)};
         tree.features.push_back(std::move(f));
     }
     tree.final_shape = evaluate(features);

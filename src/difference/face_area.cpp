@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "difference/face_area.h"
+
+#include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+#include "difference/carriers.h"
+
+namespace featuremesh {
+namespace {
+/// Integral over v, from 0, of the area of the surface element.
+double strip(const SurfaceCarrier& c, double v) {
+    switch (c.kind) {
+        case SurfaceKind::plane:
+            return v;
+        case SurfaceKind::cylinder:
+            return c.radius * v;
+        case SurfaceKind::cone:
+            return c.radius * v + 0.5 * v * v * std::sin(c.second);
+        case SurfaceKind::sphere:
+            return c.radius * c.radius * std::sin(v);
+        case SurfaceKind::torus:
+            return c.second * (c.radius * v + c.second * std::sin(v));
+        case SurfaceKind::free_form:
+            break;
+    }
+    return 0;
+}
+
+/// Integral of `strip` du along the edge's trace, by eight Gauss points on each of some parts.
+double along_trace(const SurfaceCarrier& c, Handle(Geom2d_Curve) trace, double first, double last) {
+    constexpr double x[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
+    constexpr double w[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
+    if (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(trace); !trimmed.IsNull()) trace = trimmed->BasisCurve();
+    const int parts = trace->IsKind(STANDARD_TYPE(Geom2d_Line)) ? 1 : 12;
+    const double half = 0.5 * (last - first) / parts;
+    double sum = 0;
+    for (int i = 0; i < parts; ++i)
+        for (int k = 0; k < 8; ++k) {
+            const double t = first + half * (2 * i + 1 + (k < 4 ? x[k] : -x[k - 4]));
+            gp_Pnt2d uv;
+            gp_Vec2d tangent;
+            trace->D1(t, uv, tangent);
+            sum += half * w[k % 4] * strip(c, uv.Y()) * tangent.X();
+        }
+    return sum;
+}
+}  // namespace
+
+double area_of(const TopoDS_Face& face) {
+    const SurfaceCarrier carrier = carrier_of(face);
+    if (carrier.kind == SurfaceKind::free_form) {
+        GProp_GProps properties;
+        BRepGProp::SurfaceProperties(face, properties, 1e-6);
+        return std::abs(properties.Mass());
+    }
+    double sum = 0;
+    for (TopExp_Explorer e(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); e.More(); e.Next()) {
+        const TopoDS_Edge& edge = TopoDS::Edge(e.Current());
+        if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED) continue;
+        double first = 0, last = 0;
+        // Of a seam's two traces this gives the one for the edge's orientation.
+        const Handle(Geom2d_Curve) trace = BRep_Tool::CurveOnSurface(edge, TopoDS::Face(face.Oriented(TopAbs_FORWARD)), first, last);
+        if (trace.IsNull()) continue;
+        sum += (edge.Orientation() == TopAbs_FORWARD ? 1 : -1) * along_trace(carrier, trace, first, last);
+    }
+    return std::abs(sum);
+}
+
+}  // namespace featuremesh
