@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sizing/sizing_field.h"
 
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <TopoDS_Solid.hxx>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
 
 #include "core/errors.h"
+#include "sizing/shape_sources.h"
 #include "sizing/source_tree.h"
 
 namespace featuremesh {
 
 struct SizingField::Data {
-    double size;
+    double size, growth;
     SourceTree tree;
 };
 
@@ -23,6 +26,7 @@ double SizingField::at(const Vec3& p) const {
 }
 bool SizingField::is_uniform() const { return data_->tree.empty(); }
 double SizingField::smallest() const { return std::min(data_->size, data_->tree.smallest()); }
+double SizingField::growth() const { return data_->growth; }
 double SizingField::largest() const { return data_->size; }
 
 namespace {
@@ -83,18 +87,85 @@ SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::spa
     context.check_cancelled();
     auto data = std::make_shared<SizingField::Data>();
     data->size = options.size;
-    std::vector<SourceBall> sources;
-    const std::size_t before = sources.size();
+    data->growth = options.growth;
+    if (brep.solid_count() == 1)
+        for (const LocalSize& local : options.local)
+            if (local.entity == entity_of(SolidId(0))) data->size = std::min(data->size, local.size);
+    SizingOptions asked = options;
+    asked.size = data->size;
+    std::vector<SourceBall> sources = shape_sources(brep, asked, context);
+    data->tree = SourceTree(sources, options.growth - 1);
+    const std::size_t of_shape = sources.size();
     add_kept(kept, *data, sources);
-    if (sources.size() > before) data->tree = SourceTree(std::move(sources), options.growth - 1);
+    if (sources.size() > of_shape) data->tree = SourceTree(std::move(sources), options.growth - 1);
     return SizingField(std::move(data));
 }
+
+namespace {
+
+/// A cube of space and how many more tets than at the global size it would have if it were all material.
+struct Cell {
+    Vec3 center;
+    double extra;
+};
+
+/// Halves cells until the field hardly changes within one; cells at the global size have nothing extra.
+void collect_cells(const SizingField& sizing, double slope, const Box& box, int depth, std::vector<Cell>& cells) {
+    const Vec3 center = box.center();
+    const double h = sizing.at(center), reach = slope * 0.5 * box.diagonal(), size = sizing.largest();
+    if (depth < 9 && reach > 0.3 * h && h - reach < size) {
+        const Vec3 half = box.size() * 0.5;
+        for (int octant = 0; octant < 8; ++octant) {
+            const Vec3 low{box.low.x + (octant & 1 ? half.x : 0), box.low.y + (octant & 2 ? half.y : 0), box.low.z + (octant & 4 ? half.z : 0)};
+            collect_cells(sizing, slope, {low, low + half}, depth + 1, cells);
+        }
+        return;
+    }
+    const Vec3 s = box.size();
+    const double extra = s.x * s.y * s.z * (1 / (h * h * h) - 1 / (size * size * size));
+    if (extra > 0) cells.push_back({center, extra});
+}
+
+bool is_inside(const Brep& brep, std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>>& classifiers, const Vec3& p) {
+    for (std::size_t s = 0; s < classifiers.size(); ++s) {
+        if (!classifiers[s]) classifiers[s] = std::make_unique<BRepClass3d_SolidClassifier>(brep.solid(SolidId(s)));
+        classifiers[s]->Perform({p.x, p.y, p.z}, 1e-7);
+        if (classifiers[s]->State() != TopAbs_OUT) return true;
+    }
+    return false;
+}
+
+/// Classifies cells drawn at equal steps of the summed extra tets; a finer cell is drawn more often.
+double share_inside(const Brep& brep, const std::vector<Cell>& cells, double total) {
+    constexpr int draws = 160;
+    std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> classifiers(brep.solid_count());
+    int inside = 0, drawn = 0;
+    double sum = 0;
+    for (const Cell& cell : cells) {
+        sum += cell.extra;
+        const int due = static_cast<int>(sum / total * draws + 0.5);
+        if (due <= drawn) continue;
+        if (is_inside(brep, classifiers, cell.center)) inside += due - drawn;
+        drawn = due;
+    }
+    return drawn > 0 ? double(inside) / drawn : 1.0;
+}
+
+}  // namespace
 
 double estimate_tets(const Brep& brep, const SizingField& sizing) {
     double volume = 0;
     for (std::size_t s = 0; s < brep.solid_count(); ++s) volume += brep.volume_of(SolidId(s));
-    const double size = sizing.smallest();
-    return tets_per_cube * volume / (size * size * size);
+    const double size = sizing.largest();
+    double per_volume = volume / (size * size * size);
+    if (!sizing.is_uniform()) {
+        std::vector<Cell> cells;
+        collect_cells(sizing, sizing.growth() - 1, brep.box(), 0, cells);
+        double extra = 0;
+        for (const Cell& cell : cells) extra += cell.extra;
+        if (extra > 0) per_volume += extra * share_inside(brep, cells, extra);
+    }
+    return tets_per_cube * per_volume;
 }
 
 }  // namespace featuremesh

@@ -41,6 +41,8 @@ class SizingField {
     bool is_uniform() const;
     double smallest() const;
     double largest() const;
+    /// As in SizingOptions.
+    double growth() const;
 
     struct Data;
     explicit SizingField(std::shared_ptr<const Data> data);
