@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where things are in the checkout, and the launcher's two ways to fail."""
+import os
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build"
-RELEASE = BUILD / "release"
+# Another build, such as one with sanitizers, is tested by naming its folder.
+RELEASE = Path(os.environ.get("FEATUREMESH_BUILD", BUILD / "release"))
 CGAL = BUILD / "deps" / "cgal"
 SETUP_LOG = BUILD / "setup.log"
 FREECAD_LOG = BUILD / "freecad.log"

@@ -19,7 +19,7 @@ import cgal_headers  # noqa: E402
 import engine_build  # noqa: E402
 import freecad_task  # noqa: E402
 import packages  # noqa: E402
-from layout import Failure  # noqa: E402
+from layout import RELEASE, Failure  # noqa: E402
 
 
 def run(*words):
@@ -79,7 +79,7 @@ class FreecadTask(unittest.TestCase):
     def test_freecad_gets_a_utf8_locale_and_the_engine(self):
         environment = freecad_task.freecad_environment()
         self.assertEqual(environment["LC_ALL"], "C.UTF-8")
-        self.assertTrue(environment["PYTHONPATH"].startswith(str(ROOT / "build" / "release" / "bindings")))
+        self.assertTrue(environment["PYTHONPATH"].startswith(str(RELEASE / "bindings")))
 
 
 class DebianSources(unittest.TestCase):
