@@ -12,7 +12,7 @@ BUILD_PACKAGES = (
     "libgmp-dev", "libmpfr-dev", "libocct-foundation-dev", "libocct-modeling-data-dev", "libocct-modeling-algorithms-dev",
 )
 RUN_PACKAGES = ("freecad-python3", "python3-numpy", "calculix-ccx")
-PICTURE_PACKAGES = ("python3-vtk9", "python3-matplotlib", "xvfb", "xauth", "libgl1-mesa-dri")
+PICTURE_PACKAGES = ("python3-vtk9", "python3-matplotlib", "xvfb", "libgl1-mesa-dri")
 PEER_PACKAGES = ("gmsh",)
 WINDOW_PACKAGES = ("freecad", "python3-pivy")
 

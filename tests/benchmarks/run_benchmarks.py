@@ -10,6 +10,7 @@ import base64
 import json
 import os
 import platform
+import shutil
 import statistics
 import subprocess
 import sys
@@ -165,9 +166,15 @@ def machine():
     """What a later reader must know to compare figures."""
     with open("/proc/cpuinfo", encoding="utf-8") as info:
         model = next((line.split(":")[1].strip() for line in info if line.startswith("model name")), platform.machine())
-    commit = subprocess.run(["git", "-C", str(ROOT), "rev-parse", "--short", "HEAD"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
     return {"processor": model, "processors": os.cpu_count(), "memory_gb": round(os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30, 1),
-            "system": platform.platform(), "commit": commit.stdout.strip(), "time": time.strftime("%Y-%m-%dT%H:%M:%S%z")}
+            "system": platform.platform(), "commit": commit(), "time": time.strftime("%Y-%m-%dT%H:%M:%S%z")}
+
+
+def commit():
+    if not shutil.which("git"):
+        return ""
+    return subprocess.run(["git", "-C", str(ROOT), "rev-parse", "--short", "HEAD"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                          text=True).stdout.strip()
 
 
 sys.exit(main())
