@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "core/errors.h"
@@ -10,6 +11,7 @@
 #include "volume/constrained_delaunay.h"
 #include "volume/facet_split.h"
 #include "volume/fill_cavity.h"
+#include "volume/flip_facets.h"
 #include "volume/optimise.h"
 
 namespace featuremesh {
@@ -45,6 +47,7 @@ struct KnownTriangulation {
     std::vector<NodeId> nodes;
     std::vector<Vec3> seeds;
     Triangulation triangulation;
+    bool is_delaunay;  ///< filling anew would give the same
 };
 
 std::vector<Vec3> seeds_of(const Cavity& cavity, const CavityFill& fill) {
@@ -115,7 +118,7 @@ class Filling {
             std::vector<Vec3> points = cavity.points;
             points.insert(points.end(), known.seeds.begin(), known.seeds.end());
             fills_[i] = flood_cavity(cavity, std::move(points), known.triangulation);
-            if (fills_[i].is_complete() && !has_inverted_tet(fills_[i])) return;
+            if (known.is_delaunay || (fills_[i].is_complete() && !has_inverted_tet(fills_[i]))) return;
         }
         fills_[i] = fill_cavity(cavity, seam_balls(result_.mesh, cavity), active_, size_, context_, is_main);
     }
@@ -128,7 +131,8 @@ class Filling {
             CavityFill& fill = fills_[i];
             if (round == 0) result_.report.recovered_triangles += fill.places.missing.size();
             if (fill.is_complete())
-                known_.push_back({cavities_[i].nodes, seeds_of(cavities_[i], fill), std::move(fill.triangulation)});
+                known_.push_back(
+                    {cavities_[i].nodes, seeds_of(cavities_[i], fill), std::move(fill.triangulation), true});
             else if (!is_changed)
                 recover(cavities_[i], fill);
         }
@@ -143,23 +147,41 @@ class Filling {
         return is_changed;
     }
 
-    /// Has the missing facets by constraint, or cuts those that stand in the way of that.
-    void recover(const Cavity& cavity, const CavityFill& fill) {
-        const std::vector<Vec3> seeds = seeds_of(cavity, fill);
+    /// Changes diagonals if that is all; else has the missing facets by constraint, or cuts those that stand in the way
+    /// of that.
+    void recover(const Cavity& cavity, CavityFill& fill) {
+        std::vector<Vec3> seeds = seeds_of(cavity, fill);
+        const FacetSplit flips = flip_missing(cavity, fill, result_.mesh);
+        if (!flips.pieces.empty()) {
+            if (apply(flips, cavity))
+                known_.push_back({cavity.nodes, std::move(seeds), std::move(fill.triangulation), true});
+            return;
+        }
         const std::vector<int> crossing = crossing_facets(cavity);
-        ConstrainedTriangulation constrained;
-        if (crossing.empty()) constrained = constrained_delaunay(cavity, seeds);
-        const std::vector<int>& bad = crossing.empty() ? constrained.failed : crossing;
-        const FacetSplit split = bad.empty() ? std::move(constrained.split) : halve_longest_edges(cavity, bad);
+        if (!crossing.empty()) {
+            apply(halve_longest_edges(cavity, crossing), cavity);
+            return;
+        }
+        ConstrainedTriangulation constrained = constrained_delaunay(cavity, seeds);
+        if (!constrained.failed.empty()) {
+            apply(halve_longest_edges(cavity, constrained.failed), cavity);
+            return;
+        }
+        if (const auto added = apply(constrained.split, cavity)) {
+            std::vector<NodeId> nodes = cavity.nodes;
+            nodes.insert(nodes.end(), added->begin(), added->end());
+            known_.push_back({std::move(nodes), std::move(seeds), std::move(constrained.triangulation), false});
+        }
+    }
+
+    /// The new nodes; none when kept tets were in the way and have been released instead.
+    std::optional<std::vector<NodeId>> apply(const FacetSplit& split, const Cavity& cavity) {
         const std::vector<TetId> in_the_way = tets_in_the_way(split, cavity, result_.mesh, is_released_);
         for (const TetId tet : in_the_way) is_released_[tet.index()] = 1;
-        if (!in_the_way.empty()) return;
-        const std::vector<NodeId> added = apply_split(split, cavity, projector_, result_.mesh);
+        if (!in_the_way.empty()) return {};
+        std::vector<NodeId> added = apply_split(split, cavity, projector_, result_.mesh);
         result_.report.recovery_points += added.size();
-        if (!bad.empty()) return;
-        std::vector<NodeId> nodes = cavity.nodes;
-        nodes.insert(nodes.end(), added.begin(), added.end());
-        known_.push_back({nodes, seeds, std::move(constrained.triangulation)});
+        return added;
     }
 
     [[noreturn]] void throw_unrecovered() const {

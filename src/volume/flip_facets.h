@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surface diagonals that Delaunay wants the other way.
+#pragma once
+
+#include "volume/facet_split.h"
+#include "volume/fill_cavity.h"
+
+namespace featuremesh {
+
+/// Where two missing facets of one CAD face make a quad whose other diagonal's triangles are there (four nodes on a
+/// circle, mostly): that change of diagonal, as a split without added points.
+FacetSplit flip_missing(const Cavity& cavity, const CavityFill& fill, const Mesh& mesh);
+
+}  // namespace featuremesh
