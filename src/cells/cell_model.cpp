@@ -11,6 +11,7 @@
 #include "cells/fuse.h"
 #include "cells/replay.h"
 #include "core/errors.h"
+#include "features/flux.h"
 #include "features/solid_probe.h"
 
 namespace featuremesh {
@@ -36,7 +37,7 @@ void add_final_shape(std::vector<FuseArgument>& arguments, const Brep& final_sha
 
 double volume_of(const Brep& shape) {
     double volume = 0;
-    for (std::size_t s = 0; s < shape.solid_count(); ++s) volume += shape.volume_of(SolidId(s));
+    for (std::size_t s = 0; s < shape.solid_count(); ++s) volume += flux(shape.solid(SolidId(s)), shape.box().center());
     return volume;
 }
 
