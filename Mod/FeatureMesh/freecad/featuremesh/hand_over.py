@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hands an engine mesh over to FreeCAD: one UNV file with all groups, one read, one assignment."""
+"""Hands an engine mesh over to FreeCAD, with its numbers and groups.
+
+The fast way is one UNV file. FreeCAD's reader closes the gaps between numbers, though, and so does FreeCAD when it opens a
+document; a mesh whose numbers have gaps (an updated one) is therefore built node by node, and again after opening.
+"""
 
 import os
 import re
@@ -8,11 +12,16 @@ import tempfile
 import Fem
 import numpy as np
 
+# SMESH wants tets oriented the other way round than Abaqus and VTK; the corners in the order its UNV reader gives them.
+_SMESH_TET = [0, 2, 1, 3, 6, 5, 4, 7, 9, 8]
 _KINDS = {"Solid": "Volume", "Face": "Face", "Edge": "Edge", "Vertex": "Node"}
 
 
 def to_fem_mesh(part_mesh, groups):
     """A Fem.FemMesh with the numbers of `part_mesh` and the groups (name, kind, numbers)."""
+    arrays = part_mesh.arrays()
+    if has_gaps(arrays):
+        return build(arrays, groups)
     folder = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
     handle, path = tempfile.mkstemp(".unv", "featuremesh-", folder)
     os.close(handle)
@@ -21,6 +30,53 @@ def to_fem_mesh(part_mesh, groups):
         return Fem.read(path)
     finally:
         os.unlink(path)
+
+
+def has_gaps(arrays):
+    """Are there numbers between 1 and the largest that no node, or no element, has?"""
+    elements = _element_numbers(arrays)
+    nodes = arrays["node_numbers"]
+    return bool(len(nodes) and nodes.max() != len(nodes) or len(elements) and elements.max() != len(elements))
+
+
+def build(arrays, groups):
+    """The mesh made node by node, which keeps every number."""
+    mesh = Fem.FemMesh()
+    numbers = arrays["node_numbers"]
+    for number, (x, y, z) in zip(numbers.tolist(), arrays["points"].tolist()):
+        mesh.addNode(x, y, z, number)
+    for add, elements, mids, order, own in (
+            (mesh.addEdge, "segments", "segment_mids", None, "segment_numbers"),
+            (mesh.addFace, "triangles", "triangle_mids", None, "triangle_numbers"),
+            (mesh.addVolume, "tets", "tet_mids", _SMESH_TET, "tet_numbers")):
+        nodes = numbers[_connectivity(arrays[elements], arrays[mids])]
+        if order is not None and len(nodes):
+            nodes = nodes[:, order[:nodes.shape[1]]]
+        for corners, number in zip(nodes.tolist(), arrays[own].tolist()):
+            add(corners, number)
+    for name, kind, members in groups:
+        mesh.addGroupElements(mesh.addGroup(name, kind), np.asarray(members).tolist())
+    return mesh
+
+
+def reopened(fem_mesh, arrays):
+    """The mesh as it was saved, from what FreeCAD made of it when it opened the document (numbers without gaps).
+
+    None when nothing has to be done, or when `arrays` are not of this mesh.
+    """
+    elements = _element_numbers(arrays)
+    if not has_gaps(arrays) or fem_mesh.NodeCount != len(arrays["node_numbers"]):
+        return None
+    nodes, elements = np.sort(arrays["node_numbers"]), np.sort(elements)
+    groups = []
+    for group in fem_mesh.Groups:
+        kind = fem_mesh.getGroupElementType(group)
+        ranks = np.array(fem_mesh.getGroupElements(group), dtype=np.int64) - 1
+        known = nodes if kind == "Node" else elements
+        if len(ranks) and ranks.max() >= len(known):
+            return None
+        groups.append((fem_mesh.getGroupName(group), kind, known[ranks]))
+    return build(arrays, groups)
 
 
 def groups_of(part_mesh, mesh, part):
@@ -114,14 +170,21 @@ class EntityGroups:
     def _collect(self, kind, elements, mids, owners, numbers):
         if not len(elements):
             return
-        mids = [mids.reshape(len(elements), -1)] if len(mids) else []
-        self._connectivity[kind] = np.hstack([elements, *mids])
+        self._connectivity[kind] = _connectivity(elements, mids)
         order = np.argsort(owners, kind="stable")
         present, starts = np.unique(owners[order], return_index=True)
         for owner, rows in zip(present, np.split(order, starts[1:])):
             name = "%s%d" % (kind, owner + 1)
             self._elements[name] = numbers[rows]
             self._rows[name] = rows
+
+
+def _connectivity(elements, mids):
+    return np.hstack([elements, mids.reshape(len(elements), -1)]) if len(mids) else elements
+
+
+def _element_numbers(arrays):
+    return np.concatenate([arrays[kind + "_numbers"] for kind in ("segment", "triangle", "tet")])
 
 
 def references_to(member, part):

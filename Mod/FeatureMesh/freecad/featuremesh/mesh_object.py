@@ -77,6 +77,8 @@ class FeatureMesh:
         self._forget()
         self._get_ready(mesh)
         self._shown = state.checksum_of(mesh.SavedState)
+        if self._shown:
+            self._restore_numbers(mesh)
 
     def dumps(self):
         return {"Type": self.Type}
@@ -158,6 +160,7 @@ class FeatureMesh:
             part_mesh, report = api.mesh_part(raw, options, progress)
         else:
             part_mesh, report = api.update_part(old, raw, options, progress)
+        report = plain(report)
         if problem:
             add_fallback(report, "meshed from scratch: " + problem)
             FreeCAD.Console.PrintWarning("%s: %s; meshed from scratch\n" % (mesh.Label, problem))
@@ -179,6 +182,17 @@ class FeatureMesh:
             return self.last_part_mesh(mesh), None
         except (StateError, engine.load().StateError) as error:
             return None, one_line(error)
+
+    def _restore_numbers(self, mesh):
+        """FreeCAD closes the gaps between numbers when it opens a document; the saved state knows the true ones."""
+        try:
+            fem_mesh = hand_over.reopened(mesh.FemMesh, state.load(mesh.SavedState).arrays)
+        except StateError as error:
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, error))
+            return
+        if fem_mesh is not None:
+            mesh.FemMesh = fem_mesh
+            mesh.purgeTouched()
 
     def _show(self, mesh, part_mesh):
         groups = hand_over.groups_of(part_mesh, mesh, versions.part_of(mesh))
@@ -248,6 +262,18 @@ def local_sizes(mesh, part):
 def add_fallback(report, text):
     """Adds a line to the report's list of what could not be kept or done."""
     report["fallback"] = "; ".join(part for part in (text, report.get("fallback")) if part)
+
+
+def plain(value):
+    """The same with lists in place of arrays, and triangles (of no use in a report) counted only."""
+    if isinstance(value, dict):
+        short = {key: plain(entry) for key, entry in value.items() if key != "changed_boundary"}
+        if "changed_boundary" in value:
+            short["changed_triangles"] = len(value["changed_boundary"])
+        return short
+    if isinstance(value, (list, tuple)):
+        return [plain(entry) for entry in value]
+    return value.tolist() if hasattr(value, "tolist") else value
 
 
 def one_line(error):

@@ -7,7 +7,7 @@ import sys
 
 from . import api, documents, engine, reading, tables, versions
 from .errors import UserError
-from .mesh_object import add_fallback, one_line
+from .mesh_object import add_fallback, one_line, plain
 
 
 def mesh(task):
@@ -58,16 +58,14 @@ def diff(task):
     """The feature difference of two documents."""
     old = reading.find_meshable(documents.open_document(task["old"]), task.get("object"))
     new = reading.find_meshable(documents.open_document(task["new"]), task.get("object"))
-    found = api.difference(old, new)
-    found["changed_triangles"] = len(found.pop("changed_boundary", ()))
-    found = json.loads(json.dumps(found, default=_plain))
+    found = plain(api.difference(old, new))
     return tables.of_difference(found), found
 
 
 def tree(task):
     """The feature tree as the engine understands it."""
     part = reading.find_meshable(documents.open_document(task["part"]), task.get("object"))
-    found = json.loads(json.dumps(api.tree(part), default=_plain))
+    found = plain(api.tree(part))
     return tables.of_tree(found), found
 
 
@@ -113,7 +111,3 @@ def _size_in_words(report):
 
 def _fallback_in_words(report):
     return " (%s)" % report["fallback"] if report.get("fallback") else ""
-
-
-def _plain(value):
-    return value.tolist() if hasattr(value, "tolist") else list(value)
