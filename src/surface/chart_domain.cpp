@@ -207,6 +207,7 @@ TrianglePatch ChartDomain::patch() const {
         patch.points.push_back(v == Vertex() ? Vec2{} : Vec2{v->point().x(), v->point().y()});
     patch.is_fixed.assign(patch.points.size(), 0);
     std::fill_n(patch.is_fixed.begin(), data_->boundary_points, 1);
+    patch.nodes.assign(patch.points.size(), -1);
     patch.triangle_of.assign(patch.points.size(), -1);
     int count = 0;
     for (const Face f : data_->cdt.finite_face_handles()) f->info().index = f->info().side > 0 ? count++ : -1;

@@ -39,6 +39,7 @@ class FaceFiller {
                                            : front_seeds(boundary_, domain_, chart_, sizing_, mesh_, context_);
         domain_.insert(seeds);
         patch_ = domain_.patch();
+        for (std::size_t p = 0; p < boundary_.nodes.size(); ++p) patch_.nodes[p] = boundary_.nodes[p].value;
         for (std::size_t p = 0; p < patch_.points.size(); ++p) {
             const bool is_boundary = p < boundary_.nodes.size();
             if (geometry_.is_flat()) patch_.places.push_back({patch_.points[p].x, patch_.points[p].y, 0});
@@ -46,10 +47,23 @@ class FaceFiller {
         }
     }
 
+    /// Around a thin tube with a coarse seam a side may join the two copies of one node: a node is put in its middle.
+    void open_loops() {
+        for (int t = 0; t < static_cast<int>(patch_.triangles.size()); ++t)
+            for (int i = 0; i < 3; ++i) {
+                const int a = patch_.corners(t)[at((i + 1) % 3)], b = patch_.corners(t)[at((i + 2) % 3)];
+                if (patch_.neighbour(t, i) < 0 || !patch_.are_one_node(a, b)) continue;
+                const Vec2 middle = 0.5 * (patch_.point(a) + patch_.point(b));
+                patch_.split_side(t, i, middle, geometry_.place(middle));
+            }
+    }
+
     void improve() {
+        open_loops();
         if (!geometry_.is_flat()) make_delaunay(patch_);
         if (!takes_lattice()) split_long_sides(patch_, geometry_, sizing_, context_);
         smooth(patch_, geometry_, sizing_, context_);
+        if (split_folded(patch_, geometry_, context_) > 0) smooth(patch_, geometry_, sizing_, context_);
         raise_smallest_angles(patch_, geometry_, wanted_angle, context_);
         patch_.compact();
     }
@@ -85,12 +99,11 @@ class FaceFiller {
         const auto place = [&](int p) {
             return at(p) < boundary_count ? mesh_.point(boundary_.nodes[at(p)]) : filling.points[at(p) - boundary_count];
         };
-        const auto node = [&](int p) { return at(p) < boundary_count ? boundary_.nodes[at(p)].value : -1 - p; };
         filling.smallest_angle = M_PI;
-        for (const auto& t : patch_.triangles) {
+        for (int i = 0; i < static_cast<int>(patch_.triangles.size()); ++i) {
+            if (patch_.is_at_pole(i)) continue;
+            const auto& t = patch_.corners(i);
             std::array<int, 3> c{new_index[at(t[0])], new_index[at(t[1])], new_index[at(t[2])]};
-            // Triangles at a pole, two corners of which are its one node, exist in the chart only.
-            if (node(c[0]) == node(c[1]) || node(c[1]) == node(c[2]) || node(c[2]) == node(c[0])) continue;
             if (chart_.is_reversed()) std::swap(c[1], c[2]);
             filling.triangles.push_back(c);
             filling.smallest_angle = std::min(filling.smallest_angle, smallest_angle(place(c[0]), place(c[1]), place(c[2])));

@@ -10,6 +10,7 @@
 #include "core/errors.h"
 #include "surface/chart.h"
 #include "surface/chart_domain.h"
+#include "surface/distinct_sides.h"
 #include "surface/edge_chains.h"
 #include "surface/face_boundary.h"
 #include "surface/fill_face.h"
@@ -37,6 +38,7 @@ class SurfaceFiller {
         bound_faces();
         fill_faces();
         chains_.add_segments(mesh_);
+        separate_faces();
         for (std::size_t f = 0; f < jobs_.size(); ++f) append(FaceId(f));
         report_.new_nodes = mesh_.node_count() - first_new_node_;
         report_.new_triangles = mesh_.triangles.size() - first_new_triangle_;
@@ -136,6 +138,13 @@ class SurfaceFiller {
                 }
             });
         }
+    }
+
+    void separate_faces() {
+        std::vector<FilledFace> filled;
+        for (FaceJob& job : jobs_)
+            if (!job.filling.triangles.empty()) filled.push_back({job.chart.get(), &job.boundary, &job.filling});
+        make_sides_distinct(filled, mesh_.segments, mesh_);
     }
 
     void append(FaceId face) {

@@ -16,6 +16,7 @@ constexpr int smoothing_sweeps = 8;
 
 
 double quality_of(const TrianglePatch& patch, int t) {
+    if (patch.is_at_pole(t)) return 1;
     const auto& c = patch.corners(t);
     return triangle_quality(patch.place(c[0]), patch.place(c[1]), patch.place(c[2]));
 }
@@ -26,7 +27,7 @@ Vec3 area_vector(const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b -
 double cotangent(const TrianglePatch& patch, int t, int i) {
     const auto& c = patch.corners(t);
     const Vec3 &a = patch.place(c[at(i)]), &b = patch.place(c[at((i + 1) % 3)]), &d = patch.place(c[at((i + 2) % 3)]);
-    if (a == b || b == d || d == a) return 0;
+    if (patch.is_at_pole(t)) return 0;
     const Vec3 u = b - a, v = d - a;
     const double s = length(cross(u, v)), k = dot(u, v);
     return s > 1e-12 * (squared_length(u) + squared_length(v)) ? k / s : (k > 0 ? 1e12 : -1e12);
@@ -162,9 +163,8 @@ Vec2 PatchGeometry::step(Vec2 p, const Vec3& d) const {
 }
 
 double triangle_quality(const Vec3& a, const Vec3& b, const Vec3& c) {
-    if (a == b || b == c || c == a) return 1;
     const double sides = squared_length(b - a) + squared_length(c - b) + squared_length(a - c);
-    return 2 * std::sqrt(3.0) * length(area_vector(a, b, c)) / sides;
+    return sides > 0 ? 2 * std::sqrt(3.0) * length(area_vector(a, b, c)) / sides : 0;
 }
 
 double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -210,6 +210,65 @@ std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry
             patch.star(p, star);
             queue = star;
             flip_from(patch, queue);
+        }
+        if (splits == before) break;
+    }
+    return splits;
+}
+
+namespace {
+
+bool is_folded(const TrianglePatch& patch, const PatchGeometry& geometry, int t) {
+    constexpr double least_cosine = 0.25;
+    const auto& c = patch.corners(t);
+    const auto place = [&](int p) { return geometry.is_flat() ? geometry.chart().point(patch.point(p)) : patch.place(p); };
+    const Vec3 a = place(c[0]), b = place(c[1]), d = place(c[2]);
+    if (patch.is_at_pole(t)) return false;
+    const Vec2 centre = (1.0 / 3) * (patch.point(c[0]) + patch.point(c[1]) + patch.point(c[2]));
+    const Chart::Frame frame = geometry.chart().frame(centre);
+    const Vec3 across = cross(frame.dx, frame.dy), normal = area_vector(a, b, d);
+    return dot(across, normal) < least_cosine * length(across) * length(normal);
+}
+
+/// The longest side that is not at the boundary; -1 for none.
+int longest_inner_side(const TrianglePatch& patch, int t) {
+    int longest = -1;
+    double most = 0;
+    for (int i = 0; i < 3; ++i) {
+        const auto& c = patch.corners(t);
+        const double l = distance(patch.place(c[at((i + 1) % 3)]), patch.place(c[at((i + 2) % 3)]));
+        if (patch.neighbour(t, i) >= 0 && l > most) most = l, longest = i;
+    }
+    return longest;
+}
+
+/// Splits the triangle's longest inner side in the middle, or the triangle itself when it has none.
+int split_somewhere(TrianglePatch& patch, const PatchGeometry& geometry, int t) {
+    const auto c = patch.corners(t);
+    if (const int i = longest_inner_side(patch, t); i >= 0) {
+        const Vec2 middle = 0.5 * (patch.point(c[at((i + 1) % 3)]) + patch.point(c[at((i + 2) % 3)]));
+        return patch.split_side(t, i, middle, geometry.place(middle));
+    }
+    const Vec2 centre = (1.0 / 3) * (patch.point(c[0]) + patch.point(c[1]) + patch.point(c[2]));
+    return patch.split_triangle(t, centre, geometry.place(centre));
+}
+
+}  // namespace
+
+std::size_t split_folded(TrianglePatch& patch, const PatchGeometry& geometry, RunContext& context) {
+    if (geometry.chart().is_plane()) return 0;
+    constexpr int rounds = 6;
+    std::size_t splits = 0;
+    std::vector<int> star;
+    for (int round = 0; round < rounds; ++round) {
+        const std::size_t before = splits, count = patch.triangles.size();
+        for (std::size_t t = 0; t < count; ++t) {
+            if (t % 1024 == 0) context.check_cancelled();
+            if (patch.is_removed(static_cast<int>(t)) || !is_folded(patch, geometry, static_cast<int>(t))) continue;
+            const int p = split_somewhere(patch, geometry, static_cast<int>(t));
+            ++splits;
+            patch.star(p, star);
+            flip_from(patch, star);
         }
         if (splits == before) break;
     }
@@ -262,16 +321,12 @@ class AngleRaiser {
 
     double angle_of(int t) const {
         const auto& c = patch_.corners(t);
-        return smallest_angle_or_pole(patch_.place(c[0]), patch_.place(c[1]), patch_.place(c[2]));
+        return patch_.is_at_pole(t) ? M_PI / 3 : smallest_angle(patch_.place(c[0]), patch_.place(c[1]), patch_.place(c[2]));
     }
 
     bool improve(int t) { return turn(t) || move_corners(t) || split(t); }
 
   private:
-    static double smallest_angle_or_pole(const Vec3& a, const Vec3& b, const Vec3& c) {
-        return a == b || b == c || c == a ? M_PI / 3 : smallest_angle(a, b, c);
-    }
-
     double angle_of(const std::vector<int>& list) const {
         double smallest = M_PI;
         for (const int t : list) smallest = std::min(smallest, angle_of(t));
@@ -292,9 +347,13 @@ class AngleRaiser {
     double angle_after_turn(int t, int i) const {
         const int n = patch_.neighbour(t, i);
         const auto& c = patch_.corners(t);
-        const Vec3 &a = patch_.place(c[at(i)]), &b = patch_.place(c[at((i + 1) % 3)]), &d = patch_.place(c[at((i + 2) % 3)]);
-        const Vec3& e = patch_.place(patch_.corners(n)[at(patch_.opposite_index(n, t))]);
-        return std::min(smallest_angle_or_pole(a, b, e), smallest_angle_or_pole(a, e, d));
+        const int a = c[at(i)], b = c[at((i + 1) % 3)], d = c[at((i + 2) % 3)];
+        const int e = patch_.corners(n)[at(patch_.opposite_index(n, t))];
+        const auto angle = [&](int p, int q, int r) {
+            const bool at_pole = patch_.are_one_node(p, q) || patch_.are_one_node(q, r);
+            return at_pole ? M_PI / 3 : smallest_angle(patch_.place(p), patch_.place(q), patch_.place(r));
+        };
+        return std::min(angle(a, b, e), angle(e, d, a));
     }
 
     bool move_corners(int t) {

@@ -24,8 +24,7 @@ class PatchGeometry {
     bool is_flat_;
 };
 
-/// 4 sqrt(3) A / (sum of squared sides): 1 for the equilateral triangle, 0 for a flat one. A triangle at a pole, two corners of which are one node, counts
-/// as 1: it is dropped in the end.
+/// 4 sqrt(3) A / (sum of squared sides): 1 for the equilateral triangle, 0 for a flat one.
 double triangle_quality(const Vec3& a, const Vec3& b, const Vec3& c);
 /// Smallest angle, radians.
 double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c);
@@ -37,6 +36,8 @@ std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry
 /// The variational step, node by node: each goes to the area-weighted mean of the circumcentres of its star (Chen and Holst 2011), as long as that does not
 /// make a bad star worse; sides are turned in between. Only nodes with something to gain are visited.
 void smooth(TrianglePatch& patch, const PatchGeometry& geometry, const SizingField& sizing, RunContext& context);
+/// Splits triangles that stand across the surface: normals more than about 75 degrees off, as coarse chains on a strongly curved face give. Returns how many.
+std::size_t split_folded(TrianglePatch& patch, const PatchGeometry& geometry, RunContext& context);
 /// Triangles with an angle below the given one, worst first: turns, moves, removals and splits, each only when the smallest angle around grows.
 void raise_smallest_angles(TrianglePatch& patch, const PatchGeometry& geometry, double wanted_angle, RunContext& context);
 

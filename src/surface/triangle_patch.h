@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "core/geometry.h"
@@ -16,10 +17,20 @@ struct TrianglePatch {
     std::vector<Vec2> points;                     ///< in the chart
     std::vector<Vec3> places;
     std::vector<char> is_fixed;                   ///< on the boundary, or kept
+    std::vector<std::int32_t> nodes;              ///< the mesh's node at a boundary point; -1 for a new point
     std::vector<std::array<int, 3>> triangles;    ///< first corner -1: removed
     std::vector<std::array<int, 3>> neighbours;   ///< across the side opposite each corner; -1 at the boundary
     std::vector<int> triangle_of;                 ///< one triangle at each point; -1 for none
 
+    /// Whether two points are the same node: a pole, or the two sides of a seam.
+    bool are_one_node(int p, int q) const {
+        return nodes[static_cast<std::size_t>(p)] >= 0 && nodes[static_cast<std::size_t>(p)] == nodes[static_cast<std::size_t>(q)];
+    }
+    /// A triangle with a side along a pole exists in the chart only.
+    bool is_at_pole(int t) const {
+        const auto& c = corners(t);
+        return are_one_node(c[0], c[1]) || are_one_node(c[1], c[2]) || are_one_node(c[2], c[0]);
+    }
     bool is_removed(int t) const { return triangles[static_cast<std::size_t>(t)][0] < 0; }
     const Vec2& point(int p) const { return points[static_cast<std::size_t>(p)]; }
     const Vec3& place(int p) const { return places[static_cast<std::size_t>(p)]; }
@@ -36,7 +47,8 @@ struct TrianglePatch {
         return list[0] == t ? 0 : list[1] == t ? 1 : 2;
     }
 
-    /// Whether the side opposite corner i of t can be turned within the chart: its two triangles form a strictly convex quadrilateral.
+    /// Whether the side opposite corner i of t can be turned within the chart: its two triangles form a strictly convex quadrilateral, and the
+    /// new side joins two nodes.
     bool can_flip(int t, int i) const;
     void flip(int t, int i);
     /// The triangles around p, counterclockwise; for a boundary point from one boundary side to the other.
