@@ -12,6 +12,14 @@ double period_of(const CurveCarrier& curve) {
     return closed ? 2 * std::numbers::pi : 0.0;
 }
 
+Box moved(const Box& box, const RigidMotion& motion) {
+    Box result;
+    for (int corner = 0; corner < 8; ++corner)
+        result.add(motion.apply({corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
+                                 corner & 4 ? box.high.z : box.low.z}));
+    return result;
+}
+
 namespace {
 /// Something of the old (moved) or the new state with the key by which its equals are found.
 struct Keyed {
@@ -69,15 +77,7 @@ class Matcher {
 
     bool in_domain(const Box& box, bool is_new) const {
         if (!pair_.domain) return true;
-        return pair_.domain->overlaps(is_new ? box.grown(tolerance()) : moved_box(box).grown(tolerance()));
-    }
-
-    Box moved_box(const Box& box) const {
-        Box result;
-        for (int corner = 0; corner < 8; ++corner)
-            result.add(pair_.motion.apply({corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
-                                           corner & 4 ? box.high.z : box.low.z}));
-        return result;
+        return pair_.domain->overlaps(is_new ? box.grown(tolerance()) : moved(box, pair_.motion).grown(tolerance()));
     }
 
     void match_vertices() {
@@ -201,12 +201,16 @@ class Matcher {
             return same_carrier(surface_of(a), surface_of(b), pair_.sameness) && material_of(a, a) == material_of(b, a);
         });
         match_.groups.resize(std::size_t(count));
-        leader_.resize(std::size_t(count), nullptr);
+        std::vector<const Keyed*> leader(std::size_t(count), nullptr);
         match_.group_of_old_face.assign(old_faces.size(), -1);
         match_.group_of_new_face.assign(new_faces.size(), -1);
+        match_.old_normal_as_group.assign(old_faces.size(), 0);
+        match_.new_normal_as_group.assign(new_faces.size(), 0);
         for (std::size_t i = 0; i < items.size(); ++i) {
             CarrierGroup& g = match_.groups[std::size_t(group[i])];
-            if (!leader_[std::size_t(group[i])]) leader_[std::size_t(group[i])] = &surface_of(items[i]);
+            if (!leader[std::size_t(group[i])]) leader[std::size_t(group[i])] = &items[i];
+            (items[i].is_new ? match_.new_normal_as_group : match_.old_normal_as_group)[items[i].index] =
+                normal_as_leader(items[i], *leader[std::size_t(group[i])]);
             (items[i].is_new ? match_.group_of_new_face : match_.group_of_old_face)[items[i].index] = group[i];
             (items[i].is_new ? g.new_faces : g.old_faces).push_back(FaceId(items[i].index));
             g.in_domain = g.in_domain || in_domain(face_of(items[i]).box, items[i].is_new);
@@ -224,11 +228,14 @@ class Matcher {
         return item.is_new ? pair_.new_model.faces()[item.index].carrier : old_surfaces_[item.index];
     }
 
+    bool normal_as_leader(const Keyed& item, const Keyed& leader) const {
+        return same_side(surface_of(item), surface_of(leader)) == face_of(item).normal_is_outward;
+    }
+
     // Material on the outward and on the inward side, as the leader counts outward.
     std::array<bool, 2> material_of(const Keyed& item, const Keyed& leader) const {
         const BoundaryFace& face = face_of(item);
-        const bool as_leader = same_side(surface_of(item), surface_of(leader)) == face.normal_is_outward;
-        return as_leader ? std::array{face.material_before, face.material_behind}
+        return normal_as_leader(item, leader) ? std::array{face.material_before, face.material_behind}
                          : std::array{face.material_behind, face.material_before};
     }
 
@@ -239,14 +246,13 @@ class Matcher {
         int old_mask, new_mask;
     };
 
-    void add_covers(FaceId id, bool is_new, const SurfaceCarrier& leader, std::vector<Cover>& covers) const {
+    void add_covers(FaceId id, bool is_new, std::vector<Cover>& covers) const {
         const BoundaryFace& face = (is_new ? pair_.new_model : pair_.old_model).faces()[id.index()];
-        const SurfaceCarrier& own = is_new ? face.carrier : old_surfaces_[id.index()];
-        const bool normal_as_leader = same_side(own, leader) == face.normal_is_outward;
+        const bool as_group = (is_new ? match_.new_normal_as_group : match_.old_normal_as_group)[id.index()] != 0;
         for (const EdgeUse& use : face.uses) {
             const Stretch& s = (is_new ? match_.new_edges : match_.old_edges)[use.edge.index()];
             if (s.curve < 0) continue;
-            const bool left = (use.forward == s.along) == normal_as_leader;
+            const bool left = (use.forward == s.along) == as_group;
             const int mask = use.both_sides ? 4 : left ? 1 : 2;
             add_unwrapped({s.curve, s.first, s.last, is_new ? 0 : mask, is_new ? mask : 0}, covers);
         }
@@ -271,10 +277,9 @@ class Matcher {
     }
 
     void find_changed_pieces(CarrierGroup& group) {
-        const SurfaceCarrier& leader = *leader_[std::size_t(&group - match_.groups.data())];
         std::vector<Cover> covers;
-        for (const FaceId f : group.old_faces) add_covers(f, false, leader, covers);
-        for (const FaceId f : group.new_faces) add_covers(f, true, leader, covers);
+        for (const FaceId f : group.old_faces) add_covers(f, false, covers);
+        for (const FaceId f : group.new_faces) add_covers(f, true, covers);
         std::stable_sort(covers.begin(), covers.end(), [](const Cover& a, const Cover& b) { return a.curve < b.curve; });
         for (std::size_t begin = 0, end; begin < covers.size(); begin = end) {
             for (end = begin; end < covers.size() && covers[end].curve == covers[begin].curve;) ++end;
@@ -343,7 +348,6 @@ class Matcher {
     BoundaryMatch match_;
     std::vector<CurveCarrier> old_curves_;
     std::vector<SurfaceCarrier> old_surfaces_;
-    std::vector<const SurfaceCarrier*> leader_;
 };
 }  // namespace
 

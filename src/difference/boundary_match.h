@@ -49,9 +49,13 @@ struct BoundaryMatch {
     std::vector<VertexId> new_vertex_of;              ///< by old VertexId
     std::vector<CarrierGroup> groups;
     std::vector<int> group_of_old_face, group_of_new_face;
+    std::vector<char> old_normal_as_group, new_normal_as_group;   ///< by FaceId: the oriented normal is the one the group counts by
 };
 
 BoundaryMatch match_boundaries(const BoundaryPair& pair);
+
+/// A box that holds the moved box.
+Box moved(const Box& box, const RigidMotion& motion);
 
 /// 2 pi for circles and ellipses, 0 for curves that do not come round.
 double period_of(const CurveCarrier& curve);

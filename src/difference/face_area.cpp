@@ -4,6 +4,7 @@
 #include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <Geom2d_Conic.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
@@ -38,7 +39,8 @@ double along_trace(const SurfaceCarrier& c, Handle(Geom2d_Curve) trace, double f
     constexpr double x[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
     constexpr double w[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
     if (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(trace); !trimmed.IsNull()) trace = trimmed->BasisCurve();
-    const int parts = trace->IsKind(STANDARD_TYPE(Geom2d_Line)) ? 1 : 12;
+    const bool is_line = trace->IsKind(STANDARD_TYPE(Geom2d_Line)), is_conic = trace->IsKind(STANDARD_TYPE(Geom2d_Conic));
+    const int parts = is_line ? 1 : is_conic ? std::max(1, int(std::ceil((last - first) / 1.6))) : 12;
     const double half = 0.5 * (last - first) / parts;
     double sum = 0;
     for (int i = 0; i < parts; ++i)

@@ -87,32 +87,25 @@ class PartnerFinder {
 
     std::vector<Border> border(FaceId id, bool is_new) const {
         const BoundaryFace& face = (is_new ? pair_.new_model : pair_.old_model).faces()[id.index()];
+        const bool as_group = (is_new ? match_.new_normal_as_group : match_.old_normal_as_group)[id.index()] != 0;
         std::vector<Border> result;
         for (const EdgeUse& use : face.uses) {
             const Stretch& s = (is_new ? match_.new_edges : match_.old_edges)[use.edge.index()];
-            result.push_back({s.curve, (use.forward == s.along) == left_sense(id, is_new), s.first, s.last});
+            result.push_back({s.curve, (use.forward == s.along) == as_group, s.first, s.last});
         }
         std::sort(result.begin(), result.end());
         return result;
     }
 
-    // The faces of one group have one outward side; on a plane it is the first face's.
-    bool left_sense(FaceId id, bool is_new) const {
-        const BoundaryFace& face = (is_new ? pair_.new_model : pair_.old_model).faces()[id.index()];
-        if (face.carrier.kind != SurfaceKind::plane) return face.normal_is_outward;
-        const int group = (is_new ? match_.group_of_new_face : match_.group_of_old_face)[id.index()];
-        const CarrierGroup& g = match_.groups[std::size_t(group)];
-        const SurfaceCarrier leader = g.old_faces.empty() ? pair_.new_model.faces()[g.new_faces[0].index()].carrier : moved_carrier(g.old_faces[0]);
-        const SurfaceCarrier own = is_new ? face.carrier : moved_carrier(id);
-        return same_side(own, leader) == face.normal_is_outward;
-    }
-
-    SurfaceCarrier moved_carrier(FaceId old_face) const {
-        return moved(pair_.old_model.faces()[old_face.index()].carrier, to_trsf(pair_.motion));
+    bool boxes_meet(FaceId old_face, FaceId new_face) const {
+        const Box was = moved(pair_.old_model.faces()[old_face.index()].box, pair_.motion).grown(pair_.sameness.length);
+        const Box& is = pair_.new_model.faces()[new_face.index()].box;
+        return was.overlaps(is) && (!pair_.domain || (pair_.domain->overlaps(was) && pair_.domain->overlaps(is)));
     }
 
     /// Border that both have on the same side, mm; a little when one has a vertex inside the other; 0 when they seem to be apart.
     double overlap(FaceId old_face, FaceId new_face) const {
+        if (!boxes_meet(old_face, new_face)) return 0;
         const std::vector<Border> was = border(old_face, false), is = border(new_face, true);
         double share = 0;
         for (const Border& a : was)
@@ -120,6 +113,8 @@ class PartnerFinder {
                  a.curve >= 0 && b != is.end() && b->curve == a.curve && b->left == a.left; ++b)
                 share += length_of(a.curve, overlap(Stretch{a.curve, a.first, a.last}, Stretch{b->curve, b->first, b->last}));
         if (share > 0) return share;
+        // Under a motion few such faces are worth the question, and whoever carries a node asks the trim.
+        if (!pair_.motion.is_identity()) return 1e-9;
         return reaches_into(new_face, true, old_face) || reaches_into(old_face, false, new_face) ? 1e-9 : 0;
     }
 

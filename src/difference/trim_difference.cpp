@@ -28,6 +28,7 @@ class TrimRaster {
     void run() {
         const bool known = take_borders();
         root_ = root_box();
+        if (chart_.carrier().kind == SurfaceKind::plane && !clip_root_to_domain()) return;
         chart_.scale_for(root_);
         step_ = chart_.step_for_sag(resolution_ / 8);
         if (!known) return emit(root_);
@@ -73,7 +74,7 @@ class TrimRaster {
         }
         leaf_ = std::max(leaf_, 2 * total / most_border_cells);
         for (const ChangedPiece& piece : group_.pieces)
-            if (!take_piece(piece)) return false;
+            if (!is_far_loop(piece) && !take_piece(piece)) return false;
         for (const Vec3& p : group_.points) {
             const auto uv = chart_.parameters(p, std::nullopt);
             if (!uv) return false;
@@ -137,6 +138,40 @@ class TrimRaster {
             if (const double least = 0.25 * leaf_ / chart_.scale()[k]; box.size(k) < least)
                 box.low[k] -= least / 2, box.high[k] += least / 2;
         return box;
+    }
+
+    /// The domain seen along the plane's normal.
+    UvBox domain_in_plane() const {
+        UvBox box;
+        for (int corner = 0; corner < 8; ++corner)
+            box.add(parameters_of(chart_.carrier(), {corner & 1 ? pair_.domain->high.x : pair_.domain->low.x,
+                                                     corner & 2 ? pair_.domain->high.y : pair_.domain->low.y,
+                                                     corner & 4 ? pair_.domain->high.z : pair_.domain->low.z}));
+        return box;
+    }
+
+    /// False when nothing is left.
+    bool clip_root_to_domain() {
+        if (!pair_.domain) return true;
+        const UvBox domain = domain_in_plane();
+        for (int k = 0; k < 2; ++k) {
+            root_.low[k] = std::max(root_.low[k], domain.low[k]), root_.high[k] = std::min(root_.high[k], domain.high[k]);
+            if (root_.size(k) <= 0) return false;
+        }
+        return true;
+    }
+
+    /// A whole circle in a plane that does not come near the domain: every point there is outside it.
+    bool is_far_loop(const ChangedPiece& piece) const {
+        const CurveCarrier& curve = match_.curves[std::size_t(piece.curve)];
+        if (!pair_.domain || chart_.carrier().kind != SurfaceKind::plane || curve.kind != CurveKind::circle ||
+            piece.last - piece.first < period_of(curve) - 1e-9)
+            return false;
+        const Uv centre = parameters_of(chart_.carrier(), to_vec3(curve.position.Location()));
+        const UvBox domain = domain_in_plane();
+        const double reach = curve.radius + leaf_;
+        return centre[0] + reach < domain.low[0] || centre[0] - reach > domain.high[0] || centre[1] + reach < domain.low[1] ||
+               centre[1] - reach > domain.high[1];
     }
 
     // Where no border is over a whole arc, a line along the axis there meets no border: it is outside the difference.
