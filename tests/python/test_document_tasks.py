@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The launcher's commands from end to end, and everything a user can get wrong: one message, no file touched."""
+import json
+import os
+import shutil
+import tempfile
+import unittest
+
+import FreeCAD
+import Part
+from freecad.featuremesh import api, cli, documents
+from parts import new_document, plate_with_hole
+
+
+class Tasks(unittest.TestCase):
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.part = self.path("part.FCStd")
+        self.document = new_document()
+        plate_with_hole(self.document)
+        documents.save_document(self.document, self.part)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def run_task(self, **task):
+        """Every task starts from what is on disk, as in a process of its own."""
+        for name in list(FreeCAD.listDocuments()):
+            FreeCAD.closeDocument(name)
+        return cli.run(task)
+
+    def done(self, **task):
+        result = self.run_task(**task)
+        self.assertEqual(result["exit_code"], 0, result["message"])
+        return result
+
+    def refused(self, message, **task):
+        """Exit code 2, one line, and no file written or changed."""
+        before = self.files()
+        result = self.run_task(**task)
+        self.assertEqual(result["exit_code"], 2, result["message"])
+        self.assertRegex(result["message"], message)
+        self.assertNotIn("\n", result["message"])
+        self.assertEqual(self.files(), before)
+
+    def files(self):
+        contents = {}
+        for name in os.listdir(self.folder):
+            with open(self.path(name), "rb") as stream:
+                contents[name] = stream.read()
+        return contents
+
+    def mesh(self, **options):
+        return self.done(command="mesh", part=self.part, size=4.0, **options)
+
+    def save(self, *shapes):
+        """A document with these shapes as Part features."""
+        document = new_document()
+        for index, shape in enumerate(shapes, 1):
+            document.addObject("Part::Feature", "Shape%d" % index).Shape = shape
+        path = self.path("shapes.FCStd")
+        documents.save_document(document, path)
+        return path
+
+    # What works
+
+    def test_mesh_then_update(self):
+        self.mesh(json=self.path("first.json"))
+        result = self.done(command="update", part=self.part, set=["HoleSketch.X=23"], json=self.path("second.json"))
+        with open(self.path("second.json"), encoding="utf-8") as stream:
+            report = json.load(stream)
+        self.assertEqual(report, json.loads(json.dumps(result["data"])))
+        for key in ("nodes", "tets", "order", "size", "seconds", "peak_memory_mb", "quality", "kept", "difference", "fallback"):
+            self.assertIn(key, report)
+        for step in ("read", "cells", "difference", "keep", "surface", "volume", "optimise", "validate", "engine_total",
+                     "hand_over", "recompute"):
+            self.assertIn(step, report["seconds"])
+        self.assertIsNone(report["fallback"])
+        self.assertGreater(report["kept"]["nodes_share"], 0.3)
+        opened = documents.open_document(self.part)
+        self.assertEqual(opened.getObject("FeatureMesh").TetCount, report["tets"])
+        self.assertAlmostEqual(opened.getObject("HoleSketch").getDatum("X").Value, 23)
+
+    def test_update_of_several_parameters_into_another_file(self):
+        self.mesh()
+        before = self.files()["part.FCStd"]
+        self.done(command="update", part=self.part, out=self.path("out.FCStd"),
+                  set=["HoleSketch.X=24", "HoleSketch.Radius=5", "Plate.Length=12"])
+        self.assertEqual(self.files()["part.FCStd"], before)
+        opened = documents.open_document(self.path("out.FCStd"))
+        self.assertAlmostEqual(opened.getObject("Body").Shape.Volume, 12 * (2400 - 25 * 3.14159265358979), 6)
+
+    def test_full_mesh_of_the_edited_part(self):
+        self.mesh()
+        report = self.done(command="update", part=self.part, set=["HoleSketch.X=24"], full=True)["data"]
+        self.assertEqual(report["kept"]["nodes_share"], 0)
+        self.assertIn("--full", report["fallback"])
+
+    def test_mesh_twice_gives_one_mesh(self):
+        self.mesh()
+        self.mesh()
+        self.assertEqual(len(api.meshes_of(documents.open_document(self.part))), 1)
+
+    def test_tree_and_diff(self):
+        tree = self.done(command="tree", part=self.part)
+        self.assertEqual({feature["name"]: feature["role"] for feature in tree["data"]["features"]}["Hole"], "subtractive")
+        self.assertIn("Hole", tree["message"])
+        self.mesh()
+        self.done(command="update", part=self.part, out=self.path("new.FCStd"), set=["HoleSketch.X=24"])
+        diff = self.done(command="diff", old=self.part, new=self.path("new.FCStd"))
+        verdicts = {feature["name"]: feature["verdict"] for feature in diff["data"]["features"]}
+        self.assertEqual(verdicts["Hole"], "moved")
+        self.assertIn(verdicts["Plate"], ("same", "interaction changed"))  # the hole trims it elsewhere
+        json.dumps(diff["data"])
+
+    def test_export(self):
+        self.mesh()
+        for name in ("vtu", "inp", "unv", "med"):
+            self.done(command="export", part=self.part, format=name, out=self.path("mesh." + name))
+            self.assertGreater(os.path.getsize(self.path("mesh." + name)), 10000)
+
+    # What does not
+
+    def test_files_that_are_no_documents(self):
+        with open(self.path("text.FCStd"), "w", encoding="utf-8") as stream:
+            stream.write("hello")
+        self.refused("not a FreeCAD document", command="mesh", part=self.path("text.FCStd"))
+        self.refused("no file", command="update", part=self.path("none.FCStd"))
+
+    def test_document_without_a_solid(self):
+        path = self.save(Part.makePlane(3, 4))
+        self.refused("no solid", command="mesh", part=path)
+
+    def test_several_solids(self):
+        path = self.save(Part.makeBox(1, 1, 1), Part.makeSphere(2))
+        self.refused("Shape1, Shape2", command="mesh", part=path)
+        self.done(command="mesh", part=path, object="Shape2")
+
+    def test_open_shell(self):
+        path = self.save(Part.Solid(Part.Shell(Part.makeBox(1, 2, 3).Faces[:5])))
+        self.refused("open|closed", command="mesh", part=path)
+
+    def test_sizes_that_make_no_sense(self):
+        for size, message in ((0.0, "greater than 0"), (-2.0, "greater than 0"), (500.0, "larger than the part"),
+                              (1e-3, "million|tets")):
+            self.refused(message, command="mesh", part=self.part, size=size)
+
+    def test_update_without_a_mesh(self):
+        self.refused("has no mesh", command="update", part=self.part, set=["Plate.Length=12"])
+
+    def test_unknown_names(self):
+        self.mesh()
+        self.refused("did you mean Plate", command="update", part=self.part, set=["Plat.Length=12"])
+        self.refused("did you mean Length", command="update", part=self.part, set=["Plate.Lengt=12"])
+        self.refused("OBJECT.PROPERTY=VALUE", command="update", part=self.part, set=["Plate"])
+        self.refused("no object Nothing", command="mesh", part=self.part, object="Nothing")
+
+    def test_edit_that_cannot_be_recomputed(self):
+        self.mesh()
+        self.refused("cannot recompute Plate: .+", command="update", part=self.part, set=["Plate.Length=0"])
+
+    def test_edit_that_leaves_nothing(self):
+        self.mesh()
+        self.refused("Hole", command="update", part=self.part, set=["HoleSketch.Radius=100"])
+
+    def test_unwritable_output(self):
+        self.refused("cannot write", command="mesh", part=self.part, size=4.0, out=self.path("none/out.FCStd"))
+
+    def test_export_without_a_mesh_and_unknown_format(self):
+        self.refused("has no mesh", command="export", part=self.part, format="vtu", out=self.path("mesh.vtu"))
+        self.mesh()
+        self.refused("vtu, inp, unv, med", command="export", part=self.part, format="stl", out=self.path("mesh.stl"))
