@@ -7,181 +7,172 @@
 
 namespace featuremesh {
 
-bool find_ring(const TetComplex &complex, int tet, int from_corner,
-               int to_corner, EdgeRing &ring) {
-  const Tet &start = complex.tets[tet];
-  ring.from = start[from_corner];
-  ring.to = start[to_corner];
-  ring.size = 0;
-  int leave = opposite_edge[from_corner][to_corner][0],
-      ahead = opposite_edge[from_corner][to_corner][1];
-  int current = tet;
-  do {
-    if (ring.size == EdgeRing::max_size)
-      return false;
-    ring.vertices[ring.size] = complex.tets[current][leave];
-    ring.tets[ring.size++] = current;
-    const int hinge = complex.tets[current][ahead];
-    const int next = complex.neighbours[current][leave];
-    if (next < 0)
-      return false;
-    const Tet &corners = complex.tets[next];
-    leave = corner_of(corners, hinge);
-    ahead =
-        6 - leave - corner_of(corners, ring.from) - corner_of(corners, ring.to);
-    current = next;
-  } while (current != tet);
-  return ring.size >= 3;
+bool find_ring(const TetComplex& complex, int tet, int from_corner, int to_corner, EdgeRing& ring) {
+    const Tet& start = complex.tets[tet];
+    ring.from = start[from_corner];
+    ring.to = start[to_corner];
+    ring.size = 0;
+    int leave = opposite_edge[from_corner][to_corner][0], ahead = opposite_edge[from_corner][to_corner][1];
+    int current = tet;
+    do {
+        if (ring.size == EdgeRing::max_size) return false;
+        ring.vertices[ring.size] = complex.tets[current][leave];
+        ring.tets[ring.size++] = current;
+        const int hinge = complex.tets[current][ahead];
+        const int next = complex.neighbours[current][leave];
+        if (next < 0) return false;
+        const Tet& corners = complex.tets[next];
+        leave = corner_of(corners, hinge);
+        ahead = 6 - leave - corner_of(corners, ring.from) - corner_of(corners, ring.to);
+        current = next;
+    } while (current != tet);
+    return ring.size >= 3;
 }
 
-CavityEditor::CavityEditor(TetComplex &complex)
-    : complex_(complex), marks_(complex.tets.size(), 0) {
-  for (std::size_t t = complex.tets.size(); t-- > 0;)
-    if (complex.tets[t][0] < 0)
-      free_slots_.push_back(static_cast<int>(t));
+namespace {
+
+/// The tets met so far, for the usual star of two dozen: a mark per tet of the complex would be out of the cache and
+/// not for several threads.
+class SmallTetSet {
+  public:
+    SmallTetSet() { places_.fill(-1); }
+    /// False where it was there before. Holds at most `capacity`.
+    bool insert(int tet) {
+        std::size_t at = static_cast<std::uint32_t>(tet) * 0x9E3779B1u >> 25;
+        while (places_[at] >= 0 && places_[at] != tet) at = (at + 1) % places_.size();
+        if (places_[at] == tet) return false;
+        places_[at] = tet;
+        return true;
+    }
+    static constexpr std::size_t capacity = 96;
+
+  private:
+    std::array<int, 128> places_;
+};
+
+}  // namespace
+
+bool gather_star(const TetComplex& complex, int vertex, std::vector<int>& star) {
+    star.clear();
+    if (complex.tet_of_vertex[vertex] < 0) return false;
+    SmallTetSet met;
+    const auto is_new = [&](int tet) {
+        if (star.size() < SmallTetSet::capacity) return met.insert(tet);
+        return std::find(star.begin(), star.end(), tet) == star.end();
+    };
+    star.push_back(complex.tet_of_vertex[vertex]);
+    met.insert(star[0]);
+    for (std::size_t i = 0; i < star.size(); ++i) {
+        const auto& next = complex.neighbours[star[i]];
+        const int own = corner_of(complex.tets[star[i]], vertex);
+        for (int face = 0; face < 4; ++face) {
+            if (face == own) continue;
+            if (next[face] < 0) return false;
+            if (is_new(next[face])) star.push_back(next[face]);
+        }
+    }
+    return true;
+}
+
+CavityEditor::CavityEditor(TetComplex& complex) : complex_(complex), marks_(complex.tets.size(), 0) {
+    for (std::size_t t = complex.tets.size(); t-- > 0;)
+        if (complex.tets[t][0] < 0) free_slots_.push_back(static_cast<int>(t));
 }
 
 void CavityEditor::begin_marks() {
-  if (++stamp_ != 0)
-    return;
-  std::fill(marks_.begin(), marks_.end(), 0);
-  stamp_ = 1;
+    if (++stamp_ != 0) return;
+    std::fill(marks_.begin(), marks_.end(), 0);
+    stamp_ = 1;
 }
 
-std::span<const int> CavityEditor::star(int vertex) {
-  star_.clear();
-  const int first = complex_.tet_of_vertex[vertex];
-  if (first < 0)
-    return {};
-  begin_marks();
-  star_.push_back(first);
-  mark(first);
-  for (std::size_t i = 0; i < star_.size(); ++i) {
-    const int tet = star_[i];
-    const auto &next = complex_.neighbours[tet];
-    const int own = corner_of(complex_.tets[tet], vertex);
-    for (int face = 0; face < 4; ++face) {
-      if (face == own)
-        continue;
-      if (next[face] < 0)
-        return {};
-      if (is_marked(next[face]))
-        continue;
-      mark(next[face]);
-      star_.push_back(next[face]);
-    }
-  }
-  return star_;
-}
-
-int CavityEditor::add_vertex(const Vec3 &point) {
-  complex_.points.push_back(point);
-  complex_.is_fixed.push_back(0);
-  complex_.tet_of_vertex.push_back(-1);
-  return static_cast<int>(complex_.points.size()) - 1;
+int CavityEditor::add_vertex(const Vec3& point) {
+    complex_.points.push_back(point);
+    complex_.is_fixed.push_back(0);
+    complex_.tet_of_vertex.push_back(-1);
+    return static_cast<int>(complex_.points.size()) - 1;
 }
 
 void CavityEditor::begin_table(std::size_t faces) {
-  if (table_.size() < 2 * faces)
-    table_.assign(std::bit_ceil(2 * faces), {});
-  if (++table_stamp_ != 0)
-    return;
-  for (OpenFace &open : table_)
-    open.stamp = 0;
-  table_stamp_ = 1;
+    if (table_.size() < 2 * faces) table_.assign(std::bit_ceil(2 * faces), {});
+    if (++table_stamp_ != 0) return;
+    for (OpenFace& open : table_) open.stamp = 0;
+    table_stamp_ = 1;
 }
 
-CavityEditor::OpenFace &CavityEditor::slot_of(const std::array<int, 3> &key) {
-  const std::uint32_t hash = static_cast<std::uint32_t>(key[0]) * 0x9E3779B1u ^
-                             static_cast<std::uint32_t>(key[1]) * 0x85EBCA77u ^
-                             static_cast<std::uint32_t>(key[2]) * 0xC2B2AE3Du;
-  const std::size_t last = table_.size() - 1;
-  std::size_t at = (hash ^ hash >> 15) & last;
-  while (table_[at].stamp == table_stamp_ && table_[at].key != key)
-    at = (at + 1) & last;
-  return table_[at];
+CavityEditor::OpenFace& CavityEditor::slot_of(const std::array<int, 3>& key) {
+    const std::uint32_t hash = static_cast<std::uint32_t>(key[0]) * 0x9E3779B1u ^
+                               static_cast<std::uint32_t>(key[1]) * 0x85EBCA77u ^
+                               static_cast<std::uint32_t>(key[2]) * 0xC2B2AE3Du;
+    const std::size_t last = table_.size() - 1;
+    std::size_t at = (hash ^ hash >> 15) & last;
+    while (table_[at].stamp == table_stamp_ && table_[at].key != key) at = (at + 1) & last;
+    return table_[at];
 }
 
 void CavityEditor::file_outside(std::span<const int> removed) {
-  begin_marks();
-  for (int tet : removed)
-    mark(tet);
-  for (int tet : removed) {
-    for (int face = 0; face < 4; ++face) {
-      const int next = complex_.neighbours[tet][face];
-      if (next >= 0 && is_marked(next))
-        continue;
-      const auto key = sorted_face(complex_.tets[tet], face);
-      slot_of(key) = {key, next,
-                      next < 0 ? 0
-                               : face_towards(complex_.neighbours[next], tet),
-                      table_stamp_};
+    begin_marks();
+    for (int tet : removed) mark(tet);
+    for (int tet : removed) {
+        for (int face = 0; face < 4; ++face) {
+            const int next = complex_.neighbours[tet][face];
+            if (next >= 0 && is_marked(next)) continue;
+            const auto key = sorted_face(complex_.tets[tet], face);
+            slot_of(key) = {key, next, next < 0 ? 0 : face_towards(complex_.neighbours[next], tet), table_stamp_};
+        }
     }
-  }
 }
 
 void CavityEditor::clear(std::span<const int> removed) {
-  for (int tet : removed) {
-    for (int v : complex_.tets[tet])
-      complex_.tet_of_vertex[v] = -1;
-    complex_.tets[tet] = {-1, -1, -1, -1};
-    complex_.neighbours[tet] = {-1, -1, -1, -1};
-  }
+    for (int tet : removed) {
+        for (int v : complex_.tets[tet]) complex_.tet_of_vertex[v] = -1;
+        complex_.tets[tet] = {-1, -1, -1, -1};
+        complex_.neighbours[tet] = {-1, -1, -1, -1};
+    }
 }
 
 void CavityEditor::take_slots(std::span<const int> removed, std::size_t count) {
-  added_.assign(removed.begin(),
-                removed.begin() + static_cast<std::ptrdiff_t>(
-                                      std::min(removed.size(), count)));
-  for (std::size_t i = count; i < removed.size(); ++i)
-    free_slots_.push_back(removed[i]);
-  while (added_.size() < count) {
-    if (!free_slots_.empty()) {
-      added_.push_back(free_slots_.back());
-      free_slots_.pop_back();
-      continue;
+    added_.assign(removed.begin(), removed.begin() + static_cast<std::ptrdiff_t>(std::min(removed.size(), count)));
+    for (std::size_t i = count; i < removed.size(); ++i) free_slots_.push_back(removed[i]);
+    while (added_.size() < count) {
+        if (!free_slots_.empty()) {
+            added_.push_back(free_slots_.back());
+            free_slots_.pop_back();
+            continue;
+        }
+        added_.push_back(static_cast<int>(complex_.tets.size()));
+        complex_.tets.push_back({-1, -1, -1, -1});
+        complex_.neighbours.push_back({-1, -1, -1, -1});
+        if (!complex_.regions.empty()) complex_.regions.push_back(-1);
+        marks_.push_back(0);
     }
-    added_.push_back(static_cast<int>(complex_.tets.size()));
-    complex_.tets.push_back({-1, -1, -1, -1});
-    complex_.neighbours.push_back({-1, -1, -1, -1});
-    if (!complex_.regions.empty())
-      complex_.regions.push_back(-1);
-    marks_.push_back(0);
-  }
 }
 
 void CavityEditor::link(int tet, int face) {
-  const auto key = sorted_face(complex_.tets[tet], face);
-  OpenFace &open = slot_of(key);
-  if (open.stamp != table_stamp_) {
-    open = {key, tet, face, table_stamp_};
-    return;
-  }
-  complex_.neighbours[tet][face] = open.tet;
-  if (open.tet >= 0)
-    complex_.neighbours[open.tet][open.face] = tet;
+    const auto key = sorted_face(complex_.tets[tet], face);
+    OpenFace& open = slot_of(key);
+    if (open.stamp != table_stamp_) {
+        open = {key, tet, face, table_stamp_};
+        return;
+    }
+    complex_.neighbours[tet][face] = open.tet;
+    if (open.tet >= 0) complex_.neighbours[open.tet][open.face] = tet;
 }
 
-std::span<const int> CavityEditor::replace(std::span<const int> removed,
-                                           std::span<const Tet> added) {
-  assert(!removed.empty());
-  begin_table(4 * (removed.size() + added.size()));
-  file_outside(removed);
-  const int region =
-      complex_.regions.empty() ? -1 : complex_.regions[removed[0]];
-  clear(removed);
-  take_slots(removed, added.size());
-  for (std::size_t i = 0; i < added.size(); ++i) {
-    complex_.tets[added_[i]] = added[i];
-    if (!complex_.regions.empty())
-      complex_.regions[added_[i]] = region;
-    for (int v : added[i])
-      complex_.tet_of_vertex[v] = added_[i];
-  }
-  for (int tet : added_)
-    for (int face = 0; face < 4; ++face)
-      link(tet, face);
-  return added_;
+std::span<const int> CavityEditor::replace(std::span<const int> removed, std::span<const Tet> added) {
+    assert(!removed.empty());
+    begin_table(4 * (removed.size() + added.size()));
+    file_outside(removed);
+    const int region = complex_.regions.empty() ? -1 : complex_.regions[removed[0]];
+    clear(removed);
+    take_slots(removed, added.size());
+    for (std::size_t i = 0; i < added.size(); ++i) {
+        complex_.tets[added_[i]] = added[i];
+        if (!complex_.regions.empty()) complex_.regions[added_[i]] = region;
+        for (int v : added[i]) complex_.tet_of_vertex[v] = added_[i];
+    }
+    for (int tet : added_)
+        for (int face = 0; face < 4; ++face) link(tet, face);
+    return added_;
 }
 
-} // namespace featuremesh
+}  // namespace featuremesh

@@ -10,127 +10,109 @@ namespace featuremesh {
 
 namespace {
 constexpr std::size_t most_tets = 48;
-} // namespace
+}  // namespace
 
 void ConeCavity::reset(std::span<const int> start) {
-  tets_.clear();
-  faces_.clear();
-  worst_before_ = 0;
-  editor_.begin_marks();
-  for (int tet : start)
-    add(tet);
+    tets_.clear();
+    faces_.clear();
+    worst_before_ = 0;
+    editor_.begin_marks();
+    for (int tet : start) add(tet);
 }
 
 void ConeCavity::add(int tet) {
-  tets_.push_back(tet);
-  editor_.mark(tet);
-  worst_before_ = std::max(worst_before_,
-                           worst_flatness(editor_.complex(), std::array{tet}));
-  for (int face = 0; face < 4; ++face) {
-    const int next = editor_.complex().neighbours[tet][face];
-    if (next >= 0 && editor_.is_marked(next))
-      remove_face(next, face_towards(editor_.complex().neighbours[next], tet));
-    else
-      add_face(tet, face);
-  }
+    tets_.push_back(tet);
+    editor_.mark(tet);
+    worst_before_ = std::max(worst_before_, worst_flatness(editor_.complex(), std::array{tet}));
+    for (int face = 0; face < 4; ++face) {
+        const int next = editor_.complex().neighbours[tet][face];
+        if (next >= 0 && editor_.is_marked(next))
+            remove_face(next, face_towards(editor_.complex().neighbours[next], tet));
+        else
+            add_face(tet, face);
+    }
 }
 
 void ConeCavity::add_face(int tet, int face) {
-  const auto &p = editor_.complex().points;
-  const Tet &v = editor_.complex().tets[tet];
-  const auto &corner = opposite_face[face];
-  const std::array<int, 3> f{v[corner[0]], v[corner[1]], v[corner[2]]};
-  const bool has_apex =
-      apex_ >= 0 && (f[0] == apex_ || f[1] == apex_ || f[2] == apex_);
-  // a triangle with the apex makes no cone, but is part of the outside
-  faces_.push_back(
-      {tet, face, f,
-       has_apex ? 0 : flatness(point_, p[f[0]], p[f[1]], p[f[2]])});
+    const auto& p = editor_.complex().points;
+    const Tet& v = editor_.complex().tets[tet];
+    const auto& corner = opposite_face[face];
+    const std::array<int, 3> f{v[corner[0]], v[corner[1]], v[corner[2]]};
+    const bool has_apex = apex_ >= 0 && (f[0] == apex_ || f[1] == apex_ || f[2] == apex_);
+    // a triangle with the apex makes no cone, but is part of the outside
+    faces_.push_back({tet, face, f, has_apex ? 0 : flatness(point_, p[f[0]], p[f[1]], p[f[2]])});
 }
 
 void ConeCavity::remove_face(int tet, int face) {
-  for (std::size_t i = 0; i < faces_.size(); ++i) {
-    if (faces_[i].tet != tet || faces_[i].face != face)
-      continue;
-    faces_[i] = faces_.back();
-    faces_.pop_back();
-    return;
-  }
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+        if (faces_[i].tet != tet || faces_[i].face != face) continue;
+        faces_[i] = faces_.back();
+        faces_.pop_back();
+        return;
+    }
 }
 
-const ConeCavity::Face *ConeCavity::worst_face() const {
-  return &*std::max_element(
-      faces_.begin(), faces_.end(), [](const Face &a, const Face &b) {
-        return a.value != b.value
-                   ? a.value < b.value
-                   : std::pair(a.tet, a.face) > std::pair(b.tet, b.face);
-      });
+const ConeCavity::Face* ConeCavity::worst_face() const {
+    return &*std::max_element(faces_.begin(), faces_.end(), [](const Face& a, const Face& b) {
+        return a.value != b.value ? a.value < b.value : std::pair(a.tet, a.face) > std::pair(b.tet, b.face);
+    });
 }
 
 bool ConeCavity::loses_fixed_vertex() const {
-  const TetComplex &complex = editor_.complex();
-  for (int tet : tets_)
-    for (int v : complex.tets[tet]) {
-      if (!complex.is_fixed[v] || v == apex_)
-        continue;
-      const bool is_outside =
-          std::any_of(faces_.begin(), faces_.end(), [&](const Face &f) {
-            return f.vertices[0] == v || f.vertices[1] == v ||
-                   f.vertices[2] == v;
-          });
-      if (!is_outside)
-        return true;
-    }
-  return false;
+    const TetComplex& complex = editor_.complex();
+    for (int tet : tets_)
+        for (int v : complex.tets[tet]) {
+            if (!complex.is_fixed[v] || v == apex_) continue;
+            const bool is_outside = std::any_of(faces_.begin(), faces_.end(), [&](const Face& f) {
+                return f.vertices[0] == v || f.vertices[1] == v || f.vertices[2] == v;
+            });
+            if (!is_outside) return true;
+        }
+    return false;
 }
 
-bool ConeCavity::grow(std::span<const int> start, int apex, const Vec3 &point) {
-  apex_ = apex;
-  point_ = point;
-  reset(start);
-  double best_gain = 0;
-  std::size_t best_count = 0;
-  while (tets_.size() < most_tets && !faces_.empty()) {
-    const Face *worst = worst_face();
-    const double gain = worst_before_ - worst->value;
-    if (gain > best_gain && !loses_fixed_vertex()) {
-      best_gain = gain;
-      best_count = tets_.size();
+bool ConeCavity::grow(std::span<const int> start, int apex, const Vec3& point) {
+    apex_ = apex;
+    point_ = point;
+    reset(start);
+    double best_gain = 0;
+    std::size_t best_count = 0;
+    while (tets_.size() < most_tets && !faces_.empty()) {
+        const Face* worst = worst_face();
+        const double gain = worst_before_ - worst->value;
+        if (gain > best_gain && !loses_fixed_vertex()) {
+            best_gain = gain;
+            best_count = tets_.size();
+        }
+        const int next = editor_.complex().neighbours[worst->tet][worst->face];
+        if (next < 0) break;
+        add(next);
     }
-    const int next = editor_.complex().neighbours[worst->tet][worst->face];
-    if (next < 0)
-      break;
-    add(next);
-  }
-  if (best_count == 0)
-    return false;
-  rebuild(best_count);
-  return true;
+    if (best_count == 0) return false;
+    rebuild(best_count);
+    return true;
 }
 
 void ConeCavity::rebuild(std::size_t count) {
-  order_.assign(tets_.begin(),
-                tets_.begin() + static_cast<std::ptrdiff_t>(count));
-  reset(order_);
-  worst_after_ = worst_face()->value;
+    order_.assign(tets_.begin(), tets_.begin() + static_cast<std::ptrdiff_t>(count));
+    reset(order_);
+    worst_after_ = worst_face()->value;
 }
 
 void ConeCavity::climb(double good_enough) {
-  const auto &p = editor_.complex().points;
-  shape_.clear();
-  for (const Face &f : faces_)
-    shape_.add(p[f.vertices[0]], p[f.vertices[1]], p[f.vertices[2]]);
-  worst_after_ = shape_.climb(point_, good_enough);
+    const auto& p = editor_.complex().points;
+    shape_.clear();
+    for (const Face& f : faces_) shape_.add(p[f.vertices[0]], p[f.vertices[1]], p[f.vertices[2]]);
+    worst_after_ = shape_.climb(point_, good_enough);
 }
 
 std::span<const Tet> ConeCavity::cones(int apex) {
-  cones_.clear();
-  for (const Face &f : faces_) {
-    const auto &v = f.vertices;
-    if (v[0] != apex && v[1] != apex && v[2] != apex)
-      cones_.push_back({apex, v[0], v[1], v[2]});
-  }
-  return cones_;
+    cones_.clear();
+    for (const Face& f : faces_) {
+        const auto& v = f.vertices;
+        if (v[0] != apex && v[1] != apex && v[2] != apex) cones_.push_back({apex, v[0], v[1], v[2]});
+    }
+    return cones_;
 }
 
-} // namespace featuremesh
+}  // namespace featuremesh

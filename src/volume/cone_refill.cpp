@@ -11,95 +11,77 @@ namespace {
 constexpr double least_gain_of_insertion = 0.05;
 /// For an insertion the cavity is grown and the point moved this often in turn.
 constexpr int insertion_rounds = 2;
-} // namespace
+}  // namespace
 
-const ConePlan *ConeRefill::plan(int tet) {
-  best_.flatness = inverted_flatness;
-  plan_from_corners(tet);
-  if (best_.flatness > target_)
-    plan_collapses(tet);
-  if (best_.flatness > target_)
-    plan_insertions(tet);
-  return best_.flatness < inverted_flatness ? &best_ : nullptr;
+const ConePlan* ConeRefill::plan(int tet) {
+    best_.flatness = inverted_flatness;
+    plan_from_corners(tet);
+    if (best_.flatness > target_) plan_collapses(tet);
+    if (best_.flatness > target_) plan_insertions(tet);
+    return best_.flatness < inverted_flatness ? &best_ : nullptr;
 }
 
 void ConeRefill::consider(double gain) {
-  if (cavity_.worst_after() >=
-      std::min(improved_flatness(cavity_.worst_before(), gain), best_.flatness))
-    return;
-  const int apex = cavity_.apex();
-  best_.flatness = cavity_.worst_after();
-  best_.is_insertion = apex < 0;
-  best_.point = cavity_.point();
-  best_.removed.assign(cavity_.removed().begin(), cavity_.removed().end());
-  const auto cones = cavity_.cones(
-      apex < 0 ? static_cast<int>(editor_.complex().points.size()) : apex);
-  best_.added.assign(cones.begin(), cones.end());
+    if (cavity_.worst_after() >= std::min(improved_flatness(cavity_.worst_before(), gain), best_.flatness)) return;
+    const int apex = cavity_.apex();
+    best_.flatness = cavity_.worst_after();
+    best_.is_insertion = apex < 0;
+    best_.point = cavity_.point();
+    best_.removed.assign(cavity_.removed().begin(), cavity_.removed().end());
+    const auto cones = cavity_.cones(apex < 0 ? static_cast<int>(editor_.complex().points.size()) : apex);
+    best_.added.assign(cones.begin(), cones.end());
 }
 
 void ConeRefill::plan_from_corners(int tet) {
-  const TetComplex &complex = editor_.complex();
-  for (int face = 0; face < 4; ++face) {
-    const int corner = complex.tets[tet][face];
-    if (cavity_.grow(std::array{tet}, corner, complex.points[corner]))
-      consider(least_gain);
-    const int next = complex.neighbours[tet][face];
-    if (next < 0)
-      continue;
-    const int apex =
-        complex.tets[next][face_towards(complex.neighbours[next], tet)];
-    if (cavity_.grow(std::array{tet, next}, apex, complex.points[apex]))
-      consider(least_gain);
-  }
+    const TetComplex& complex = editor_.complex();
+    for (int face = 0; face < 4; ++face) {
+        const int corner = complex.tets[tet][face];
+        if (cavity_.grow(std::array{tet}, corner, complex.points[corner])) consider(least_gain);
+        const int next = complex.neighbours[tet][face];
+        if (next < 0) continue;
+        const int apex = complex.tets[next][face_towards(complex.neighbours[next], tet)];
+        if (cavity_.grow(std::array{tet, next}, apex, complex.points[apex])) consider(least_gain);
+    }
 }
 
 void ConeRefill::plan_collapses(int tet) {
-  const TetComplex &complex = editor_.complex();
-  for (int v : complex.tets[tet]) {
-    if (complex.is_fixed[v])
-      continue;
-    const auto star = editor_.star(v);
-    star_.assign(star.begin(), star.end());
-    others_.clear();
-    for (int t : star_)
-      others_.insert(others_.end(), complex.tets[t].begin(),
-                     complex.tets[t].end());
-    std::sort(others_.begin(), others_.end());
-    others_.erase(std::unique(others_.begin(), others_.end()), others_.end());
-    for (int apex : others_)
-      if (apex != v && cavity_.grow(star_, apex, complex.points[apex]))
-        consider(least_gain);
-  }
+    const TetComplex& complex = editor_.complex();
+    for (int v : complex.tets[tet]) {
+        if (complex.is_fixed[v]) continue;
+        if (!gather_star(complex, v, star_)) continue;
+        others_.clear();
+        for (int t : star_) others_.insert(others_.end(), complex.tets[t].begin(), complex.tets[t].end());
+        std::sort(others_.begin(), others_.end());
+        others_.erase(std::unique(others_.begin(), others_.end()), others_.end());
+        for (int apex : others_)
+            if (apex != v && cavity_.grow(star_, apex, complex.points[apex])) consider(least_gain);
+    }
 }
 
 void ConeRefill::plan_insertions(int tet) {
-  const TetComplex &complex = editor_.complex();
-  const Tet &v = complex.tets[tet];
-  const auto &p = complex.points;
-  plan_insertion(std::array{tet}, (p[v[0]] + p[v[1]] + p[v[2]] + p[v[3]]) / 4);
-  for (const auto &[from, to] : edge_corners) {
-    EdgeRing ring;
-    if (find_ring(complex, tet, from, to, ring))
-      plan_insertion(ring.all_tets(), (p[ring.from] + p[ring.to]) / 2);
-  }
+    const TetComplex& complex = editor_.complex();
+    const Tet& v = complex.tets[tet];
+    const auto& p = complex.points;
+    plan_insertion(std::array{tet}, (p[v[0]] + p[v[1]] + p[v[2]] + p[v[3]]) / 4);
+    for (const auto& [from, to] : edge_corners) {
+        EdgeRing ring;
+        if (find_ring(complex, tet, from, to, ring)) plan_insertion(ring.all_tets(), (p[ring.from] + p[ring.to]) / 2);
+    }
 }
 
-void ConeRefill::plan_insertion(std::span<const int> start, const Vec3 &point) {
-  if (!cavity_.grow(start, -1, point))
-    return;
-  for (int round = 1; round < insertion_rounds; ++round) {
+void ConeRefill::plan_insertion(std::span<const int> start, const Vec3& point) {
+    if (!cavity_.grow(start, -1, point)) return;
+    for (int round = 1; round < insertion_rounds; ++round) {
+        cavity_.climb(target_);
+        consider_insertion();
+        if (!cavity_.grow(start, -1, cavity_.point())) return;
+    }
     cavity_.climb(target_);
     consider_insertion();
-    if (!cavity_.grow(start, -1, cavity_.point()))
-      return;
-  }
-  cavity_.climb(target_);
-  consider_insertion();
 }
 
 void ConeRefill::consider_insertion() {
-  if (cavity_.worst_after() <= target_ || cavity_.worst_before() > urgent_)
-    consider(least_gain_of_insertion);
+    if (cavity_.worst_after() <= target_ || cavity_.worst_before() > urgent_) consider(least_gain_of_insertion);
 }
 
-} // namespace featuremesh
+}  // namespace featuremesh

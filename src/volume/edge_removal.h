@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Removal of an edge: the best triangulation of its ring by dynamic programming
-// (Klincsek 1980; Shewchuk, "Two discrete optimization algorithms for the
-// topological improvement of tetrahedral meshes", 2002).
+// Removal of an edge: the best triangulation of its ring by dynamic programming (Klincsek 1980; Shewchuk, "Two discrete
+// optimization algorithms for the topological improvement of tetrahedral meshes", 2002).
 #pragma once
 
 #include <array>
@@ -13,83 +12,69 @@
 
 namespace featuremesh {
 
-/// A triangulation of an edge's ring: for each side (i, j) of the triangulation
-/// the third ring place.
+/// A triangulation of an edge's ring: for each side (i, j) of the triangulation the third ring place.
 struct RingTriangulation {
-  double cost = std::numeric_limits<double>::infinity();
-  std::array<std::array<signed char, EdgeRing::max_size>, EdgeRing::max_size>
-      apex{};
+    double cost = std::numeric_limits<double>::infinity();
+    std::array<std::array<signed char, EdgeRing::max_size>, EdgeRing::max_size> apex{};
 };
 
-/// Minimises Objective::combine over the costs of the size-2 triangles: all
-/// choices are covered in O(size^3). `cost(i, j, k)`, i < j < k, is that of a
-/// triangle of ring places; `limit` is the cost from which on a solution is of
-/// no use.
+/// Minimises Objective::combine over the costs of the size-2 triangles: all choices are covered in O(size^3). `cost(i,
+/// j, k)`, i < j < k, is that of a triangle of ring places; `limit` is the cost from which on a solution is of no use.
 template <class Objective, class Cost>
-RingTriangulation triangulate_ring(int size, double limit, const Cost &cost) {
-  RingTriangulation result;
-  std::array<std::array<double, EdgeRing::max_size>, EdgeRing::max_size> best;
-  for (int i = 0; i + 1 < size; ++i)
-    best[i][i + 1] = Objective::nothing;
-  for (int length = 2; length < size; ++length) {
-    for (int i = 0; i + length < size; ++i) {
-      const int j = i + length;
-      best[i][j] = std::numeric_limits<double>::infinity();
-      for (int k = i + 1; k < j; ++k) {
-        const double sides = Objective::combine(best[i][k], best[k][j]);
-        if (sides >= best[i][j] || sides >= limit)
-          continue;
-        const double whole = Objective::combine(sides, cost(i, k, j));
-        if (whole < best[i][j]) {
-          best[i][j] = whole;
-          result.apex[i][j] = static_cast<signed char>(k);
+RingTriangulation triangulate_ring(int size, double limit, const Cost& cost) {
+    RingTriangulation result;
+    std::array<std::array<double, EdgeRing::max_size>, EdgeRing::max_size> best;
+    for (int i = 0; i + 1 < size; ++i) best[i][i + 1] = Objective::nothing;
+    for (int length = 2; length < size; ++length) {
+        for (int i = 0; i + length < size; ++i) {
+            const int j = i + length;
+            best[i][j] = std::numeric_limits<double>::infinity();
+            for (int k = i + 1; k < j; ++k) {
+                const double sides = Objective::combine(best[i][k], best[k][j]);
+                if (sides >= best[i][j] || sides >= limit) continue;
+                const double whole = Objective::combine(sides, cost(i, k, j));
+                if (whole < best[i][j]) {
+                    best[i][j] = whole;
+                    result.apex[i][j] = static_cast<signed char>(k);
+                }
+            }
         }
-      }
     }
-  }
-  if (best[0][size - 1] < limit)
-    result.cost = best[0][size - 1];
-  return result;
+    if (best[0][size - 1] < limit) result.cost = best[0][size - 1];
+    return result;
 }
 
 /// The worst tet counts.
 struct WorstOf {
-  static constexpr double nothing = 0;
-  static double combine(double a, double b) { return a < b ? b : a; }
+    static constexpr double nothing = 0;
+    static double combine(double a, double b) { return a < b ? b : a; }
 };
 /// The sum counts.
 struct SumOf {
-  static constexpr double nothing = 0;
-  static double combine(double a, double b) { return a + b; }
+    static constexpr double nothing = 0;
+    static double combine(double a, double b) { return a + b; }
 };
 
 /// Calls visit(i, j, k) for every triangle.
 template <class Visit>
-void visit_triangles(const RingTriangulation &ring, int i, int j,
-                     const Visit &visit) {
-  if (j - i < 2)
-    return;
-  const int k = ring.apex[i][j];
-  visit(i, k, j);
-  visit_triangles(ring, i, k, visit);
-  visit_triangles(ring, k, j, visit);
+void visit_triangles(const RingTriangulation& ring, int i, int j, const Visit& visit) {
+    if (j - i < 2) return;
+    const int k = ring.apex[i][j];
+    visit(i, k, j);
+    visit_triangles(ring, i, k, visit);
+    visit_triangles(ring, k, j, visit);
 }
 
 /// The tets of a ring's triangulation, 2 (size - 2) of them.
-int tets_of_triangulation(const EdgeRing &ring,
-                          const RingTriangulation &triangulation,
-                          std::array<Tet, 2 * EdgeRing::max_size> &tets);
+int tets_of_triangulation(const EdgeRing& ring, const RingTriangulation& triangulation,
+                          std::array<Tet, 2 * EdgeRing::max_size>& tets);
 
 /// The triangulation whose worst tet is the least flat.
-RingTriangulation least_flat_triangulation(const TetComplex &complex,
-                                           const EdgeRing &ring, double limit);
-/// The triangulation with the lowest ODT energy; tets without volume are not
-/// allowed.
-RingTriangulation lowest_energy_triangulation(const TetComplex &complex,
-                                              const EdgeRing &ring,
-                                              double limit);
+RingTriangulation least_flat_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit);
+/// The triangulation with the lowest ODT energy; tets without volume are not allowed.
+RingTriangulation lowest_energy_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit);
 
 /// Flatness of the worst of some tets.
-double worst_flatness(const TetComplex &complex, std::span<const int> tets);
+double worst_flatness(const TetComplex& complex, std::span<const int> tets);
 
-} // namespace featuremesh
+}  // namespace featuremesh

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The connectivity that the local operations of `optimise` work on. No CGAL, no
-// CAD.
+// The connectivity that the local operations of `optimise` work on. No CGAL, no CAD.
 #pragma once
 
 #include <array>
@@ -12,32 +11,25 @@
 
 namespace featuremesh {
 
-/// Tets with neighbours, for local operations. Vertices are ints here: they
-/// count within one cavity.
+/// Tets with neighbours, for local operations. Vertices are ints here: they count within one cavity.
 struct TetComplex {
-  std::vector<Vec3> points;
-  std::vector<std::uint8_t>
-      is_fixed; ///< by vertex: boundary or kept, never moved
-  std::vector<std::array<int, 4>>
-      tets; ///< positive volume; tets[i][0] < 0 marks a removed one
-  std::vector<std::array<int, 4>>
-      neighbours; ///< neighbours[i][k] is opposite vertex k; -1 at the cavity's
-                  ///< boundary
-  std::vector<int> regions; ///< by tet: the solid; faces between regions are
-                            ///< never flipped away
-  std::vector<int>
-      tet_of_vertex; ///< any one live tet of the vertex; -1 for none
+    std::vector<Vec3> points;
+    std::vector<std::uint8_t> is_fixed;          ///< by vertex: boundary or kept, never moved
+    std::vector<std::array<int, 4>> tets;        ///< positive volume; tets[i][0] < 0 marks a removed one
+    std::vector<std::array<int, 4>> neighbours;  ///< neighbours[i][k] is opposite vertex k; -1 at the cavity's
+                                                 ///< boundary
+    std::vector<int> regions;                    ///< by tet: the solid; faces between regions are
+                                                 ///< never flipped away
+    std::vector<int> tet_of_vertex;              ///< any one live tet of the vertex; -1 for none
 };
 
-/// Finds neighbours and tet_of_vertex from points and tets. A triangle between
-/// two regions counts as boundary (-1 on both sides). Throws MeshError where a
-/// triangle has more than two tets.
-void connect(TetComplex &complex);
+/// Finds neighbours and tet_of_vertex from points and tets. A triangle between two regions counts as boundary (-1 on
+/// both sides). Throws MeshError where a triangle has more than two tets.
+void connect(TetComplex& complex);
 
-/// What is wrong with the complex, one line each (at most ten): neighbours that
-/// do not know each other or share other triangles, faces between regions that
-/// are linked, tets without positive volume, tet_of_vertex that points
-/// elsewhere. Empty when all is well.
-std::vector<std::string> find_flaws(const TetComplex &complex);
+/// What is wrong with the complex, one line each (at most ten): neighbours that do not know each other or share other
+/// triangles, faces between regions that are linked, tets without positive volume, tet_of_vertex that points elsewhere.
+/// Empty when all is well.
+std::vector<std::string> find_flaws(const TetComplex& complex);
 
-} // namespace featuremesh
+}  // namespace featuremesh

@@ -15,76 +15,66 @@ namespace {
 constexpr int direction_count = 24;
 
 /// Directions spread evenly over the sphere (Fibonacci lattice).
-const std::array<Vec3, direction_count> &directions() {
-  static const auto spread = [] {
-    std::array<Vec3, direction_count> made;
-    const double golden = 2.39996322972865332;
-    for (int i = 0; i < direction_count; ++i) {
-      const double z = 1 - (2 * i + 1.0) / direction_count,
-                   r = std::sqrt(1 - z * z);
-      made[i] = {r * std::cos(golden * i), r * std::sin(golden * i), z};
+const std::array<Vec3, direction_count>& directions() {
+    static const auto spread = [] {
+        std::array<Vec3, direction_count> made;
+        const double golden = 2.39996322972865332;
+        for (int i = 0; i < direction_count; ++i) {
+            const double z = 1 - (2 * i + 1.0) / direction_count, r = std::sqrt(1 - z * z);
+            made[i] = {r * std::cos(golden * i), r * std::sin(golden * i), z};
+        }
+        return made;
+    }();
+    return spread;
+}
+
+}  // namespace
+
+void StarShape::gather(const TetComplex& complex, std::span<const int> star, int vertex) {
+    faces_.clear();
+    for (int tet : star) {
+        const Tet& v = complex.tets[tet];
+        const auto& face = opposite_face[corner_of(v, vertex)];
+        add(complex.points[v[face[0]]], complex.points[v[face[1]]], complex.points[v[face[2]]]);
     }
-    return made;
-  }();
-  return spread;
 }
 
-} // namespace
-
-void StarShape::gather(const TetComplex &complex, std::span<const int> star,
-                       int vertex) {
-  faces_.clear();
-  for (int tet : star) {
-    const Tet &v = complex.tets[tet];
-    const auto &face = opposite_face[corner_of(v, vertex)];
-    add(complex.points[v[face[0]]], complex.points[v[face[1]]],
-        complex.points[v[face[2]]]);
-  }
-}
-
-double StarShape::worst(const Vec3 &point, double limit) const {
-  double result = 0;
-  for (std::size_t i = 0; i < faces_.size(); ++i) {
-    const auto &f = faces_[i];
-    const double value = flatness(point, f[0], f[1], f[2]);
-    if (value <= result)
-      continue;
-    result = value;
-    if (value < limit)
-      continue;
-    if (i > 0)
-      std::swap(faces_[i], faces_[0]);
-    return value;
-  }
-  return result;
-}
-
-double StarShape::mean_height(const Vec3 &point) const {
-  double sum = 0;
-  for (const auto &f : faces_)
-    sum += distance(point, f[0]);
-  return sum / static_cast<double>(std::max<std::size_t>(1, faces_.size()));
-}
-
-double StarShape::climb(Vec3 &point, double good_enough) const {
-  double best = worst(point, 2 * inverted_flatness);
-  const double start_step = 0.2 * mean_height(point);
-  for (double step = start_step;
-       step > 0.02 * start_step && best > good_enough;) {
-    bool gained = false;
-    for (const Vec3 &direction : directions()) {
-      const Vec3 trial = point + step * direction;
-      const double value = worst(trial, best);
-      if (value >= best)
-        continue;
-      best = value;
-      point = trial;
-      gained = true;
+double StarShape::worst(const Vec3& point, double limit) const {
+    double result = 0;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+        const auto& f = faces_[i];
+        const double value = flatness(point, f[0], f[1], f[2]);
+        if (value <= result) continue;
+        result = value;
+        if (value < limit) continue;
+        if (i > 0) std::swap(faces_[i], faces_[0]);
+        return value;
     }
-    if (!gained)
-      step *= 0.5;
-  }
-  return best;
+    return result;
 }
 
-} // namespace featuremesh
+double StarShape::mean_height(const Vec3& point) const {
+    double sum = 0;
+    for (const auto& f : faces_) sum += distance(point, f[0]);
+    return sum / static_cast<double>(std::max<std::size_t>(1, faces_.size()));
+}
+
+double StarShape::climb(Vec3& point, double good_enough) const {
+    double best = worst(point, 2 * inverted_flatness);
+    const double start_step = 0.2 * mean_height(point);
+    for (double step = start_step; step > 0.02 * start_step && best > good_enough;) {
+        bool gained = false;
+        for (const Vec3& direction : directions()) {
+            const Vec3 trial = point + step * direction;
+            const double value = worst(trial, best);
+            if (value >= best) continue;
+            best = value;
+            point = trial;
+            gained = true;
+        }
+        if (!gained) step *= 0.5;
+    }
+    return best;
+}
+
+}  // namespace featuremesh

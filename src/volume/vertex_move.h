@@ -10,31 +10,28 @@
 
 namespace featuremesh {
 
-/// The triangles a point sees, each with positive volume (point, a, b, c). Also
-/// the outside of a cavity that is filled from one point.
+/// The triangles a point sees, each with positive volume (point, a, b, c). Also the outside of a cavity that is filled
+/// from one point.
 class StarShape {
-public:
-  void clear() { faces_.clear(); }
-  void add(const Vec3 &a, const Vec3 &b, const Vec3 &c) {
-    faces_.push_back({a, b, c});
-  }
-  void gather(const TetComplex &complex, std::span<const int> star, int vertex);
-  std::size_t size() const { return faces_.size(); }
+  public:
+    void clear() { faces_.clear(); }
+    void add(const Vec3& a, const Vec3& b, const Vec3& c) { faces_.push_back({a, b, c}); }
+    void gather(const TetComplex& complex, std::span<const int> star, int vertex);
+    std::size_t size() const { return faces_.size(); }
 
-  /// Flatness of the worst tet; stops early, with some value >= limit, once it
-  /// reaches `limit`.
-  double worst(const Vec3 &point, double limit) const;
+    /// Flatness of the worst tet; stops early, with some value >= limit, once it reaches `limit`.
+    double worst(const Vec3& point, double limit) const;
 
-  /// Deterministic hill climbing from `point`, which is moved; gives the
-  /// flatness of the worst tet there. Stops at `good_enough`.
-  double climb(Vec3 &point, double good_enough) const;
+    /// Deterministic hill climbing from `point`, which is moved; gives the flatness of the worst tet there. Stops at
+    /// `good_enough`.
+    double climb(Vec3& point, double good_enough) const;
 
-private:
-  double mean_height(const Vec3 &point) const;
+  private:
+    double mean_height(const Vec3& point) const;
 
-  // the triangle that refused last is the likeliest to refuse again and moves
-  // to the front: results do not depend on the order
-  mutable std::vector<std::array<Vec3, 3>> faces_;
+    // the triangle that refused last is the likeliest to refuse again and moves to the front: results do not depend on
+    // the order
+    mutable std::vector<std::array<Vec3, 3>> faces_;
 };
 
-} // namespace featuremesh
+}  // namespace featuremesh

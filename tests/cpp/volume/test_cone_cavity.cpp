@@ -10,83 +10,69 @@ using namespace featuremesh;
 namespace {
 
 /// Does what a grown cavity stands for and checks that nothing else changed.
-void commit_and_check(TetComplex &complex, CavityEditor &editor,
-                      ConeCavity &cavity) {
-  const double volume = total_volume(complex);
-  const auto outside = outside_of(complex);
-  double removed_volume = 0, added_volume = 0;
-  for (int tet : cavity.removed())
-    removed_volume += volume_of(complex, complex.tets[tet]);
-  const int apex =
-      cavity.apex() < 0 ? editor.add_vertex(cavity.point()) : cavity.apex();
-  const auto cones = cavity.cones(apex);
-  double worst = 0;
-  for (const Tet &v : cones) {
-    added_volume += volume_of(complex, v);
-    worst =
-        std::max(worst, flatness(complex.points[v[0]], complex.points[v[1]],
-                                 complex.points[v[2]], complex.points[v[3]]));
-  }
-  CHECK(added_volume == Approx(removed_volume));
-  CHECK(worst == Approx(cavity.worst_after()));
-  CHECK(cavity.worst_after() < cavity.worst_before());
-  editor.replace(cavity.removed(), cones);
-  CHECK(find_flaws(complex).empty());
-  CHECK(total_volume(complex) == Approx(volume).epsilon(1e-12));
-  CHECK(outside_of(complex) == outside);
-  for (std::size_t v = 0; v < complex.points.size(); ++v)
-    if (complex.is_fixed[v])
-      REQUIRE(complex.tet_of_vertex[v] >= 0);
+void commit_and_check(TetComplex& complex, CavityEditor& editor, ConeCavity& cavity) {
+    const double volume = total_volume(complex);
+    const auto outside = outside_of(complex);
+    double removed_volume = 0, added_volume = 0;
+    for (int tet : cavity.removed()) removed_volume += volume_of(complex, complex.tets[tet]);
+    const int apex = cavity.apex() < 0 ? editor.add_vertex(cavity.point()) : cavity.apex();
+    const auto cones = cavity.cones(apex);
+    double worst = 0;
+    for (const Tet& v : cones) {
+        added_volume += volume_of(complex, v);
+        worst = std::max(
+            worst, flatness(complex.points[v[0]], complex.points[v[1]], complex.points[v[2]], complex.points[v[3]]));
+    }
+    CHECK(added_volume == Approx(removed_volume));
+    CHECK(worst == Approx(cavity.worst_after()));
+    CHECK(cavity.worst_after() < cavity.worst_before());
+    editor.replace(cavity.removed(), cones);
+    CHECK(find_flaws(complex).empty());
+    CHECK(total_volume(complex) == Approx(volume).epsilon(1e-12));
+    CHECK(outside_of(complex) == outside);
+    for (std::size_t v = 0; v < complex.points.size(); ++v)
+        if (complex.is_fixed[v]) REQUIRE(complex.tet_of_vertex[v] >= 0);
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("cones over the outside of a grown cavity fill it exactly") {
-  int insertions = 0, refills = 0;
-  for (unsigned seed = 1; seed <= 20; ++seed) {
-    TetComplex box = box_of_tets(4, 0.24, seed);
-    // kept vertices deep inside may not get lost
-    for (std::size_t v = 0; v < box.points.size(); v += 3)
-      box.is_fixed[v] = 1;
-    CavityEditor editor(box);
-    ConeCavity cavity(editor);
-    for (int t = 0; t < 60; ++t) {
-      if (box.tets[t][0] < 0)
-        continue;
-      const Tet v = box.tets[t];
-      const Vec3 center = (box.points[v[0]] + box.points[v[1]] +
-                           box.points[v[2]] + box.points[v[3]]) /
-                          4;
-      const bool is_new = t % 3 == 0;
-      if (!cavity.grow(std::array{t}, is_new ? -1 : v[t % 4],
-                       is_new ? center : box.points[v[t % 4]]))
-        continue;
-      ++(is_new ? insertions : refills);
-      if (is_new)
-        cavity.climb(0);
-      commit_and_check(box, editor, cavity);
+    int insertions = 0, refills = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        TetComplex box = box_of_tets(4, 0.24, seed);
+        // kept vertices deep inside may not get lost
+        for (std::size_t v = 0; v < box.points.size(); v += 3) box.is_fixed[v] = 1;
+        CavityEditor editor(box);
+        ConeCavity cavity(editor);
+        for (int t = 0; t < 60; ++t) {
+            if (box.tets[t][0] < 0) continue;
+            const Tet v = box.tets[t];
+            const Vec3 center = (box.points[v[0]] + box.points[v[1]] + box.points[v[2]] + box.points[v[3]]) / 4;
+            const bool is_new = t % 3 == 0;
+            if (!cavity.grow(std::array{t}, is_new ? -1 : v[t % 4], is_new ? center : box.points[v[t % 4]])) continue;
+            ++(is_new ? insertions : refills);
+            if (is_new) cavity.climb(0);
+            commit_and_check(box, editor, cavity);
+        }
     }
-  }
-  CHECK(insertions > 20);
-  CHECK(refills > 20);
+    CHECK(insertions > 20);
+    CHECK(refills > 20);
 }
 
 TEST_CASE("planning a refill changes nothing") {
-  TetComplex box = box_of_tets(4, 0.24, 5);
-  const TetComplex before = box;
-  CavityEditor editor(box);
-  ConeRefill refill(editor, flatness_of_angle(60), flatness_of_angle(60));
-  int plans = 0;
-  for (int t = 0; t < static_cast<int>(box.tets.size()); ++t) {
-    const ConePlan *plan = refill.plan(t);
-    if (!plan)
-      continue;
-    ++plans;
-    const double worst = worst_flatness(box, plan->removed);
-    REQUIRE(plan->flatness < worst);
-    REQUIRE(std::find(plan->removed.begin(), plan->removed.end(), t) !=
-            plan->removed.end());
-  }
-  CHECK(plans > 10);
-  CHECK(are_same_bytes(before, box));
+    TetComplex box = box_of_tets(4, 0.24, 5);
+    const TetComplex before = box;
+    CavityEditor editor(box);
+    ConeRefill refill(editor, flatness_of_angle(60), flatness_of_angle(60));
+    int plans = 0;
+    for (int t = 0; t < static_cast<int>(box.tets.size()); ++t) {
+        const ConePlan* plan = refill.plan(t);
+        if (!plan) continue;
+        ++plans;
+        const double worst = worst_flatness(box, plan->removed);
+        REQUIRE(plan->flatness < worst);
+        REQUIRE(std::find(plan->removed.begin(), plan->removed.end(), t) != plan->removed.end());
+    }
+    CHECK(plans > 10);
+    CHECK(are_same_bytes(before, box));
 }

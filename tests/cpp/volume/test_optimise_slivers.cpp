@@ -10,155 +10,142 @@ using namespace featuremesh;
 
 namespace {
 
-SliverReport remove(TetComplex &complex, double target_deg, int threads = 1) {
-  RunContext context;
-  context.threads = threads;
-  SliverOptions options;
-  options.target_dihedral_deg = target_deg;
-  return remove_slivers(complex, options, context);
+SliverReport remove(TetComplex& complex, double target_deg, int threads = 1) {
+    RunContext context;
+    context.threads = threads;
+    SliverOptions options;
+    options.target_dihedral_deg = target_deg;
+    return remove_slivers(complex, options, context);
 }
 
-/// A square of four nearly coplanar points makes a flat tet between two apexes:
-/// three tets of space, one of them a sliver.
+/// A square of four nearly coplanar points makes a flat tet between two apexes: three tets of space, one of them a
+/// sliver.
 TetComplex square_with_sliver(double lift) {
-  TetComplex complex;
-  complex.points = {{1, 0, lift},   {0, 1, -lift}, {-1, 0, lift},
-                    {0, -1, -lift}, {0, 0, 1.2},   {0, 0, -1.2}};
-  complex.is_fixed.assign(6, 1);
-  // the sliver's upper side is split along the edge 0-2, its lower side along
-  // 1-3
-  complex.tets = {
-      {0, 1, 2, 4}, {0, 2, 3, 4}, {1, 0, 3, 5}, {1, 3, 2, 5}, {0, 3, 1, 2}};
-  for (Tet &tet : complex.tets)
-    if (volume_of(complex, tet) < 0)
-      std::swap(tet[0], tet[1]);
-  complex.regions.assign(5, 7);
-  connect(complex);
-  return complex;
+    TetComplex complex;
+    complex.points = {{1, 0, lift}, {0, 1, -lift}, {-1, 0, lift}, {0, -1, -lift}, {0, 0, 1.2}, {0, 0, -1.2}};
+    complex.is_fixed.assign(6, 1);
+    // the sliver's upper side is split along the edge 0-2, its lower side along 1-3
+    complex.tets = {{0, 1, 2, 4}, {0, 2, 3, 4}, {1, 0, 3, 5}, {1, 3, 2, 5}, {0, 3, 1, 2}};
+    for (Tet& tet : complex.tets)
+        if (volume_of(complex, tet) < 0) std::swap(tet[0], tet[1]);
+    complex.regions.assign(5, 7);
+    connect(complex);
+    return complex;
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("a sliver between four nearly coplanar points goes") {
-  TetComplex complex = square_with_sliver(0.01);
-  REQUIRE(find_flaws(complex).empty());
-  REQUIRE(angle_of_flatness(worst_flatness(complex)) < 3);
-  const double volume = total_volume(complex);
-  const auto outside = outside_of(complex);
-  const SliverReport report = remove(complex, 30);
-  CHECK(report.before == 1);
-  CHECK(report.left == 0);
-  CHECK(find_flaws(complex).empty());
-  CHECK(angle_of_flatness(worst_flatness(complex)) > 40);
-  CHECK(total_volume(complex) == Approx(volume));
-  CHECK(outside_of(complex) == outside);
-  CHECK(std::count_if(complex.tets.begin(), complex.tets.end(),
-                      [](const Tet &t) { return t[0] >= 0; }) == 4);
-  for (std::size_t t = 0; t < complex.tets.size(); ++t)
-    if (complex.tets[t][0] >= 0)
-      CHECK(complex.regions[t] == 7);
+    TetComplex complex = square_with_sliver(0.01);
+    REQUIRE(find_flaws(complex).empty());
+    REQUIRE(angle_of_flatness(worst_flatness(complex)) < 3);
+    const double volume = total_volume(complex);
+    const auto outside = outside_of(complex);
+    const SliverReport report = remove(complex, 30);
+    CHECK(report.before == 1);
+    CHECK(report.left == 0);
+    CHECK(find_flaws(complex).empty());
+    CHECK(angle_of_flatness(worst_flatness(complex)) > 40);
+    CHECK(total_volume(complex) == Approx(volume));
+    CHECK(outside_of(complex) == outside);
+    CHECK(std::count_if(complex.tets.begin(), complex.tets.end(), [](const Tet& t) { return t[0] >= 0; }) == 4);
+    for (std::size_t t = 0; t < complex.tets.size(); ++t)
+        if (complex.tets[t][0] >= 0) CHECK(complex.regions[t] == 7);
 }
 
-TEST_CASE("sliver removal only makes the worst angle better and keeps what has "
-          "to stay") {
-  for (unsigned seed : {1u, 2u, 3u, 4u}) {
-    TetComplex box = box_of_tets(6, 0.24, seed);
-    for (Vec3 &p : box.points)
-      p.z *= 0.8;
-    const TetComplex start = box;
-    const auto outside = outside_of(box);
-    const SliverReport report = remove(box, 35);
-    CHECK(report.before > 0);
-    CHECK(report.left < report.before);
-    CHECK(worst_flatness(box) < worst_flatness(start));
-    CHECK(find_flaws(box).empty());
-    CHECK(total_volume(box) == Approx(total_volume(start)).epsilon(1e-12));
-    CHECK(outside_of(box) == outside);
-    CHECK(are_fixed_kept(start, box));
-  }
+TEST_CASE("sliver removal only makes the worst angle better and keeps what has to stay") {
+    for (unsigned seed : {1u, 2u, 3u, 4u}) {
+        TetComplex box = box_of_tets(6, 0.24, seed);
+        for (Vec3& p : box.points) p.z *= 0.8;
+        const TetComplex start = box;
+        const auto outside = outside_of(box);
+        const SliverReport report = remove(box, 35);
+        CHECK(report.before > 0);
+        CHECK(report.left < report.before);
+        CHECK(worst_flatness(box) < worst_flatness(start));
+        CHECK(find_flaws(box).empty());
+        CHECK(total_volume(box) == Approx(total_volume(start)).epsilon(1e-12));
+        CHECK(outside_of(box) == outside);
+        CHECK(are_fixed_kept(start, box));
+    }
 }
 
 TEST_CASE("a new vertex helps where all vertices are fixed") {
-  TetComplex box = box_of_tets(4, 0.2, 31);
-  std::fill(box.is_fixed.begin(), box.is_fixed.end(), 1);
-  for (Vec3 &p : box.points)
-    p.z *= 0.7;
-  const TetComplex start = box;
-  const SliverReport report = remove(box, 35);
-  CHECK(report.insertions > 0);
-  CHECK(box.points.size() == start.points.size() + report.insertions);
-  CHECK(worst_flatness(box) < worst_flatness(start));
-  CHECK(find_flaws(box).empty());
-  CHECK(are_fixed_kept(start, box));
-  for (std::size_t v = 0; v < box.points.size(); ++v)
-    if (box.is_fixed[v])
-      REQUIRE(box.tet_of_vertex[v] >= 0);
+    TetComplex box = box_of_tets(4, 0.2, 31);
+    std::fill(box.is_fixed.begin(), box.is_fixed.end(), 1);
+    for (Vec3& p : box.points) p.z *= 0.7;
+    const TetComplex start = box;
+    const SliverReport report = remove(box, 35);
+    CHECK(report.insertions > 0);
+    CHECK(box.points.size() == start.points.size() + report.insertions);
+    CHECK(worst_flatness(box) < worst_flatness(start));
+    CHECK(find_flaws(box).empty());
+    CHECK(are_fixed_kept(start, box));
+    for (std::size_t v = 0; v < box.points.size(); ++v)
+        if (box.is_fixed[v]) REQUIRE(box.tet_of_vertex[v] >= 0);
 }
 
 TEST_CASE("a free vertex that spoils its star is moved or collapsed") {
-  TetComplex box = box_of_tets(2, 0, 1);
-  box.points[13] = box.points[14] + Vec3{-0.02, 0.001, 0.001};
-  REQUIRE(find_flaws(box).empty());
-  REQUIRE(angle_of_flatness(worst_flatness(box)) < 2);
-  const SliverReport report = remove(box, 30);
-  CHECK(report.moves + report.collapses > 0);
-  CHECK(report.left == 0);
-  CHECK(find_flaws(box).empty());
+    TetComplex box = box_of_tets(2, 0, 1);
+    box.points[13] = box.points[14] + Vec3{-0.02, 0.001, 0.001};
+    REQUIRE(find_flaws(box).empty());
+    REQUIRE(angle_of_flatness(worst_flatness(box)) < 2);
+    const SliverReport report = remove(box, 30);
+    CHECK(report.moves + report.collapses > 0);
+    CHECK(report.left == 0);
+    CHECK(find_flaws(box).empty());
 }
 
 TEST_CASE("an angle between two boundary triangles counts as forced") {
-  TetComplex wedge;
-  wedge.points = {{0, 0, 0}, {0, 1, 0}, {2, 0.5, 0.1}, {2, 0.5, -0.1}};
-  wedge.is_fixed.assign(4, 1);
-  wedge.tets = {{0, 1, 2, 3}};
-  if (volume_of(wedge, wedge.tets[0]) < 0)
-    std::swap(wedge.tets[0][0], wedge.tets[0][1]);
-  connect(wedge);
-  const SliverReport report = remove(wedge, 30);
-  CHECK(report.left == 1);
-  CHECK(report.forced == 1);
+    TetComplex wedge;
+    wedge.points = {{0, 0, 0}, {0, 1, 0}, {2, 0.5, 0.1}, {2, 0.5, -0.1}};
+    wedge.is_fixed.assign(4, 1);
+    wedge.tets = {{0, 1, 2, 3}};
+    if (volume_of(wedge, wedge.tets[0]) < 0) std::swap(wedge.tets[0][0], wedge.tets[0][1]);
+    connect(wedge);
+    const SliverReport report = remove(wedge, 30);
+    CHECK(report.left == 1);
+    CHECK(report.forced == 1);
 }
 
 TEST_CASE("the report counts the tets that miss the target") {
-  TetComplex box = box_of_tets(5, 0.19, 21);
-  const auto missing = [&] {
-    const auto &p = box.points;
-    return static_cast<std::size_t>(
-        std::count_if(box.tets.begin(), box.tets.end(), [&](const Tet &v) {
-          return v[0] >= 0 && flatness(p[v[0]], p[v[1]], p[v[2]], p[v[3]]) >
-                                  flatness_of_angle(45);
+    TetComplex box = box_of_tets(5, 0.19, 21);
+    const auto missing = [&] {
+        const auto& p = box.points;
+        return static_cast<std::size_t>(std::count_if(box.tets.begin(), box.tets.end(), [&](const Tet& v) {
+            return v[0] >= 0 && flatness(p[v[0]], p[v[1]], p[v[2]], p[v[3]]) > flatness_of_angle(45);
         }));
-  };
-  const std::size_t before = missing();
-  const SliverReport report = remove(box, 45);
-  CHECK(report.before == before);
-  CHECK(report.left == missing());
+    };
+    const std::size_t before = missing();
+    const SliverReport report = remove(box, 45);
+    CHECK(report.before == before);
+    CHECK(report.left == missing());
 }
 
 TEST_CASE("where nothing helps or nothing is wrong not a byte changes") {
-  TetComplex lonely;
-  lonely.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.4, 0.4, 0.01}};
-  lonely.is_fixed.assign(4, 1);
-  lonely.tets = {{0, 1, 2, 3}};
-  connect(lonely);
-  TetComplex box = box_of_tets(4, 0.02, 22);
-  const TetComplex lonely_before = lonely, box_before = box;
-  CHECK(remove(lonely, 30).left == 1);
-  CHECK(remove(box, 20).before == 0);
-  CHECK(are_same_bytes(lonely, lonely_before));
-  CHECK(are_same_bytes(box, box_before));
+    TetComplex lonely;
+    lonely.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.4, 0.4, 0.01}};
+    lonely.is_fixed.assign(4, 1);
+    lonely.tets = {{0, 1, 2, 3}};
+    connect(lonely);
+    TetComplex box = box_of_tets(4, 0.02, 22);
+    const TetComplex lonely_before = lonely, box_before = box;
+    CHECK(remove(lonely, 30).left == 1);
+    CHECK(remove(box, 20).before == 0);
+    CHECK(are_same_bytes(lonely, lonely_before));
+    CHECK(are_same_bytes(box, box_before));
 }
 
 TEST_CASE("sliver removal gives the same bytes for any number of threads") {
-  TetComplex one = box_of_tets(6, 0.24, 23), many = one;
-  remove(one, 40, 1);
-  remove(many, 40, 4);
-  CHECK(are_same_bytes(one, many));
+    TetComplex one = box_of_tets(6, 0.24, 23), many = one;
+    remove(one, 40, 1);
+    remove(many, 40, 4);
+    CHECK(are_same_bytes(one, many));
 }
 
 TEST_CASE("sliver removal can be cancelled") {
-  TetComplex complex = square_with_sliver(0.01);
-  RunContext context;
-  context.on_progress = [](std::string_view, double) { return false; };
-  CHECK_THROWS_AS(remove_slivers(complex, {}, context), Cancelled);
+    TetComplex complex = square_with_sliver(0.01);
+    RunContext context;
+    context.on_progress = [](std::string_view, double) { return false; };
+    CHECK_THROWS_AS(remove_slivers(complex, {}, context), Cancelled);
 }
