@@ -9,7 +9,7 @@
 #include "features/face_probe.h"
 #include "features/occt_geometry.h"
 #include "features/pattern_placements.h"
-#include "features/shape_difference.h"
+#include "features/same_faces.h"
 #include "features/solid_probe.h"
 
 namespace featuremesh {

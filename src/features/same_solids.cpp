@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "features/occt_geometry.h"
-#include "features/shape_difference.h"
+#include "features/same_faces.h"
 
 namespace featuremesh {
 

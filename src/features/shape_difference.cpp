@@ -5,13 +5,13 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <algorithm>
 #include <cmath>
 
 #include "features/deadline.h"
 #include "features/flux.h"
 #include "features/occt_geometry.h"
+#include "features/same_faces.h"
 #include "features/solid_probe.h"
 
 namespace featuremesh {
@@ -109,20 +109,6 @@ ShapeDifference by_booleans(const Change& change, double seconds) {
 }
 
 }  // namespace
-
-std::vector<TopoDS_Shape> unshared_faces(const TopoDS_Shape& shape, const TopoDS_Shape& other) {
-    std::vector<TopoDS_Shape> faces;
-    if (shape.IsNull()) return faces;
-    TopTools_IndexedMapOfShape others;
-    for (const TopoDS_Shape& solid : solids_of(other))
-        for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) others.Add(it.Current());
-    for (const TopoDS_Shape& solid : solids_of(shape))
-        for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
-            const int index = others.FindIndex(it.Current());
-            if (index == 0 || others(index).Orientation() != it.Current().Orientation()) faces.push_back(it.Current());
-        }
-    return faces;
-}
 
 ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& after, double seconds) {
     if (solids_of(before).empty()) return {solids_of(after), {}, true};

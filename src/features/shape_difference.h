@@ -12,12 +12,9 @@ struct ShapeDifference {
     bool closed = false;                        ///< their volumes account for the change of volume
 };
 
-/// Works on the faces only that the two shapes do not share (same TShape and place): they bound all that was added or removed, and the
+/// Works on the faces only that the two shapes do not share (see same_faces.h): they bound all that was added or removed, and the
 /// rest of the part costs nothing. Where that does not account for the change of volume, whole booleans, each with at most
 /// `seconds`. Either shape may be null: nothing before, or nothing left.
-ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& after, double seconds = 10.0);
-
-/// Faces of `shape` that `other` does not have, oriented as in their solid.
-std::vector<TopoDS_Shape> unshared_faces(const TopoDS_Shape& shape, const TopoDS_Shape& other);
+ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& after, double seconds = 4.0);
 
 }  // namespace featuremesh
