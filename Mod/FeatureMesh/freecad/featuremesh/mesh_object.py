@@ -11,6 +11,7 @@ import Fem
 
 from . import engine, hand_over, history, state, versions
 from .errors import StateError, UserError
+from .job import MeshJob
 from .reading import describe, read_document
 
 UP_TO_DATE = "up to date"
@@ -48,6 +49,8 @@ PROPERTIES = [
 ]
 # Called with every mesh object that was made or opened; the window's side adds its view there.
 on_ready = []
+# Runs a MeshJob while FreeCAD recomputes, where the window's side wants to show progress; None: just run it.
+run_job = None
 
 _OPTION_OF = {"Size": "size", "MinSize": "min_size", "ElementsPerCircle": "elements_per_circle",
               "ElementsAcrossGap": "elements_across_gap", "Growth": "growth", "Threads": "threads"}
@@ -97,14 +100,52 @@ class FeatureMesh:
 
         When that fails the old mesh stays, Status says why, and the error is raised.
         """
-        start = time.perf_counter()
         try:
-            report = self._update(mesh, full, progress, start)
+            job = self.prepare(mesh, full)
+            if progress is None and run_job is not None:
+                run_job(job)
+            else:
+                job.run(progress)
+            return self.finish(mesh, job)
         except Exception as error:
-            mesh.Status = "failed: " + one_line(error)
+            self.fail(mesh, error)
             raise
+
+    def prepare(self, mesh, full=False):
+        """Reads what the engine needs from the document. Throws UserError."""
+        start = time.perf_counter()
+        part = versions.part_of(mesh)
+        if part is None:
+            raise UserError("%s has no part to mesh, set its property %s"
+                            % (describe(mesh), versions.part_property(mesh)))
+        options, raw = options_of(mesh, part), read_document(part)
+        read = time.perf_counter()
+        old, problem = (None, None) if full else self._old(mesh)
+        job = MeshJob(raw, options, old, problem)
+        job.seconds = {"document": read - start, "restore": time.perf_counter() - read}
+        return job
+
+    def finish(self, mesh, job):
+        """Hands a job's mesh over to FreeCAD and saves its state. Returns the report."""
+        start = time.perf_counter()
+        report = plain(job.report)
+        if job.problem:
+            add_fallback(report, "meshed from scratch: " + job.problem)
+            FreeCAD.Console.PrintWarning("%s: %s; meshed from scratch\n" % (mesh.Label, job.problem))
+        self._show(mesh, job.part_mesh)
+        handed_over = time.perf_counter()
+        self._store(mesh, job.part_mesh, state.State(job.raw, job.options, job.part_mesh.arrays()))
+        job.seconds.update(hand_over=handed_over - start, state=time.perf_counter() - handed_over)
+        job.seconds["total"] = sum(job.seconds.values())
+        del job.seconds["engine"]
+        report["seconds"] = {**report.get("seconds", {}), **job.seconds}
+        _show_report(mesh, report)
         mesh.Status = UP_TO_DATE
         return report
+
+    def fail(self, mesh, error):
+        """Says why there is no new mesh; the old one stays."""
+        mesh.Status = "failed: " + one_line(error)
 
     def last_part_mesh(self, mesh):
         """The engine's mesh as it is now, from memory or from the saved state. Throws StateError."""
@@ -145,34 +186,6 @@ class FeatureMesh:
             FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, error))
             return
         hand_over.renew_analysis_groups(mesh, part, arrays)
-
-    def _update(self, mesh, full, progress, start):
-        part = versions.part_of(mesh)
-        if part is None:
-            raise UserError("%s has no part to mesh, set its property %s"
-                            % (describe(mesh), versions.part_property(mesh)))
-        api = engine.load()
-        options = options_of(mesh, part)
-        raw = read_document(part)
-        read = time.perf_counter()
-        old, problem = (None, None) if full else self._old(mesh)
-        if old is None:
-            part_mesh, report = api.mesh_part(raw, options, progress)
-        else:
-            part_mesh, report = api.update_part(old, raw, options, progress)
-        report = plain(report)
-        if problem:
-            add_fallback(report, "meshed from scratch: " + problem)
-            FreeCAD.Console.PrintWarning("%s: %s; meshed from scratch\n" % (mesh.Label, problem))
-        meshed = time.perf_counter()
-        self._show(mesh, part_mesh)
-        handed_over = time.perf_counter()
-        self._store(mesh, part_mesh, state.State(raw, options, part_mesh.arrays()))
-        end = time.perf_counter()
-        report["seconds"] = dict(report.get("seconds", {}), document=read - start, hand_over=handed_over - meshed,
-                                 state=end - handed_over, total=end - start)
-        _show_report(mesh, report)
-        return report
 
     def _old(self, mesh):
         """The mesh to start from, or None and the reason why there is none (no reason for a first mesh)."""

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The engine's share of one mesh or update, cut out so that a window can run it beside FreeCAD's own thread."""
+
+import time
+
+from . import engine
+
+
+class MeshJob:
+    """Made and finished by the mesh object in FreeCAD's thread; `run` touches no FreeCAD object and may be called in any thread."""
+
+    def __init__(self, raw, options, old, problem):
+        self.raw, self.options = raw, options
+        self.old = old            # the engine's mesh to start from, or None
+        self.problem = problem    # why there is none although there should be, or None
+        self.part_mesh = None
+        self.report = None
+        self.seconds = {}
+
+    def run(self, progress=None):
+        """Meshes or updates. `progress(step, share)` returns False to cancel, which raises the engine's Cancelled."""
+        start = time.perf_counter()
+        if self.old is None:
+            self.part_mesh, self.report = engine.load().mesh_part(self.raw, self.options, progress)
+        else:
+            self.part_mesh, self.report = engine.load().update_part(self.old, self.raw, self.options, progress)
+        self.seconds["engine"] = time.perf_counter() - start
