@@ -73,7 +73,7 @@ def read_part(api, part):
     start = time.perf_counter()
     tree = api.tree(part)
     seconds = time.perf_counter() - start
-    features = [feature for feature in tree["features"] if feature["role"] != "reference"]
+    features = [feature for feature in tree["features"] if feature["volumes"]]
     say(f"Read           {len(features)} features, {len(part.Shape.Faces)} faces, {tree['cells']} cells in {seconds:.2f} s: "
         + ", ".join(feature["label"] for feature in features))
     return {"features": [(f["label"], f["type"], f["role"]) for f in features], "faces": len(part.Shape.Faces),
@@ -89,8 +89,9 @@ def tell_mesh(what, report):
 
 def tell_update(numbers):
     update, full = numbers["update"], numbers["full"]
+    shown = {name for name, _, _ in numbers["read"]["features"]}
     changed = [f"{f['label']} {f['verdict']}" + (f" ({f['detail']})" if f["detail"] else "")
-               for f in update["difference"]["features"] if f["verdict"] != "same"]
+               for f in update["difference"]["features"] if f["verdict"] != "same" and f["label"] in shown]
     say("Difference     " + ("; ".join(changed) or "none") + "; all other features are the same")
     tell_mesh("Updated mesh", update)
     tell_mesh("Full mesh", full)
@@ -125,9 +126,8 @@ def solve(document, mesh):
         raise RuntimeError("CalculiX failed; its files are in " + tool.working_dir)
     tool.load_results()
     result = next(member for member in document.getObject("Analysis").Group if member.isDerivedFrom("Fem::FemResultObject"))
-    index = {number: row for row, number in enumerate(mesh["node_numbers"].tolist())}
-    rows = [index[number] for number in result.NodeNumbers]
-    displacement, stress = np.zeros((len(index), 3)), np.zeros(len(index))
+    rows = rows_of_result(result, mesh["node_numbers"])
+    displacement, stress = np.zeros((len(rows), 3)), np.zeros(len(rows))
     displacement[rows] = [tuple(vector) for vector in result.DisplacementVectors]
     stress[rows] = result.vonMises
     solution = {"displacement": float(np.linalg.norm(displacement, axis=1).max()), "stress": float(stress.max()),
@@ -135,6 +135,13 @@ def solve(document, mesh):
     say(f"CalculiX       largest displacement {solution['displacement']:.4f} mm, largest von Mises stress "
         f"{solution['stress']:.1f} MPa, {solution['seconds']:.1f} s")
     return solution, {"displacement": displacement, "stress": stress}
+
+
+def rows_of_result(result, numbers):
+    """By node of a result the row of the mesh's arrays. FreeCAD counts the nodes of a result from 1, in the order of their numbers."""
+    if len(result.NodeNumbers) != len(numbers):
+        raise RuntimeError(f"the result has {len(result.NodeNumbers)} nodes, the mesh {len(numbers)}")
+    return np.argsort(numbers)[np.argsort(np.argsort(result.NodeNumbers))]
 
 
 def main():
