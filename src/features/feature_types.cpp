@@ -2,7 +2,9 @@
 #include "features/feature_types.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <set>
 #include <string_view>
 
 namespace featuremesh {
@@ -94,13 +96,17 @@ bool is_step_by_name(std::string_view type, TypeMeaning& meaning) {
 }
 
 bool is_reference(std::string_view type) {
-    static constexpr std::string_view references[] = {
-        "Sketcher::",    "App::Origin",      "App::Line",         "App::Plane",          "App::Point",       "App::Placement",
-        "App::LocalCoordinateSystem",        "Spreadsheet::",     "PartDesign::Plane",   "PartDesign::Line", "PartDesign::Point",
-        "PartDesign::CoordinateSystem",      "Part::Part2DObject", "Part::Plane",        "Part::Line",       "Part::Circle",
-        "Part::Vertex",  "Part::Helix",      "Part::Spiral",      "Part::Polygon",       "Part::RegularPolygon", "Part::RuledSurface",
-        "App::FeatureTest", "App::VarSet",   "Part::DatumPlane",  "Part::DatumLine",     "Part::DatumPoint", "Part::LocalCoordinateSystem"};
-    return std::any_of(std::begin(references), std::end(references), [&](std::string_view r) { return type.starts_with(r); });
+    static constexpr std::string_view modules[] = {"Sketcher::", "Spreadsheet::"};
+    static const std::set<std::string, std::less<>> names{
+        "App::Origin",         "App::Line",           "App::Plane",         "App::Point",
+        "App::Placement",      "App::VarSet",         "App::LocalCoordinateSystem",
+        "PartDesign::Plane",   "PartDesign::Line",    "PartDesign::Point",  "PartDesign::CoordinateSystem",
+        "Part::DatumPlane",    "Part::DatumLine",     "Part::DatumPoint",   "Part::LocalCoordinateSystem",
+        "Part::Part2DObject",  "Part::Plane",         "Part::Line",         "Part::Circle",
+        "Part::Ellipse",       "Part::Vertex",        "Part::Helix",        "Part::Spiral",
+        "Part::Polygon",       "Part::RegularPolygon", "Part::RuledSurface"};
+    return names.count(type) > 0 ||
+           std::any_of(std::begin(modules), std::end(modules), [&](std::string_view m) { return type.starts_with(m); });
 }
 
 // What a boolean does is a property of it, not its type.

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "features/flux.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <numbers>
+
+#include "catch.h"
+#include "documents.h"
+#include "features/same_faces.h"
+#include "features/shape_difference.h"
+#include "features/solid_probe.h"
+
+using namespace featuremesh;
+using namespace featuremesh::test;
+constexpr double pi = std::numbers::pi;
+
+TEST_CASE("volumes of the primitives, wherever the apex is") {
+    for (const Vec3 apex : {Vec3{0, 0, 0}, Vec3{3, -4, 50}}) {
+        CHECK(flux(box(1, 2, 3, 4, 5, 6), apex) == Approx(120).epsilon(1e-12));
+        CHECK(flux(cylinder({1, 2, 3}, {1, 1, 0}, 2, 5), apex) == Approx(20 * pi).epsilon(1e-11));
+        CHECK(flux(BRepPrimAPI_MakeSphere(3.0).Solid(), apex) == Approx(36 * pi).epsilon(1e-10));
+        CHECK(flux(BRepPrimAPI_MakeTorus(5.0, 2.0).Solid(), apex) == Approx(2 * pi * pi * 5 * 4).epsilon(1e-9));
+        CHECK(flux(BRepPrimAPI_MakeCone(3.0, 1.0, 6.0).Solid(), apex) == Approx(pi * 6 / 3 * (9 + 3 + 1)).epsilon(1e-11));
+    }
+}
+
+TEST_CASE("the shares of the faces add up, cut and whole") {
+    const TopoDS_Shape one = box(0, 0, 0, 10, 10, 10), other = cylinder({5, 5, -1}, {0, 0.3, 1}, 2, 20);
+    const double common = flux(BRepAlgoAPI_Common(one, other).Shape(), {1, 2, 3});
+    CHECK(flux(cut(one, other), {}) + common == Approx(1000).epsilon(1e-7));
+    CHECK(flux(cut(other, one), {7, 0, 0}) + common == Approx(flux(other, {})).epsilon(1e-7));
+    CHECK(flux(one.Reversed(), {}) == Approx(-1000));
+}
+
+TEST_CASE("points in, out and on") {
+    const TopoDS_Shape solid = cut(box(0, 0, 0, 10, 10, 10), cylinder({5, 5, -1}, {0, 0, 1}, 2, 12));
+    const SolidProbe probe(solid);
+    CHECK(probe.side_of({1, 1, 1}) == Side::inside);
+    CHECK(probe.side_of({5, 5, 5}) == Side::outside);
+    CHECK(probe.side_of({20, 5, 5}) == Side::outside);
+    CHECK(probe.side_of({5, 5, 10.5}) == Side::outside);
+    CHECK(probe.side_of({0, 3, 3}) != Side::outside);
+    const auto inner = point_inside(solid);
+    REQUIRE(inner);
+    CHECK(probe.side_of(*inner) == Side::inside);
+}
+
+TEST_CASE("faces are recognised after a copy, not after a move") {
+    const TopoDS_Shape solid = cut(box(0, 0, 0, 10, 10, 10), cylinder({5, 5, -1}, {0, 0, 1}, 2, 12));
+    CHECK(unshared_faces(solid, BRepBuilderAPI_Copy(solid).Shape()).empty());
+    CHECK(unshared_faces(solid, {}).size() == 7);
+    const TopoDS_Shape other = cut(box(0, 0, 0, 10, 10, 10), cylinder({5, 5.001, -1}, {0, 0, 1}, 2, 12));
+    CHECK(unshared_faces(solid, other).size() == 3);   // wall, top and bottom
+}
+
+TEST_CASE("added and removed parts account for the change of volume") {
+    const TopoDS_Shape before = box(0, 0, 0, 20, 10, 10);
+    const TopoDS_Shape after = fused(cut(before, cylinder({15, 5, 5}, {0, 0, 1}, 2, 10)), box(2, 2, 8, 4, 4, 6));
+    const ShapeDifference difference = difference_of(before, after);
+    CHECK(difference.closed);
+    REQUIRE(difference.added.size() == 1);
+    REQUIRE(difference.removed.size() == 1);
+    CHECK(flux(difference.added[0], {}) == Approx(64));
+    CHECK(flux(difference.removed[0], {}) == Approx(20 * pi));
+    CHECK(difference_of(before, before).added.empty());
+    CHECK(difference_of({}, before).added.size() == 1);
+    CHECK(difference_of(before, {}).removed.size() == 1);
+}
+
+TEST_CASE("a concave fillet adds, a convex one removes") {
+    const TopoDS_Shape step = fused(box(0, 0, 0, 20, 10, 10), box(0, 0, 10, 10, 10, 10));
+    double added = 0, removed = 0;
+    BRepFilletAPI_MakeFillet fillet(step);
+    for (TopExp_Explorer it(step, TopAbs_EDGE); it.More(); it.Next()) {
+        const BRepAdaptor_Curve curve(TopoDS::Edge(it.Current()));
+        const gp_Pnt middle = curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2);
+        const bool concave = middle.Distance({10, 5, 10}) < 1e-6, convex = middle.Distance({20, 5, 10}) < 1e-6;
+        if (concave || convex) fillet.Add(concave ? 1 : 2, TopoDS::Edge(it.Current()));
+    }
+    const ShapeDifference difference = difference_of(step, fillet.Shape());
+    CHECK(difference.closed);
+    for (const TopoDS_Shape& solid : difference.added) added += flux(solid, {});
+    for (const TopoDS_Shape& solid : difference.removed) removed += flux(solid, {});
+    CHECK(added == Approx((1 - pi / 4) * 10));
+    CHECK(removed == Approx((1 - pi / 4) * 40));
+}
