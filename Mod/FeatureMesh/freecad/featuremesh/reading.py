@@ -17,7 +17,7 @@ from .errors import UserError
 
 # A pattern's direction, a sketch's plane: needed for the dependencies, but without any volume of their own.
 _REFERENCE_TYPES = ("Sketcher::", "Spreadsheet::", "App::Line", "App::Plane", "App::Point", "App::Origin",
-                    "PartDesign::Plane", "PartDesign::Line", "PartDesign::Point", "PartDesign::CoordinateSystem",
+                    "PartDesign::Plane", "PartDesign::Point", "PartDesign::CoordinateSystem",
                     "PartDesign::ShapeBinder", "PartDesign::SubShapeBinder", "Part::Datum", "App::TextDocument")
 # A binder's shape is all that comes from the parts behind it; those lie in frames of their own.
 _BINDERS = ("PartDesign::ShapeBinder", "PartDesign::SubShapeBinder")
@@ -362,7 +362,9 @@ def _proxy_name(obj):
 
 
 def _is_reference(obj):
-    return obj.TypeId.startswith(_REFERENCE_TYPES) or obj.isDerivedFrom("Part::Part2DObject")
+    # A datum line, told apart from PartDesign::LinearPattern.
+    datum_line = obj.TypeId == "PartDesign::Line"
+    return datum_line or obj.TypeId.startswith(_REFERENCE_TYPES) or obj.isDerivedFrom("Part::Part2DObject")
 
 
 def _shape_of(obj):
