@@ -45,6 +45,12 @@ class PartnerFinder {
             }
     }
 
+    /// Whether they have a border in common or one reaches into the other.
+    bool do_overlap(FaceId old_face, FaceId new_face) const {
+        const double share = overlap(old_face, new_face);
+        return share > barely || (share > 0 && (reaches_into(new_face, true, old_face) || reaches_into(old_face, false, new_face)));
+    }
+
     /// Every edge of the old face is an edge of the new one, and no other.
     bool same_trim(FaceId old_face, FaceId new_face) const {
         const std::vector<Border> old_border = border(old_face, false), new_border = border(new_face, true);
@@ -56,6 +62,8 @@ class PartnerFinder {
     }
 
   private:
+    static constexpr double barely = 1e-9;
+
     /// A stretch of a face's border, seen so that it compares.
     struct Border {
         int curve;
@@ -103,7 +111,7 @@ class PartnerFinder {
         return was.overlaps(is) && (!pair_.domain || (pair_.domain->overlaps(was) && pair_.domain->overlaps(is)));
     }
 
-    /// Border that both have on the same side, mm; a little when one has a vertex inside the other; 0 when they seem to be apart.
+    /// Border that both have on the same side, mm; `barely` when there is none but their boxes meet; 0 when they are apart.
     double overlap(FaceId old_face, FaceId new_face) const {
         if (!boxes_meet(old_face, new_face)) return 0;
         const std::vector<Border> was = border(old_face, false), is = border(new_face, true);
@@ -112,10 +120,7 @@ class PartnerFinder {
             for (auto b = std::lower_bound(is.begin(), is.end(), Border{a.curve, a.left, -1e300, 0});
                  a.curve >= 0 && b != is.end() && b->curve == a.curve && b->left == a.left; ++b)
                 share += length_of(a.curve, overlap(Stretch{a.curve, a.first, a.last}, Stretch{b->curve, b->first, b->last}));
-        if (share > 0) return share;
-        // Under a motion few such faces are worth the question, and whoever carries a node asks the trim.
-        if (!pair_.motion.is_identity()) return 1e-9;
-        return reaches_into(new_face, true, old_face) || reaches_into(old_face, false, new_face) ? 1e-9 : 0;
+        return share > 0 ? share : barely;
     }
 
     /// Whether a point of the border of one face is inside the other state's face.
@@ -126,10 +131,13 @@ class PartnerFinder {
         if (target.carrier.kind == SurfaceKind::free_form) return true;
         const RigidMotion motion = is_new ? pair_.motion.inverse() : pair_.motion;
         for (const EdgeUse& use : model.faces()[id.index()].uses) {
-            const Vec3 p = motion.apply(model.edges()[use.edge.index()].first);
-            if (target.box.grown(pair_.sameness.length).contains(p) &&
-                other_model.classify(other, parameters_of(target.carrier, p)) == Side::in)
-                return true;
+            const CurveCarrier& curve = model.edges()[use.edge.index()].curve;
+            for (int i = 0; i < 8; ++i) {
+                const Vec3 p = motion.apply(point_at(curve, curve.first + (curve.last - curve.first) * i / 8));
+                if (target.box.grown(pair_.sameness.length).contains(p) &&
+                    other_model.classify(other, parameters_of(target.carrier, p)) == Side::in)
+                    return true;
+            }
         }
         return false;
     }
@@ -147,22 +155,32 @@ void find_partners(const BoundaryPair& pair, const BoundaryMatch& match, Carried
     region.new_vertex_of = match.new_vertex_of;
 }
 
-std::vector<FaceChange> face_changes(const BoundaryPair& pair, const BoundaryMatch& match, const CarriedRegion& region) {
+namespace {
+/// What became of one old face; marks the new faces that overlap it.
+FaceChange change_of(FaceId f, const BoundaryPair& pair, const BoundaryMatch& match, const CarriedRegion& region,
+                     std::vector<char>& has_partner) {
     const PartnerFinder finder(pair, match);
+    FaceChange change{FaceVerdict::vanished, f, FaceId(), area_of(pair.old_model.brep().face(f)), 0};
+    for (const FaceId partner : region.new_faces_of[f.index()]) {
+        const bool kept = finder.same_trim(f, partner);
+        if (!kept && !finder.do_overlap(f, partner)) continue;
+        has_partner[partner.index()] = 1;
+        if (change.new_face.is_valid() && !kept) continue;
+        change.verdict = kept ? FaceVerdict::kept : FaceVerdict::trimmed_differently;
+        change.new_face = partner;
+    }
+    if (!change.new_face.is_valid()) return change;
+    if (match.groups[std::size_t(match.group_of_old_face[f.index()])].is_unchanged()) change.verdict = FaceVerdict::kept;
+    change.new_area = change.verdict == FaceVerdict::kept ? change.old_area : area_of(pair.new_model.brep().face(change.new_face));
+    return change;
+}
+}  // namespace
+
+std::vector<FaceChange> face_changes(const BoundaryPair& pair, const BoundaryMatch& match, const CarriedRegion& region) {
     std::vector<FaceChange> changes;
     std::vector<char> has_partner(match.group_of_new_face.size(), 0);
-    for (std::size_t f = 0; f < match.group_of_old_face.size(); ++f) {
-        FaceChange change{FaceVerdict::vanished, FaceId(f), FaceId(), area_of(pair.old_model.brep().face(FaceId(f))), 0};
-        for (const FaceId partner : region.new_faces_of[f]) has_partner[partner.index()] = 1;
-        if (const FaceId partner = region.new_face_of[f]; partner.is_valid()) {
-            const CarrierGroup& group = match.groups[std::size_t(match.group_of_old_face[f])];
-            const bool kept = (group.is_unchanged() || finder.same_trim(FaceId(f), partner)) && region.new_faces_of[f].size() == 1;
-            change.verdict = kept ? FaceVerdict::kept : FaceVerdict::trimmed_differently;
-            change.new_face = partner;
-            change.new_area = kept ? change.old_area : area_of(pair.new_model.brep().face(partner));
-        }
-        changes.push_back(change);
-    }
+    for (std::size_t f = 0; f < match.group_of_old_face.size(); ++f)
+        changes.push_back(change_of(FaceId(f), pair, match, region, has_partner));
     for (std::size_t f = 0; f < has_partner.size(); ++f)
         if (!has_partner[f])
             changes.push_back({FaceVerdict::appeared, FaceId(), FaceId(f), 0, area_of(pair.new_model.brep().face(FaceId(f)))});

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A verdict "unchanged" that is wrong must not exist: random edits of random parts, judged by a point oracle that knows nothing of
+// how the difference is found. FEATUREMESH_RANDOM_EDITS sets the number of edits (100 in every run, 2000 for the long one).
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <BRepTools.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <BRep_Tool.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <TopoDS.hxx>
+#include <cstdlib>
+#include <random>
+
+#include "catch.h"
+#include "core/errors.h"
+#include "difference/sample_parts.h"
+#include "features/occt_geometry.h"
+
+using namespace featuremesh;
+using namespace featuremesh::test;
+
+namespace {
+constexpr double resolution = 2.0;
+constexpr double slack = resolution / 4;
+constexpr double off = 2e-4;   // mm from the boundary, where the two sides are asked
+
+class RandomParts {
+  public:
+    explicit RandomParts(unsigned seed) : random_(seed) {}
+
+    double real(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+    int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+    bool chance(double p) { return real(0, 1) < p; }
+
+    /// Half of all lengths are whole numbers: faces coincide and touch as they do in real parts.
+    double length(double low, double high) { return chance(0.6) ? whole(int(low), int(high)) : real(low, high); }
+    Vec3 place() { return {length(0, 40), length(0, 30), length(0, 14)}; }
+    Vec3 axis() {
+        const Vec3 axes[] = {{0, 0, 1}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.2, 1}};
+        return axes[whole(0, 4)];
+    }
+
+    TopoDS_Shape volume() {
+        switch (whole(0, 4)) {
+            case 0:
+            case 1:
+                return box(place(), {length(3, 15), length(3, 15), length(3, 15)});
+            case 2:
+                return cylinder(place(), axis(), length(2, 6), length(4, 20));
+            case 3:
+                return sphere(place(), length(3, 8));
+            default:
+                return cone(place(), axis(), length(4, 7), chance(0.3) ? 0 : length(1, 3), length(4, 12));
+        }
+    }
+
+    Primitive feature() {
+        return {"Feature" + std::to_string(next_++), chance(0.5) ? Effect::adds : Effect::removes, {volume()}, {}};
+    }
+
+    std::vector<Primitive> tree() {
+        std::vector<Primitive> features{{"Base", Effect::adds, {box({0, 0, 0}, {40, 30, 12})}, {}}};
+        for (int n = whole(2, 5); n > 0; --n) features.push_back(feature());
+        return features;
+    }
+
+    RigidMotion motion() {
+        if (chance(0.7)) return shift({length(-8, 8), length(-8, 8), chance(0.5) ? 0 : length(-3, 3)});
+        return turn({20, 15, 6}, {0, 0, 1}, chance(0.5) ? M_PI / 2 : real(-0.5, 0.5));
+    }
+
+    void edit(std::vector<Primitive>& features) {
+        const int i = whole(1, int(features.size()) - 1);
+        Primitive& f = features[std::size_t(i)];
+        switch (whole(0, 9)) {
+            case 0:
+            case 1:
+            case 2:
+            case 3:
+                f.instances[0] = test::moved(f.instances[0], motion());
+                break;
+            case 4:
+            case 5:
+                f.instances[0] = volume();
+                break;
+            case 6:
+                features.erase(features.begin() + i);
+                break;
+            case 7:
+                features.insert(features.begin() + i, feature());
+                break;
+            case 8:
+                features[0].instances[0] = box({0, 0, 0}, {length(36, 46), 30, length(10, 14)});
+                break;
+            default: {
+                const RigidMotion all = motion();
+                for (Primitive& p : features) p.instances[0] = test::moved(p.instances[0], all);
+            }
+        }
+    }
+
+    std::mt19937& engine() { return random_; }
+
+  private:
+    std::mt19937 random_;
+    int next_ = 0;
+};
+
+struct Sample {
+    Vec3 point, normal;   ///< the normal points out of the material
+    FaceId face;
+};
+
+std::vector<Sample> samples_on_faces(const Brep& brep, int per_face, RandomParts& random) {
+    std::vector<Sample> samples;
+    for (std::size_t f = 0; f < brep.face_count(); ++f) {
+        const TopoDS_Face& face = brep.face(FaceId(f));
+        const BRepAdaptor_Surface surface(face);
+        BRepTopAdaptor_FClass2d trim(face, 1e-7);
+        double u0, u1, v0, v1;
+        BRepTools::UVBounds(face, u0, u1, v0, v1);
+        for (int k = 0; k < per_face; ++k) {
+            const double u = random.real(u0, u1), v = random.real(v0, v1);
+            if (trim.Perform(gp_Pnt2d(u, v)) != TopAbs_IN) continue;
+            const Vec3 normal = outward_normal(surface, face, u, v);
+            if (length(normal) > 0.5) samples.push_back({to_vec3(surface.Value(u, v)), normal, FaceId(f)});
+        }
+    }
+    return samples;
+}
+
+class PointOracle {
+  public:
+    explicit PointOracle(const Brep& brep) : classifier_(brep.shape()) {}
+    TopAbs_State at(const Vec3& p) {
+        classifier_.Perform(to_pnt(p), 1e-6);
+        return classifier_.State();
+    }
+    /// Material just behind, none just before.
+    bool has_boundary(const Vec3& p, const Vec3& normal) {
+        return at(p - normal * off) == TopAbs_IN && at(p + normal * off) == TopAbs_OUT;
+    }
+
+  private:
+    BRepClass3d_SolidClassifier classifier_;
+};
+
+double distance_to(const TopoDS_Shape& shape, const Vec3& p) {
+    return BRepExtrema_DistShapeShape(BRepBuilderAPI_MakeVertex(to_pnt(p)).Vertex(), shape).Value();
+}
+
+double area_of(const ChangedBoundary& changed) {
+    double area = 0;
+    for (const auto& [a, b, c] : changed.triangles()) area += 0.5 * length(cross(b - a, c - a));
+    return area;
+}
+
+struct Totals {
+    int edits = 0, skipped = 0, points = 0, edge_points = 0, regions = 0;
+    int wrong = 0;
+    double called_changed = 0, truly_changed = 0;   // mm^2
+};
+
+/// The oracle's own doubt: where the very shape that was sampled does not answer as it must, nothing is concluded.
+bool is_sound(PointOracle& own, const Sample& s) { return own.has_boundary(s.point, s.normal); }
+
+void judge_region(const CarriedRegion& region, const PartState& before, const PartState& after, RandomParts& random, Totals& totals) {
+    PointOracle old_oracle(before.brep), new_oracle(after.brep);
+    const RigidMotion back = region.motion.inverse();
+    for (const Sample& s : samples_on_faces(after.brep, 2, random)) {
+        if (region.changed.distance(s.point, 1) <= slack) continue;
+        ++totals.points;
+        const Vec3 p = back.apply(s.point), n = back.rotate(s.normal);
+        if (is_sound(new_oracle, s) && !old_oracle.has_boundary(p, n)) {
+            ++totals.wrong;
+            UNSCOPED_INFO("new boundary at " << s.point.x << " " << s.point.y << " " << s.point.z << " was not there");
+        }
+    }
+    for (const Sample& s : samples_on_faces(before.brep, 2, random)) {
+        const Vec3 p = region.motion.apply(s.point), n = region.motion.rotate(s.normal);
+        if (region.changed.distance(p, 1) <= slack) continue;
+        ++totals.points;
+        if (!is_sound(old_oracle, s)) continue;
+        bool on_partner = false;
+        for (const FaceId f : region.new_faces_of[s.face.index()])
+            on_partner = on_partner || distance_to(after.brep.face(f), p) < 1e-5;
+        if (!on_partner || !new_oracle.has_boundary(p, n)) {
+            ++totals.wrong;
+            UNSCOPED_INFO("old boundary carried to " << p.x << " " << p.y << " " << p.z << " is not there, partner " << on_partner);
+        }
+    }
+}
+
+void judge_edges(const CarriedRegion& region, const PartState& before, const PartState& after, RandomParts& random, Totals& totals) {
+    for (std::size_t e = 0; e < before.brep.edge_count(); ++e) {
+        if (before.brep.is_degenerated(EdgeId(e))) continue;
+        double first, last;
+        const Handle(Geom_Curve) curve = BRep_Tool::Curve(before.brep.edge(EdgeId(e)), first, last);
+        const Vec3 p = region.motion.apply(to_vec3(curve->Value(random.real(first, last))));
+        if (region.changed.distance(p, 1) <= slack) continue;
+        ++totals.edge_points;
+        bool on_partner = false;
+        for (const EdgeId partner : region.new_edges_of[e])
+            on_partner = on_partner || distance_to(after.brep.edge(partner), p) < 1e-5;
+        if (!on_partner) {
+            ++totals.wrong;
+            UNSCOPED_INFO("a point of old edge " << e + 1 << " is on no new edge");
+        }
+    }
+}
+
+void measure_conservativeness(const FeatureDifference& d, const PartState& before, const PartState& after, RandomParts& random,
+                              Totals& totals) {
+    const auto changed_area = [&](const Brep& of, const Brep& other, bool is_old) {
+        PointOracle oracle(other);
+        const auto samples = samples_on_faces(of, 6, random);
+        std::vector<int> count(of.face_count(), 0), gone(of.face_count(), 0);
+        for (const Sample& s : samples) {
+            ++count[s.face.index()];
+            gone[s.face.index()] += !oracle.has_boundary(s.point, s.normal);
+        }
+        double area = 0;
+        for (const FaceChange& f : d.faces) {
+            const FaceId id = is_old ? f.old_face : f.new_face;
+            if (id.is_valid() && count[id.index()] > 0)
+                area += (is_old ? f.old_area : f.new_area) * gone[id.index()] / count[id.index()];
+        }
+        return area;
+    };
+    totals.truly_changed += changed_area(before.brep, after.brep, true) + changed_area(after.brep, before.brep, false);
+    totals.called_changed += area_of(d.regions[0].changed);
+}
+
+std::optional<PartState> valid_part(const std::vector<Primitive>& features) {
+    try {
+        PartState state = part(features);
+        if (!BRepCheck_Analyzer(state.tree.final_shape).IsValid()) return std::nullopt;
+        return state;
+    } catch (const InputError&) {
+        return std::nullopt;   // nothing is left of the part
+    }
+}
+}  // namespace
+
+TEST_CASE("what is called unchanged is unchanged") {
+    const char* wanted = std::getenv("FEATUREMESH_RANDOM_EDITS");
+    const int edits = wanted ? std::atoi(wanted) : 100;
+    Totals totals;
+    for (unsigned seed = 1; totals.edits < edits; ++seed) {
+        RandomParts random(seed);
+        std::vector<Primitive> features = random.tree();
+        const auto before = valid_part(features);
+        random.edit(features);
+        const auto after = valid_part(features);
+        if (!before || !after) {
+            ++totals.skipped;
+            continue;
+        }
+        ++totals.edits;
+        RunContext context;
+        const FeatureDifference d = compare(*before, *after, resolution, context);
+        totals.regions += int(d.regions.size());
+        const int wrong = totals.wrong;
+        for (const CarriedRegion& region : d.regions) {
+            judge_region(region, *before, *after, random, totals);
+            judge_edges(region, *before, *after, random, totals);
+        }
+        if (edits <= 200) measure_conservativeness(d, *before, *after, random, totals);
+        INFO("seed " << seed);
+        CHECK(totals.wrong == wrong);
+    }
+    INFO(totals.edits << " edits, " << totals.skipped << " skipped, " << totals.regions << " regions, " << totals.points
+                      << " points on faces and " << totals.edge_points << " on edges called unchanged, " << totals.called_changed
+                      << " mm^2 called changed, " << totals.truly_changed << " truly are");
+    CHECK(totals.points > 10 * totals.edits);
+    CHECK(totals.edge_points > 5 * totals.edits);
+    CHECK(totals.skipped < totals.edits);
+    if (totals.truly_changed > 0) CHECK(totals.called_changed < 1.5 * totals.truly_changed);
+    if (wanted) WARN(totals.edits << " edits, " << totals.skipped << " skipped, " << totals.regions << " regions, " << totals.points
+                      << " face points, " << totals.edge_points << " edge points, " << totals.wrong << " wrong, " << totals.called_changed
+                      << " mm^2 called changed, " << totals.truly_changed << " truly");
+}
