@@ -92,17 +92,35 @@ class Interpreter {
         return -1;
     }
 
-    bool is_in_a_body(int i) const {
-        for (const RawRecord& r : view_.records())
-            if (r.type == "PartDesign::Body")
-                for (const RawLink& link : DocumentView::links_of(r, "Group"))
-                    if (link.object == record(i).name) return true;
-        return false;
+    /// The body's member before this one that is a step of its chain; -2 when no body has it as a member.
+    int member_before(int i) const {
+        for (const RawRecord& r : view_.records()) {
+            if (r.type != "PartDesign::Body") continue;
+            int before = -1;
+            for (const RawLink& link : DocumentView::links_of(r, "Group")) {
+                if (link.object == record(i).name) return before;
+                const int member = view_.find(link.object);
+                if (member >= 0 && member < i && is_step(member) && !view_.solids_of(record(member)).IsNull()) before = member;
+            }
+        }
+        return -2;
     }
 
-    /// The object whose shape a chain step starts from; before FreeCAD had bodies, that on whose face the sketch lies.
+    bool is_step(int i) const {
+        const Kind kind = meanings_[i].kind;
+        return kind == Kind::chain_step || kind == Kind::chain_change || kind == Kind::chain_pattern || kind == Kind::boolean ||
+               meanings_[i].role == Role::base;
+    }
+
+    /// The object whose shape a chain step starts from. Old documents may not name it: then it is the body's member before, or, before
+    /// FreeCAD had bodies, the object on whose face the sketch lies.
     int base_of(int i) const {
-        if (const int base = source_of(i); base >= 0 || is_in_a_body(i)) return base;
+        if (const int base = source_of(i); base >= 0) return base;
+        const int before = member_before(i);
+        return before == -2 ? support_of_profile(i) : before;
+    }
+
+    int support_of_profile(int i) const {
         for (const char* profile : {"Profile", "Sketch"})
             for (const RawLink& link : DocumentView::links_of(record(i), profile)) {
                 const int sketch = view_.find(link.object);
