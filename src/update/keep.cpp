@@ -26,7 +26,11 @@ struct Place {
 class Keeper {
   public:
     Keeper(const KeepInput& input, RunContext& context)
-        : in_(input), context_(context), projector_(input.new_brep), places_(input.old_mesh.points.size()) {}
+        : in_(input), context_(context), projector_(input.new_brep), places_(input.old_mesh.points.size()),
+          is_untouched_(input.old_brep.face_count(), 0) {
+        for (const FaceChange& change : input.difference.faces)
+            if (change.verdict == FaceVerdict::kept) is_untouched_[change.old_face.index()] = 1;
+    }
 
     Kept run() {
         choose_motions();
@@ -93,7 +97,8 @@ class Keeper {
             case 1:
                 return i < region.new_edge_of.size() && place_on_edge(place, region.new_edge_of[i], carried(n));
             case 2:
-                return i < region.new_face_of.size() && place_on_face(place, region.new_face_of[i], carried(n));
+                return i < region.new_face_of.size() &&
+                       place_on_face(place, region.new_face_of[i], carried(n), place.motion == 0 && is_untouched_[i]);
             default:
                 return true;   // its solid follows from its tets
         }
@@ -114,7 +119,8 @@ class Keeper {
         return foot.distance <= tolerance();
     }
 
-    bool place_on_face(Place& place, FaceId face, const Vec3& p) const {
+    // On a face whose boundary is the old one a point that was inside still is.
+    bool place_on_face(Place& place, FaceId face, const Vec3& p, bool is_untouched) const {
         if (!face.is_valid()) return false;
         place.entity = entity_of(face);
         if (distance(projector_.on_face(face, place.parameter), p) > tolerance()) {
@@ -122,7 +128,7 @@ class Keeper {
             place.parameter = foot.uv;
             if (foot.distance > tolerance()) return false;
         }
-        return projector_.is_inside_trim(face, place.parameter);
+        return is_untouched || projector_.is_inside_trim(face, place.parameter);
     }
 
     double tolerance() const { return 5 * in_.new_brep.tolerances().on_entity(); }
@@ -402,6 +408,7 @@ class Keeper {
     std::vector<Place> places_;
     std::vector<std::int32_t> tet_motion_;
     std::vector<SolidId> tet_solid_;
+    std::vector<char> is_untouched_;   // by old face: kept in place with all its edges
 };
 
 }  // namespace
