@@ -2,6 +2,7 @@
 #include "volume/cavity.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <string>
 #include <tuple>
@@ -241,6 +242,26 @@ Cavity find_cavity(const Mesh& mesh, std::span<const std::array<SolidId, 2>> fac
         begin = end;
     }
     return make_cavity(mesh, unmatched);
+}
+
+std::vector<int> open_facets(const Cavity& cavity) {
+    // By region and edge: how often facets run along it one way less the other way.
+    std::map<std::array<int, 3>, int> balance;
+    const auto visit_edges = [&](auto&& visit) {
+        for (std::size_t i = 0; i < cavity.facets.size(); ++i)
+            for (const int side : {0, 1})
+                for (int k = 0; k < 3 && cavity.facets[i].regions[side] >= 0; ++k) {
+                    const int a = cavity.facets[i].corners[k], b = cavity.facets[i].corners[(k + 1) % 3];
+                    int& count = balance[{cavity.facets[i].regions[side], std::min(a, b), std::max(a, b)}];
+                    visit(static_cast<int>(i), count, (a < b) == (side == 0) ? 1 : -1);
+                }
+    };
+    visit_edges([](int, int& count, int sign) { count += sign; });
+    std::vector<int> open;
+    visit_edges([&](int facet, const int& count, int) {
+        if (count != 0 && (open.empty() || open.back() != facet)) open.push_back(facet);
+    });
+    return open;
 }
 
 std::vector<Cavity> separate_cavities(Cavity cavity) {

@@ -26,6 +26,9 @@ struct Cavity {
 Cavity find_cavity(const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,
                    std::span<const std::uint8_t> is_released = {});
 
+/// Facets with an edge around which the boundary of a region does not close; ascending.
+std::vector<int> open_facets(const Cavity& cavity);
+
 /// Splits a cavity into parts that can be filled one apart from the other: their boxes do not touch.
 std::vector<Cavity> separate_cavities(Cavity cavity);
 

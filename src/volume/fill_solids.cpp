@@ -124,6 +124,7 @@ class Filling {
     }
 
     void mend(int round) {
+        if (round == 0) require_closed();
         if (round >= most_rounds) throw_unrecovered();
         bool is_changed = false;
         for (std::size_t i = 0; i < cavities_.size(); ++i) is_changed |= release_behind(cavities_[i], fills_[i]);
@@ -184,16 +185,32 @@ class Filling {
         return added;
     }
 
-    [[noreturn]] void throw_unrecovered() const {
+    std::string names_of_faces(const Cavity& cavity, const std::vector<int>& facets) const {
         std::set<FaceId> faces;
-        for (std::size_t i = 0; i < cavities_.size(); ++i)
-            for (const int facet : fills_[i].places.missing)
-                if (const TriangleId t = cavities_[i].triangle_of_facet[facet]; t.is_valid())
-                    faces.insert(result_.mesh.triangle_faces[t.index()]);
+        for (const int facet : facets)
+            if (const TriangleId t = cavity.triangle_of_facet[facet]; t.is_valid())
+                faces.insert(result_.mesh.triangle_faces[t.index()]);
         std::string names;
         for (const FaceId face : faces) names += (names.empty() ? "" : ", ") + name_of(entity_of(face));
-        throw MeshError("the volume mesh cannot be made to meet the triangles of " +
-                        (names.empty() ? std::string("the surface") : names) +
+        return names.empty() ? "the surface" : names;
+    }
+
+    void require_closed() const {
+        for (std::size_t i = 0; i < cavities_.size(); ++i) {
+            if (fills_[i].is_complete()) continue;
+            const std::vector<int> open = open_facets(cavities_[i]);
+            if (open.empty()) continue;
+            throw MeshError("the surface mesh does not close at " + names_of_faces(cavities_[i], open) +
+                            "; check the shape there, or try another size");
+        }
+    }
+
+    [[noreturn]] void throw_unrecovered() const {
+        std::string names;
+        for (std::size_t i = 0; i < cavities_.size(); ++i)
+            if (!fills_[i].is_complete())
+                names += (names.empty() ? "" : ", ") + names_of_faces(cavities_[i], fills_[i].places.missing);
+        throw MeshError("the volume mesh cannot be made to meet the triangles of " + names +
                         "; mesh finer there, or check the shape for faces that cut or touch one another");
     }
 

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parts filled from scratch or between kept tets, and what must hold for each.
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+#include <string>
+#include <vector>
+
+#include "features/brep.h"
+#include "mesh/validation.h"
+#include "sizing/sizing_field.h"
+#include "surface/fill_surface.h"
+#include "volume/fill_solids.h"
+
+namespace featuremesh::testing {
+
+TopoDS_Shape box_part(const Vec3& low, const Vec3& size);
+/// An L of boxes around a hole, in one solid.
+TopoDS_Shape drilled_part();
+/// Two boxes that share a part of a face, as two solids.
+TopoDS_Shape two_solids();
+/// A box with a box-shaped void.
+TopoDS_Shape hollow_part();
+/// A prism over a triangle with this angle, 40 long.
+TopoDS_Shape wedge_part(double angle_deg);
+/// A tube, 1 thick.
+TopoDS_Shape tube_part(double radius, double length);
+/// Two cylinders, one solid each, that share nothing but a line.
+TopoDS_Shape touching_cylinders();
+TopoDS_Shape turned(const TopoDS_Shape& shape, double angle, const Vec3& shift);
+
+struct Part {
+    Brep brep;
+    SizingField sizing;
+    Mesh surface;
+};
+Part prepare(const TopoDS_Shape& shape, const SizingOptions& options);
+Part prepare(const TopoDS_Shape& shape, double size);
+
+VolumeResult fill(const Part& part, int threads = 1);
+Expectation expectation_of(const Brep& brep);
+/// Broken invariants in words, one per line; empty for a valid mesh.
+std::string findings(const Brep& brep, const Mesh& mesh);
+bool are_same_bytes(const Mesh& a, const Mesh& b);
+
+}  // namespace featuremesh::testing
