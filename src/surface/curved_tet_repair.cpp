@@ -2,7 +2,10 @@
 #include "surface/curved_tet_repair.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
+#include "mesh/quality.h"
 #include "mesh/second_order.h"
 
 namespace featuremesh {
@@ -10,15 +13,236 @@ namespace {
 
 constexpr std::size_t grain = 1 << 13;
 
+/// Lower bound of the scaled Jacobian without subdivision.
+double quick_bound(const std::array<Vec3, 10>& nodes) {
+    const double straight = 6 * signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]);
+    if (!(straight > 0)) return -1;
+    const auto coefficients = jacobian_coefficients(nodes);
+    return *std::min_element(coefficients.begin(), coefficients.end()) / straight;
+}
+
 /// Cheap where all coefficients are large enough; the subdivision decides the rest.
 bool is_at_most(const Mesh& mesh, TetId tet, double limit) {
     if (!has_curved_side(mesh, tet)) return false;
     const auto nodes = tet_nodes(mesh, tet);
-    const double straight = 6 * signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]);
-    const auto coefficients = jacobian_coefficients(nodes);
-    if (*std::min_element(coefficients.begin(), coefficients.end()) > limit * straight) return false;
-    return min_scaled_jacobian(nodes) <= limit;
+    return quick_bound(nodes) <= limit && min_scaled_jacobian(nodes) <= limit;
 }
+
+/// The 26 directions to the neighbours in a cubic lattice.
+std::vector<Vec3> search_directions() {
+    std::vector<Vec3> directions;
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            for (int z = -1; z <= 1; ++z)
+                if (x || y || z) directions.push_back(normalized(Vec3(x, y, z)));
+    return directions;
+}
+
+/// Tets around the nodes that may have to move.
+class Stars {
+  public:
+    Stars(const Mesh& mesh, const std::vector<NodeId>& nodes) : place_(mesh.points.size(), -1) {
+        for (NodeId n : nodes)
+            if (place_[n.index()] < 0) place_[n.index()] = static_cast<std::int32_t>(count_++);
+        tets_.resize(count_);
+        const auto note = [&](NodeId n, std::size_t t) {
+            if (place_[n.index()] >= 0) tets_[static_cast<std::size_t>(place_[n.index()])].push_back(TetId(t));
+        };
+        for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+            for (NodeId n : mesh.tets[t]) note(n, t);
+            for (NodeId n : mesh.tet_mids[t]) note(n, t);
+        }
+    }
+    const std::vector<TetId>& of(NodeId n) const { return tets_[static_cast<std::size_t>(place_[n.index()])]; }
+
+  private:
+    std::vector<std::int32_t> place_;
+    std::size_t count_ = 0;
+    std::vector<std::vector<TetId>> tets_;
+};
+
+class Unfolding {
+  public:
+    Unfolding(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable, double target)
+        : mesh_(mesh), projector_(projector), is_movable_(is_movable), target_(target), directions_(search_directions()) {}
+
+    /// Bends the inner sides, and those on planes, that end on the boundary as the curved sides near them are bent. Several of them have to move at once
+    /// in a thin curved wall, which moving one node at a time does not find.
+    void bend_along(const std::vector<TetId>& bad) {
+        std::vector<NodeId> nodes = movable_nodes(bad);
+        nodes.erase(std::remove_if(nodes.begin(), nodes.end(), [&](NodeId n) { return n.index() < mesh_.corner_count; }), nodes.end());
+        const Stars stars(mesh_, nodes);
+        std::vector<Vec3> bends;
+        for (NodeId n : nodes) bends.push_back(bend_of(n, stars.of(n)));
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const Place start = place(nodes[i], {});
+            if (squared_length(bends[i]) > 0) move(nodes[i], {}, start, bends[i]);
+        }
+    }
+
+    /// One pass over the nodes of the bad tets; whether anything moved.
+    bool pass(const std::vector<TetId>& bad) {
+        const std::vector<NodeId> nodes = movable_nodes(bad);
+        const Stars stars(mesh_, nodes);
+        bool moved = false;
+        for (NodeId n : nodes) moved |= improve(n, stars.of(n));
+        return moved;
+    }
+
+  private:
+    /// Inner mid-side nodes first, then those on faces, then inner corners.
+    std::vector<NodeId> movable_nodes(const std::vector<TetId>& bad) const {
+        std::vector<NodeId> inner, on_faces, corners;
+        for (TetId t : bad) {
+            for (NodeId n : mesh_.tet_mids[t.index()])
+                if (is_movable_[n.index()] && mesh_.entities[n.index()].dim >= 2) (mesh_.entities[n.index()].dim == 3 ? inner : on_faces).push_back(n);
+            for (NodeId n : mesh_.tets[t.index()])
+                if (is_movable_[n.index()] && mesh_.entities[n.index()].dim == 3) corners.push_back(n);
+        }
+        std::vector<NodeId> all;
+        for (auto* list : {&inner, &on_faces, &corners}) {
+            std::sort(list->begin(), list->end());
+            list->erase(std::unique(list->begin(), list->end()), list->end());
+            all.insert(all.end(), list->begin(), list->end());
+        }
+        return all;
+    }
+
+    struct BentSide {
+        Vec3 along, bend;
+    };
+    /// From the middle of its corners to the mid-side node.
+    BentSide side_of(TetId t, int s) const {
+        const auto& corners = mesh_.tets[t.index()];
+        const Vec3 &a = mesh_.point(corners[tet_sides[s][0]]), &b = mesh_.point(corners[tet_sides[s][1]]);
+        return {b - a, mesh_.point(mesh_.tet_mids[t.index()][s]) - (a + b) * 0.5};
+    }
+
+    /// How a still straight side between two boundary nodes would be bent if it curved like the bent sides of its tets: the bend goes with the square of
+    /// the length along them.
+    Vec3 bend_of(NodeId mid, const std::vector<TetId>& star) const {
+        Vec3 sum, own;
+        double weights = 0;
+        for (TetId t : star)
+            for (int s = 0; s < 6; ++s)
+                if (mesh_.tet_mids[t.index()][s] == mid) {
+                    own = side_of(t, s).along;
+                    if (squared_length(side_of(t, s).bend) > 1e-12 * squared_length(own)) return {};
+                    for (int end : tet_sides[s])
+                        if (mesh_.entities[mesh_.tets[t.index()][end].index()].dim == 3) return {};
+                }
+        for (TetId t : star)
+            for (int s = 0; s < 6; ++s) {
+                const BentSide side = side_of(t, s);
+                const double squared = squared_length(side.along), along = dot(own, side.along);
+                if (squared_length(side.bend) <= 1e-12 * squared) continue;
+                const double share = along * along / (squared * squared), weight = along * along / (squared * squared_length(own));
+                sum += weight * share * side.bend;
+                weights += weight;
+            }
+        return weights > 0 ? sum / weights : Vec3{};
+    }
+
+    /// Smallest bound around a node, at most the target: what is good enough need not get better.
+    double worst(const std::vector<TetId>& star) const {
+        double low = target_ + 0.1;
+        for (TetId t : star) low = std::min(low, quick_bound(tet_nodes(mesh_, t)));
+        return low;
+    }
+    double worst_angle(const std::vector<TetId>& star) const {
+        double low = 180;
+        for (TetId t : star) {
+            const auto& n = mesh_.tets[t.index()];
+            const DihedralRange range = dihedral_range(mesh_.point(n[0]), mesh_.point(n[1]), mesh_.point(n[2]), mesh_.point(n[3]));
+            low = std::min({low, range.smallest_deg, 180 - range.largest_deg});
+        }
+        return low;
+    }
+
+    double longest_side_at(NodeId n, const std::vector<TetId>& star) const {
+        double longest = 0;
+        for (TetId t : star)
+            for (NodeId other : mesh_.tets[t.index()]) longest = std::max(longest, distance(mesh_.point(n), mesh_.point(other)));
+        return longest;
+    }
+
+    bool improve(NodeId n, const std::vector<TetId>& star) {
+        const double before = worst(star);
+        double best = before;
+        for (double step = 0.2 * longest_side_at(n, star), last = 0.02 * step; step > last && best <= target_; step *= 0.5)
+            for (int tries = 0; tries < 4 && best <= target_ + 0.05; ++tries)
+                if (!best_step(n, star, step, best)) break;
+        return best > before + 1e-4;
+    }
+
+    /// Tries all directions at one step length and takes the best one.
+    bool best_step(NodeId n, const std::vector<TetId>& star, double step, double& best) {
+        const Place start = place(n, star);
+        const bool is_corner = n.index() < mesh_.corner_count;
+        const double angle = is_corner ? std::min(worst_angle(star), 20.0) : 0;
+        Place found = start;
+        double found_value = best;
+        for (const Vec3& direction : directions_) {
+            if (move(n, star, start, step * direction)) {
+                const double value = worst(star);
+                if (value > found_value + 1e-6 && (!is_corner || worst_angle(star) >= angle - 1e-9)) {
+                    found_value = value;
+                    found = place(n, star);
+                }
+            }
+            restore(n, start);
+        }
+        if (found_value <= best) return false;
+        restore(n, found);
+        best = found_value;
+        return true;
+    }
+
+    /// A node's position; for a corner also those of the inner mid-side nodes of its sides, which go along.
+    struct Place {
+        Vec3 point;
+        std::array<double, 2> parameters;
+        std::vector<std::pair<NodeId, Vec3>> followers;
+    };
+    Place place(NodeId n, const std::vector<TetId>& star) const {
+        Place now{mesh_.point(n), mesh_.parameters[n.index()], {}};
+        if (n.index() >= mesh_.corner_count) return now;
+        for (TetId t : star)
+            for (int s = 0; s < 6; ++s) {
+                const auto& corners = mesh_.tets[t.index()];
+                if (corners[tet_sides[s][0]] != n && corners[tet_sides[s][1]] != n) continue;
+                const NodeId mid = mesh_.tet_mids[t.index()][s];
+                if (mesh_.entities[mid.index()].dim == 3 && std::none_of(now.followers.begin(), now.followers.end(), [&](const auto& f) { return f.first == mid; }))
+                    now.followers.emplace_back(mid, mesh_.point(mid));
+            }
+        return now;
+    }
+    void restore(NodeId n, const Place& to) {
+        mesh_.points[n.index()] = to.point;
+        mesh_.parameters[n.index()] = to.parameters;
+        for (const auto& [mid, point] : to.followers) mesh_.points[mid.index()] = point;
+    }
+    bool move(NodeId n, const std::vector<TetId>&, const Place& from, const Vec3& by) {
+        const Entity entity = mesh_.entities[n.index()];
+        if (entity.dim == 3) {
+            mesh_.points[n.index()] = from.point + by;
+            for (const auto& [mid, point] : from.followers) mesh_.points[mid.index()] = point + by * 0.5;
+            return true;
+        }
+        const OnFace on = projector_.nearest(FaceId(entity.index), from.point + by, from.parameters);
+        // a step across the surface comes back to where it began
+        if (distance(on.point, from.point) < 0.3 * length(by)) return false;
+        mesh_.points[n.index()] = on.point;
+        mesh_.parameters[n.index()] = on.uv;
+        return true;
+    }
+
+    Mesh& mesh_;
+    const Projector& projector_;
+    const std::vector<bool>& is_movable_;
+    const double target_;
+    const std::vector<Vec3> directions_;
+};
 
 }  // namespace
 
@@ -31,6 +255,28 @@ std::vector<TetId> tets_at_most(const Mesh& mesh, double limit, RunContext& cont
     std::vector<TetId> found;
     for (const auto& part : parts) found.insert(found.end(), part.begin(), part.end());
     return found;
+}
+
+std::vector<TetId> unfold_tets(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable, double target, RunContext& context) {
+    constexpr int most_passes = 6;
+    std::vector<TetId> bad = tets_at_most(mesh, target, context);
+    if (bad.empty()) return bad;
+    Unfolding unfolding(mesh, projector, is_movable, target);
+    const std::vector<Vec3> points = mesh.points;
+    const std::vector<std::array<double, 2>> parameters = mesh.parameters;
+    unfolding.bend_along(bad);
+    if (std::vector<TetId> bent = tets_at_most(mesh, target, context); bent.size() < bad.size()) {
+        bad = std::move(bent);
+    } else {
+        mesh.points = points;
+        mesh.parameters = parameters;
+    }
+    for (int pass = 0; pass < most_passes && !bad.empty(); ++pass) {
+        context.check_cancelled();
+        if (!unfolding.pass(bad)) break;
+        bad = tets_at_most(mesh, target, context);
+    }
+    return bad;
 }
 
 }  // namespace featuremesh

@@ -12,6 +12,7 @@
 #include "core/errors.h"
 #include "mesh/second_order.h"
 #include "surface/curved_tet_repair.h"
+#include "surface/curved_tet_split.h"
 #include "surface/projection.h"
 
 namespace featuremesh {
@@ -67,30 +68,67 @@ void place_on_faces(const Projector& projector, std::vector<bool> is_new, Mesh& 
     }
 }
 
-/// The face nearest to a tet's corners in the mesh, for messages.
+/// A face at a corner of the tet, for messages.
 std::string place_of(const Mesh& mesh, TetId tet) {
+    const auto& corners = mesh.tets[tet.index()];
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (NodeId n : mesh.triangles[i])
-            if (std::find(mesh.tets[tet.index()].begin(), mesh.tets[tet.index()].end(), n) != mesh.tets[tet.index()].end())
-                return name_of(entity_of(mesh.triangle_faces[i]));
-    return "the part";
+            if (std::find(corners.begin(), corners.end(), n) != corners.end()) return name_of(entity_of(mesh.triangle_faces[i]));
+    return "the inside of " + name_of(entity_of(mesh.tet_solids[tet.index()]));
+}
+
+/// How many elements in front are kept: their numbers are older than the kept mesh's next one.
+KeptCounts kept_counts(const Mesh& mesh, const Mesh* kept) {
+    if (!kept) return {};
+    const auto count = [&](const std::vector<Number>& numbers) {
+        std::size_t n = 0;
+        while (n < numbers.size() && numbers[n] < kept->next_element_number) ++n;
+        return n;
+    };
+    return {count(mesh.segment_numbers), count(mesh.triangle_numbers), count(mesh.tet_numbers)};
+}
+
+struct Curved {
+    Mesh mesh;
+    std::vector<TetId> folded;
+    std::size_t below_target = 0;
+};
+
+/// Gives the mesh its mid-side nodes and moves nodes until nothing is folded, if that can be.
+Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh* kept, RunContext& context) {
+    // an element whose Jacobian varies more than this makes the solution worse
+    constexpr double wanted_scaled_jacobian = 0.2;
+    std::vector<bool> is_movable(mesh.points.size(), true);
+    if (kept)
+        for (std::size_t n = 0; n < mesh.points.size(); ++n) is_movable[n] = mesh.node_numbers[n] >= kept->next_node_number;
+    const std::vector<NodeId> added = add_mid_side_nodes(mesh, kept);
+    std::vector<bool> is_new(mesh.points.size(), false);
+    for (NodeId n : added) is_new[n.index()] = true;
+    place_on_edges(brep, projector, is_new, mesh);
+    place_on_faces(projector, is_new, mesh, context);
+    std::copy(is_movable.begin(), is_movable.end(), is_new.begin());
+    Curved result{std::move(mesh), {}, 0};
+    result.below_target = unfold_tets(result.mesh, projector, is_new, wanted_scaled_jacobian, context).size();
+    if (result.below_target > 0) result.folded = tets_at_most(result.mesh, 0, context);
+    return result;
 }
 
 }  // namespace
 
 Mesh curve_to_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {
+    constexpr int most_refinements = 6;
     RunContext::Step step(context, "surface");
-    const std::vector<NodeId> added = add_mid_side_nodes(mesh, kept);
-    std::vector<bool> is_new(mesh.points.size(), false);
-    for (NodeId n : added) is_new[n.index()] = true;
     const Projector projector(brep);
-    place_on_edges(brep, projector, is_new, mesh);
-    place_on_faces(projector, is_new, mesh, context);
-    const std::vector<TetId> folded = tets_at_most(mesh, 0, context);
-    if (!folded.empty())
-        throw MeshError(std::to_string(folded.size()) + " 10-node tets would be folded near " + place_of(mesh, folded.front()) +
-                        ": the face bends too much within one element. Ask for a smaller size there, or for 4-node tets.");
-    return mesh;
+    const KeptCounts counts = kept_counts(mesh, kept);
+    for (int refinement = 0;; ++refinement) {
+        Curved curved = curve(brep, projector, mesh, kept, context);
+        if (curved.folded.empty()) return std::move(curved.mesh);
+        if (refinement == most_refinements || split_folded_tets(mesh, curved.mesh, curved.folded, counts) == 0)
+            throw MeshError(std::to_string(curved.folded.size()) + " 10-node tets would be folded near " + place_of(curved.mesh, curved.folded.front()) +
+                            ": the face bends too much within one element. Ask for a smaller size there, or for 4-node tets.");
+        context.log(std::to_string(curved.folded.size()) + " tets are refined near " + place_of(curved.mesh, curved.folded.front()) +
+                    " so that their curved sides do not fold them.");
+    }
 }
 
 }  // namespace featuremesh
