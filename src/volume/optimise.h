@@ -2,7 +2,7 @@
 // Variational optimisation (ODT) and removal of slivers by local operations, on connectivity as it is.
 #pragma once
 
-#include <functional>
+#include <cstddef>
 
 #include "core/run_context.h"
 #include "sizing/sizing_field.h"
@@ -16,7 +16,7 @@ struct OdtOptions {
 };
 struct OdtReport {
     double energy_before = 0, energy_after = 0;   ///< sum of V S / 20, mm^5; never rises for uniform sizing
-    std::size_t moves = 0;
+    std::size_t moves = 0, flips = 0;
 };
 /// Moves free vertices to the volume-weighted mean of the circumcentres of their star (Alliez et al. 2005, the exact minimiser for fixed connectivity),
 /// backtracking where a tet would invert, and flips (2-3, 3-2, 4-4) where that lowers the energy. Visits only vertices that gain.

@@ -47,6 +47,18 @@ inline double angle_of_flatness(double value) {
     return value > 1 ? 0.0 : std::acos(std::sqrt(value)) * (180 / 3.14159265358979323846);
 }
 
+/// 12 V times the vector from the first corner to the circumcentre, and 6 V.
+struct Circumsphere {
+    Circumsphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+        const Vec3 u = b - a, v = c - a, w = d - a;
+        const Vec3 vw = cross(v, w);
+        six_volumes = dot(u, vw);
+        scaled = squared_length(u) * vw + squared_length(v) * cross(w, u) + squared_length(w) * cross(u, v);
+    }
+    Vec3 scaled;
+    double six_volumes;
+};
+
 /// ODT energy of a tet, V S / 20 with S the sum of the six squared edge lengths (Alliez et al. 2005), mm^5. Negative
 /// volumes give negative values.
 inline double odt_energy(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {

@@ -13,38 +13,40 @@
 
 namespace featuremesh {
 
-/// count^3 unit cubes of six tets each, the outside fixed, inner vertices displaced by up to `jitter` (below 0.2
-/// nothing inverts).
-inline TetComplex box_of_tets(int count, double jitter, unsigned seed) {
-    TetComplex box;
+/// Unit cubes of six tets each, the outside fixed, inner vertices displaced by up to `jitter` (below 0.2 nothing
+/// inverts).
+inline TetComplex bar_of_tets(const std::array<int, 3>& count, double jitter, unsigned seed) {
+    TetComplex bar;
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> displace(-jitter, jitter);
-    const int side = count + 1;
-    for (int z = 0; z < side; ++z)
-        for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x) {
-                const auto is_inside = [&](int c) { return c > 0 && c < count; };
-                const bool is_free = is_inside(x) && is_inside(y) && is_inside(z);
+    for (int z = 0; z <= count[2]; ++z)
+        for (int y = 0; y <= count[1]; ++y)
+            for (int x = 0; x <= count[0]; ++x) {
+                const bool is_free = x > 0 && x < count[0] && y > 0 && y < count[1] && z > 0 && z < count[2];
                 Vec3 p{1.0 * x, 1.0 * y, 1.0 * z};
                 if (is_free) p += {displace(random), displace(random), displace(random)};
-                box.points.push_back(p);
-                box.is_fixed.push_back(!is_free);
+                bar.points.push_back(p);
+                bar.is_fixed.push_back(!is_free);
             }
     std::array<int, 3> axes{0, 1, 2};
-    const std::array<int, 3> stride{1, side, side * side};
+    const std::array<int, 3> stride{1, count[0] + 1, (count[0] + 1) * (count[1] + 1)};
     do {
         const bool is_even = (axes[1] - axes[0] + 3) % 3 == 1;
-        for (int z = 0; z < count; ++z)
-            for (int y = 0; y < count; ++y)
-                for (int x = 0; x < count; ++x) {
-                    const int a = x + side * (y + side * z);
+        for (int z = 0; z < count[2]; ++z)
+            for (int y = 0; y < count[1]; ++y)
+                for (int x = 0; x < count[0]; ++x) {
+                    const int a = x + stride[1] * y + stride[2] * z;
                     const int b = a + stride[axes[0]], c = b + stride[axes[1]], d = c + stride[axes[2]];
-                    box.tets.push_back(is_even ? Tet{a, b, c, d} : Tet{a, c, b, d});
+                    bar.tets.push_back(is_even ? Tet{a, b, c, d} : Tet{a, c, b, d});
                 }
     } while (std::next_permutation(axes.begin(), axes.end()));
-    box.regions.assign(box.tets.size(), 0);
-    connect(box);
-    return box;
+    bar.regions.assign(bar.tets.size(), 0);
+    connect(bar);
+    return bar;
+}
+
+inline TetComplex box_of_tets(int count, double jitter, unsigned seed) {
+    return bar_of_tets({count, count, count}, jitter, seed);
 }
 
 inline double volume_of(const TetComplex& complex, const Tet& v) {

@@ -92,9 +92,13 @@ TEST_CASE("ODT leaves an optimum alone, bit for bit") {
 }
 
 TEST_CASE("ODT gives the same bytes for any number of threads") {
-    TetComplex one = box_of_tets(6, 0.19, 12), many = one;
-    optimise(one, 3, 1);
+    // long enough for several blocks that are worked on at the same time
+    TetComplex one = bar_of_tets({80, 6, 6}, 0.19, 12), many = one;
+    const OdtReport report = optimise(one, 3, 1);
     optimise(many, 3, 4);
+    CHECK(report.moves > 1000);
+    CHECK(report.flips > 100);
+    CHECK(report.energy_after < report.energy_before);
     CHECK(are_same_bytes(one, many));
 }
 
