@@ -47,7 +47,7 @@ struct KnownTriangulation {
     std::vector<NodeId> nodes;
     std::vector<Vec3> seeds;
     Triangulation triangulation;
-    bool is_delaunay;  ///< filling anew would give the same
+    bool is_best;  ///< filling anew would give nothing better
 };
 
 std::vector<Vec3> seeds_of(const Cavity& cavity, const CavityFill& fill) {
@@ -87,7 +87,7 @@ class Filling {
     VolumeResult run() {
         {
             const RunContext::Step step(context_, "volume");
-            for (int round = 0; !fill_all(); ++round) mend(round);
+            for (int round = 0; !fill_all() || flip_flat_tets(round); ++round) mend(round);
         }
         {
             const RunContext::Step step(context_, "optimise");
@@ -113,12 +113,12 @@ class Filling {
 
     void fill(std::size_t i, bool is_main) {
         const Cavity& cavity = cavities_[i];
-        for (const KnownTriangulation& known : known_) {
+        for (KnownTriangulation& known : known_) {
             if (known.nodes != cavity.nodes) continue;
             std::vector<Vec3> points = cavity.points;
             points.insert(points.end(), known.seeds.begin(), known.seeds.end());
-            fills_[i] = flood_cavity(cavity, std::move(points), known.triangulation);
-            if (known.is_delaunay || (fills_[i].is_complete() && !has_inverted_tet(fills_[i]))) return;
+            fills_[i] = flood_cavity(cavity, std::move(points), std::move(known.triangulation));
+            if (known.is_best || (fills_[i].is_complete() && !has_inverted_tet(fills_[i]))) return;
         }
         fills_[i] = fill_cavity(cavity, seam_balls(result_.mesh, cavity), active_, size_, context_, is_main);
     }
@@ -137,6 +137,19 @@ class Filling {
             else if (!is_changed)
                 recover(cavities_[i], fill);
         }
+    }
+
+    /// Whether there was a tet without height to get rid of, so that another round is due.
+    bool flip_flat_tets(int round) {
+        if (round >= most_rounds) return false;
+        bool is_changed = false;
+        for (std::size_t i = 0; i < cavities_.size(); ++i) {
+            const FacetSplit flips = flip_flat(cavities_[i], fills_[i], result_.mesh);
+            if (flips.pieces.empty()) continue;
+            is_changed = true;
+            apply(flips, cavities_[i]);
+        }
+        return is_changed;
     }
 
     /// Gives up the kept tets behind seam facets that are missing.
@@ -228,6 +241,20 @@ class Filling {
             result_.report.odt_energy_after += odt.energy_after;
             result_.report.slivers_before += slivers.before;
             result_.report.slivers_left += slivers.left;
+            require_positive(cavities_[i], complexes_[i]);
+        }
+    }
+
+    void require_positive(const Cavity& cavity, const TetComplex& complex) const {
+        for (const auto& tet : complex.tets) {
+            if (tet[0] < 0) continue;
+            const auto& p = complex.points;
+            if (signed_volume(p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]) > 0) continue;
+            std::string nearest = "inside the solid";
+            for (const int corner : tet)
+                if (corner < static_cast<int>(cavity.nodes.size()))
+                    nearest = "at " + name_of(result_.mesh.entities[cavity.nodes[corner].index()]);
+            throw MeshError("a tet without volume remains " + nearest + "; mesh finer there, or try another size");
         }
     }
 

@@ -2,6 +2,7 @@
 #include "volume/flip_facets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -24,17 +25,49 @@ class FlipSearch {
     FlipSearch(const Cavity& cavity, const CavityFill& fill, const Mesh& mesh)
         : cavity_(cavity), fill_(fill), mesh_(mesh) {}
 
-    FacetSplit search() {
-        std::vector<Quad> quads = candidates();
+    FacetSplit missing() const {
+        const std::vector<Quad> quads = quads_among(fill_.places.missing);
         std::vector<Facet> wanted;
         for (const Quad& q : quads) wanted.push_back({{q.a, q.b, q.d}, {}}), wanted.push_back({{q.b, q.c, q.d}, {}});
         const FacetPlaces places = find_facets(fill_.triangulation, fill_.points.size(), wanted);
         const std::set<int> absent(places.missing.begin(), places.missing.end());
+        std::vector<Quad> there;
+        for (std::size_t i = 0; i < quads.size(); ++i)
+            if (!absent.contains(static_cast<int>(2 * i)) && !absent.contains(static_cast<int>(2 * i + 1)))
+                there.push_back(quads[i]);
+        return split_of(there);
+    }
+
+    FacetSplit flat() const {
+        std::vector<int> facets;
+        for (std::size_t t = 0; t < fill_.regions.size(); ++t) {
+            if (fill_.regions[t] < 0 || !is_flat(fill_.triangulation.tets[t])) continue;
+            std::vector<int> own;
+            for (int k = 0; k < 4; ++k)
+                if (const int f = fill_.places.facet_at[4 * t + k]; f >= 0) own.push_back(f);
+            if (own.size() == 2 && is_one_sided(own[0]) && is_one_sided(own[1]))
+                facets.insert(facets.end(), own.begin(), own.end());
+        }
+        std::sort(facets.begin(), facets.end());
+        facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+        return split_of(quads_among(facets));
+    }
+
+  private:
+    bool is_one_sided(int facet) const {
+        return std::min(cavity_.facets[facet].regions[0], cavity_.facets[facet].regions[1]) < 0;
+    }
+    bool is_flat(const std::array<int, 4>& t) const {
+        const Vec3 &a = fill_.points[t[0]], &b = fill_.points[t[1]], &c = fill_.points[t[2]], &d = fill_.points[t[3]];
+        const double squared = std::max({squared_length(b - a), squared_length(c - a), squared_length(d - a)});
+        return signed_volume(a, b, c, d) < 1e-7 * squared * std::sqrt(squared);
+    }
+
+    /// Changes of diagonal, none of which touches a facet of another.
+    FacetSplit split_of(const std::vector<Quad>& quads) const {
         FacetSplit split;
         std::set<int> used;
-        for (std::size_t i = 0; i < quads.size(); ++i) {
-            const Quad& q = quads[i];
-            if (absent.contains(static_cast<int>(2 * i)) || absent.contains(static_cast<int>(2 * i + 1))) continue;
+        for (const Quad& q : quads) {
             if (used.contains(q.first) || used.contains(q.second)) continue;
             used.insert({q.first, q.second});
             split.pieces.push_back(piece(q.a, q.b, q.d, q.first));
@@ -45,17 +78,17 @@ class FlipSearch {
         return split;
     }
 
-  private:
-    std::vector<Quad> candidates() const {
+    std::vector<Quad> quads_among(const std::vector<int>& facets) const {
         std::map<Edge, std::vector<int>> by_edge;
-        for (const int f : fill_.places.missing)
+        for (const int f : facets)
             for (int k = 0; k < 3; ++k)
                 by_edge[edge_of(cavity_.facets[f].corners[k], cavity_.facets[f].corners[(k + 1) % 3])].push_back(f);
-        const std::set<Edge> taken = edges_near(by_edge), segments = segments_near(by_edge);
         std::vector<Quad> quads;
-        for (const auto& [edge, facets] : by_edge) {
-            if (facets.size() != 2 || segments.contains(edge) || !are_alike(facets[0], facets[1])) continue;
-            const Quad q = quad_of(facets[0], facets[1], edge);
+        if (facets.empty()) return quads;
+        const std::set<Edge> taken = edges_near(by_edge), segments = segments_near(by_edge);
+        for (const auto& [edge, pair] : by_edge) {
+            if (pair.size() != 2 || segments.contains(edge) || !are_alike(pair[0], pair[1])) continue;
+            const Quad q = quad_of(pair[0], pair[1], edge);
             if (q.a >= 0 && !taken.contains(edge_of(q.b, q.d)) && is_smooth(q)) quads.push_back(q);
         }
         return quads;
@@ -143,7 +176,11 @@ class FlipSearch {
 }  // namespace
 
 FacetSplit flip_missing(const Cavity& cavity, const CavityFill& fill, const Mesh& mesh) {
-    return FlipSearch(cavity, fill, mesh).search();
+    return FlipSearch(cavity, fill, mesh).missing();
+}
+
+FacetSplit flip_flat(const Cavity& cavity, const CavityFill& fill, const Mesh& mesh) {
+    return FlipSearch(cavity, fill, mesh).flat();
 }
 
 }  // namespace featuremesh

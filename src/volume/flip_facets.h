@@ -11,4 +11,8 @@ namespace featuremesh {
 /// circle, mostly): that change of diagonal, as a split without added points.
 FacetSplit flip_missing(const Cavity& cavity, const CavityFill& fill, const Mesh& mesh);
 
+/// Where a tet without height lies under two facets of one CAD face, nodes in one plane to the last bits: the change of
+/// diagonal that leaves it outside. Only for faces with a solid on one side.
+FacetSplit flip_flat(const Cavity& cavity, const CavityFill& fill, const Mesh& mesh);
+
 }  // namespace featuremesh
