@@ -56,9 +56,7 @@ def download(package, source, folder):
     apt = ["apt-get", "-q", "-o", f"Dir::Etc::SourceList={sources_list}", "-o", "Dir::Etc::SourceParts=/nonexistent",
            "-o", f"Dir::State::Lists={lists}", "-o", "Dir::Cache::pkgcache=", "-o", "Dir::Cache::srcpkgcache=",
            "-o", "Acquire::Languages=none", "-o", "APT::Update::Error-Mode=any"]
-    if is_frozen(source):
-        apt += ["-o", "Acquire::Check-Valid-Until=false"]
-    run_logged([*apt, "update"], f"reading the package list of Debian testing at {source['uri']}")
+    apt = read_lists(apt, source)
     run_logged([*apt, "download", package], f"downloading {package} of Debian testing", cwd=folder)
     return next(folder.glob(package + "_*.deb"))
 
@@ -71,8 +69,29 @@ def testing_line(source):
     return f"deb {option}{source['uri']} testing main\n"
 
 
-def is_frozen(source):
-    """A snapshot of the archive stays as it was, so its signatures are out of date by design."""
+def read_lists(apt, source):
+    """Reads the private lists; gives the apt command with which that went well.
+
+    An archive that stays as it was (a snapshot, a mirror that is no longer fed) is out of date by design. Its signature is checked all
+    the same.
+    """
+    what = f"reading the package list of Debian testing at {source['uri']}"
+    frozen = [*apt, "-o", "Acquire::Check-Valid-Until=false"]
+    if is_snapshot(source):
+        run_logged([*frozen, "update"], what)
+        return frozen
+    try:
+        run_logged([*apt, "update"], what)
+        return apt
+    except Failure as failure:
+        if "is expired" not in str(failure):
+            raise
+    say(f"{source['uri']} is frozen (its list of Debian testing is out of date); its signature is still checked")
+    run_logged([*frozen, "update"], what)
+    return frozen
+
+
+def is_snapshot(source):
     return "snapshot" in source["uri"] or source["check_valid_until"] in ("no", "false")
 
 

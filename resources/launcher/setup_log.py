@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Set-up is quiet: what its programs say goes to build/setup.log, whose end is shown when one fails."""
+import os
 import subprocess
 import sys
 
@@ -20,7 +21,8 @@ def run_logged(command, what, **options):
         log.flush()
         start = log.tell()
         try:
-            code = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT, **options).returncode
+            code = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT,
+                                  env={**os.environ, "LC_ALL": "C.UTF-8"}, **options).returncode
         except FileNotFoundError:
             raise Failure(f"{what} failed: the program {command[0]} is not installed") from None
     if code:

@@ -127,11 +127,28 @@ Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
         with self.assertRaisesRegex(Failure, "no Debian mirror.*build/deps/cgal"):
             self.source_with(main="deb http://archive.example/ubuntu noble main\n")
 
+    def lists_read(self, source, *failures):
+        """The apt commands that reading the lists runs, when the first ones fail as given."""
+        failures = list(failures)
+        commands = []
+
+        def run_logged(command, what):
+            commands.append(command)
+            if failures:
+                raise Failure(failures.pop(0))
+
+        with mock.patch.object(cgal_headers, "run_logged", run_logged), mock.patch.object(cgal_headers, "say"):
+            cgal_headers.read_lists(["apt-get"], source)
+        return ["Acquire::Check-Valid-Until=false" in command for command in commands]
+
     def test_only_a_frozen_archive_may_be_out_of_date(self):
         source = self.source_with(debian_sources=self.DEB822)
-        self.assertFalse(cgal_headers.is_frozen(source))
-        self.assertTrue(cgal_headers.is_frozen({**source, "uri": "http://snapshot.example/archive/debian/20250101T000000Z"}))
-        self.assertTrue(cgal_headers.is_frozen({**source, "check_valid_until": "no"}))
+        self.assertEqual(self.lists_read(source), [False])
+        self.assertEqual(self.lists_read({**source, "uri": "http://snapshot.example/archive/debian/20250101T000000Z"}), [True])
+        self.assertEqual(self.lists_read({**source, "check_valid_until": "no"}), [True])
+        self.assertEqual(self.lists_read(source, "E: Release file for x is expired (invalid since 15d)."), [False, True])
+        with self.assertRaisesRegex(Failure, "no key"):
+            self.lists_read(source, "no key")
 
     def test_the_signature_is_always_checked(self):
         line = cgal_headers.testing_line(self.source_with(debian_sources=self.DEB822))
