@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "cells/final_faces.h"
@@ -93,9 +94,29 @@ class CellBuilder {
         return decide_material() && books_close();
     }
 
+    /// Known at once where the kernel kept a face of the final shape: there is material on that side of it or there is not.
+    std::vector<std::optional<bool>> material_by_identity() const {
+        std::vector<std::optional<bool>> material(model_.cells.size());
+        for (const CellFace& face : model_.faces) {
+            const FaceId id = final_shape_.find(face.face);
+            if (!id.is_valid()) continue;
+            const auto sides = final_shape_.sides_of(id);
+            const bool forward = final_shape_.face(id).Orientation() == TopAbs_FORWARD;
+            for (const int side : {0, 1})
+                if (face.cells[side].is_valid()) material[face.cells[side].index()] = sides[forward ? side : 1 - side].is_valid();
+        }
+        return material;
+    }
+
     bool decide_material() {
-        for (Cell& cell : model_.cells) {
+        const auto known = material_by_identity();
+        for (std::size_t c = 0; c < model_.cells.size(); ++c) {
+            Cell& cell = model_.cells[c];
             context_.check_cancelled();
+            if (known[c]) {
+                cell.material = *known[c];
+                continue;
+            }
             const auto inner = point_inside(cell.solid);
             if (!inner && cell.volume > Tolerances::volume_books * final_volume_) return note("a cell without a sound inner point"), false;
             cell.material = inner && probe_.side_of(*inner) == Side::inside;

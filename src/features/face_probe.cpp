@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "features/face_probe.h"
 
+#include <BRepTools.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
 #include <ElSLib.hxx>
@@ -21,7 +22,7 @@ struct FaceProbe::Data {
     Handle(ShapeAnalysis_Surface) free_form;
     std::optional<std::optional<Vec3>> inner_point;
 
-    explicit Data(const TopoDS_Face& f) : face(f), box(box_of(f)), surface(f, true) {}
+    explicit Data(const TopoDS_Face& f) : face(f), box(box_of(f)), surface(f, false) {}
 
     gp_Pnt2d nearest_parameters(const gp_Pnt& p) {
         double u = 0, v = 0;
@@ -35,8 +36,9 @@ struct FaceProbe::Data {
                 if (free_form.IsNull()) {
                     free_form = new ShapeAnalysis_Surface(BRep_Tool::Surface(face));
                     // Extrusions and other unbounded surfaces have no bounds of their own to search in.
-                    free_form->SetDomain(surface.FirstUParameter(), surface.LastUParameter(), surface.FirstVParameter(),
-                                         surface.LastVParameter());
+                    double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
+                    BRepTools::UVBounds(face, u1, u2, v1, v2);
+                    free_form->SetDomain(u1, u2, v1, v2);
                 }
                 return free_form->ValueOfUV(p, Precision::Confusion());
         }

@@ -186,10 +186,11 @@ double flux(const TopoDS_Shape& faces, const Vec3& apex) {
     for (TopExp_Explorer it(faces, TopAbs_FACE); it.More(); it.Next()) {
         const TopoDS_Face& face = TopoDS::Face(it.Current());
         if (face.Orientation() != TopAbs_FORWARD && face.Orientation() != TopAbs_REVERSED) continue;
-        const BRepAdaptor_Surface surface(face, true);
+        const BRepAdaptor_Surface surface(face, false);
         const double size = box_of(face).diagonal();
-        const double share = surface.GetType() == GeomAbs_Plane ? flux_of_plane(face, surface, apex, size)
-                                                                : CurvedFace(face, surface, apex, size).value();
+        const double share = surface.GetType() == GeomAbs_Plane
+                                 ? flux_of_plane(face, surface, apex, size)
+                                 : CurvedFace(face, BRepAdaptor_Surface(face, true), apex, size).value();
         sum += face.Orientation() == TopAbs_REVERSED ? -share : share;
     }
     return sum;

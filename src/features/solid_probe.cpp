@@ -14,6 +14,7 @@
 #include <TopoDS_Shape.hxx>
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "features/occt_geometry.h"
@@ -36,20 +37,20 @@ constexpr std::array<Vec3, 8> ray_directions{{{0.5361, 0.7233, 0.4353},
                                               {-0.9011, 0.2217, -0.3727},
                                               {0.2311, -0.1129, -0.9664}}};
 
-/// Does the ray meet the box? Slabs.
-bool meets(const Box& box, const Vec3& from, const Vec3& direction) {
+/// Where the ray enters the box, if it does. Slabs.
+std::optional<double> entry(const Box& box, const Vec3& from, const Vec3& direction) {
     double near = 0, far = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 3; ++i) {
         const double low = box.low[i] - from[i], high = box.high[i] - from[i];
         if (std::abs(direction[i]) < 1e-300) {
-            if (low > 0 || high < 0) return false;
+            if (low > 0 || high < 0) return std::nullopt;
             continue;
         }
         const double a = low / direction[i], b = high / direction[i];
         near = std::max(near, std::min(a, b));
         far = std::min(far, std::max(a, b));
     }
-    return near <= far;
+    return near <= far ? std::optional<double>(near) : std::nullopt;
 }
 
 struct Hit {
@@ -86,16 +87,31 @@ struct SolidProbe::Data {
         }
     }
 
-    std::vector<Hit> hits(const Vec3& from, const Vec3& direction) const {
-        std::vector<Hit> all;
-        for (const ProbedFace& face : faces)
-            if (meets(face.box, from, direction)) add_hits(face, from, direction, all);
-        std::sort(all.begin(), all.end(), [](const Hit& a, const Hit& b) { return a.distance < b.distance; });
-        return all;
+    /// The nearest hits further than `skip`, complete up to a tie behind the first. Faces are asked in the order in which the ray enters their
+    /// boxes, and no more of them than it takes: to prepare a face for its first question costs more than all else.
+    std::vector<Hit> nearest_hits(const Vec3& from, const Vec3& direction, double skip) const {
+        std::vector<std::pair<double, std::size_t>> candidates;
+        for (std::size_t f = 0; f < faces.size(); ++f)
+            if (const auto near = entry(faces[f].box, from, direction)) candidates.emplace_back(*near, f);
+        std::sort(candidates.begin(), candidates.end());
+        std::vector<Hit> hits;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const auto& [near, f] : candidates) {
+            if (near > nearest + tie) break;
+            std::vector<Hit> more;
+            add_hits(faces[f], from, direction, more);
+            for (const Hit& hit : more) {
+                if (hit.distance <= skip) continue;
+                hits.push_back(hit);
+                nearest = std::min(nearest, hit.distance);
+            }
+        }
+        std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.distance < b.distance; });
+        return hits;
     }
 
     std::optional<Side> side_along(const Vec3& p, const Vec3& direction) const {
-        const std::vector<Hit> all = hits(p, direction);
+        const std::vector<Hit> all = nearest_hits(p, direction, -2 * touching);
         if (all.empty()) return Side::outside;
         if (all[0].distance <= touching) return Side::on;
         if (!all[0].sound || (all.size() > 1 && all[1].distance - all[0].distance < tie)) return std::nullopt;
@@ -134,9 +150,8 @@ Side SolidProbe::side_of(const Vec3& p) const {
 }
 
 std::optional<double> SolidProbe::first_hit(const Vec3& from, const Vec3& direction, double skip) const {
-    for (const Hit& hit : data_->hits(from, direction))
-        if (hit.distance > skip) return hit.distance;
-    return std::nullopt;
+    const std::vector<Hit> hits = data_->nearest_hits(from, direction, skip);
+    return hits.empty() ? std::nullopt : std::optional<double>(hits.front().distance);
 }
 
 std::optional<FacePoint> point_on(const TopoDS_Face& face) {
@@ -152,10 +167,11 @@ std::optional<FacePoint> point_on(const TopoDS_Face& face) {
 std::optional<Vec3> point_inside(const TopoDS_Shape& solid) {
     constexpr int stretches = 3;
     const SolidProbe probe(solid);
+    const double good_enough = 0.01 * box_of(solid).diagonal();
     std::optional<Vec3> best;
     double best_length = 0;
     int found = 0;
-    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More() && found < stretches; it.Next()) {
+    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More() && found < stretches && best_length < good_enough; it.Next()) {
         const auto start = point_on(TopoDS::Face(it.Current()));
         if (!start) continue;
         const auto length = probe.first_hit(start->point, -start->normal, 10 * touching);
