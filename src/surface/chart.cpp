@@ -87,16 +87,17 @@ struct Chart::Data {
     }
 
     void make_stretched() {
-        constexpr int intervals = 48, lines = 12;
+        const bool is_even = surface.GetType() == GeomAbs_Sphere || surface.GetType() == GeomAbs_Torus;
+        const int intervals = is_even ? 1 : 32, lines = 8;
         const auto speeds = [&](bool along_u) {
-            std::vector<double> speed(intervals, 0);
+            std::vector<double> speed(static_cast<std::size_t>(intervals), 0);
             for (int i = 0; i < intervals; ++i)
                 for (int j = 0; j < lines; ++j) {
                     const double a = (i + 0.5) / intervals, b = (j + 0.5) / lines;
                     gp_Pnt p;
                     gp_Vec du, dv;
                     surface.D1(u_min + (along_u ? a : b) * (u_max - u_min), v_min + (along_u ? b : a) * (v_max - v_min), p, du, dv);
-                    speed[i] += (along_u ? du : dv).Magnitude() / lines;
+                    speed[static_cast<std::size_t>(i)] += (along_u ? du : dv).Magnitude() / lines;
                 }
             // A floor keeps the map one to one where the surface is singular along a whole line.
             const double largest = *std::max_element(speed.begin(), speed.end());

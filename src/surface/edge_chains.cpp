@@ -4,6 +4,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <TopoDS_Edge.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -18,20 +19,14 @@ Vec3 to_vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 /// Length over wanted length, arc length and turning of a piece of a curve, cumulated at equal steps of the parameter.
 class Measure {
   public:
-    Measure(const BRepAdaptor_Curve& curve, const SizingField& sizing, double first, double last) : first_(first) {
-        is_line_ = curve.GetType() == GeomAbs_Line;
-        const double rough = length_between(curve, first, last);
-        const bool is_even = is_line_ && sizing.is_uniform();
-        const double wanted = std::max(sizing.smallest(), rough / 4000);
-        const int steps = is_even ? 1 : std::clamp(static_cast<int>(std::ceil(4 * rough / wanted)), 32, 16000);
-        step_ = (last - first) / steps;
-        metric_.assign(1, 0);
-        Vec3 last_direction{};
-        for (int i = 0; i < steps; ++i) add_step(curve, sizing, first + i * step_, last_direction);
+    Measure(const BRepAdaptor_Curve& curve, const SizingField& sizing, double first, double last)
+        : curve_(curve), sizing_(sizing), is_line_(curve.GetType() == GeomAbs_Line) {
+        const int steps = is_line_ ? (sizing.is_uniform() ? 1 : 8) : 32;
+        for (int i = 0; i < steps; ++i) add(first + (last - first) * i / steps, first + (last - first) * (i + 1) / steps, 0);
+        t_.push_back(last);
     }
 
     double metric_length() const { return metric_.back(); }
-    double arc_length() const { return arc_; }
     double turning() const { return turning_; }
     bool is_line() const { return is_line_; }
 
@@ -41,44 +36,47 @@ class Measure {
         const auto above = std::upper_bound(metric_.begin() + 1, metric_.end() - 1, wanted);
         const auto i = static_cast<std::size_t>(above - metric_.begin()) - 1;
         const double width = metric_[i + 1] - metric_[i];
-        return first_ + step_ * (static_cast<double>(i) + (width > 0 ? (wanted - metric_[i]) / width : 0.5));
+        return t_[i] + (t_[i + 1] - t_[i]) * (width > 0 ? (wanted - metric_[i]) / width : 0.5);
     }
 
   private:
-    static double length_between(const BRepAdaptor_Curve& curve, double first, double last) {
-        constexpr int pieces = 64;
-        double sum = 0;
-        Vec3 before = to_vec(curve.Value(first));
-        for (int i = 1; i <= pieces; ++i) {
-            const Vec3 here = to_vec(curve.Value(first + (last - first) * i / pieces));
-            sum += distance(before, here);
-            before = here;
-        }
-        return sum;
-    }
-
-    void add_step(const BRepAdaptor_Curve& curve, const SizingField& sizing, double start, Vec3& last_direction) {
+    /// Steps are halved until each is a fraction of the wanted length, so that the cost goes with the number of nodes.
+    void add(double start, double end, int depth) {
         // Two Gauss points per step: exact for cubic integrands, the same from either end.
         const double offset = 0.5 / std::sqrt(3.0);
         double sum = 0;
-        for (const double x : {0.5 - offset, 0.5 + offset}) {
+        std::array<Vec3, 2> directions;
+        for (const int i : {0, 1}) {
             gp_Pnt p;
             gp_Vec d;
-            curve.D1(start + x * step_, p, d);
-            const Vec3 direction{d.X(), d.Y(), d.Z()};
-            const double speed = length(direction);
-            sum += 0.5 * speed * step_ / sizing.at(to_vec(p));
-            arc_ += 0.5 * speed * step_;
-            if (squared_length(last_direction) > 0 && speed > 0)
-                turning_ += std::atan2(length(cross(last_direction, direction)), dot(last_direction, direction));
-            if (speed > 0) last_direction = direction;
+            curve_.D1(start + (0.5 + (i == 0 ? -offset : offset)) * (end - start), p, d);
+            directions[static_cast<std::size_t>(i)] = {d.X(), d.Y(), d.Z()};
+            sum += 0.5 * d.Magnitude() * (end - start) / sizing_.at(to_vec(p));
         }
+        const bool is_even = is_line_ && sizing_.is_uniform();
+        if (sum > 0.5 && depth < 12 && !is_even) {
+            add(start, 0.5 * (start + end), depth + 1);
+            add(0.5 * (start + end), end, depth + 1);
+            return;
+        }
+        for (const Vec3& direction : directions) turn_to(direction);
+        t_.push_back(start);
         metric_.push_back(metric_.back() + sum);
     }
 
-    double first_, step_ = 0, arc_ = 0, turning_ = 0;
-    bool is_line_ = false;
-    std::vector<double> metric_;
+    void turn_to(const Vec3& direction) {
+        if (!(squared_length(direction) > 0)) return;
+        if (squared_length(last_direction_) > 0)
+            turning_ += std::atan2(length(cross(last_direction_, direction)), dot(last_direction_, direction));
+        last_direction_ = direction;
+    }
+
+    const BRepAdaptor_Curve& curve_;
+    const SizingField& sizing_;
+    bool is_line_;
+    double turning_ = 0;
+    Vec3 last_direction_{};
+    std::vector<double> t_, metric_{0};   ///< at the steps' ends
 };
 
 /// What the mesh already has on the edges.

@@ -32,19 +32,40 @@ class FaceFiller {
     }
 
   private:
-    bool takes_lattice() const { return geometry_.is_flat() && sizing_.is_uniform(); }
-
     void plant() {
-        const auto seeds = takes_lattice() ? lattice_seeds(boundary_, sizing_.largest())
-                                           : front_seeds(boundary_, domain_, chart_, sizing_, mesh_, context_);
-        domain_.insert(seeds);
+        for (const NodeId n : boundary_.nodes) wanted_.push_back(sizing_.at(mesh_.point(n)));
+        Seeds seeds;
+        if (geometry_.is_flat()) seeds = even_seeds();
+        is_lattice_ = !seeds.points.empty();
+        if (!is_lattice_) seeds = front_seeds(boundary_, wanted_, domain_, chart_, sizing_, mesh_, context_);
+        domain_.insert(seeds.points);
         patch_ = domain_.patch();
+        patch_.wanted = wanted_;
+        patch_.wanted.insert(patch_.wanted.end(), seeds.wanted.begin(), seeds.wanted.end());
         for (std::size_t p = 0; p < boundary_.nodes.size(); ++p) patch_.nodes[p] = boundary_.nodes[p].value;
         for (std::size_t p = 0; p < patch_.points.size(); ++p) {
             const bool is_boundary = p < boundary_.nodes.size();
             if (geometry_.is_flat()) patch_.places.push_back({patch_.points[p].x, patch_.points[p].y, 0});
             else patch_.places.push_back(is_boundary ? mesh_.point(boundary_.nodes[p]) : chart_.point(patch_.points[p]));
         }
+    }
+
+    /// A lattice where the wanted length is nearly the same on the whole face; else nothing.
+    Seeds even_seeds() const {
+        constexpr double even = 1.06;
+        auto [low, high] = std::minmax_element(wanted_.begin(), wanted_.end());
+        double smallest = *low, largest = *high;
+        if (largest > even * smallest) return {};
+        const double size = std::sqrt(smallest * largest);
+        Seeds seeds{lattice_seeds(boundary_, size), {}};
+        seeds.wanted.assign(seeds.points.size(), size);
+        if (sizing_.is_uniform()) return seeds;
+        for (const Vec2& p : seeds.points) {
+            const double h = sizing_.at(chart_.point(p));
+            smallest = std::min(smallest, h), largest = std::max(largest, h);
+            if (largest > even * smallest) return {};
+        }
+        return seeds;
     }
 
     /// Around a thin tube with a coarse seam a side may join the two copies of one node: a node is put in its middle.
@@ -61,9 +82,9 @@ class FaceFiller {
     void improve() {
         open_loops();
         if (!geometry_.is_flat()) make_delaunay(patch_);
-        if (!takes_lattice()) split_long_sides(patch_, geometry_, sizing_, context_);
-        smooth(patch_, geometry_, sizing_, context_);
-        if (split_folded(patch_, geometry_, context_) > 0) smooth(patch_, geometry_, sizing_, context_);
+        if (!is_lattice_) split_long_sides(patch_, geometry_, context_);
+        smooth(patch_, geometry_, context_);
+        if (split_folded(patch_, geometry_, context_) > 0) smooth(patch_, geometry_, context_);
         raise_smallest_angles(patch_, geometry_, wanted_angle, context_);
         patch_.compact();
     }
@@ -126,6 +147,8 @@ class FaceFiller {
     const Mesh& mesh_;
     RunContext& context_;
     TrianglePatch patch_;
+    std::vector<double> wanted_;   ///< side length by point of the boundary
+    bool is_lattice_ = false;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
@@ -81,16 +82,17 @@ class PointGrid {
 struct Seed {
     Vec2 point;
     Vec3 place, direction;   ///< direction of one of its six neighbours, in the surface
+    double wanted = 0;
     void* hint = nullptr;
 };
 
 class Front {
   public:
-    Front(const FaceBoundary& boundary, const ChartDomain& domain, const Chart& chart, const SizingField& sizing, const Mesh& mesh,
-          RunContext& context)
-        : boundary_(boundary), domain_(domain), chart_(chart), sizing_(sizing), mesh_(mesh), context_(context) {}
+    Front(const FaceBoundary& boundary, std::span<const double> wanted, const ChartDomain& domain, const Chart& chart,
+          const SizingField& sizing, const Mesh& mesh, RunContext& context)
+        : boundary_(boundary), wanted_(wanted), domain_(domain), chart_(chart), sizing_(sizing), mesh_(mesh), context_(context) {}
 
-    std::vector<Vec2> grow() {
+    Seeds grow() {
         place_boundary();
         for (const auto& s : boundary_.segments)
             if (!s.is_pole) start_from(s, 1);
@@ -99,26 +101,26 @@ class Front {
             if (i % 1024 == 0) context_.check_cancelled();
             grow_around(i);
         }
-        std::vector<Vec2> points;
-        points.reserve(seeds_.size());
-        for (const Seed& s : seeds_) points.push_back(s.point);
-        return points;
+        Seeds seeds;
+        for (const Seed& s : seeds_) seeds.points.push_back(s.point), seeds.wanted.push_back(s.wanted);
+        return seeds;
     }
 
   private:
     Vec2 point(int p) const { return boundary_.points[static_cast<std::size_t>(p)]; }
+    double wanted(int p) const { return wanted_[static_cast<std::size_t>(p)]; }
     Vec3 place(int p) const { return mesh_.point(boundary_.nodes[static_cast<std::size_t>(p)]); }
 
     void place_boundary() {
         const auto add_piece = [&](const BoundarySegment& s) {
             const Vec3 a = place(s.a), b = place(s.b);
-            const double l = s.is_pole ? sizing_.at(a) : distance(a, b);
-            grid_.add(a, spacing * std::max(l, sizing_.at(a)));
-            if (!s.is_pole) grid_.add(0.5 * (a + b), boundary_spacing * std::min(l, 2 * sizing_.at(a)));
+            const double h = wanted(s.a), l = s.is_pole ? h : distance(a, b);
+            grid_.add(a, spacing * std::max(l, h));
+            if (!s.is_pole) grid_.add(0.5 * (a + b), boundary_spacing * std::min(l, 2 * h));
         };
         for (const auto& s : boundary_.segments) add_piece(s);
-        for (const auto& s : boundary_.inner) add_piece(s), grid_.add(place(s.b), spacing * sizing_.at(place(s.b)));
-        for (const int p : boundary_.lone_points) grid_.add(place(p), spacing * sizing_.at(place(p)));
+        for (const auto& s : boundary_.inner) add_piece(s), grid_.add(place(s.b), spacing * wanted(s.b));
+        for (const int p : boundary_.lone_points) grid_.add(place(p), spacing * wanted(p));
     }
 
     /// The apex of the equilateral triangle on a piece.
@@ -129,7 +131,7 @@ class Front {
         const double l = length(along);
         if (!(l > 0)) return;
         const Vec3 inwards = normalized(cross(cross(frame.dx, frame.dy), along));
-        const double h = sizing_.at(frame.point), height = std::sqrt(std::max(0.25 * h * h, h * h - 0.25 * l * l));
+        const double h = 0.5 * (wanted(s.a) + wanted(s.b)), height = std::sqrt(std::max(0.25 * h * h, h * h - 0.25 * l * l));
         try_add(middle, frame, side * height * inwards, along, nullptr, 0.5 * (place(s.a) + place(s.b)));
     }
 
@@ -138,13 +140,12 @@ class Front {
         const Chart::Frame frame = chart_.frame(seed.point);
         const Vec3 normal = normalized(cross(frame.dx, frame.dy));
         const Vec3 e1 = normalized(seed.direction - dot(seed.direction, normal) * normal), e2 = cross(normal, e1);
-        const double h_here = sizing_.at(seed.place);
-        for (int k = 0; k < 6; ++k) {
-            const double angle = k * M_PI / 3;
-            const Vec3 direction = std::cos(angle) * e1 + std::sin(angle) * e2;
-            const Vec3 rough = seed.place + h_here * direction;
+        const double h_here = seed.wanted, half = 0.5, height = std::sqrt(0.75);
+        const std::array<std::array<double, 2>, 6> around{{{1, 0}, {half, height}, {-half, height}, {-1, 0}, {-half, -height}, {half, -height}}};
+        for (const auto& [x, y] : around) {
+            const Vec3 direction = x * e1 + y * e2, rough = seed.place + h_here * direction;
+            if (grid_.has_near(rough, 0.5 * spacing * h_here)) continue;
             const double h = sizing_.is_uniform() ? h_here : 0.5 * (h_here + sizing_.at(rough));
-            if (grid_.has_near(seed.place + h * direction, 0.5 * spacing * h)) continue;
             try_add(seed.point, frame, h * direction, direction, seed.hint, seed.place);
         }
     }
@@ -169,7 +170,7 @@ class Front {
         const double h = sizing_.at(there.point);
         if (grid_.has_near(there.point, spacing * h) || !domain_.contains(p, hint)) return;
         grid_.add(there.point, spacing * h);
-        seeds_.push_back({p, there.point, direction, hint});
+        seeds_.push_back({p, there.point, direction, h, hint});
     }
 
     /// The step in the chart that moves by the given vector on the surface, in the least-squares sense; false where the surface is singular.
@@ -182,6 +183,7 @@ class Front {
     }
 
     const FaceBoundary& boundary_;
+    std::span<const double> wanted_;
     const ChartDomain& domain_;
     const Chart& chart_;
     const SizingField& sizing_;
@@ -193,9 +195,9 @@ class Front {
 
 }  // namespace
 
-std::vector<Vec2> front_seeds(const FaceBoundary& boundary, const ChartDomain& domain, const Chart& chart, const SizingField& sizing,
-                              const Mesh& mesh, RunContext& context) {
-    return Front(boundary, domain, chart, sizing, mesh, context).grow();
+Seeds front_seeds(const FaceBoundary& boundary, std::span<const double> wanted, const ChartDomain& domain, const Chart& chart,
+                  const SizingField& sizing, const Mesh& mesh, RunContext& context) {
+    return Front(boundary, wanted, domain, chart, sizing, mesh, context).grow();
 }
 
 }  // namespace featuremesh

@@ -136,11 +136,12 @@ bool try_move(TrianglePatch& patch, const PatchGeometry& geometry, int p, const 
 }
 
 /// The weight per area that makes the triangles' sides follow the wanted length: its power -4. Empty where that is the same everywhere.
-std::vector<double> densities(const TrianglePatch& patch, const PatchGeometry& geometry, const SizingField& sizing) {
+std::vector<double> densities(const TrianglePatch& patch) {
+    const auto [smallest, largest] = std::minmax_element(patch.wanted.begin(), patch.wanted.end());
     std::vector<double> density;
-    if (sizing.is_uniform()) return density;
-    for (std::size_t p = 0; p < patch.points.size(); ++p) {
-        const double h = sizing.at(geometry.is_flat() ? geometry.chart().point(patch.points[p]) : patch.places[p]) / sizing.largest();
+    if (*smallest > 0.98 * *largest) return density;
+    for (const double wanted : patch.wanted) {
+        const double h = wanted / *largest;
         density.push_back(1 / (h * h * h * h));
     }
     return density;
@@ -168,10 +169,13 @@ double triangle_quality(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const auto angle = [](const Vec3& p, const Vec3& q, const Vec3& r) {
-        return std::atan2(length(cross(q - p, r - p)), dot(q - p, r - p));
-    };
-    return std::min({angle(a, b, c), angle(b, c, a), angle(c, a, b)});
+    // The smallest angle is the one opposite the shortest side.
+    const Vec3 ab = b - a, bc = c - b, ca = a - c;
+    const double l_ab = squared_length(ab), l_bc = squared_length(bc), l_ca = squared_length(ca);
+    const double twice_area = length(cross(ab, ca));
+    if (l_ab <= l_bc && l_ab <= l_ca) return std::atan2(twice_area, -dot(bc, ca));
+    if (l_bc <= l_ca) return std::atan2(twice_area, -dot(ab, ca));
+    return std::atan2(twice_area, -dot(ab, bc));
 }
 
 void make_delaunay(TrianglePatch& patch) {
@@ -181,7 +185,7 @@ void make_delaunay(TrianglePatch& patch) {
     flip_from(patch, queue);
 }
 
-std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry, const SizingField& sizing, RunContext& context) {
+std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry, RunContext& context) {
     constexpr double too_long = 1.6;
     std::size_t splits = 0;
     std::vector<int> queue;
@@ -196,9 +200,8 @@ std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry
                 const int n = patch.neighbours[t][at(i)];
                 if (n < 0) continue;
                 const int a = patch.triangles[t][at((i + 1) % 3)], b = patch.triangles[t][at((i + 2) % 3)];
-                const Vec2 middle = 0.5 * (patch.point(a) + patch.point(b));
                 const double l = distance(patch.place(a), patch.place(b));
-                const double h = geometry.is_flat() && sizing.is_uniform() ? sizing.largest() : sizing.at(geometry.chart().point(middle));
+                const double h = 0.5 * (patch.wanted[at(a)] + patch.wanted[at(b)]);
                 if (l > excess * h) excess = l / h, longest = i;
             }
             if (longest < 0) continue;
@@ -275,8 +278,8 @@ std::size_t split_folded(TrianglePatch& patch, const PatchGeometry& geometry, Ru
     return splits;
 }
 
-void smooth(TrianglePatch& patch, const PatchGeometry& geometry, const SizingField& sizing, RunContext& context) {
-    const std::vector<double> density = densities(patch, geometry, sizing);
+void smooth(TrianglePatch& patch, const PatchGeometry& geometry, RunContext& context) {
+    const std::vector<double> density = densities(patch);
     std::vector<char> is_active(patch.points.size(), 0), next(patch.points.size(), 0);
     for (std::size_t t = 0; t < patch.triangles.size(); ++t)
         if (!patch.is_removed(static_cast<int>(t)) && quality_of(patch, static_cast<int>(t)) < good_enough)

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/run_context.h"
-#include "sizing/sizing_field.h"
 #include "surface/chart.h"
 #include "surface/triangle_patch.h"
 
@@ -32,10 +31,10 @@ double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c);
 /// Turns sides until each is locally Delaunay as measured on the surface.
 void make_delaunay(TrianglePatch& patch);
 /// Splits inner sides that are much longer than wanted. Returns how many.
-std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry, const SizingField& sizing, RunContext& context);
+std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry, RunContext& context);
 /// The variational step, node by node: each goes to the area-weighted mean of the circumcentres of its star (Chen and Holst 2011), as long as that does not
 /// make a bad star worse; sides are turned in between. Only nodes with something to gain are visited.
-void smooth(TrianglePatch& patch, const PatchGeometry& geometry, const SizingField& sizing, RunContext& context);
+void smooth(TrianglePatch& patch, const PatchGeometry& geometry, RunContext& context);
 /// Splits triangles that stand across the surface: normals more than about 75 degrees off, as coarse chains on a strongly curved face give. Returns how many.
 std::size_t split_folded(TrianglePatch& patch, const PatchGeometry& geometry, RunContext& context);
 /// Triangles with an angle below the given one, worst first: turns, moves, removals and splits, each only when the smallest angle around grows.

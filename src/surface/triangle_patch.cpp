@@ -74,6 +74,7 @@ int TrianglePatch::split_triangle(int t, Vec2 point, Vec3 place) {
     points.push_back(point), places.push_back(place), is_fixed.push_back(0), nodes.push_back(-1), triangle_of.push_back(t);
     const auto [a, b, c] = corners(t);
     const auto [na, nb, nc] = neighbours[at(t)];
+    wanted.push_back((wanted[at(a)] + wanted[at(b)] + wanted[at(c)]) / 3);
     const int u = static_cast<int>(triangles.size()), v = u + 1;
     triangles[at(t)] = {a, b, p}, neighbours[at(t)] = {u, v, nc};
     add_triangle({b, c, p}, {v, t, na});
@@ -92,6 +93,7 @@ int TrianglePatch::split_side(int t, int i, Vec2 point, Vec3 place) {
     const int a = corners(t)[at(i)], b = corners(t)[at((i + 1) % 3)], d = corners(t)[at((i + 2) % 3)], e = corners(n)[at(j)];
     const int beyond_ab = neighbour(t, (i + 2) % 3), beyond_da = neighbour(t, (i + 1) % 3);
     const int beyond_be = neighbour(n, (j + 1) % 3), beyond_ed = neighbour(n, (j + 2) % 3);
+    wanted.push_back(0.5 * (wanted[at(b)] + wanted[at(d)]));
     const int u = static_cast<int>(triangles.size()), v = u + 1;
     triangles[at(t)] = {a, b, p}, neighbours[at(t)] = {v, u, beyond_ab};
     triangles[at(n)] = {e, d, p}, neighbours[at(n)] = {u, v, beyond_ed};

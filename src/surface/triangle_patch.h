@@ -17,6 +17,7 @@ struct TrianglePatch {
     std::vector<Vec2> points;                     ///< in the chart
     std::vector<Vec3> places;
     std::vector<char> is_fixed;                   ///< on the boundary, or kept
+    std::vector<double> wanted;                   ///< length of the sides at each point, mm
     std::vector<std::int32_t> nodes;              ///< the mesh's node at a boundary point; -1 for a new point
     std::vector<std::array<int, 3>> triangles;    ///< first corner -1: removed
     std::vector<std::array<int, 3>> neighbours;   ///< across the side opposite each corner; -1 at the boundary

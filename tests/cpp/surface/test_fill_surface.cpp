@@ -61,7 +61,7 @@ TEST_CASE("a coarse mesh is still a closed surface") {
     for (const NamedShape& s : named_shapes()) {
         INFO(s.name);
         const Brep brep(s.shape);
-        const Mesh mesh = mesh_surface(brep, 0.2 * brep.box().diagonal()).mesh;
+        const Mesh mesh = mesh_surface(brep, 0.1 * brep.box().diagonal()).mesh;
         CHECK(euler_characteristic(mesh) == s.euler);
         const auto broken = findings(brep, mesh);
         INFO((broken.empty() ? std::string() : broken.front()));
