@@ -63,7 +63,7 @@ def draw_report(folder):
 def test(given):
     if given.freecad != "0.20":
         raise UserError(f"--freecad {given.freecad}: only 0.20, this machine's FreeCAD, can be tested")
-    set_up((*packages.PICTURE_PACKAGES, *packages.PEER_PACKAGES), everything=True)
+    set_up(packages.PICTURE_PACKAGES, everything=True)
     say("running the tests")
     only = ["-R", given.only] if given.only else []
     process = subprocess.Popen(["ctest", "--test-dir", str(RELEASE), "--output-on-failure", "--no-tests=error", *only],
