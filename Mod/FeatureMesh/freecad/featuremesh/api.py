@@ -5,9 +5,12 @@ import math
 import os
 import time
 
-from . import edits, engine, export, reading, versions
+import FreeCAD
+import ObjectsFem
+
+from . import documents, edits, engine, export, reading, versions
 from .errors import UserError
-from .mesh_object import FeatureMesh, is_feature_mesh, local_sizes, one_line, options_of
+from .mesh_object import FeatureMesh, is_feature_mesh, options_of, plain
 
 DEFAULT_ELEMENTS = 30
 
@@ -72,10 +75,52 @@ def tree(part):
     return engine.load().read_tree(reading.read_document(part))
 
 
+def difference_to_file(part, path):
+    """The feature difference between the part of the document in `path` (old) and `part` (new)."""
+    known = set(FreeCAD.listDocuments())
+    active = FreeCAD.ActiveDocument
+    document = documents.open_document(path)
+    try:
+        old = reading.find_meshable(document, part.Name if document.getObject(part.Name) else None)
+        return plain(difference(old, part))
+    finally:
+        if document.Name not in known:
+            FreeCAD.closeDocument(document.Name)
+        if active is not None:
+            FreeCAD.setActiveDocument(active.Name)
+
+
 def estimate_tets(mesh):
     """About how many tets the mesh would have with its present settings."""
+    return estimated_tets(*estimate_input(mesh))
+
+
+def estimate_input(mesh, **settings):
+    """What estimated_tets needs of a mesh object, with other engine options than the object's where given."""
     part = versions.part_of(mesh)
-    return engine.load().estimate_tets(reading.read_document(part), options_of(mesh, part))
+    options = options_of(mesh, part)
+    options.update((name, value) for name, value in settings.items() if value is not None)
+    return reading.read_document(part), options
+
+
+def estimated_tets(raw, options):
+    """The estimate itself; touches no FreeCAD object, so any thread may ask for it."""
+    return engine.load().estimate_tets(raw, options)
+
+
+def add_local_size(mesh, references, size=None):
+    """Adds an FEM mesh refinement: `size` (mm, by default half the mesh size) on faces, edges or vertices of the part.
+
+    `references` are (object, "Face3") pairs. Throws UserError when there are none, or when they are not on the part.
+    """
+    part = versions.part_of(mesh)
+    foreign = [obj for obj, _ in references if obj is not part]
+    if not references or foreign:
+        raise UserError("select faces, edges or vertices of %s%s"
+                        % (reading.describe(part), ", not of " + foreign[0].Name if foreign else ""))
+    region = ObjectsFem.makeMeshRegion(mesh.Document, mesh, mesh.Size.Value / 2 if size is None else size)
+    region.References = references
+    return region
 
 
 def export_mesh(mesh, path, file_format=None):
@@ -126,6 +171,3 @@ def check_size(size, part):
         raise UserError("the size %g mm is larger than the part (%g mm across); try %g"
                         % (size, diagonal, default_size(part)))
 
-
-__all__ = ["add_mesh", "update_mesh", "recompute", "set_parameters", "difference", "tree", "estimate_tets", "export_mesh",
-           "meshes_of", "find_mesh", "default_size", "check_size", "local_sizes", "one_line"]

@@ -8,7 +8,11 @@ import sys
 from .errors import EngineMissing
 
 _PACKAGE = os.path.dirname(os.path.abspath(__file__))
-_PLACES = (_PACKAGE, os.path.dirname(os.path.dirname(_PACKAGE)))
+_WORKBENCH = os.path.dirname(os.path.dirname(_PACKAGE))
+# FreeCAD with a window ignores PYTHONPATH. Installed, the engine lies beside this package or in the workbench's folder; in a
+# clone, where the launcher builds it.
+_PLACES = (os.environ.get("FEATUREMESH_ENGINE", ""), _PACKAGE, _WORKBENCH,
+           os.path.join(_WORKBENCH, "..", "..", "build", "release", "bindings"))
 
 
 def load():
@@ -20,7 +24,7 @@ def load():
             raise EngineMissing("FeatureMesh's engine could not be loaded: %s" % error) from error
     except ImportError as error:
         raise EngineMissing("FeatureMesh's engine could not be loaded: %s" % error) from error
-    for place in _PLACES:
+    for place in filter(os.path.isdir, _PLACES):
         if any(name.startswith("featuremesh_engine.") and name.endswith((".so", ".pyd", ".py"))
                for name in os.listdir(place)):
             sys.path.append(place)

@@ -159,6 +159,12 @@ class FeatureMesh:
             self._checksum = checksum
         return self._part_mesh
 
+    def arrays(self, mesh):
+        """The arrays of the mesh as it is now (see PartMesh.arrays). Throws StateError."""
+        if self._part_mesh is not None and state.checksum_of(mesh.SavedState) == self._checksum:
+            return self._part_mesh.arrays()
+        return state.load(mesh.SavedState).arrays
+
     def show_state(self, mesh):
         """Makes FemMesh what the saved state says, after undo or redo brought back another one."""
         checksum = state.checksum_of(mesh.SavedState)
@@ -181,7 +187,7 @@ class FeatureMesh:
         if part is None or not mesh.FemMesh.VolumeCount or not self._shown:
             return
         try:
-            arrays = state.load(mesh.SavedState).arrays if self._part_mesh is None else self._part_mesh.arrays()
+            arrays = self.arrays(mesh)
         except StateError as error:
             FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, error))
             return

@@ -3,35 +3,59 @@
 
 
 def of_difference(found):
-    """The feature difference, one line per feature, unchanged ones counted."""
+    """The feature difference as text, one line per feature that changed."""
+    header, rows = rows_of_difference(found)
+    rows = [row for row, feature in zip(rows, found["features"]) if feature["verdict"] != "same"]
+    return "\n".join((_table(header, rows) if rows else []) + [difference_note(found)])
+
+
+def rows_of_difference(found):
+    """(header, one row per feature)."""
     rows = []
-    changed = [feature for feature in found["features"] if feature["verdict"] != "same"]
-    for feature in changed:
+    for feature in found["features"]:
         volumes = "%s -> %s" % (_volume(feature["old_volume"]), _volume(feature["new_volume"]))
-        rows.append((feature_name(feature), feature["verdict"], feature["detail"], volumes,
+        rows.append((feature_name(feature), feature["verdict"].replace("_", " "), feature["detail"], volumes,
                      _faces(feature["old_faces"]), _faces(feature["new_faces"])))
-    lines = _table(("feature", "what happened", "by how much", "volume mm^3", "old faces", "new faces"), rows) if rows else []
-    same = len(found["features"]) - len(changed)
+    return ("feature", "what happened", "by how much", "volume mm^3", "old faces", "new faces"), rows
+
+
+def difference_note(found):
+    """How many features and faces changed, and the engine's notes."""
+    changed = sum(feature["verdict"] != "same" for feature in found["features"])
     counts = {}
     for face in found["faces"]:
         counts[face["verdict"]] = counts.get(face["verdict"], 0) + 1
     faces = ", ".join("%d %s" % (counts[verdict], verdict.replace("_", " ")) for verdict in sorted(counts))
-    lines.append("%d features changed, %d did not; faces: %s" % (len(changed), same, faces or "none"))
-    return "\n".join(lines + ["note: " + note for note in found.get("notes", [])])
+    line = "%d features changed, %d did not; faces: %s" % (changed, len(found["features"]) - changed, faces or "none")
+    return "\n".join([line] + ["note: " + note for note in found.get("notes", [])])
 
 
 def of_tree(found):
-    """The feature tree, one line per feature."""
+    """The feature tree as text, one line per feature."""
+    return "\n".join(_table(*rows_of_tree(found)) + [tree_note(found)])
+
+
+def rows_of_tree(found):
+    """(header, one row per feature)."""
     rows = []
     for feature in found["features"]:
         volume = sum(entry["volume"] for entry in feature["volumes"])
         rows.append((feature_name(feature), feature["type"], feature["role"],
                      "%d" % len(feature["volumes"]), _volume(volume) if feature["volumes"] else "", feature["volume_source"],
                      ", ".join(feature["depends_on"]), "suppressed" if feature["suppressed"] else feature["error"]))
-    lines = _table(("feature", "type", "role", "volumes", "mm^3", "from", "depends on", "remark"), rows)
-    lines.append("%s: %d features, %d cells, %.10g mm^3 of material (FreeCAD: %.10g)" % (
-        found["object"], len(found["features"]), found["cells"], found["material_volume"], found["final_volume"]))
-    return "\n".join(lines + ["note: " + note for note in found.get("notes", [])])
+    return ("feature", "type", "role", "volumes", "mm^3", "from", "depends on", "remark"), rows
+
+
+def tree_note(found):
+    """The books: cells and material against FreeCAD's volume, and the engine's notes."""
+    line = "%s: %d features, %d cells, %.10g mm^3 of material (FreeCAD: %.10g)" % (
+        found["object"], len(found["features"]), found["cells"], found["material_volume"], found["final_volume"])
+    return "\n".join([line] + ["note: " + note for note in found.get("notes", [])])
+
+
+def face_names(faces):
+    """Names as FreeCAD's, from names or from indices that count from 0."""
+    return [face if isinstance(face, str) else "Face%d" % (face + 1) for face in faces]
 
 
 def feature_name(feature):
@@ -45,7 +69,7 @@ def _volume(value):
 
 
 def _faces(faces):
-    names = [face if isinstance(face, str) else "Face%d" % (face + 1) for face in faces]
+    names = face_names(faces)
     return ", ".join(names[:6]) + (" and %d more" % (len(names) - 6) if len(names) > 6 else "")
 
 

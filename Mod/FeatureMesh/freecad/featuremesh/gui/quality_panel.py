@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The quality of a mesh: a histogram of the smallest dihedral angles, a legend, and the worst elements to look at."""
+
+import FreeCAD
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+from .. import overlays
+from ..quality import min_dihedral_angles
+from ..view_provider import icon
+
+translate = FreeCAD.Qt.translate
+_BIN = 5
+
+
+class QualityPanel:
+    """Colours the elements while it is open."""
+
+    def __init__(self, mesh):
+        self.mesh = mesh
+        self.form = QtGui.QWidget()
+        self.form.setWindowIcon(QtGui.QIcon(icon("FeatureMesh_ShowQuality")))
+        self.form.setWindowTitle(translate("FeatureMesh", "Quality of %s") % mesh.Label)
+        layout = QtGui.QVBoxLayout(self.form)
+        arrays = mesh.Proxy.arrays(mesh)
+        layout.addWidget(Histogram(min_dihedral_angles(arrays["points"], arrays["tets"])))
+        layout.addWidget(QtGui.QLabel(translate("FeatureMesh", "Smallest angle %.2f deg,\nmean radius ratio %.3f")
+                                      % (mesh.MinDihedral.Value, mesh.MeanRadiusRatio)))
+        layout.addWidget(QtGui.QLabel(translate("FeatureMesh", "The worst elements, click to see:")))
+        self.worst = QtGui.QListWidget()
+        self._places = []
+        for number, angle, centre in overlays.worst_tets(mesh, 20):
+            self.worst.addItem("%d:  %.2f deg" % (number, angle))
+            self._places.append((number, centre))
+        self.worst.currentRowChanged.connect(self._look_at)
+        layout.addWidget(self.worst)
+        mesh.ViewObject.Proxy.colour(mesh, overlays.quality_colours(mesh))
+
+    def getStandardButtons(self):
+        return int(QtGui.QDialogButtonBox.Close)
+
+    def reject(self):
+        self.mesh.ViewObject.Proxy.colour(self.mesh, {})
+        Gui.Control.closeDialog()
+        return True
+
+    def _look_at(self, row):
+        number, centre = self._places[row]
+        self.mesh.ViewObject.HighlightedNodes = list(self.mesh.FemMesh.getElementNodes(number))
+        view = Gui.getDocument(self.mesh.Document).activeView()
+        if hasattr(view, "getCameraNode"):
+            camera = view.getCameraNode()
+            direction = view.getViewDirection()
+            distance = camera.focalDistance.getValue()
+            camera.position.setValue(*[c - distance * d for c, d in zip(centre, direction)])
+
+
+class Histogram(QtGui.QWidget):
+    """Counts of values in bins of five degrees."""
+
+    def __init__(self, angles):
+        super().__init__()
+        self.setMinimumHeight(160)
+        self._counts = [0] * (75 // _BIN)
+        for angle in angles:
+            self._counts[min(int(angle // _BIN), len(self._counts) - 1)] += 1
+        self.setToolTip(translate("FeatureMesh", "How many elements have which smallest dihedral angle (degrees)"))
+
+    def paintEvent(self, event):
+        painter = QtGui.QPainter(self)
+        painter.setRenderHint(QtGui.QPainter.Antialiasing)
+        width, height = self.width(), self.height() - 18
+        step, most = width / len(self._counts), max(self._counts) or 1
+        for index, count in enumerate(self._counts):
+            colour = [c for limit, c in overlays.QUALITY_STEPS if limit <= index * _BIN][-1]
+            bar = height * count / most
+            box = QtCore.QRectF(index * step + 1, height - bar, step - 2, bar)
+            painter.fillRect(box, QtGui.QColor.fromRgbF(*colour))
+            if 0 < count < most / 100:
+                painter.fillRect(QtCore.QRectF(index * step + 1, height - 2, step - 2, 2), QtGui.QColor.fromRgbF(*colour))
+            if index % 2 == 0:
+                painter.drawText(QtCore.QPointF(index * step, height + 14), str(index * _BIN))
+        painter.end()

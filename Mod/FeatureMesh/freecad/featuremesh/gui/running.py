@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs a mesh job beside FreeCAD's own thread, which keeps the window alive."""
+
+import threading
+
+import FreeCAD
+
+
+class RunningJob:
+    """A job in a thread of its own; asked from time to time how far it is."""
+
+    def __init__(self, job):
+        self.error = None
+        self.step, self.share = "starting", 0.0
+        self._job = job
+        self._cancelled = False
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+
+    def is_done(self, wait=0.0):
+        """Is it done? Waits up to `wait` seconds for that."""
+        self._thread.join(wait)
+        return not self._thread.is_alive()
+
+    def cancel(self):
+        """Ends the work at its next step."""
+        self._cancelled = True
+
+    def _run(self):
+        try:
+            self._job.run(self._progress)
+        except BaseException as error:
+            self.error = error
+
+    def _progress(self, step, share):
+        self.step, self.share = step, share
+        return not self._cancelled
+
+
+def run_with_indicator(job):
+    """Runs a job while FreeCAD recomputes, with its progress bar; Escape cancels."""
+    running = RunningJob(job)
+    indicator = FreeCAD.Base.ProgressIndicator()
+    indicator.start("FeatureMesh", 0)
+    try:
+        while not running.is_done(0.1):
+            try:
+                indicator.next(True)
+            except RuntimeError:
+                running.cancel()
+    finally:
+        indicator.stop()
+    if running.error is not None:
+        raise running.error
