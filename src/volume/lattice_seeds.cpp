@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <unordered_set>
 
 #include "volume/distance_to_triangle.h"
 #include "volume/region_locator.h"
@@ -32,6 +33,16 @@ constexpr std::int64_t root_edge = std::int64_t{2} << finest_level;
 
 using LatticePoint = std::array<std::int64_t, 3>;
 
+std::uint64_t hash_of(const LatticePoint& at) {
+    std::uint64_t state = 0x9e3779b97f4a7c15ull;
+    for (const std::int64_t x : at)
+        state = (state ^ static_cast<std::uint64_t>(x)) * 0xbf58476d1ce4e5b9ull, state ^= state >> 29;
+    return state;
+}
+struct HashPoint {
+    std::size_t operator()(const LatticePoint& at) const { return hash_of(at); }
+};
+
 class SeedOctree {
   public:
     SeedOctree(std::span<const Vec3> points, std::span<const Facet> facets, std::span<const Ball> balls,
@@ -51,10 +62,6 @@ class SeedOctree {
 
     std::vector<Vec3> lattice_points() {
         if (!facets_.empty()) split_root(root_cube(), all_neighbours());
-        if (!size_.is_uniform) {  // cells of several sizes share corners
-            std::sort(lattice_.begin(), lattice_.end());
-            lattice_.erase(std::unique(lattice_.begin(), lattice_.end()), lattice_.end());
-        }
         std::vector<Vec3> seeds;
         seeds.reserve(lattice_.size());
         for (const LatticePoint& at : lattice_) seeds.push_back(nudged(at));
@@ -94,10 +101,10 @@ class SeedOctree {
         for (const int i : among)
             if (holds(box, points[i])) here.push_back(i);
         if (here.empty()) return;
-        const Neighbours close = near(cube, candidates);
+        const Neighbours close = near(cube, wanted(box.center()), candidates);
         if (here.size() > 2 && !close.is_empty() && cube.edge > 2)
             return visit_children(cube, [&](const Cube& child) { mark_clear(child, close, points, here, is_good); });
-        for (const int i : here) is_good[i] = is_clear(points[i], close);
+        for (const int i : here) is_good[i] = is_clear(points[i], wanted(points[i]), close);
     }
 
     Vec3 place(const LatticePoint& at) const {
@@ -129,10 +136,10 @@ class SeedOctree {
         return cube;
     }
 
-    Neighbours near(const Cube& cube, const Neighbours& candidates) const {
+    /// What may be nearer to a point of the cube than the clearance; `size` is wanted at the cube's center.
+    Neighbours near(const Cube& cube, double size, const Neighbours& candidates) const {
         const Box box = box_of(cube);
-        const double reach =
-            size_.is_uniform ? size_.largest : std::min(size_.largest, wanted(box.center()) + 0.5 * box.diagonal());
+        const double reach = size_.is_uniform ? size : std::min(size_.largest, size + 0.5 * box.diagonal());
         const Box grown = box.grown(options_.clearance * reach);
         Neighbours found;
         for (const int i : candidates.facets)
@@ -159,52 +166,68 @@ class SeedOctree {
                 half});
     }
 
+    double wanted_in(const Cube& cube) const { return wanted(box_of(cube).center()); }
+
     void split_root(const Cube& cube, const Neighbours& candidates) {
         context_.check_cancelled();
-        const Neighbours close = near(cube, candidates);
-        if (close.is_empty()) return fill_free(cube);
-        if (cube.edge > root_edge) return visit_children(cube, [&](const Cube& child) { split_root(child, close); });
-        refine(cube, &close);
+        const double size = wanted_in(cube);
+        const Neighbours close = near(cube, size, candidates);
+        if (close.is_empty()) {
+            if (is_free_cube_inside(cube, size)) fill_free(cube);
+        } else if (cube.edge > root_edge) {
+            visit_children(cube, [&](const Cube& child) { split_root(child, close); });
+        } else {
+            refine(cube, size, close);
+        }
     }
 
-    /// No facet is near the cube: it is inside one region as a whole, or outside.
+    /// No facet is near the cube, so it is inside one region as a whole, or outside.
+    bool is_free_cube_inside(const Cube& cube, double size) const {
+        return locator_.region_at(box_of(cube).center(), 0.5 * options_.clearance * size) >= 0;
+    }
+
     void fill_free(const Cube& cube) {
-        if (!is_inside(box_of(cube).center(), 0.5 * options_.clearance * wanted(box_of(cube).center()))) return;
-        refine(cube, nullptr);
+        if (!is_cell(cube, wanted_in(cube))) return visit_children(cube, [&](const Cube& child) { fill_free(child); });
+        visit_points(cube, [&](const LatticePoint& at) { lattice_.push_back(at); });
     }
 
-    bool is_inside(const Vec3& p, double clearance) const { return locator_.region_at(p, clearance) >= 0; }
+    void refine(const Cube& cube, double size, const Neighbours& close) {
+        if (close.is_empty()) {
+            if (is_free_cube_inside(cube, size)) fill_free(cube);
+            return;
+        }
+        if (!is_cell(cube, size))
+            return visit_children(cube, [&](const Cube& child) {
+                const double child_size = wanted_in(child);
+                refine(child, child_size, near(child, child_size, close));
+            });
+        visit_points(cube, [&](const LatticePoint& at) {
+            if (is_clear(place(at), size, close)) lattice_.push_back(at);
+        });
+    }
 
-    bool is_cell(const Cube& cube) const {
+    bool is_cell(const Cube& cube, double size) const {
         if (cube.edge > root_edge) return false;
         if (size_.is_uniform || cube.edge <= 2) return true;
-        return static_cast<double>(cube.edge) * unit_ <=
-               std::sqrt(2.0) * lattice_constant(wanted(box_of(cube).center()));
+        return static_cast<double>(cube.edge) * unit_ <= std::sqrt(2.0) * lattice_constant(size);
     }
 
-    void refine(const Cube& cube, const Neighbours* close) {
-        if (!is_cell(cube))
-            return visit_children(cube, [&](const Cube& child) {
-                if (!close) return refine(child, nullptr);
-                const Neighbours closer = near(child, *close);
-                refine(child, &closer);
-            });
+    /// The middle and the corners that no cell before had. Cells of one size need only their first corner: the others
+    /// are their neighbours' first.
+    template <class Visit>
+    void visit_points(const Cube& cube, Visit visit) {
         const std::int64_t half = cube.edge / 2;
-        add({cube.low[0] + half, cube.low[1] + half, cube.low[2] + half}, close);
-        const int corners =
-            size_.is_uniform ? 1 : 8;  // with cells of one size the other corners are their neighbours' first ones
-        for (int k = 0; k < corners; ++k)
-            add({cube.low[0] + (k & 1 ? cube.edge : 0), cube.low[1] + (k & 2 ? cube.edge : 0),
-                 cube.low[2] + (k & 4 ? cube.edge : 0)},
-                close);
+        visit(LatticePoint{cube.low[0] + half, cube.low[1] + half, cube.low[2] + half});
+        if (size_.is_uniform) return visit(cube.low);
+        for (int k = 0; k < 8; ++k) {
+            const LatticePoint corner{cube.low[0] + (k & 1 ? cube.edge : 0), cube.low[1] + (k & 2 ? cube.edge : 0),
+                                      cube.low[2] + (k & 4 ? cube.edge : 0)};
+            if (seen_corners_.insert(corner).second) visit(corner);
+        }
     }
 
-    void add(const LatticePoint& at, const Neighbours* close) {
-        if (!close || is_clear(place(at), *close)) lattice_.push_back(at);
-    }
-
-    bool is_clear(const Vec3& p, const Neighbours& close) const {
-        const double clearance = options_.clearance * wanted(p), squared = clearance * clearance;
+    bool is_clear(const Vec3& p, double size, const Neighbours& close) const {
+        const double clearance = options_.clearance * size, squared = clearance * clearance;
         for (const int i : close.balls)
             if (squared_length(p - balls_[i].center) < balls_[i].radius * balls_[i].radius) return false;
         for (const int i : close.facets) {
@@ -213,13 +236,11 @@ class SeedOctree {
                 squared_distance_to_triangle(p, points_[c[0]], points_[c[1]], points_[c[2]]) < squared)
                 return false;
         }
-        return is_inside(p, 0.5 * clearance);
+        return locator_.region_at(p, 0.5 * clearance) >= 0;
     }
 
     Vec3 nudged(const LatticePoint& at) const {
-        std::uint64_t state = 0x9e3779b97f4a7c15ull;
-        for (const std::int64_t x : at)
-            state = (state ^ static_cast<std::uint64_t>(x)) * 0xbf58476d1ce4e5b9ull, state ^= state >> 29;
+        const std::uint64_t state = hash_of(at);
         const auto offset = [&](int shift) {
             return (static_cast<double>((state >> shift) & 0xfffff) / 0x100000 - 0.5) * 1e-6 * unit_ * root_edge;
         };
@@ -235,6 +256,7 @@ class SeedOctree {
     RegionLocator locator_;
     double unit_;
     std::vector<Box> boxes_;
+    std::unordered_set<LatticePoint, HashPoint> seen_corners_;
     std::vector<LatticePoint> lattice_;
 };
 
