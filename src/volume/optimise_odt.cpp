@@ -10,6 +10,8 @@ namespace featuremesh {
 
 namespace {
 
+constexpr int graded_sweeps = 3;
+
 // sums of chunks, so that the rounding does not depend on the number of threads
 double total_energy(const TetComplex& complex, RunContext& context) {
     constexpr std::size_t chunk = 1 << 13;
@@ -38,8 +40,9 @@ OdtReport optimise_odt(TetComplex& complex, const SizingField& sizing, const Odt
     DelaunayFlipper flipper(complex, context);
     mover.queue_gainers(marks);
     report.flips += flipper.restore(marks);
-    for (int sweep = 0; sweep < options.sweeps; ++sweep) {
-        const std::size_t moved = mover.sweep(marks, static_cast<double>(sweep) / options.sweeps, 1.0 / options.sweeps);
+    const int sweeps = options.weight_by_size ? graded_sweeps * options.sweeps : options.sweeps;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        const std::size_t moved = mover.sweep(marks, static_cast<double>(sweep) / sweeps, 1.0 / sweeps);
         if (moved == 0) break;
         report.moves += moved;
         report.flips += flipper.restore(marks);
