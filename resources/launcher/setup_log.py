@@ -6,7 +6,7 @@ import sys
 
 from layout import BUILD, SETUP_LOG, Failure
 
-LINES_SHOWN = 25
+LINES_SHOWN, WIDTH_SHOWN = 25, 200
 
 
 def say(line):
@@ -32,4 +32,4 @@ def run_logged(command, what, **options):
 def end_of(path, start=0):
     with open(path, encoding="utf-8", errors="replace") as text:
         text.seek(start)
-        return "".join("    " + line for line in text.readlines()[-LINES_SHOWN:])
+        return "\n".join("    " + line.rstrip()[:WIDTH_SHOWN] for line in text.readlines()[-LINES_SHOWN:])
