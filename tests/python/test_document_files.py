@@ -20,7 +20,7 @@ class Files(unittest.TestCase):
         self.path = os.path.join(self.folder, "part.FCStd")
         self.document = new_document()
         plate_with_hole(self.document)
-        documents.save_document(self.document, self.path)
+        self.document.saveCopy(self.path)
 
     def bytes(self):
         with open(self.path, "rb") as stream:

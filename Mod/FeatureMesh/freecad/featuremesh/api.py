@@ -3,6 +3,8 @@
 
 import math
 import os
+import shutil
+import tempfile
 import time
 
 import FreeCAD
@@ -77,17 +79,21 @@ def tree(part):
 
 def difference_to_file(part, path):
     """The feature difference between the part of the document in `path` (old) and `part` (new)."""
-    known = set(FreeCAD.listDocuments())
     active = FreeCAD.ActiveDocument
-    document = documents.open_document(path)
-    try:
-        old = reading.find_meshable(document, part.Name if document.getObject(part.Name) else None)
-        return plain(difference(old, part))
-    finally:
-        if document.Name not in known:
+    with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
+        copy = os.path.join(folder, os.path.basename(path))  # FreeCAD opens no file twice, and `path` may be open
+        try:
+            shutil.copyfile(path, copy)
+        except OSError as error:
+            raise UserError("cannot read %s: %s" % (path, error)) from error
+        document = documents.open_document(copy)
+        try:
+            old = reading.find_meshable(document, part.Name if document.getObject(part.Name) else None)
+            return plain(difference(old, part))
+        finally:
             FreeCAD.closeDocument(document.Name)
-        if active is not None:
-            FreeCAD.setActiveDocument(active.Name)
+            if active is not None:
+                FreeCAD.setActiveDocument(active.Name)
 
 
 def estimate_tets(mesh):

@@ -36,15 +36,18 @@ def open_document(path):
 
 
 def save_document(document, path):
-    """Saves a copy to `path`, whole or not at all; what the document shows (colours, views) is taken from its file."""
+    """Saves a copy to `path`, whole or not at all.
+
+    What the document shows (colours, views) is taken from its file; where that has none, the meshes are shown.
+    """
     folder = os.path.dirname(os.path.abspath(path))
     if not os.path.isdir(folder):
         raise UserError("cannot write %s: there is no folder %s" % (path, folder))
     temporary = os.path.join(folder, ".%s.%d.FCStd" % (os.path.basename(path), os.getpid()))
     try:
         document.saveCopy(temporary)
-        if not FreeCAD.GuiUp and document.FileName and os.path.isfile(document.FileName):
-            _take_over_view(document.FileName, temporary)
+        if not FreeCAD.GuiUp:
+            _add_view(document, temporary)
         with zipfile.ZipFile(temporary) as archive:
             if "Document.xml" not in archive.namelist():
                 raise OSError("FreeCAD wrote no document")
@@ -60,17 +63,36 @@ def save_document(document, path):
             os.unlink(temporary)
 
 
-def _take_over_view(source, target):
-    """Copies the view's part of the document, which FreeCAD without a window leaves out, into `target`."""
-    with zipfile.ZipFile(source) as old, zipfile.ZipFile(target, "a", zipfile.ZIP_DEFLATED) as new:
-        present = set(new.namelist())
-        if "GuiDocument.xml" in present or "GuiDocument.xml" not in old.namelist():
+def _add_view(document, path):
+    """FreeCAD without a window leaves out what a document shows, and opens such a document with everything hidden."""
+    with zipfile.ZipFile(path, "a", zipfile.ZIP_DEFLATED) as new:
+        if "GuiDocument.xml" in new.namelist():
             return
-        view = old.read("GuiDocument.xml")
-        wanted = [name for name in re.findall(r'file="([^"]+)"', view.decode("utf-8", "replace")) if name]
-        if any(name in present for name in wanted):
-            return  # a file of the model took the name; colours are worth less than a document that opens
-        new.writestr("GuiDocument.xml", view)
-        for name in dict.fromkeys(wanted + ["thumbnails/Thumbnail.png"]):
-            if name in old.namelist():
-                new.writestr(name, old.read(name))
+        source = document.FileName
+        if source and os.path.isfile(source) and zipfile.is_zipfile(source):
+            with zipfile.ZipFile(source) as old:
+                if "GuiDocument.xml" in old.namelist():
+                    _copy_view(old, new)
+                    return
+        new.writestr("GuiDocument.xml", _plain_view([obj.Name for obj in document.Objects
+                                                     if obj.isDerivedFrom("Fem::FemMeshObject")]))
+
+
+def _copy_view(old, new):
+    view = old.read("GuiDocument.xml")
+    wanted = [name for name in re.findall(r'file="([^"]+)"', view.decode("utf-8", "replace")) if name]
+    if any(name in new.namelist() for name in wanted):
+        return  # a file of the model took the name; colours are worth less than a document that opens
+    new.writestr("GuiDocument.xml", view)
+    for name in dict.fromkeys(wanted + ["thumbnails/Thumbnail.png"]):
+        if name in old.namelist():
+            new.writestr(name, old.read(name))
+
+
+def _plain_view(visible):
+    """A view in which only these objects are shown."""
+    providers = "".join(
+        '<ViewProvider name="%s" expanded="0"><Properties Count="1"><Property name="Visibility" type="App::PropertyBool">'
+        '<Bool value="true"/></Property></Properties></ViewProvider>' % name for name in visible)
+    return ('<?xml version="1.0" encoding="utf-8"?>\n<Document SchemaVersion="1"><ViewProviderData Count="%d">%s'
+            '</ViewProviderData><Camera settings=""/></Document>\n' % (len(visible), providers))

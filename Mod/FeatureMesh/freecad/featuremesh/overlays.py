@@ -22,6 +22,11 @@ def kept_colours(mesh):
     return {number: KEPT if kept else NEW for number, kept in zip(numbers, (origin >= 0).tolist())}
 
 
+def active_count(mesh):
+    """How many nodes the last update used as start positions without keeping them."""
+    return len(mesh.Proxy.last_part_mesh(mesh).active_points())
+
+
 def quality_colours(mesh):
     """{tet number: colour} by the smallest dihedral angle."""
     arrays = mesh.Proxy.arrays(mesh)

@@ -41,12 +41,9 @@ class ViewFeatureMesh:
         if name == "Status":
             mesh.ViewObject.signalChangeIcon()
 
-    is_coloured = False
-
     def colour(self, mesh, colours):
         """Colours elements {number: (red, green, blue)}; none: as usual."""
         mesh.ViewObject.ElementColor = colours
-        self.is_coloured = bool(colours)
 
     def claimChildren(self):
         mesh = getattr(self, "Object", None)

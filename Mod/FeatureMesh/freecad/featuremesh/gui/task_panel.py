@@ -59,10 +59,10 @@ class MeshPanel:
         self.automatic.setChecked(self.mesh.Automatic)
         self.automatic.setToolTip(self.mesh.getDocumentationOfProperty("Automatic"))
         for label, widget in ((translate("FeatureMesh", "Size"), self.size),
-                              (translate("FeatureMesh", "Smallest size"), self.min_size),
-                              (translate("FeatureMesh", "Elements"), self.order),
-                              (translate("FeatureMesh", "Elements per circle"), self.per_circle),
-                              (translate("FeatureMesh", "Elements across gaps"), self.across_gap),
+                              (translate("FeatureMesh", "Smallest"), self.min_size),
+                              (translate("FeatureMesh", "Element"), self.order),
+                              (translate("FeatureMesh", "Per circle"), self.per_circle),
+                              (translate("FeatureMesh", "Across gaps"), self.across_gap),
                               (translate("FeatureMesh", "Growth"), self.growth)):
             widget.setMinimumWidth(70)
             settings.addRow(label, widget)
@@ -177,11 +177,17 @@ class MeshPanel:
             self.mesh.Proxy.finish(self.mesh, self.job)
             self.mesh.Document.commitTransaction()
             self.mesh.purgeTouched()
+            self._show_mesh()
             self._show_result()
         except Exception as problem:
             self._failed(problem)
         self.job = None
         self._set_running(False)
+
+    def _show_mesh(self):
+        """Mesh and part at the same place would flicker, so the part is hidden."""
+        versions.part_of(self.mesh).ViewObject.Visibility = False
+        self.mesh.ViewObject.Visibility = True
 
     def _set_running(self, running):
         for widget in (self.mesh_button, self.full_button):
