@@ -14,7 +14,7 @@ double step_on_circle(double radius, double sag) {
 }
 }  // namespace
 
-CarrierChart::CarrierChart(const SurfaceCarrier& carrier, const UvBox& natural) : carrier_(carrier), natural_(natural) {
+CarrierChart::CarrierChart(const SurfaceCarrier& carrier) : carrier_(carrier) {
     if (carrier.kind != SurfaceKind::free_form) return;
     analysis_ = new ShapeAnalysis_Surface(carrier.surface);
     to_own_ = carrier.placement.Inverted();
@@ -85,7 +85,6 @@ std::optional<Uv> CarrierChart::parameters(const Vec3& p, const std::optional<Uv
 }
 
 Uv CarrierChart::step_for_sag(double sag) const {
-    const double quarter = std::numbers::pi / 2;
     switch (carrier_.kind) {
         case SurfaceKind::plane:
             return {straight, straight};
@@ -99,8 +98,7 @@ Uv CarrierChart::step_for_sag(double sag) const {
         case SurfaceKind::free_form:
             break;
     }
-    // A step of this length strays by less than its sixteenth unless the surface is bent tighter than the step.
-    return {std::min(8 * sag / scale_[0], quarter * natural_.size(0)), std::min(8 * sag / scale_[1], quarter * natural_.size(1))};
+    return {straight, straight};
 }
 
 }  // namespace featuremesh

@@ -25,8 +25,7 @@ struct UvBox {
 
 class CarrierChart {
   public:
-    /// `natural`: the part of the parameter plane that matters on a free-form carrier.
-    CarrierChart(const SurfaceCarrier& carrier, const UvBox& natural);
+    explicit CarrierChart(const SurfaceCarrier& carrier);
 
     const SurfaceCarrier& carrier() const { return carrier_; }
     /// Sets how much longer than in space a unit of either parameter may be, for the part of the plane that is used.
@@ -36,14 +35,14 @@ class CarrierChart {
     /// Parameters of a point on the carrier, near `previous` where they are not unique; nothing when the point is not on it.
     std::optional<Uv> parameters(const Vec3& p, const std::optional<Uv>& previous) const;
     Vec3 point(const Uv& uv) const { return point_at(carrier_, uv[0], uv[1]); }
-    /// Longest parameter step whose chord leaves the carrier by no more than `sag`, mm; huge along straight lines.
+    /// Longest parameter step whose chord leaves the carrier by no more than `sag`, mm; huge along straight lines
+    /// and on free-form carriers, where only the points themselves tell.
     Uv step_for_sag(double sag) const;
 
   private:
     bool is_pole(const Uv& uv) const;
 
     SurfaceCarrier carrier_;
-    UvBox natural_;
     Handle(ShapeAnalysis_Surface) analysis_;
     gp_Trsf to_own_;
     Uv scale_{1, 1};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "difference/feature_difference.h"
 
+#include <Standard_Failure.hxx>
 #include <algorithm>
 
 #include "core/errors.h"
@@ -78,12 +79,15 @@ void note_unrelated(const PartState& old_state, const PartState& new_state, std:
                                     [&](const Feature& f) { return old_state.tree.find(f.name).has_value(); });
     if (!common) notes.push_back("the two parts look unrelated: they have no feature name in common");
 }
-}  // namespace
 
-FeatureDifference compare(const PartState& old_state, const PartState& new_state, double resolution, RunContext& context) {
-    const RunContext::Step step(context, "difference");
-    if (!(resolution > 0) || !std::isfinite(resolution))
-        throw InputError("the resolution of the difference must be a positive length, not " + std::to_string(resolution) + " mm");
+void limit_motions(std::vector<MovedFeatures>& moved, std::vector<std::string>& notes) {
+    if (moved.size() <= most_motions) return;
+    notes.push_back(std::to_string(moved.size()) + " different motions; only the first " + std::to_string(most_motions) +
+                    " carry parts of the mesh");
+    moved.resize(most_motions);
+}
+
+FeatureDifference compare_states(const PartState& old_state, const PartState& new_state, double resolution, RunContext& context) {
     const Sameness sameness = sameness_for(old_state, new_state);
     FeatureVerdicts verdicts = compare_features(old_state, new_state, sameness);
     const BoundaryModel old_model(old_state.brep), new_model(new_state.brep);
@@ -96,11 +100,7 @@ FeatureDifference compare(const PartState& old_state, const PartState& new_state
     difference.faces = face_changes(in_place, match, difference.regions[0]);
     context.progress(0.6);
 
-    if (verdicts.moved.size() > most_motions) {
-        difference.notes.push_back(std::to_string(verdicts.moved.size()) + " different motions; only the first " +
-                                   std::to_string(most_motions) + " carry parts of the mesh");
-        verdicts.moved.resize(most_motions);
-    }
+    limit_motions(verdicts.moved, difference.notes);
     for (std::size_t m = 0; m < verdicts.moved.size(); ++m) {
         MovedFeatures& moved = verdicts.moved[m];
         const BoundaryPair pair{old_model, new_model, moved.motion, domain_of(moved, verdicts.everything_moved, resolution), sameness};
@@ -116,6 +116,20 @@ FeatureDifference compare(const PartState& old_state, const PartState& new_state
     difference.regions[0].features = names_of_unmoved(difference.features);
     note_unrelated(old_state, new_state, difference.notes);
     return difference;
+}
+}  // namespace
+
+FeatureDifference compare(const PartState& old_state, const PartState& new_state, double resolution, RunContext& context) {
+    const RunContext::Step step(context, "difference");
+    if (!(resolution > 0) || !std::isfinite(resolution))
+        throw InputError("the resolution of the difference must be a positive length, not " + std::to_string(resolution) + " mm");
+    try {
+        return compare_states(old_state, new_state, resolution, context);
+    } catch (const Standard_Failure& failure) {
+        const char* why = failure.GetMessageString();
+        throw KernelError(std::string("the two states of the part cannot be compared (") + (why ? why : "no reason given") +
+                          "); check the geometry of the new shape, or mesh it from scratch");
+    }
 }
 
 }  // namespace featuremesh

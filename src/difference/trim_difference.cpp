@@ -23,7 +23,7 @@ class TrimRaster {
     TrimRaster(const BoundaryPair& pair, const BoundaryMatch& match, const CarrierGroup& group, double resolution,
                std::vector<SpaceTriangle>& triangles)
         : pair_(pair), match_(match), group_(group), resolution_(resolution), leaf_(resolution), triangles_(triangles),
-          to_old_(pair.motion.inverse()), chart_(carrier(), natural_box()) {}
+          to_old_(pair.motion.inverse()), chart_(carrier()) {}
 
     void run() {
         const bool known = take_borders();
@@ -49,6 +49,7 @@ class TrimRaster {
         return moved(pair_.old_model.faces()[group_.old_faces[0].index()].carrier, to_trsf(pair_.motion));
     }
 
+    /// The parameters of all faces of a free-form carrier.
     UvBox natural_box() const {
         UvBox box;
         const auto add = [&](const BoundaryModel& model, FaceId f) {
@@ -56,9 +57,6 @@ class TrimRaster {
             BRepTools::UVBounds(model.brep().face(f), u0, u1, v0, v1);
             box.add({u0, v0}), box.add({u1, v1});
         };
-        if ((has_new() ? pair_.new_model.faces()[group_.new_faces[0].index()]
-                       : pair_.old_model.faces()[group_.old_faces[0].index()]).carrier.kind != SurfaceKind::free_form)
-            return box;
         for (const FaceId f : group_.old_faces) add(pair_.old_model, f);
         for (const FaceId f : group_.new_faces) add(pair_.new_model, f);
         return box;
@@ -349,6 +347,7 @@ class TrimRaster {
     }
 
     void emit(const UvBox& cell) {
+        if (chart_.carrier().kind == SurfaceKind::free_form) return emit_free_form(cell, 0);
         const auto parts = [&](int k) { return std::max(1, int(std::ceil(cell.size(k) / step_[k] - 1e-9))); };
         const int columns = parts(0), rows = parts(1);
         const auto corner = [&](int i, int j) { return chart_.point(cell.at(double(i) / columns, double(j) / rows)); };
@@ -358,6 +357,28 @@ class TrimRaster {
                 add_triangle(a, b, c);
                 add_triangle(a, c, d);
             }
+    }
+
+    // Quarters until the middles of a cell and of its sides are close to the two triangles.
+    void emit_free_form(const UvBox& cell, int depth) {
+        const double sag = resolution_ / 8;
+        const auto at = [&](double s, double t) { return chart_.point(cell.at(s, t)); };
+        const Vec3 a = at(0, 0), b = at(1, 0), c = at(1, 1), d = at(0, 1);
+        const double strays = std::max({distance(at(0.5, 0.5), (a + c) * 0.5), distance(at(0.5, 0), (a + b) * 0.5),
+                                        distance(at(1, 0.5), (b + c) * 0.5), distance(at(0.5, 1), (c + d) * 0.5),
+                                        distance(at(0, 0.5), (d + a) * 0.5)});
+        const bool small = std::max(distance(a, c), distance(b, d)) <= 2 * resolution_;
+        if ((strays <= sag && small) || depth >= 9) {
+            add_triangle(a, b, c);
+            add_triangle(a, c, d);
+            return;
+        }
+        for (int quarter = 0; quarter < 4; ++quarter) {
+            UvBox part;
+            part.add(cell.at(0.5, 0.5));
+            part.add(cell.at(quarter & 1, quarter >> 1));
+            emit_free_form(part, depth + 1);
+        }
     }
 
     // At a pole a side has no length.

@@ -3,12 +3,21 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_GTransform.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <GeomAPI_Interpolate.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
 #include <TopTools_ListOfShape.hxx>
+#include <gp_GTrsf.hxx>
 
 #include "features/occt_geometry.h"
 
@@ -27,6 +36,29 @@ TopoDS_Shape cone(const Vec3& base, const Vec3& axis, double radius, double top_
 }
 
 TopoDS_Shape sphere(const Vec3& centre, double radius) { return BRepPrimAPI_MakeSphere(to_pnt(centre), radius).Shape(); }
+
+TopoDS_Shape torus(const Vec3& centre, const Vec3& axis, double radius, double tube) {
+    return BRepPrimAPI_MakeTorus(gp_Ax2(to_pnt(centre), gp_Dir(to_vec(axis))), radius, tube).Shape();
+}
+
+TopoDS_Shape blob(const Vec3& base, double size, double height) {
+    Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, 6);
+    for (int i = 0; i < 6; ++i) {
+        const double angle = i * M_PI / 3, radius = size * (i % 2 == 0 ? 1 : 0.6);
+        points->SetValue(i + 1, to_pnt(base + Vec3{radius * std::cos(angle), radius * std::sin(angle), 0}));
+    }
+    GeomAPI_Interpolate spline(points, true, 1e-7);
+    spline.Perform();
+    const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(spline.Curve()).Edge()).Wire();
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire, true).Face(), gp_Vec(0, 0, height)).Shape();
+}
+
+TopoDS_Shape ellipsoid(const Vec3& centre, const Vec3& half_axes) {
+    gp_GTrsf stretch;
+    stretch.SetValue(1, 1, half_axes.x), stretch.SetValue(2, 2, half_axes.y), stretch.SetValue(3, 3, half_axes.z);
+    stretch.SetTranslationPart(gp_XYZ(centre.x, centre.y, centre.z));
+    return BRepBuilderAPI_GTransform(sphere({0, 0, 0}, 1), stretch, true).Shape();
+}
 
 TopoDS_Shape moved(const TopoDS_Shape& shape, const RigidMotion& motion) {
     return BRepBuilderAPI_Transform(shape, to_trsf(motion), true).Shape();

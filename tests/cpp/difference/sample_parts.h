@@ -22,6 +22,11 @@ TopoDS_Shape box(const Vec3& corner, const Vec3& size);
 TopoDS_Shape cylinder(const Vec3& base, const Vec3& axis, double radius, double height);
 TopoDS_Shape cone(const Vec3& base, const Vec3& axis, double radius, double top_radius, double height);
 TopoDS_Shape sphere(const Vec3& centre, double radius);
+TopoDS_Shape torus(const Vec3& centre, const Vec3& axis, double radius, double tube);
+/// A bent rod between free-form walls: a closed spline swept along z.
+TopoDS_Shape blob(const Vec3& base, double size, double height);
+/// Bounded by B-spline surfaces.
+TopoDS_Shape ellipsoid(const Vec3& centre, const Vec3& half_axes);
 TopoDS_Shape moved(const TopoDS_Shape& shape, const RigidMotion& motion);
 RigidMotion shift(const Vec3& by);
 /// About an axis through `centre`.
