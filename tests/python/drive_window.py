@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Drives FreeCAD's real window: mesh, cancel, edit, undo, overlays, tables, errors. Run by test_window.py.
+
+Writes what went wrong to the file FEATUREMESH_RESULT ("ok" when nothing did), and pictures to the folder FEATUREMESH_PICTURES
+when that is set.
+"""
+import gc
+import os
+import sys
+import time
+import traceback
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import FreeCAD  # noqa: E402
+import FreeCADGui as Gui  # noqa: E402
+from PySide import QtCore, QtGui  # noqa: E402
+
+PICTURES = os.environ.get("FEATUREMESH_PICTURES")
+messages = []
+
+
+def spin(seconds=0.2):
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        QtGui.QApplication.processEvents()
+        time.sleep(0.01)
+
+
+def picture(name):
+    if PICTURES:
+        spin(0.8)
+        QtGui.QGuiApplication.primaryScreen().grabWindow(0).save(os.path.join(PICTURES, name + ".png"))
+
+
+def panel(kind):
+    """The open panel of that class."""
+    return next(obj for obj in gc.get_objects() if type(obj).__name__ == kind)
+
+
+def wait_for(condition, seconds=120):
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "waited %d s in vain" % seconds
+        spin(0.05)
+
+
+def points_of(mesh):
+    return {number: tuple(point) for number, point in mesh.FemMesh.Nodes.items()}
+
+
+def drive():
+    from freecad.featuremesh import api, mesh_object
+    from freecad.featuremesh.commands import COMMANDS, compare
+    from parts import plate_with_hole
+    main = Gui.getMainWindow()
+    main.setGeometry(0, 0, 1280, 800)
+    QtGui.QMessageBox.warning = staticmethod(lambda *words: messages.append(words[2]))
+    assert set(COMMANDS) <= set(Gui.listCommands())
+    Gui.activateWorkbench("FeatureMeshWorkbench")
+    document = FreeCAD.newDocument("Window")
+    document.UndoMode = 1
+    body = plate_with_hole(document)
+    Gui.activeDocument().activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+
+    # Mesh from the panel
+    Gui.runCommand("FeatureMesh_MeshPart")
+    spin()
+    mesh, = api.meshes_of(document)
+    settings = panel("MeshPanel")
+    settings.size.setProperty("rawValue", 2.5)
+    wait_for(lambda: "tets" in settings.estimate.text())
+    picture("panel")
+    settings.start(False)
+    assert settings.cancel_button.isEnabled() and not settings.mesh_button.isEnabled()
+    wait_for(lambda: settings.running is None)
+    assert mesh.Status == mesh_object.UP_TO_DATE, mesh.Status
+    assert mesh.Size.Value == 2.5 and mesh.TetCount == mesh.FemMesh.VolumeCount > 1000
+    assert mesh.ViewObject.Visibility and not body.ViewObject.Visibility
+    picture("meshed")
+
+    # Cancel leaves everything as it was
+    before = points_of(mesh)
+    settings.start(True)
+    settings.cancel()
+    wait_for(lambda: settings.running is None)
+    assert points_of(mesh) == before and mesh.Status == mesh_object.UP_TO_DATE
+    settings.reject()
+    spin()
+    assert not Gui.Control.activeDialog()
+
+    # An edit is followed; undo and redo bring the meshes back
+    document.openTransaction("Move the hole")
+    document.getObject("HoleSketch").setDatum("X", FreeCAD.Units.Quantity("25 mm"))
+    document.recompute()
+    document.commitTransaction()
+    after = points_of(mesh)
+    assert mesh.Status == mesh_object.UP_TO_DATE and mesh.KeptNodes > 30 and after != before
+    document.undo()
+    assert points_of(mesh) == before
+    document.redo()
+    assert points_of(mesh) == after
+
+    # Overlays
+    document.getObject("HoleSketch").setDatum("X", FreeCAD.Units.Quantity("26 mm"))
+    document.recompute()
+    for command, kind, name in (("FeatureMesh_ShowKept", "KeptPanel", "kept"),
+                                ("FeatureMesh_ShowQuality", "QualityPanel", "quality")):
+        Gui.runCommand(command)
+        spin()
+        shown = panel(kind)
+        picture(name)
+        if kind == "QualityPanel":
+            shown.worst.setCurrentRow(0)
+            spin()
+        shown.reject()
+        spin()
+
+    # Tables
+    Gui.runCommand("FeatureMesh_ShowTree")
+    spin()
+    dialog, = [w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QDialog) and w.isVisible()]
+    assert dialog.findChild(QtGui.QTreeWidget).topLevelItemCount() >= 4
+    dialog.close()
+    saved = os.environ["FEATUREMESH_RESULT"] + ".FCStd"
+    document.saveCopy(saved)
+    document.getObject("HoleSketch").setDatum("X", FreeCAD.Units.Quantity("28 mm"))
+    document.recompute()
+    dialog = compare.Command().show(body, saved)
+    rows = dialog.findChild(QtGui.QTreeWidget)
+    verdicts = {rows.topLevelItem(i).text(0): rows.topLevelItem(i).text(1) for i in range(rows.topLevelItemCount())}
+    assert verdicts["Hole"] == "moved", verdicts
+    rows.setCurrentItem(rows.findItems("Hole", QtCore.Qt.MatchExactly)[0])
+    spin()
+    picture("difference")
+    assert Gui.Selection.getSelectionEx()[0].SubElementNames
+    dialog.close()
+    Gui.Selection.clearSelection()
+
+    # A local size on a selected face; without a selection a message
+    Gui.runCommand("FeatureMesh_AddLocalSize")
+    spin()
+    assert messages and "select faces" in messages[-1], messages
+    Gui.Selection.addSelection(body, "Face1")
+    Gui.runCommand("FeatureMesh_AddLocalSize")
+    spin()
+    Gui.Control.closeDialog()
+    Gui.activeDocument().resetEdit()
+    assert mesh.MeshRegionList[0].References == [(body, ("Face1",))]
+    few = mesh.NodeCount
+    document.recompute()
+    assert mesh.NodeCount > few and mesh.Status == mesh_object.UP_TO_DATE, mesh.Status
+
+    # What fails says so and leaves the mesh
+    count = mesh.TetCount
+    mesh.Size = 0
+    document.recompute()
+    assert mesh.Status.startswith("failed") and mesh.FemMesh.VolumeCount == count
+    picture("failed")
+
+    # In FreeCAD's FEM workbench
+    Gui.activateWorkbench("FemWorkbench")
+    spin()
+    texts = [action.text() for action in main.findChild(QtGui.QToolBar, "Mesh").actions()]
+    assert "Mesh a part" in texts, texts
+
+
+def main():
+    try:
+        drive()
+        return "ok"
+    except BaseException:
+        return traceback.format_exc() + "\nmessages: %s" % messages
+
+
+result = main()
+with open(os.environ["FEATUREMESH_RESULT"], "w", encoding="utf-8") as stream:
+    stream.write(result)
+os._exit(0)
