@@ -24,6 +24,8 @@ def draw(folder):
     old, new = dict(np.load(folder / "old.npz")), dict(np.load(folder / "new.npz"))
     old["class"] = np.where(old["tet_kept"], pictures.KEPT, pictures.RELEASED)
     new["class"] = np.where(new["tet_origin"] >= 0, pictures.KEPT, pictures.NEW)
+    # Survivors that no longer are inside the part were no use as start positions.
+    new["active"] = new["active"][pictures.inside_any(new["points"], new["tets"][new["class"] == pictures.NEW], new["active"])]
     (folder / "pictures").mkdir(exist_ok=True)
     with pictures.off_screen():
         draw_kept(folder / "pictures" / "kept.png", old, new, {"direction": ACROSS})

@@ -17,7 +17,7 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
 OUT = Path(os.environ["FEATUREMESH_DEMO_OUT"])
-SIZE = 2.0
+SIZE = 2.5
 EDIT = "HoleSketch.Hole6X=105"
 EDIT_IN_WORDS = "the hole at (110, 70) is moved by 5 mm, to (105, 70)"
 

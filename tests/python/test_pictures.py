@@ -53,6 +53,11 @@ class Geometry(unittest.TestCase):
         self.assertFalse((behind & before).any())
         self.assertEqual(pictures.behind_plane(CORNERS, self.cube, (2, 0, 0), (1, 0, 0)).sum(), 6)
 
+    def test_a_point_is_inside_a_tet_or_not(self):
+        probes = np.array(((0.5, 0.4, 0.3), (0.9, 0.1, 0.2), (1.1, 0.5, 0.5), (0.5, 0.5, -0.01)))
+        self.assertEqual(pictures.inside_any(CORNERS, self.cube, probes).tolist(), [True, True, False, False])
+        self.assertEqual(sum(pictures.inside_any(CORNERS, self.cube[i:i + 1], probes)[0] for i in range(6)), 1)
+
     def test_quality_of_a_regular_tet(self):
         angles, ratios = pictures.tet_quality(REGULAR, oriented(REGULAR, np.array([[0, 1, 2, 3]])))
         self.assertAlmostEqual(angles[0], np.degrees(np.arccos(1 / 3)))

@@ -66,6 +66,17 @@ def behind_plane(points, tets, origin, normal):
     return (centres - np.asarray(origin)) @ np.asarray(normal) < 0
 
 
+def inside_any(points, tets, probes):
+    """(k,) bool: the probes that lie inside one of the tets; meant for few tets, such as those of a cavity."""
+    corner = points[tets[:, 0]]
+    to_local = np.linalg.inv(np.stack([points[tets[:, i]] - corner for i in (1, 2, 3)], axis=2))
+    found = np.zeros(len(probes), dtype=bool)
+    for row, probe in enumerate(probes):
+        local = np.einsum("mij,mj->mi", to_local, probe - corner)
+        found[row] = np.any((local >= 0).all(axis=1) & (local.sum(axis=1) <= 1))
+    return found
+
+
 def tet_quality(points, tets):
     """(m,) smallest dihedral angle, degrees, and (m,) radius ratio 3 r / R of each tet."""
     p = points[tets]
