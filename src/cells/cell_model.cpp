@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <optional>
 #include <set>
 
@@ -13,6 +15,7 @@
 #include "cells/replay.h"
 #include "core/errors.h"
 #include "features/flux.h"
+#include "features/shape_difference.h"
 #include "features/solid_probe.h"
 
 namespace featuremesh {
@@ -21,15 +24,8 @@ namespace {
 
 constexpr double most_seconds = 30;   // for all attempts together; what is fused in that time is worth it, see docs/design/cells.md
 
-std::vector<FuseArgument> volumes_of(const FeatureTree& tree, const std::set<FeatureId>& left_out) {
-    std::vector<FuseArgument> arguments;
-    for (std::size_t f = 0; f < tree.features.size(); ++f) {
-        if (left_out.count(FeatureId(f))) continue;
-        for (std::size_t v = 0; v < tree.features[f].volumes.size(); ++v)
-            for (TopExp_Explorer it(tree.features[f].volumes[v].shape, TopAbs_SOLID); it.More(); it.Next())
-                arguments.push_back({{FeatureId(f), static_cast<int>(v)}, it.Current()});
-    }
-    return arguments;
+void add_solids(std::vector<FuseArgument>& arguments, const Owner& owner, const TopoDS_Shape& shape) {
+    for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) arguments.push_back({owner, it.Current()});
 }
 
 void add_final_shape(std::vector<FuseArgument>& arguments, const Brep& final_shape) {
@@ -45,27 +41,30 @@ double volume_of(const Brep& shape) {
 class CellBuilder {
   public:
     CellBuilder(const FeatureTree& tree, const Brep& final_shape, RunContext& context)
-        : tree_(tree), final_shape_(final_shape), probe_(final_shape.shape()), context_(context), final_volume_(volume_of(final_shape)) {}
+        : tree_(tree), final_shape_(final_shape), context_(context), final_volume_(volume_of(final_shape)) {
+        for (std::size_t i = 0; i < final_shape.solid_count(); ++i)
+            probes_.push_back(std::make_unique<SolidProbe>(final_shape.solid(SolidId(i))));
+    }
 
     /// One attempt after the other until the books close; the last cannot fail.
     CellModel run() {
         const double diagonal = final_shape_.box().diagonal();
-        const std::vector<FuseArgument> volumes = volumes_of(tree_, {});
-        if (volumes.empty()) return opaque("no feature has a volume of its own");
-        if (attempt(volumes, 0)) return finish();
+        if (volumes().empty()) return opaque("no feature has a volume of its own");
+        if (attempt(volumes(), 0)) return finish();
+        if (replace_offenders() && attempt(volumes(), 0)) return finish();
         for (const double share : {1e-8, 1e-7}) {
             note("the volumes are fused with a tolerance of " + std::to_string(share * diagonal) + " mm");
-            if (attempt(volumes, std::max(share * diagonal, 1e-6))) return finish();
+            if (attempt(volumes(), std::max(share * diagonal, 1e-6))) return finish();
         }
-        std::vector<FuseArgument> with_final = volumes;
+        std::vector<FuseArgument> with_final = volumes();
         add_final_shape(with_final, final_shape_);
         note("the final shape itself takes part in the fuse");
         if (attempt(with_final, 0)) return finish();
-        std::vector<FuseArgument> trusted = volumes_of(tree_, {offenders_.begin(), offenders_.end()});
-        add_final_shape(trusted, final_shape_);
-        note("the features whose volumes do not add up are left out: " + names(offenders_));
-        for (const FeatureId id : offenders_) distrust(id);
-        if (!offenders_.empty() && attempt(trusted, 0)) return finish();
+        if (leave_out_offenders()) {
+            std::vector<FuseArgument> trusted = volumes();
+            add_final_shape(trusted, final_shape_);
+            if (attempt(trusted, 0)) return finish();
+        }
         return opaque("no fuse of the volumes adds up to the final shape");
     }
 
@@ -82,6 +81,49 @@ class CellBuilder {
         return text.empty() ? "none" : text;
     }
 
+    std::vector<FuseArgument> volumes() const {
+        std::vector<FuseArgument> arguments;
+        for (std::size_t f = 0; f < tree_.features.size(); ++f) {
+            const FeatureId id(f);
+            if (const auto other = replaced_.find(id); other != replaced_.end()) {
+                for (const TopoDS_Shape& solid : other->second) add_solids(arguments, {id, 0}, solid);
+                continue;
+            }
+            for (std::size_t v = 0; v < tree_[id].volumes.size(); ++v)
+                add_solids(arguments, {id, static_cast<int>(v)}, tree_[id].volumes[v].shape);
+        }
+        return arguments;
+    }
+
+    /// A feature whose own volume the kernel cannot work with (a pipe that crosses itself) still has a shape before and after it.
+    bool replace_offenders() {
+        std::set<FeatureId> done;
+        for (const FeatureId id : offenders_) {
+            if (tree_[id].before.IsNull() || tree_[id].after.IsNull() || seconds_left() <= 0) continue;
+            ShapeDifference difference = difference_of(tree_[id].before, tree_[id].after, std::min(8.0, seconds_left() / 3));
+            context_.check_cancelled();
+            if (!difference.closed) continue;
+            auto& solids = replaced_[id];
+            solids = std::move(difference.added);
+            solids.insert(solids.end(), difference.removed.begin(), difference.removed.end());
+            distrust(id);
+            done.insert(id);
+        }
+        if (!done.empty()) note("the volumes of these features do not add up and are taken from the shapes before and after: " + names(done));
+        for (const FeatureId id : done) offenders_.erase(id);
+        return !done.empty();
+    }
+
+    bool leave_out_offenders() {
+        if (offenders_.empty()) return false;
+        note("the features whose volumes do not add up are left out: " + names(offenders_));
+        for (const FeatureId id : offenders_) {
+            distrust(id);
+            replaced_[id].clear();
+        }
+        return true;
+    }
+
     bool attempt(const std::vector<FuseArgument>& arguments, double fuzzy) {
         if (seconds_left() <= 0) return note("out of time"), false;
         context_.check_cancelled();
@@ -90,6 +132,7 @@ class CellBuilder {
         model_ = {};
         model_.cells = std::move(complex.cells);
         model_.faces = std::move(complex.faces);
+        offenders_.clear();
         for (const Owner& owner : complex.offenders) offenders_.insert(owner.feature);
         return decide_material() && books_close();
     }
@@ -97,6 +140,7 @@ class CellBuilder {
     /// Known at once where the kernel kept a face of the final shape: there is material on that side of it or there is not.
     std::vector<std::optional<bool>> material_by_identity() const {
         std::vector<std::optional<bool>> material(model_.cells.size());
+        if (probes_.size() > 1) return material;   // solids may overlap, so that a border of one is inside another
         for (const CellFace& face : model_.faces) {
             const FaceId id = final_shape_.find(face.face);
             if (!id.is_valid()) continue;
@@ -110,6 +154,7 @@ class CellBuilder {
 
     bool decide_material() {
         const auto known = material_by_identity();
+        overlap_ = 0;
         for (std::size_t c = 0; c < model_.cells.size(); ++c) {
             Cell& cell = model_.cells[c];
             context_.check_cancelled();
@@ -119,9 +164,15 @@ class CellBuilder {
             }
             const auto inner = point_inside(cell.solid);
             if (!inner && cell.volume > Tolerances::volume_books * final_volume_) return note("a cell without a sound inner point"), false;
-            cell.material = inner && probe_.side_of(*inner) == Side::inside;
+            if (inner) count_in(cell, *inner);
         }
         return true;
+    }
+
+    void count_in(Cell& cell, const Vec3& inner) {
+        const auto solids = std::count_if(probes_.begin(), probes_.end(), [&](const auto& probe) { return probe->side_of(inner) == Side::inside; });
+        cell.material = solids > 0;
+        if (solids > 1) overlap_ += static_cast<double>(solids - 1) * cell.volume;
     }
 
     bool books_close() {
@@ -129,8 +180,12 @@ class CellBuilder {
         for (const Cell& cell : model_.cells)
             if (cell.material) material += cell.volume;
         model_.report.material_volume = material;
-        model_.report.final_volume = final_volume_;
-        if (std::abs(material - final_volume_) <= Tolerances::volume_books * final_volume_) return true;
+        model_.report.final_volume = final_volume_ - overlap_;
+        if (std::abs(material + overlap_ - final_volume_) <= Tolerances::volume_books * final_volume_) {
+            if (overlap_ > Tolerances::volume_books * final_volume_)
+                note("the solids of the final shape overlap by " + std::to_string(overlap_) + " mm^3; fuse them or mesh them one by one");
+            return true;
+        }
         note("the cells' material is " + std::to_string(material) + " mm^3 where the final shape has " + std::to_string(final_volume_));
         return false;
     }
@@ -193,13 +248,15 @@ class CellBuilder {
 
     const FeatureTree& tree_;
     const Brep& final_shape_;
-    SolidProbe probe_;
+    std::vector<std::unique_ptr<SolidProbe>> probes_;   // one per solid of the final shape
     RunContext& context_;
     double final_volume_;
+    double overlap_ = 0;   // mm^3 that the final shape's solids count more than once
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     CellModel model_;
     std::vector<std::string> notes_;
     std::set<FeatureId> offenders_, untrusted_;
+    std::map<FeatureId, std::vector<TopoDS_Shape>> replaced_;   // other volumes than the tree's, all counted as volume 0
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <TopExp_Explorer.hxx>
 #include <algorithm>
+#include <chrono>
 #include <set>
 
 #include "core/errors.h"
@@ -199,10 +200,12 @@ class Interpreter {
             return;
         }
         if (base < 0 && view_.own_volume_of(record(i)).IsNull()) return take_shape(i, context);
+        feature(i).after = view_.solids_of(record(i));
+        if (base >= 0) feature(i).before = view_.solids_of(record(base));
         // The repeated volumes belong to features before this one.
         const bool repeats = meanings_[i].kind == Kind::chain_pattern;
         if (repeats) evaluate(base, context);
-        if (!(repeats && take_instances(i, base)) && !take_own_volume(i) && !take_difference(i, base)) return take_shape(i, context);
+        if (!(repeats && take_instances(i, base)) && !take_own_volume(i) && !take_difference(i)) return take_shape(i, context);
         feature(i).combination = Combination::chain;
         for (FeatureVolume& volume : feature(i).volumes) volume.effect = within(context, volume.step);
         if (base < 0) return;
@@ -234,10 +237,12 @@ class Interpreter {
         return true;
     }
 
-    bool take_difference(int i, int base) {
-        const TopoDS_Shape& after = view_.solids_of(record(i));
+    bool take_difference(int i) {
+        const TopoDS_Shape& after = feature(i).after;
         if (after.IsNull()) return note(i, "has no solid, so its effect is unknown"), true;
-        const ShapeDifference difference = difference_of(view_.solids_of(record(base)), after);
+        const auto start = std::chrono::steady_clock::now();
+        const ShapeDifference difference = difference_of(feature(i).before, after, std::min(8.0, seconds_left_));
+        seconds_left_ = std::max(0.5, seconds_left_ - std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
         if (!difference.closed) {
             note(i, "what it adds and removes could not be told from the shapes before and after it; it is taken as one piece with all before it");
             feature(i).role = Role::opaque;
@@ -278,6 +283,7 @@ class Interpreter {
     FeatureTree tree_;
     std::vector<TypeMeaning> meanings_;
     std::vector<bool> visited_;
+    double seconds_left_ = 30;   // for what was added and removed by all features together
 };
 
 }  // namespace

@@ -164,6 +164,24 @@ std::optional<FacePoint> point_on(const TopoDS_Face& face) {
     return FacePoint{to_vec3(point), normal};
 }
 
+namespace {
+
+// A plate with hundreds of holes is best entered from the wall of one of them.
+std::vector<TopoDS_Face> simple_faces_first(const TopoDS_Shape& solid) {
+    std::vector<std::pair<int, TopoDS_Face>> counted;
+    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
+        int edges = 0;
+        for (TopExp_Explorer edge(it.Current(), TopAbs_EDGE); edge.More(); edge.Next()) ++edges;
+        counted.emplace_back(edges, TopoDS::Face(it.Current()));
+    }
+    std::stable_sort(counted.begin(), counted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<TopoDS_Face> faces;
+    for (const auto& [edges, face] : counted) faces.push_back(face);
+    return faces;
+}
+
+}  // namespace
+
 std::optional<Vec3> point_inside(const TopoDS_Shape& solid) {
     constexpr int stretches = 3;
     const SolidProbe probe(solid);
@@ -171,8 +189,9 @@ std::optional<Vec3> point_inside(const TopoDS_Shape& solid) {
     std::optional<Vec3> best;
     double best_length = 0;
     int found = 0;
-    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More() && found < stretches && best_length < good_enough; it.Next()) {
-        const auto start = point_on(TopoDS::Face(it.Current()));
+    for (const TopoDS_Face& face : simple_faces_first(solid)) {
+        if (found == stretches || best_length >= good_enough) break;
+        const auto start = point_on(face);
         if (!start) continue;
         const auto length = probe.first_hit(start->point, -start->normal, 10 * touching);
         if (!length || *length <= best_length) continue;

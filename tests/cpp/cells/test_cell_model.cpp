@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <map>
 #include <numbers>
@@ -274,4 +276,47 @@ TEST_CASE("a cancelled fuse throws") {
     RunContext context;
     context.on_progress = [](std::string_view, double) { return false; };
     CHECK_THROWS_AS(build_cells(part.tree(), brep, context), Cancelled);
+}
+
+TEST_CASE("overlapping solids of the final shape are reported") {
+    FeatureTree tree;
+    tree.object = "Compound";
+    TopoDS_Compound both;
+    BRep_Builder builder;
+    builder.MakeCompound(both);
+    for (const auto& [name, shape] : {std::pair{"A", box(0, 0, 0, 10, 10, 10)}, std::pair{"B", box(5, 5, 5, 10, 10, 10)}}) {
+        Feature& feature = tree.features.emplace_back();
+        feature.name = feature.label = name;
+        feature.volumes.push_back({shape, Effect::adds, 0, {}, Effect::adds});
+        builder.Add(both, shape);
+    }
+    Feature& compound = tree.features.emplace_back();
+    compound.name = "Compound";
+    compound.combination = Combination::fuse;
+    compound.operands = {FeatureId(0), FeatureId(1)};
+    tree.final_shape = both;
+    RunContext context;
+    const CellModel model = build_cells(tree, Brep(both), context);
+    CHECK(model.cells.size() == 3);
+    CHECK(model.report.material_volume == Approx(1875));
+    REQUIRE(model.report.fallbacks.size() == 1);
+    CHECK(model.report.fallbacks[0].find("overlap by 125") != std::string::npos);
+}
+
+TEST_CASE("a volume that crosses itself is replaced by what changed between before and after") {
+    // Two solids of one volume that overlap: their cells cannot add up to it.
+    TopoDS_Compound twice;
+    BRep_Builder builder;
+    builder.MakeCompound(twice);
+    builder.Add(twice, box(2, 2, 5, 4, 4, 10));
+    builder.Add(twice, box(4, 4, 5, 4, 4, 10));
+    Part part = Part().add("Pad", box(0, 0, 0, 10, 10, 10)).add("Pipe", twice);
+    FeatureTree tree = part.tree();
+    tree.features[1].before = box(0, 0, 0, 10, 10, 10);
+    tree.features[1].after = tree.final_shape =
+        BRepAlgoAPI_Fuse(BRepAlgoAPI_Fuse(box(0, 0, 0, 10, 10, 10), box(2, 2, 5, 4, 4, 10)).Shape(), box(4, 4, 5, 4, 4, 10)).Shape();
+    RunContext context;
+    const CellModel model = build_cells(tree, Brep(tree.final_shape), context);
+    CHECK(model.report.material_volume == Approx(1000 + 28 * 5));
+    for (const auto& owners : model.owners_of_final_face) CHECK_FALSE(owners.empty());
 }
