@@ -71,10 +71,13 @@ class FeatureMesh:
 
     def execute(self, mesh):
         """Called by recompute: updates the mesh, or in manual mode only says that it is out of date."""
-        if mesh.Automatic:
-            self.update(mesh)
-        else:
+        if not mesh.Automatic:
             mesh.Status = OUT_OF_DATE
+            return
+        try:
+            self.update(mesh)
+        except (UserError, RuntimeError) as error:
+            raise UserError(one_line(error)) from None  # FreeCAD prints the way to it, which says nothing to a user
 
     def onDocumentRestored(self, mesh):
         self._forget()

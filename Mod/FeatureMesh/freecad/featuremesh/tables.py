@@ -13,7 +13,8 @@ def rows_of_difference(found):
     """(header, one row per feature)."""
     rows = []
     for feature in found["features"]:
-        volumes = "%s -> %s" % (_volume(feature["old_volume"]), _volume(feature["new_volume"]))
+        old, new = _volume(feature["old_volume"]), _volume(feature["new_volume"])
+        volumes = old if old == new else "%s -> %s" % (old, new)
         rows.append((feature_name(feature), feature["verdict"].replace("_", " "), feature["detail"], volumes,
                      _faces(feature["old_faces"]), _faces(feature["new_faces"])))
     return ("feature", "what happened", "by how much", "volume mm^3", "old faces", "new faces"), rows
@@ -41,7 +42,7 @@ def rows_of_tree(found):
     for feature in found["features"]:
         volume = sum(entry["volume"] for entry in feature["volumes"])
         rows.append((feature_name(feature), feature["type"], feature["role"],
-                     "%d" % len(feature["volumes"]), _volume(volume) if feature["volumes"] else "", feature["volume_source"],
+                     "%d" % len(feature["volumes"]), _volume(volume), feature["volume_source"],
                      ", ".join(feature["depends_on"]), "suppressed" if feature["suppressed"] else feature["error"]))
     return ("feature", "type", "role", "volumes", "mm^3", "from", "depends on", "remark"), rows
 
@@ -65,7 +66,7 @@ def feature_name(feature):
 
 
 def _volume(value):
-    return "%.6g" % value
+    return "%.6g" % value if value else ""
 
 
 def _faces(faces):
