@@ -46,7 +46,7 @@ class FaceCover {
         if (wish_.local >= options_.size && !curves_too_much() && !wish_.walls) return;
         BRepTools::UVBounds(face_, u_[0], u_[1], v_[0], v_[1]);
         trim_.emplace(face_, 1e-9);
-        floor_ = curvature_floor(options_);
+        floor_ = curvature_floor(options_, surface_.GetType() >= GeomAbs_BezierSurface);
         if (surface_.GetType() == GeomAbs_Cone) floor_ = std::max(floor_, cone_floor());
         const int pieces_u = pieces(surface_.GetType(), surface_.IsUPeriodic() ? 8 : 2, true), pieces_v = pieces(surface_.GetType(), surface_.IsVPeriodic() ? 8 : 2, false);
         for (int i = 0; i < pieces_u; ++i)

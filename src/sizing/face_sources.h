@@ -23,8 +23,9 @@ struct FaceWish {
 
 /// Edge length that puts `per_circle` elements around a circle of this curvature (1/mm).
 inline double circle_size(double curvature, double per_circle) { return 2 * std::numbers::pi / (curvature * per_circle); }
-/// Curvature and gaps ask for nothing below this: poles and kinks would ask for nothing at all.
-inline double curvature_floor(const SizingOptions& options) { return std::max(options.min_size, 0.01 * options.size); }
+/// Curvature and gaps ask for nothing below this: poles and kinks would ask for nothing at all. On free-form curves and surfaces a large curvature is more
+/// often a wrinkle than a feature.
+inline double curvature_floor(const SizingOptions& options, bool is_free_form) { return std::max(options.min_size, (is_free_form ? 0.05 : 0.01) * options.size); }
 
 /// Appends the balls; none where nothing below options.size is wanted. The face is halved in its parameters until the pieces are about two of the wanted
 /// edge lengths long.

@@ -67,7 +67,7 @@ class EdgeCover {
         gp_Vec d1, d2;
         curve_.D2(t, p, d1, d2);
         const double speed = d1.Magnitude(), bend = d1.Crossed(d2).Magnitude();
-        if (bend > 0 && speed > 0) size = std::min(size, std::max(curvature_floor(options_), circle_size(bend / (speed * speed * speed), per_circle_)));
+        if (bend > 0 && speed > 0) size = std::min(size, std::max(curvature_floor(options_, curve_.GetType() > GeomAbs_Circle), circle_size(bend / (speed * speed * speed), per_circle_)));
         return size;
     }
     void cover(double from, double to, int depth) {
@@ -97,14 +97,14 @@ class SolidCover {
         : classifier_(solid), size_(size), smallest_cell_(smallest_cell), out_(out) {
         std::vector<SourceBall> faces = on_faces;
         for (SourceBall& ball : faces) ball.size = 0;
-        distance_to_faces_ = SourceTree(std::move(faces), 1.0);
+        distance_to_faces_ = SourceTree(std::move(faces), 1.0, std::numeric_limits<double>::infinity(), Box{});
     }
 
     void run(const Box& box) {
         const double radius = 0.5 * box.diagonal();
         const Vec3 center = box.center();
         const bool is_small = radius <= smallest_cell_;
-        if (is_small || distance_to_faces_.at(center, 2 * radius) >= radius) {
+        if (is_small || distance_to_faces_.at(center) >= radius) {
             classifier_.Perform({center.x, center.y, center.z}, 1e-7);
             if (is_small || classifier_.State() == TopAbs_IN)
                 if (classifier_.State() != TopAbs_OUT) out_.push_back({center, radius, size_});

@@ -22,7 +22,7 @@ struct SizingField::Data {
 SizingField::SizingField(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
 double SizingField::at(const Vec3& p) const {
-    return data_->tree.empty() ? data_->size : data_->tree.at(p, data_->size);
+    return data_->tree.empty() ? data_->size : data_->tree.at(p);
 }
 bool SizingField::is_uniform() const { return data_->tree.empty(); }
 double SizingField::smallest() const { return std::min(data_->size, data_->tree.smallest()); }
@@ -76,7 +76,7 @@ void check_options(const SizingOptions& options, const Box& part) {
 void add_kept(std::span<const SizeSource> kept, const SizingField::Data& field, std::vector<SourceBall>& sources) {
     for (const SizeSource& source : kept) {
         if (!(source.size > 0) || source.size * scatter_of_edge_lengths >= field.size) continue;
-        if (source.size * scatter_of_edge_lengths < field.tree.at(source.point, field.size)) sources.push_back({source.point, 0, source.size});
+        if (field.tree.empty() || source.size * scatter_of_edge_lengths < field.tree.at(source.point)) sources.push_back({source.point, 0, source.size});
     }
 }
 
@@ -94,10 +94,11 @@ SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::spa
     SizingOptions asked = options;
     asked.size = data->size;
     std::vector<SourceBall> sources = shape_sources(brep, asked, context);
-    data->tree = SourceTree(sources, options.growth - 1);
+    const Box box = brep.box().grown(1e-3 * brep.box().diagonal());
+    data->tree = SourceTree(sources, options.growth - 1, data->size, box);
     const std::size_t of_shape = sources.size();
     add_kept(kept, *data, sources);
-    if (sources.size() > of_shape) data->tree = SourceTree(std::move(sources), options.growth - 1);
+    if (sources.size() > of_shape) data->tree = SourceTree(std::move(sources), options.growth - 1, data->size, box);
     return SizingField(std::move(data));
 }
 

@@ -7,6 +7,8 @@ namespace featuremesh {
 namespace {
 
 constexpr std::size_t balls_per_leaf = 4;
+/// Above it, listing the candidates of every place costs more than it saves.
+constexpr std::size_t most_listed = 50'000;
 
 double squared_distance_to_box(const Vec3& p, const Vec3& low, const Vec3& high) {
     const double x = std::max({low.x - p.x, 0.0, p.x - high.x});
@@ -17,11 +19,12 @@ double squared_distance_to_box(const Vec3& p, const Vec3& low, const Vec3& high)
 
 }  // namespace
 
-SourceTree::SourceTree(std::vector<SourceBall> sources, double slope)
-    : balls_(std::move(sources)), slope_(slope), inverse_slope_(1.0 / std::max(slope, 1e-12)) {
+SourceTree::SourceTree(std::vector<SourceBall> sources, double slope, double limit, const Box& box)
+    : balls_(std::move(sources)), slope_(slope), inverse_slope_(1.0 / std::max(slope, 1e-12)), limit_(limit) {
     if (balls_.empty()) return;
     nodes_.reserve(balls_.size());
     build(0, balls_.size());
+    if (slope > 1e-6 && balls_.size() <= most_listed) candidates_ = CandidateOctree(balls_, slope, limit, box);
 }
 
 std::int32_t SourceTree::build(std::size_t begin, std::size_t end) {
@@ -50,8 +53,13 @@ std::int32_t SourceTree::build(std::size_t begin, std::size_t end) {
     return index;
 }
 
-double SourceTree::at(const Vec3& p, double limit) const {
-    double best = limit;
+double SourceTree::at(const Vec3& p) const {
+    const double listed = candidates_.at(balls_, p);
+    return listed >= 0 ? listed : through_tree(p);
+}
+
+double SourceTree::through_tree(const Vec3& p) const {
+    double best = limit_;
     if (nodes_.empty()) return best;
     // squared distance to the node's box, kept on the stack so that it is found once
     struct Waiting {
@@ -67,12 +75,8 @@ double SourceTree::at(const Vec3& p, double limit) const {
         const double far = reach(node, best);
         if (far <= 0 || next.squared >= far * far) continue;
         if (node.count > 0) {
-            for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
-                const SourceBall& ball = balls_[static_cast<std::size_t>(i)];
-                if (ball.size >= best) continue;
-                const double reached = (best - ball.size) * inverse_slope_ + ball.radius, squared = squared_length(p - ball.center);
-                if (squared < reached * reached) best = std::min(best, ball.size + slope_ * std::max(0.0, std::sqrt(squared) - ball.radius));
-            }
+            for (std::int32_t i = node.first; i < node.first + node.count; ++i)
+                best = balls_[static_cast<std::size_t>(i)].lower(best, p, slope_, inverse_slope_);
             continue;
         }
         const std::int32_t a = next.node + 1, b = node.first;
