@@ -19,7 +19,7 @@ Vec3 to_vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 /// Length over wanted length, arc length and turning of a piece of a curve, cumulated at equal steps of the parameter.
 class Measure {
   public:
-    Measure(const BRepAdaptor_Curve& curve, const SizingField& sizing, double first, double last)
+    Measure(const BRepAdaptor_Curve& curve, const WantedLength& sizing, double first, double last)
         : curve_(curve), sizing_(sizing), is_line_(curve.GetType() == GeomAbs_Line) {
         const int steps = is_line_ ? (sizing.is_uniform() ? 1 : 8) : 32;
         for (int i = 0; i < steps; ++i) add(first + (last - first) * i / steps, first + (last - first) * (i + 1) / steps, 0);
@@ -72,7 +72,7 @@ class Measure {
     }
 
     const BRepAdaptor_Curve& curve_;
-    const SizingField& sizing_;
+    const WantedLength& sizing_;
     bool is_line_;
     double turning_ = 0;
     Vec3 last_direction_{};
@@ -154,7 +154,7 @@ EdgeChain kept_chain(const BRepAdaptor_Curve& curve, EdgeId edge, const std::arr
 
 }  // namespace
 
-EdgeChains::EdgeChains(const Brep& brep, const SizingField& sizing, Mesh& mesh, RunContext& context)
+EdgeChains::EdgeChains(const Brep& brep, const WantedLength& sizing, Mesh& mesh, RunContext& context)
     : chains_(brep.edge_count()), vertex_nodes_(vertex_nodes(brep, mesh)) {
     const KeptOnEdges kept = kept_on_edges(brep, mesh);
     std::map<std::array<VertexId, 2>, int> between;

@@ -7,7 +7,7 @@
 #include "core/run_context.h"
 #include "features/brep.h"
 #include "mesh/mesh.h"
-#include "sizing/sizing_field.h"
+#include "surface/wanted_length.h"
 
 namespace featuremesh {
 
@@ -25,7 +25,7 @@ class EdgeChains {
   public:
     /// Keeps the mesh's nodes and segments on edges and fills the gaps by the sizing field along the arc length: equal shares, at least one piece, a curve at
     /// least one per quarter turn, two edges between the same two vertices never the same chain. New nodes are appended to `mesh`.
-    EdgeChains(const Brep& brep, const SizingField& sizing, Mesh& mesh, RunContext& context);
+    EdgeChains(const Brep& brep, const WantedLength& sizing, Mesh& mesh, RunContext& context);
 
     const EdgeChain& operator[](EdgeId edge) const { return chains_[edge.index()]; }
     NodeId node_of(VertexId vertex) const { return vertex_nodes_[vertex.index()]; }

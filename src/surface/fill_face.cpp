@@ -20,7 +20,7 @@ constexpr double wanted_angle = 35 * M_PI / 180;
 class FaceFiller {
   public:
     FaceFiller(const Brep& brep, FaceId face, const Chart& chart, const FaceBoundary& boundary, ChartDomain& domain,
-               const SizingField& sizing, const Mesh& mesh, RunContext& context)
+               const WantedLength& sizing, const Mesh& mesh, RunContext& context)
         : brep_(brep), face_(face), chart_(chart), geometry_(chart), boundary_(boundary), domain_(domain), sizing_(sizing), mesh_(mesh),
           context_(context) {}
 
@@ -143,7 +143,7 @@ class FaceFiller {
     PatchGeometry geometry_;
     const FaceBoundary& boundary_;
     ChartDomain& domain_;
-    const SizingField& sizing_;
+    const WantedLength& sizing_;
     const Mesh& mesh_;
     RunContext& context_;
     TrianglePatch patch_;
@@ -154,7 +154,7 @@ class FaceFiller {
 }  // namespace
 
 FaceFilling fill_face(const Brep& brep, FaceId face, const Chart& chart, const FaceBoundary& boundary, ChartDomain& domain,
-                      const SizingField& sizing, const Mesh& mesh, RunContext& context) {
+                      const WantedLength& sizing, const Mesh& mesh, RunContext& context) {
     return FaceFiller(brep, face, chart, boundary, domain, sizing, mesh, context).fill();
 }
 

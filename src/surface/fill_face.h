@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/run_context.h"
-#include "sizing/sizing_field.h"
+#include "surface/wanted_length.h"
 #include "surface/chart_domain.h"
 #include "surface/face_boundary.h"
 
@@ -23,6 +23,6 @@ struct FaceFilling {
 /// Fills the region with nearly equilateral triangles of the wanted size and checks that they cover it exactly once.
 /// Throws MeshError that names the face.
 FaceFilling fill_face(const Brep& brep, FaceId face, const Chart& chart, const FaceBoundary& boundary, ChartDomain& domain,
-                      const SizingField& sizing, const Mesh& mesh, RunContext& context);
+                      const WantedLength& sizing, const Mesh& mesh, RunContext& context);
 
 }  // namespace featuremesh

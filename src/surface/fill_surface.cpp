@@ -14,6 +14,7 @@
 #include "surface/edge_chains.h"
 #include "surface/face_boundary.h"
 #include "surface/fill_face.h"
+#include "surface/triangle_crossings.h"
 
 namespace featuremesh {
 
@@ -29,7 +30,7 @@ struct FaceJob {
 
 class SurfaceFiller {
   public:
-    SurfaceFiller(const Brep& brep, const SizingField& sizing, Mesh kept, RunContext& context)
+    SurfaceFiller(const Brep& brep, const WantedLength& sizing, Mesh kept, RunContext& context)
         : brep_(brep), sizing_(sizing), mesh_(std::move(kept)), context_(context), first_new_node_(mesh_.node_count()),
           first_new_triangle_(mesh_.triangles.size()), chains_(brep, sizing, mesh_, context), jobs_(brep.face_count()) {}
 
@@ -79,8 +80,19 @@ class SurfaceFiller {
             }
             open.assign(again.begin(), again.end());
         }
-        for (const EdgeId e : refined)
-            report_.warnings.push_back(name_of(entity_of(e)) + " is meshed finer than asked: at the wanted size a face beside it would cross itself.");
+        if (!refined.empty())
+            report_.warnings.push_back("Meshed finer than asked, because a face beside it would cross itself: " + listed(refined) + ".");
+    }
+
+    static std::string listed(const std::set<EdgeId>& edges) {
+        constexpr std::size_t most = 8;
+        std::string names;
+        std::size_t count = 0;
+        for (const EdgeId e : edges) {
+            if (count++ == most) return names + " and " + std::to_string(edges.size() - most) + " more";
+            names += (names.empty() ? "" : ", ") + name_of(entity_of(e));
+        }
+        return names;
     }
 
     void bound(FaceId face) {
@@ -163,7 +175,7 @@ class SurfaceFiller {
     }
 
     const Brep& brep_;
-    const SizingField& sizing_;
+    const WantedLength& sizing_;
     Mesh mesh_;
     RunContext& context_;
     std::size_t first_new_node_, first_new_triangle_;
@@ -174,11 +186,81 @@ class SurfaceFiller {
     SurfaceReport report_;
 };
 
+/// How much of a mesh there is, to go back to.
+struct Extent {
+    std::size_t nodes, segments, triangles;
+    Number next_node_number, next_element_number;
+};
+
+Extent extent_of(const Mesh& mesh) {
+    return {mesh.node_count(), mesh.segments.size(), mesh.triangles.size(), mesh.next_node_number, mesh.next_element_number};
+}
+
+void cut_back(Mesh& mesh, const Extent& extent) {
+    mesh.points.resize(extent.nodes);
+    mesh.entities.resize(extent.nodes);
+    mesh.parameters.resize(extent.nodes);
+    mesh.node_numbers.resize(extent.nodes);
+    mesh.segments.resize(extent.segments);
+    mesh.segment_edges.resize(extent.segments);
+    mesh.segment_numbers.resize(extent.segments);
+    mesh.triangles.resize(extent.triangles);
+    mesh.triangle_faces.resize(extent.triangles);
+    mesh.triangle_numbers.resize(extent.triangles);
+    mesh.next_node_number = extent.next_node_number;
+    mesh.next_element_number = extent.next_element_number;
+}
+
+using TrianglePairs = std::vector<std::array<TriangleId, 2>>;
+
+/// Half the length of today wherever two triangles cross.
+void ask_for_less(WantedLength& wanted, const Mesh& mesh, const TrianglePairs& crossings) {
+    for (const auto& pair : crossings)
+        for (const TriangleId t : pair) {
+            const auto& [a, b, c] = mesh.triangles[t.index()];
+            const Vec3 p = mesh.point(a), q = mesh.point(b), r = mesh.point(c);
+            wanted.limit({(p + q + r) / 3, 0.5 * std::max({distance(p, q), distance(q, r), distance(r, p)})});
+        }
+}
+
+std::string names_of(const Mesh& mesh, const TrianglePairs& crossings) {
+    std::set<std::pair<FaceId, FaceId>> faces;
+    for (const auto& [t, u] : crossings) faces.insert(std::minmax(mesh.triangle_faces[t.index()], mesh.triangle_faces[u.index()]));
+    std::string names;
+    std::size_t count = 0;
+    for (const auto& [f, g] : faces) {
+        if (++count > 4) return names + ", and others";
+        names += (names.empty() ? "" : ", ") + (f == g ? name_of(entity_of(f)) + " and itself" : name_of(entity_of(f)) + " and " + name_of(entity_of(g)));
+    }
+    return names;
+}
+
 }  // namespace
 
 SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kept, RunContext& context) {
     const RunContext::Step step(context, "surface");
-    return SurfaceFiller(brep, sizing, std::move(kept), context).fill();
+    constexpr int attempts = 5;
+    constexpr std::size_t hopeless = 20000;
+    const Extent before = extent_of(kept);
+    WantedLength wanted(sizing);
+    std::set<std::string> refined;
+    for (int attempt = 1;; ++attempt) {
+        SurfaceResult result = SurfaceFiller(brep, wanted, std::move(kept), context).fill();
+        const TrianglePairs crossings = crossing_triangles(brep, result.mesh, before.triangles, context);
+        if (crossings.empty()) {
+            for (const std::string& names : refined)
+                result.report.warnings.push_back("The mesh is finer than asked where these faces are near each other: " + names + ".");
+            return result;
+        }
+        const std::string names = names_of(result.mesh, crossings);
+        if (attempt == attempts || crossings.size() > hopeless)
+            throw MeshError("These faces cross each other: " + names + ". The shape intersects itself (Part: Check geometry), or is thinner there than any mesh "
+                            "of this size can follow; repair the feature, or ask for a smaller size on these faces.");
+        refined.insert(names);
+        ask_for_less(wanted, result.mesh, crossings);
+        kept = std::move(result.mesh);
+        cut_back(kept, before);
+    }
 }
 
 }  // namespace featuremesh

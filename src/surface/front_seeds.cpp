@@ -89,7 +89,7 @@ struct Seed {
 class Front {
   public:
     Front(const FaceBoundary& boundary, std::span<const double> wanted, const ChartDomain& domain, const Chart& chart,
-          const SizingField& sizing, const Mesh& mesh, RunContext& context)
+          const WantedLength& sizing, const Mesh& mesh, RunContext& context)
         : boundary_(boundary), wanted_(wanted), domain_(domain), chart_(chart), sizing_(sizing), mesh_(mesh), context_(context) {}
 
     Seeds grow() {
@@ -186,7 +186,7 @@ class Front {
     std::span<const double> wanted_;
     const ChartDomain& domain_;
     const Chart& chart_;
-    const SizingField& sizing_;
+    const WantedLength& sizing_;
     const Mesh& mesh_;
     RunContext& context_;
     PointGrid grid_;
@@ -196,7 +196,7 @@ class Front {
 }  // namespace
 
 Seeds front_seeds(const FaceBoundary& boundary, std::span<const double> wanted, const ChartDomain& domain, const Chart& chart,
-                  const SizingField& sizing, const Mesh& mesh, RunContext& context) {
+                  const WantedLength& sizing, const Mesh& mesh, RunContext& context) {
     return Front(boundary, wanted, domain, chart, sizing, mesh, context).grow();
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/run_context.h"
-#include "sizing/sizing_field.h"
+#include "surface/wanted_length.h"
 #include "surface/chart_domain.h"
 #include "surface/face_boundary.h"
 
@@ -24,6 +24,6 @@ std::vector<Vec2> lattice_seeds(const FaceBoundary& boundary, double size);
 /// as no other point is near. Lengths are those on the surface.
 /// `wanted` is the side length at each point of the boundary.
 Seeds front_seeds(const FaceBoundary& boundary, std::span<const double> wanted, const ChartDomain& domain, const Chart& chart,
-                  const SizingField& sizing, const Mesh& mesh, RunContext& context);
+                  const WantedLength& sizing, const Mesh& mesh, RunContext& context);
 
 }  // namespace featuremesh

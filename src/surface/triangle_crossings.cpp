@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/triangle_crossings.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <algorithm>
+#include <numeric>
+#include <unordered_set>
+
+namespace featuremesh {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+
+std::uint64_t side_key(NodeId a, NodeId b) {
+    const auto [low, high] = std::minmax(a.value, b.value);
+    return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high);
+}
+
+Box box_of(const Mesh& mesh, const std::array<NodeId, 3>& t) {
+    Box box;
+    for (const NodeId n : t) box.add(mesh.point(n));
+    return box;
+}
+
+bool overlap(const Box& a, const Box& b) {
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y && a.low.z <= b.high.z &&
+           b.low.z <= a.high.z;
+}
+
+/// Boxes in a binary tree, split at the median of the longest side.
+class BoxTree {
+  public:
+    explicit BoxTree(const std::vector<Box>& boxes) : boxes_(boxes), order_(boxes.size()) {
+        std::iota(order_.begin(), order_.end(), 0);
+        if (!order_.empty()) build(0, order_.size());
+    }
+
+    template <class Visit>
+    void visit_overlaps(const Box& box, const Visit& visit) const {
+        if (!nodes_.empty()) descend(0, box, visit);
+    }
+
+  private:
+    struct Node {
+        Box box;
+        std::size_t begin, end, right;   ///< right 0: a leaf; the left child follows its parent
+    };
+    static constexpr std::size_t leaf_size = 6;
+
+    std::size_t build(std::size_t begin, std::size_t end) {
+        const std::size_t index = nodes_.size();
+        nodes_.push_back({{}, begin, end, 0});
+        Box box;
+        for (std::size_t i = begin; i < end; ++i) box.add(boxes_[order_[i]]);
+        nodes_[index].box = box;
+        if (end - begin <= leaf_size) return index;
+        const Vec3 extent = box.high - box.low;
+        const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+        const auto middle = order_.begin() + static_cast<std::ptrdiff_t>((begin + end) / 2);
+        std::nth_element(order_.begin() + static_cast<std::ptrdiff_t>(begin), middle, order_.begin() + static_cast<std::ptrdiff_t>(end),
+                         [&](std::uint32_t a, std::uint32_t b) {
+                             const double ca = boxes_[a].low[axis] + boxes_[a].high[axis], cb = boxes_[b].low[axis] + boxes_[b].high[axis];
+                             return ca != cb ? ca < cb : a < b;
+                         });
+        build(begin, (begin + end) / 2);
+        nodes_[index].right = build((begin + end) / 2, end);
+        return index;
+    }
+
+    template <class Visit>
+    void descend(std::size_t index, const Box& box, const Visit& visit) const {
+        const Node& node = nodes_[index];
+        if (!overlap(node.box, box)) return;
+        if (node.right > 0) {
+            descend(index + 1, box, visit);
+            descend(node.right, box, visit);
+            return;
+        }
+        for (std::size_t i = node.begin; i < node.end; ++i)
+            if (overlap(boxes_[order_[i]], box)) visit(order_[i]);
+    }
+
+    const std::vector<Box>& boxes_;
+    std::vector<std::uint32_t> order_;
+    std::vector<Node> nodes_;
+};
+
+class CrossingSearch {
+  public:
+    CrossingSearch(const Brep& brep, const Mesh& mesh, std::size_t first_new) : mesh_(mesh), first_new_(first_new) {
+        for (std::size_t f = 0; f < brep.face_count(); ++f)
+            is_plane_.push_back(BRepAdaptor_Surface(brep.face(FaceId(f)), Standard_False).GetType() == GeomAbs_Plane);
+        std::vector<char> is_line(brep.edge_count(), 1);
+        for (std::size_t e = 0; e < brep.edge_count(); ++e)
+            if (!brep.is_degenerated(EdgeId(e))) is_line[e] = BRepAdaptor_Curve(brep.edge(EdgeId(e))).GetType() == GeomAbs_Line;
+        for (std::size_t s = 0; s < mesh.segments.size(); ++s)
+            if (!is_line[mesh.segment_edges[s].index()]) chords_.insert(side_key(mesh.segments[s][0], mesh.segments[s][1]));
+    }
+
+    std::vector<std::array<TriangleId, 2>> find(RunContext& context) {
+        Box region;
+        for (std::size_t t = first_new_; t < mesh_.triangles.size(); ++t) region.add(box_of(mesh_, mesh_.triangles[t]));
+        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+            const Box box = box_of(mesh_, mesh_.triangles[t]);
+            if (t < first_new_ && !overlap(box, region)) continue;
+            triangles_.push_back(t);
+            boxes_.push_back(box);
+            is_exact_.push_back(lies_in_face(t));
+        }
+        const BoxTree tree(boxes_);
+        constexpr std::size_t chunk = 4096;
+        std::vector<std::vector<std::array<TriangleId, 2>>> found((triangles_.size() + chunk - 1) / chunk);
+        parallel_for(context, triangles_.size(), chunk, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                if (!is_exact_[i]) find_with(tree, i, found[begin / chunk]);
+        });
+        std::vector<std::array<TriangleId, 2>> all;
+        for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+        return all;
+    }
+
+  private:
+    bool lies_in_face(std::size_t t) const {
+        const auto& c = mesh_.triangles[t];
+        if (!is_plane_[mesh_.triangle_faces[t].index()]) return false;
+        return !chords_.count(side_key(c[0], c[1])) && !chords_.count(side_key(c[1], c[2])) && !chords_.count(side_key(c[2], c[0]));
+    }
+
+    void find_with(const BoxTree& tree, std::size_t i, std::vector<std::array<TriangleId, 2>>& found) const {
+        tree.visit_overlaps(boxes_[i], [&](std::uint32_t j) {
+            if (j == i || (!is_exact_[j] && j < i)) return;
+            const std::size_t a = triangles_[i], b = triangles_[j];
+            if (std::max(a, b) < first_new_ || is_smooth_pair(a, b) || !do_cross(mesh_.triangles[a], mesh_.triangles[b])) return;
+            found.push_back({TriangleId(std::max(a, b)), TriangleId(std::min(a, b))});
+        });
+    }
+
+    /// Two triangles of one face that share a node and have about one normal cannot cross: they do not overlap in the face's chart.
+    bool is_smooth_pair(std::size_t t, std::size_t u) const {
+        if (mesh_.triangle_faces[t] != mesh_.triangle_faces[u]) return false;
+        const auto &a = mesh_.triangles[t], &b = mesh_.triangles[u];
+        const bool touch = std::any_of(a.begin(), a.end(), [&](NodeId n) { return n == b[0] || n == b[1] || n == b[2]; });
+        if (!touch) return false;
+        const Vec3 m = normal(a), n = normal(b);
+        return dot(m, n) > 0.5 * length(m) * length(n);
+    }
+
+    Vec3 normal(const std::array<NodeId, 3>& t) const {
+        return cross(mesh_.point(t[1]) - mesh_.point(t[0]), mesh_.point(t[2]) - mesh_.point(t[0]));
+    }
+
+    Point point(NodeId n) const { return {mesh_.point(n).x, mesh_.point(n).y, mesh_.point(n).z}; }
+
+    bool do_cross(std::array<NodeId, 3> a, std::array<NodeId, 3> b) const {
+        // Shared nodes first, in the same order in both.
+        std::size_t shared = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t j = shared; j < 3; ++j)
+                if (i >= shared && a[i] == b[j]) {
+                    std::swap(a[shared], a[i]);
+                    std::swap(b[shared], b[j]);
+                    ++shared;
+                    break;
+                }
+        const Point p0 = point(a[0]), p1 = point(a[1]), p2 = point(a[2]), q1 = point(b[1]), q2 = point(b[2]);
+        if (shared == 3) return true;
+        if (shared == 2)
+            return CGAL::orientation(p0, p1, p2, q2) == CGAL::COPLANAR && CGAL::coplanar_orientation(p0, p1, p2, q2) == CGAL::POSITIVE;
+        const Kernel::Triangle_3 one(p0, p1, p2), other(point(b[0]), q1, q2);
+        if (one.is_degenerate() || other.is_degenerate()) return false;
+        if (shared == 1)
+            return CGAL::do_intersect(Kernel::Segment_3(p1, p2), other) || CGAL::do_intersect(Kernel::Segment_3(q1, q2), one);
+        return CGAL::do_intersect(one, other);
+    }
+
+    const Mesh& mesh_;
+    std::size_t first_new_;
+    std::vector<char> is_plane_;
+    std::unordered_set<std::uint64_t> chords_;   ///< segments on curved edges
+    std::vector<std::size_t> triangles_;
+    std::vector<Box> boxes_;
+    std::vector<char> is_exact_;
+};
+
+}  // namespace
+
+std::vector<std::array<TriangleId, 2>> crossing_triangles(const Brep& brep, const Mesh& mesh, std::size_t first_new, RunContext& context) {
+    if (first_new == mesh.triangles.size()) return {};
+    return CrossingSearch(brep, mesh, first_new).find(context);
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Triangles that run through each other: what no volume mesher can mend.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/run_context.h"
+#include "features/brep.h"
+#include "mesh/mesh.h"
+
+namespace featuremesh {
+
+/// Pairs of triangles, the first of them a new one (index at least `first_new`), that have more in common than their shared nodes and side. Exact. Only triangles that
+/// do not lie in their CAD face (on curved faces, or beside curved edges) can be in a pair twice; two that do lie in theirs cross only when the shape does, and
+/// such pairs are not looked for.
+std::vector<std::array<TriangleId, 2>> crossing_triangles(const Brep& brep, const Mesh& mesh, std::size_t first_new, RunContext& context);
+
+}  // namespace featuremesh
