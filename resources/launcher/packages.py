@@ -10,6 +10,7 @@ from setup_log import run_logged, say
 BUILD_PACKAGES = (
     "g++", "cmake", "ninja-build", "ccache", "python3-dev", "pybind11-dev", "catch2", "libtbb-dev", "libboost-dev",
     "libgmp-dev", "libmpfr-dev", "libocct-foundation-dev", "libocct-modeling-data-dev", "libocct-modeling-algorithms-dev",
+    "libocct-visualization-dev",  # holds a header that OCCT's modelling headers include
 )
 RUN_PACKAGES = ("freecad-python3", "python3-numpy", "calculix-ccx")
 PICTURE_PACKAGES = ("python3-vtk9", "python3-matplotlib", "xvfb", "libgl1-mesa-dri")
