@@ -163,7 +163,12 @@ class CellBuilder {
                 continue;
             }
             const auto inner = point_inside(cell.solid);
-            if (!inner && cell.volume > Tolerances::volume_books * final_volume_) return note("a cell without a sound inner point"), false;
+            if (!inner && cell.volume > Tolerances::volume_books * final_volume_) {
+                std::set<FeatureId> features;
+                for (const Owner& owner : cell.owners) features.insert(owner.feature);
+                note("a cell of " + std::to_string(cell.volume) + " mm^3 of " + names(features) + " has no sound inner point");
+                return false;
+            }
             if (inner) count_in(cell, *inner);
         }
         return true;

@@ -33,7 +33,7 @@ struct CellFace {
     TopoDS_Face face;
     std::vector<Owner> owners;         ///< the feature faces it is part of, sorted
     std::array<CellId, 2> cells;       ///< on either side; none for outside
-    FaceId final_face;                 ///< the face of the final shape it lies on; none inside or outside the material
+    FaceId final_face;                 ///< the face of the final shape it lies on; none inside the material (unless solids touch there) or outside
 };
 
 struct CellReport {

@@ -2,6 +2,7 @@
 #include "cells/final_faces.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "features/face_probe.h"
 
@@ -23,7 +24,10 @@ class Matcher {
         for (std::size_t f = 0; f < model_.faces.size(); ++f)
             if (is_boundary(model_.faces[f])) match(f);
         for (std::size_t f = 0; f < final_faces_.size(); ++f)
-            if (model_.owners_of_final_face[f].empty()) find_owners(FaceId(f));
+            if (model_.owners_of_final_face[f].empty()) find_owners(FaceId(f), true);
+        // Where solids of the final shape touch, or one touches itself, their faces have material on both sides.
+        for (std::size_t f = 0; f < final_faces_.size(); ++f)
+            if (model_.owners_of_final_face[f].empty()) find_owners(FaceId(f), false);
         for (auto& owners : model_.owners_of_final_face) {
             std::sort(owners.begin(), owners.end());
             owners.erase(std::unique(owners.begin(), owners.end()), owners.end());
@@ -64,14 +68,16 @@ class Matcher {
     }
 
     /// The final face may be smaller than the cell faces on it: look from its side.
-    void find_owners(FaceId id) {
+    void find_owners(FaceId id, bool on_boundary) {
         const auto& p = final_faces_[id.index()].inner_point();
         if (!p) return;
         const Vec3 normal = outward(id, *p);
         for (CellFace& face : model_.faces) {
-            if (!is_boundary(face)) continue;
+            if (is_boundary(face) != on_boundary) continue;
             const FaceProbe probe(face.face);
-            if (!probe.contains(*p, on_face) || dot(outward(face, probe, *p), normal) < same_normal) continue;
+            if (!probe.contains(*p, on_face)) continue;
+            const double cosine = dot(outward(face, probe, *p), normal);
+            if ((on_boundary ? cosine : std::abs(cosine)) < same_normal) continue;
             if (!face.final_face.is_valid()) face.final_face = id;
             give(id, face);
         }

@@ -110,7 +110,7 @@ class Interpreter {
     bool is_step(int i) const {
         const Kind kind = meanings_[i].kind;
         return kind == Kind::chain_step || kind == Kind::chain_change || kind == Kind::chain_pattern || kind == Kind::boolean ||
-               meanings_[i].role == Role::base;
+               record(i).type == "PartDesign::FeatureBase";
     }
 
     /// The object whose shape a chain step starts from. Old documents may not name it: then it is the body's member before, or, before

@@ -158,7 +158,11 @@ std::optional<FacePoint> point_on(const TopoDS_Face& face) {
     gp_Pnt point;
     gp_Pnt2d parameters;
     const Handle(IntTools_Context) context = new IntTools_Context;
-    if (BOPTools_AlgoTools3D::PointInFace(face, point, parameters, context) != 0) return std::nullopt;
+    bool found = BOPTools_AlgoTools3D::PointInFace(face, point, parameters, context) == 0;
+    // In a face too narrow for the kernel's hatching, a point close to an edge.
+    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More() && !found; it.Next())
+        found = BOPTools_AlgoTools3D::PointNearEdge(TopoDS::Edge(it.Current()), face, parameters, point, context) == 0;
+    if (!found) return std::nullopt;
     const Vec3 normal = outward_normal(BRepAdaptor_Surface(face, false), face, parameters.X(), parameters.Y());
     if (squared_length(normal) == 0) return std::nullopt;
     return FacePoint{to_vec3(point), normal};

@@ -320,3 +320,27 @@ TEST_CASE("a volume that crosses itself is replaced by what changed between befo
     CHECK(model.report.material_volume == Approx(1000 + 28 * 5));
     for (const auto& owners : model.owners_of_final_face) CHECK_FALSE(owners.empty());
 }
+
+TEST_CASE("where two solids of the final shape touch, both faces have owners") {
+    FeatureTree tree;
+    tree.object = "Compound";
+    TopoDS_Compound both;
+    BRep_Builder builder;
+    builder.MakeCompound(both);
+    for (const auto& [name, shape] : {std::pair{"A", box(0, 0, 0, 10, 10, 10)}, std::pair{"B", box(10, 2, 2, 5, 5, 5)}}) {
+        Feature& feature = tree.features.emplace_back();
+        feature.name = feature.label = name;
+        feature.volumes.push_back({shape, Effect::adds, 0, {}, Effect::adds});
+        builder.Add(both, shape);
+    }
+    Feature& compound = tree.features.emplace_back();
+    compound.name = "Compound";
+    compound.combination = Combination::fuse;
+    compound.operands = {FeatureId(0), FeatureId(1)};
+    tree.final_shape = both;
+    RunContext context;
+    const CellModel model = build_cells(tree, Brep(both), context);
+    CHECK(model.report.fallbacks.empty());
+    REQUIRE(model.owners_of_final_face.size() == 12);
+    for (const auto& owners : model.owners_of_final_face) CHECK_FALSE(owners.empty());
+}
