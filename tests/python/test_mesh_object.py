@@ -250,3 +250,76 @@ class Groups(unittest.TestCase):
         self.document.recompute()
         self.assertIn("Fine", self.mesh.Status)
         self.assertIn("Body", self.mesh.Status)
+
+
+class FacesThatGetOtherNumbers(unittest.TestCase):
+    """The plate without its hole has six faces; the hole comes in between and shifts their numbers."""
+
+    def setUp(self):
+        self.document = new_document()
+        self.body = plate_with_hole(self.document)
+        self.body.Tip = self.document.getObject("Plate")
+        self.document.recompute()
+        self.analysis = ObjectsFem.makeAnalysis(self.document, "Analysis")
+        self.constraints = []
+        for number in range(1, len(self.body.Shape.Faces) + 1):
+            fixed = ObjectsFem.makeConstraintFixed(self.document, "Fixed%d" % number)
+            fixed.References = [(self.body, "Face%d" % number)]
+            self.analysis.addObject(fixed)
+            self.constraints.append(fixed)
+        self.mesh = api.add_mesh(self.body, SIZE)
+        self.document.recompute()
+
+    def planes(self):
+        """Where each constraint's face lies."""
+        found = {}
+        for fixed in self.constraints:
+            faces = [self.body.Shape.getElement(name) for _, names in fixed.References for name in names]
+            normals = {tuple(round(c, 6) for c in face.normalAt(0, 0)) for face in faces}
+            self.assertEqual(len(normals), 1)
+            found[fixed.Name] = normals.pop()
+        return found
+
+    def test_constraints_stay_on_their_faces(self):
+        before = self.planes()
+        self.body.Tip = self.document.getObject("Hole")
+        self.document.recompute()
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        self.assertEqual(self.planes(), before)
+        shifted = [fixed.Name for number, fixed in enumerate(self.constraints, 1)
+                   if fixed.References != [(self.body, ("Face%d" % number,))]]
+        self.assertTrue(shifted, "this edit was meant to shift face numbers")
+        groups = groups_of(self.mesh)
+        for fixed in self.constraints:
+            name = fixed.References[0][1][0]
+            self.assertEqual(groups[fixed.Name + "_Nodes"][1], groups[name + "_Nodes"][1])
+
+    def test_refinement_stays_on_its_face(self):
+        number = max(range(1, 7), key=lambda n: self.body.Shape.getElement("Face%d" % n).CenterOfMass.z)
+        region = ObjectsFem.makeMeshRegion(self.document, self.mesh, SIZE / 2, "Fine")
+        region.References = [(self.body, "Face%d" % number)]
+        self.document.recompute()
+        self.body.Tip = self.document.getObject("Hole")
+        self.document.recompute()
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        face = self.body.Shape.getElement(region.References[0][1][0])
+        self.assertAlmostEqual(face.CenterOfMass.z, 10)
+        self.assertGreater(len(groups_of(self.mesh)[region.References[0][1][0] + "_Nodes"][1]), 400)
+
+    def test_a_reference_changed_by_hand_is_left_alone(self):
+        self.constraints[0].References = [(self.body, "Face6")]
+        self.body.Tip = self.document.getObject("Hole")
+        self.document.recompute()
+        self.assertEqual(self.constraints[0].References, [(self.body, ("Face6",))])
+
+    def test_a_face_that_is_gone_is_reported(self):
+        self.body.Tip = self.document.getObject("Hole")
+        self.document.recompute()
+        number, = [n for n, face in enumerate(self.body.Shape.Faces, 1) if face.Surface.TypeId == "Part::GeomCylinder"]
+        self.constraints[0].References = [(self.body, "Face%d" % number)]
+        self.mesh.touch()
+        self.document.recompute()
+        self.body.Tip = self.document.getObject("Plate")
+        self.document.recompute()
+        warnings = json.loads(self.mesh.Report)["warnings"]
+        self.assertTrue(any("Fixed1 refers to Face%d" % number in line for line in warnings), warnings)

@@ -16,7 +16,7 @@ def example():
               "tet_mids": np.zeros((0, 6), dtype=np.int32), "counters": np.array([1, 10, 11, 3])}
     raw = {"final_object": "Body", "shapes": bytes(range(256)) * 4,
            "records": [{"name": "Body", "label": "Körper", "links": [["Tip", "Pad", ""]], "numbers": {"Length": 0.1}}]}
-    return state.State(raw, {"size": 0.1 + 0.2, "local": [["Face1", 2.0]]}, arrays)
+    return state.State(raw, {"size": 0.1 + 0.2, "local": [["Face1", 2.0]]}, arrays, {"Fixed": ["Face1"]})
 
 
 class StateFile(unittest.TestCase):
@@ -39,6 +39,7 @@ class StateFile(unittest.TestCase):
         after = state.load(self.path)
         self.assertEqual(after.raw, before.raw)
         self.assertEqual(after.options, before.options)
+        self.assertEqual(after.references, before.references)
         self.assertEqual(set(after.arrays), set(before.arrays))
         for name, values in before.arrays.items():
             self.assertEqual(after.arrays[name].dtype, values.dtype)

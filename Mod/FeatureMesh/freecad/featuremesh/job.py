@@ -9,8 +9,9 @@ from . import engine
 class MeshJob:
     """Made and finished by the mesh object in FreeCAD's thread; `run` touches no FreeCAD object and may be called in any thread."""
 
-    def __init__(self, raw, options, old, problem):
+    def __init__(self, raw, options, old, problem, moved_references):
         self.raw, self.options = raw, options
+        self.moved_references = moved_references   # lines about refinements whose references were put right
         self.old = old            # the engine's mesh to start from, or None
         self.problem = problem    # why there is none although there should be, or None
         self.part_mesh = None

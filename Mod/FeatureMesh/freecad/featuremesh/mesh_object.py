@@ -9,7 +9,7 @@ import time
 import FreeCAD
 import Fem
 
-from . import engine, hand_over, history, state, versions
+from . import engine, hand_over, history, references, state, versions
 from .errors import StateError, UserError
 from .job import MeshJob
 from .reading import describe, read_document
@@ -121,11 +121,16 @@ class FeatureMesh:
         if part is None:
             raise UserError("%s has no part to mesh, set its property %s"
                             % (describe(mesh), versions.part_property(mesh)))
-        options, raw = options_of(mesh, part), read_document(part)
+        raw = read_document(part)
         read = time.perf_counter()
         old, problem = (None, None) if full else self._old(mesh)
-        job = MeshJob(raw, options, old, problem)
-        job.seconds = {"document": read - start, "restore": time.perf_counter() - read}
+        restored = time.perf_counter()
+        moved = []
+        if old is not None and mesh.MeshRegionList:
+            moved = self._follow(mesh.MeshRegionList, mesh,
+                                 lambda: engine.load().compare(self._raw, raw)["faces"])
+        job = MeshJob(raw, options_of(mesh, part), old, problem, moved)
+        job.seconds = {"document": read - start + time.perf_counter() - restored, "restore": restored - read}
         return job
 
     def finish(self, mesh, job):
@@ -135,9 +140,15 @@ class FeatureMesh:
         if job.problem:
             add_fallback(report, "meshed from scratch: " + job.problem)
             FreeCAD.Console.PrintWarning("%s: %s; meshed from scratch\n" % (mesh.Label, job.problem))
+        moved = job.moved_references
+        if job.old is not None:
+            moved = moved + self._follow(self._dependents(mesh), mesh, lambda: report["difference"]["faces"])
+        report["warnings"] = report.get("warnings", []) + moved
+        for line in moved:
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, line))
         self._show(mesh, job.part_mesh)
         handed_over = time.perf_counter()
-        self._store(mesh, job.part_mesh, state.State(job.raw, job.options, job.part_mesh.arrays()))
+        self._store(mesh, job)
         job.seconds.update(hand_over=handed_over - start, state=time.perf_counter() - handed_over)
         job.seconds["total"] = sum(job.seconds.values())
         del job.seconds["engine"]
@@ -159,6 +170,7 @@ class FeatureMesh:
             if part is not None and saved.part_name != part.Name:
                 raise StateError("the saved mesh state belongs to %s, not to %s" % (saved.part_name, part.Name))
             self._part_mesh = _restore(saved)
+            self._raw, self._references = saved.raw, saved.references
             self._checksum = checksum
         return self._part_mesh
 
@@ -187,7 +199,7 @@ class FeatureMesh:
     def renew_analysis_groups(self, mesh):
         """Makes the groups of constraints and materials anew, without touching the mesh."""
         part = versions.part_of(mesh)
-        if part is None or not mesh.FemMesh.VolumeCount or not self._shown:
+        if part is None or not mesh.FemMesh.VolumeCount or not self._shown or self._following:
             return
         try:
             arrays = self.arrays(mesh)
@@ -220,15 +232,37 @@ class FeatureMesh:
         groups = hand_over.groups_of(part_mesh, mesh, versions.part_of(mesh))
         mesh.FemMesh = hand_over.to_fem_mesh(part_mesh, groups)
 
-    def _store(self, mesh, part_mesh, new_state):
+    def _dependents(self, mesh):
+        """Constraints and materials of the analyses with this mesh, and its group objects."""
+        members = [member for analysis in mesh.InList if analysis.isDerivedFrom("Fem::FemAnalysis")
+                   for member in analysis.Group]
+        return members + list(mesh.MeshGroupList)
+
+    def _follow(self, objects, mesh, faces):
+        """On versions that know faces by number, moves references with their faces. Returns what was done."""
+        if versions.follows_faces() or not self._references:
+            return []
+        self._following = True
+        try:
+            return references.follow(objects, versions.part_of(mesh), self._references, faces())
+        finally:
+            self._following = False
+
+    def _store(self, mesh, job):
+        objects = self._dependents(mesh) + list(mesh.MeshRegionList)
+        self._references = references.references_of(objects, versions.part_of(mesh))
+        saved = state.State(job.raw, job.options, job.part_mesh.arrays(), self._references)
         with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
             path = os.path.join(folder, mesh.Name + ".npz")
-            self._checksum = self._shown = state.save(path, new_state)
+            self._checksum = self._shown = state.save(path, saved)
             mesh.SavedState = path
-            self._part_mesh = part_mesh
+        self._part_mesh, self._raw = job.part_mesh, job.raw
 
     def _forget(self):
         self._part_mesh = None   # the engine's mesh, while it is in memory
+        self._raw = None         # what it was made from
+        self._references = {}    # what constraints referred to then
+        self._following = False  # references are being moved just now
         self._checksum = ""      # of the saved state that it belongs to
         self._shown = ""         # of the saved state that FemMesh was made from
 

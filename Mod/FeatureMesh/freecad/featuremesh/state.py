@@ -27,6 +27,7 @@ class State:
     raw: dict                                       # as reading.read_document gives it
     options: dict                                   # as the engine takes them
     arrays: dict = field(default_factory=dict)      # as PartMesh.arrays gives them
+    references: dict = field(default_factory=dict)  # what constraints referred to, see references.references_of
 
     @property
     def part_name(self):
@@ -42,6 +43,7 @@ def save(path, state):
         "options": state.options,
         "final_object": state.raw["final_object"],
         "records": state.raw["records"],
+        "references": state.references,
     }
     members = {"meta": _bytes_to_array(json.dumps(meta, sort_keys=True).encode()),
                "shapes": _bytes_to_array(state.raw["shapes"])}
@@ -76,7 +78,7 @@ def load(path):
         meta, members = MIGRATIONS[schema](meta, members)
     raw = {"final_object": meta["final_object"], "records": meta["records"], "shapes": members["shapes"].tobytes()}
     arrays = {name[len("array."):]: values for name, values in members.items() if name.startswith("array.")}
-    return State(raw, meta["options"], arrays)
+    return State(raw, meta["options"], arrays, meta["references"])
 
 
 def checksum_of(path):

@@ -32,3 +32,8 @@ def parent_frame(part):
     if version() < (1, 0):
         return FreeCAD.Placement()
     return part.getGlobalPlacement().multiply(part.Placement.inverse())
+
+
+def follows_faces():
+    """Does FreeCAD itself move references when faces get other numbers? Since 1.0."""
+    return version() >= (1, 0)
