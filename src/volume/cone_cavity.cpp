@@ -106,6 +106,19 @@ void ConeCavity::climb(double good_enough) {
     worst_after_ = shape_.climb(point_, good_enough);
 }
 
+double ConeCavity::burden_before(double target) const { return burden_of(editor_.complex(), tets_, target); }
+
+double ConeCavity::burden_after(double target) const {
+    const auto& p = editor_.complex().points;
+    double sum = 0;
+    for (const Face& f : faces_) {
+        const auto& v = f.vertices;
+        if (v[0] == apex_ || v[1] == apex_ || v[2] == apex_) continue;
+        sum += burden(flatness(point_, p[v[0]], p[v[1]], p[v[2]]), target);
+    }
+    return sum;
+}
+
 std::span<const Tet> ConeCavity::cones(int apex) {
     cones_.clear();
     for (const Face& f : faces_) {

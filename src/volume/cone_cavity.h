@@ -28,6 +28,9 @@ class ConeCavity {
     double worst_before() const { return worst_before_; }
     double worst_after() const { return worst_after_; }
     int apex() const { return apex_; }
+    /// Sums of the burdens of the tets that go and of the cones.
+    double burden_before(double target) const;
+    double burden_after(double target) const;
     const Vec3& point() const { return point_; }
     std::span<const int> removed() const { return tets_; }
     /// The cones; `apex` stands for a new vertex.

@@ -23,6 +23,7 @@ const ConePlan* ConeRefill::plan(int tet) {
 
 void ConeRefill::consider(double gain) {
     if (cavity_.worst_after() >= std::min(improved_flatness(cavity_.worst_before(), gain), best_.flatness)) return;
+    if (cavity_.worst_after() > target_ && cavity_.burden_after(target_) >= cavity_.burden_before(target_)) return;
     const int apex = cavity_.apex();
     best_.flatness = cavity_.worst_after();
     best_.is_insertion = apex < 0;

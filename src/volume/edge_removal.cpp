@@ -17,6 +17,11 @@ struct RingPoints {
     std::array<Vec3, EdgeRing::max_size> corners;
 };
 
+double flatness_of(const TetComplex& complex, const Tet& v) {
+    const auto& p = complex.points;
+    return flatness(p[v[0]], p[v[1]], p[v[2]], p[v[3]]);
+}
+
 }  // namespace
 
 int tets_of_triangulation(const EdgeRing& ring, const RingTriangulation& triangulation,
@@ -49,12 +54,20 @@ RingTriangulation lowest_energy_triangulation(const TetComplex& complex, const E
 
 double worst_flatness(const TetComplex& complex, std::span<const int> tets) {
     double worst = 0;
-    for (int tet : tets) {
-        const Tet& v = complex.tets[tet];
-        const auto& p = complex.points;
-        worst = std::max(worst, flatness(p[v[0]], p[v[1]], p[v[2]], p[v[3]]));
-    }
+    for (int tet : tets) worst = std::max(worst, flatness_of(complex, complex.tets[tet]));
     return worst;
+}
+
+double burden_of(const TetComplex& complex, std::span<const int> tets, double target) {
+    double sum = 0;
+    for (int tet : tets) sum += burden(flatness_of(complex, complex.tets[tet]), target);
+    return sum;
+}
+
+double burden_of(const TetComplex& complex, std::span<const Tet> tets, double target) {
+    double sum = 0;
+    for (const Tet& tet : tets) sum += burden(flatness_of(complex, tet), target);
+    return sum;
 }
 
 }  // namespace featuremesh

@@ -76,5 +76,8 @@ RingTriangulation lowest_energy_triangulation(const TetComplex& complex, const E
 
 /// Flatness of the worst of some tets.
 double worst_flatness(const TetComplex& complex, std::span<const int> tets);
+/// Sum of the burdens of some tets.
+double burden_of(const TetComplex& complex, std::span<const int> tets, double target);
+double burden_of(const TetComplex& complex, std::span<const Tet> tets, double target);
 
 }  // namespace featuremesh

@@ -32,8 +32,8 @@ struct SliverReport {
     std::size_t forced = 0;        ///< of those left: the worst angle lies between two boundary triangles
     std::size_t edge_removals = 0, face_flips = 0, moves = 0, insertions = 0, collapses = 0;
 };
-/// Worst first; each operation is accepted only if the worst dihedral angle (small and large alike) of its cavity gets better, and planned before
-/// anything is changed. Boundary triangles (neighbour -1), boundary edges between them and fixed vertices stay as they are. Free vertices may be
+/// Worst first; each operation is accepted only if the worst dihedral angle (small and large alike) of its cavity gets better (and, where the target
+/// stays out of reach, not at the price of many more bad tets), and planned before anything is changed. Boundary triangles (neighbour -1), boundary edges between them and fixed vertices stay as they are. Free vertices may be
 /// inserted (appended to `points`) or collapsed (left without a tet).
 SliverReport remove_slivers(TetComplex& complex, const SliverOptions& options, RunContext& context);
 

@@ -132,9 +132,22 @@ class SliverRemover {
     bool improve(int tet) { return remove_edge(tet) || move_corners(tet) || refill(tet); }
 
     bool remove_edge(int tet) {
-        EdgeRing ring, best_ring;
+        EdgeRing ring;
+        const RingTriangulation best = best_triangulation(tet, ring);
+        if (std::isinf(best.cost)) return false;
+        std::array<Tet, 2 * EdgeRing::max_size> added;
+        const int count = tets_of_triangulation(ring, best, added);
+        const std::span<const Tet> fresh{added.data(), static_cast<std::size_t>(count)};
+        if (best.cost > target_ && !is_lighter(burden_of(complex_, fresh, target_), ring.all_tets())) return false;
+        replace(ring.all_tets(), fresh);
+        ++report_.edge_removals;
+        return true;
+    }
+
+    /// Of the rings of the tet's six edges; of infinite cost where none gains.
+    RingTriangulation best_triangulation(int tet, EdgeRing& best_ring) const {
+        EdgeRing ring;
         RingTriangulation best;
-        best.cost = inverted_flatness;
         for (const auto& [from, to] : edge_corners) {
             if (!find_ring(complex_, tet, from, to, ring)) continue;
             const double before = worst_flatness(complex_, ring.all_tets());
@@ -144,12 +157,12 @@ class SliverRemover {
             best = found;
             best_ring = ring;
         }
-        if (best.cost >= inverted_flatness) return false;
-        std::array<Tet, 2 * EdgeRing::max_size> added;
-        const int count = tets_of_triangulation(best_ring, best, added);
-        replace(best_ring.all_tets(), {added.data(), static_cast<std::size_t>(count)});
-        ++report_.edge_removals;
-        return true;
+        return best;
+    }
+
+    /// A better worst tet is not worth many more bad ones.
+    bool is_lighter(double burden, std::span<const int> before) const {
+        return burden < burden_of(complex_, before, target_);
     }
 
     void replace(std::span<const int> removed, std::span<const Tet> added) {
@@ -177,6 +190,7 @@ class SliverRemover {
         Vec3 place = complex_.points[vertex];
         const double before = shape_.worst(place, 2 * inverted_flatness);
         if (before <= target_ || shape_.climb(place, target_) >= improved_flatness(before, least_gain)) return false;
+        if (!is_lighter(shape_.burden(place, target_), star_)) return false;
         complex_.points[vertex] = place;
         note_changed(star_);
         ++report_.moves;

@@ -53,6 +53,12 @@ double StarShape::worst(const Vec3& point, double limit) const {
     return result;
 }
 
+double StarShape::burden(const Vec3& point, double target) const {
+    double sum = 0;
+    for (const auto& f : faces_) sum += featuremesh::burden(flatness(point, f[0], f[1], f[2]), target);
+    return sum;
+}
+
 double StarShape::mean_height(const Vec3& point) const {
     double sum = 0;
     for (const auto& f : faces_) sum += distance(point, f[0]);

@@ -22,6 +22,9 @@ class StarShape {
     /// Flatness of the worst tet; stops early, with some value >= limit, once it reaches `limit`.
     double worst(const Vec3& point, double limit) const;
 
+    /// Sum of the tets' burdens.
+    double burden(const Vec3& point, double target) const;
+
     /// Deterministic hill climbing from `point`, which is moved; gives the flatness of the worst tet there. Stops at
     /// `good_enough`.
     double climb(Vec3& point, double good_enough) const;

@@ -4,6 +4,7 @@
 #include "catch.h"
 #include "core/errors.h"
 #include "volume/box_of_tets.h"
+#include "volume/edge_removal.h"
 #include "volume/optimise.h"
 
 using namespace featuremesh;
@@ -94,6 +95,25 @@ TEST_CASE("a free vertex that spoils its star is moved or collapsed") {
     CHECK(report.moves + report.collapses > 0);
     CHECK(report.left == 0);
     CHECK(find_flaws(box).empty());
+}
+
+TEST_CASE("where the target is out of reach the burden of all tets falls with the worst angle") {
+    // a wall a twelfth of an element thick
+    TetComplex wall = bar_of_tets({8, 8, 1}, 0, 1);
+    for (Vec3& p : wall.points) p.z *= 1.0 / 12;
+    const TetComplex start = wall;
+    const double target = flatness_of_angle(30);
+    const SliverReport report = remove(wall, 30);
+    CHECK(report.left > 0);
+    CHECK(find_flaws(wall).empty());
+    const auto burden_of_all = [&](const TetComplex& complex) {
+        double sum = 0;
+        for (const Tet& v : complex.tets)
+            if (v[0] >= 0) sum += burden_of(complex, std::array{v}, target);
+        return sum;
+    };
+    CHECK(burden_of_all(wall) <= burden_of_all(start) * (1 + 1e-12));
+    CHECK(worst_flatness(wall) <= worst_flatness(start));
 }
 
 TEST_CASE("an angle between two boundary triangles counts as forced") {
