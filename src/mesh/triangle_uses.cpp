@@ -38,38 +38,36 @@ std::array<std::uint32_t, count> values_of(const std::array<NodeId, count>& node
 
 }  // namespace
 
-TriangleUses::TriangleUses(const Mesh& mesh) : begin_(mesh.points.size() + 1, 0) {
-    for (const auto& tet : mesh.tets) {
-        auto n = values_of(tet);
-        sort_nodes(n);
-        begin_[n[0]] += 3;
-        begin_[n[1]] += 1;
-    }
-    for (const auto& triangle : mesh.triangles) {
-        const auto n = values_of(triangle);
-        ++begin_[std::min({n[0], n[1], n[2]})];
-    }
+TriangleUses::TriangleUses(const Mesh& mesh, std::span<const char> only) : begin_(mesh.points.size() + 1, 0) {
+    const auto is_wanted = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { return only.empty() || (only[a] && only[b] && only[c]); };
+    const auto count_marked = [&](const auto& nodes) {
+        return only.empty() ? 4 : std::count_if(nodes.begin(), nodes.end(), [&](NodeId n) { return only[n.index()] != 0; });
+    };
+    // Visits (smallest, middle, largest, code) of every wanted triangle, tets first.
+    const auto for_each_use = [&](auto visit) {
+        for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+            if (count_marked(mesh.tets[t]) < 3) continue;
+            auto n = values_of(mesh.tets[t]);
+            // the face opposite the j-th smallest node is outward in growing order when j and the parity of the sorting agree
+            const bool odd = sort_nodes(n);
+            const std::int32_t even_face = static_cast<std::int32_t>(2 * t) + odd, odd_face = static_cast<std::int32_t>(2 * t) + !odd;
+            if (is_wanted(n[0], n[1], n[2])) visit(n[0], TriangleUse{n[1], n[2], odd_face});
+            if (is_wanted(n[0], n[1], n[3])) visit(n[0], TriangleUse{n[1], n[3], even_face});
+            if (is_wanted(n[0], n[2], n[3])) visit(n[0], TriangleUse{n[2], n[3], odd_face});
+            if (is_wanted(n[1], n[2], n[3])) visit(n[1], TriangleUse{n[2], n[3], even_face});
+        }
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            auto n = values_of(mesh.triangles[t]);
+            const bool odd = sort_nodes(n);
+            if (is_wanted(n[0], n[1], n[2])) visit(n[0], TriangleUse{n[1], n[2], -1 - (static_cast<std::int32_t>(2 * t) + odd)});
+        }
+    };
+    for_each_use([&](std::uint32_t smallest, const TriangleUse&) { ++begin_[smallest]; });
     std::size_t sum = 0;
     for (std::size_t& entry : begin_) sum += std::exchange(entry, sum);
     uses_.resize(sum);
     std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-        auto n = values_of(mesh.tets[t]);
-        // the face opposite the j-th smallest node is outward in growing order when j and the parity of the sorting agree
-        const bool odd = sort_nodes(n);
-        const std::int32_t even_face = static_cast<std::int32_t>(2 * t) + odd, odd_face = static_cast<std::int32_t>(2 * t) + !odd;
-        TriangleUse* out = uses_.data() + next[n[0]];
-        out[0] = {n[1], n[2], odd_face};
-        out[1] = {n[1], n[3], even_face};
-        out[2] = {n[2], n[3], odd_face};
-        next[n[0]] += 3;
-        uses_[next[n[1]]++] = {n[2], n[3], even_face};
-    }
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        auto n = values_of(mesh.triangles[t]);
-        const bool odd = sort_nodes(n);
-        uses_[next[n[0]]++] = {n[1], n[2], -1 - (static_cast<std::int32_t>(2 * t) + odd)};
-    }
+    for_each_use([&](std::uint32_t smallest, const TriangleUse& use) { uses_[next[smallest]++] = use; });
 }
 
 void TriangleUses::sort(std::span<TriangleUse> uses) {

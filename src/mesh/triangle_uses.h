@@ -27,7 +27,8 @@ struct TriangleUse {
 /// The uses of all triangles, grouped by their smallest node.
 class TriangleUses {
   public:
-    explicit TriangleUses(const Mesh& mesh);
+    /// All triangles, or those whose three nodes are marked in `only`.
+    explicit TriangleUses(const Mesh& mesh, std::span<const char> only = {});
 
     std::size_t bucket_count() const { return begin_.size() - 1; }
     /// Sorts the uses with this smallest node and calls visit(uses of one triangle) for each of its triangles, tets before surface triangles.

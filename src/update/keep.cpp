@@ -213,6 +213,7 @@ class Keeper {
         Kept kept;
         const std::vector<std::int32_t> new_index = number_nodes(kept);
         take_tets(kept, new_index);
+        mark_rim(kept, new_index);
         take_triangles(kept, new_index);
         take_segments(kept, new_index);
         kept.mesh.next_node_number = in_.old_mesh.next_node_number;
@@ -258,6 +259,14 @@ class Keeper {
             kept.tet_origin.push_back(std::int32_t(t));
             kept.tet_motion.push_back(tet_motion_[t]);
         }
+    }
+
+    void mark_rim(Kept& kept, const std::vector<std::int32_t>& new_index) const {
+        kept.is_rim.assign(kept.mesh.points.size(), 0);
+        for (std::size_t t = 0; t < tet_motion_.size(); ++t)
+            if (tet_motion_[t] == dropped)
+                for (const NodeId n : in_.old_mesh.tets[t])
+                    if (new_index[n.index()] >= 0) kept.is_rim[std::size_t(new_index[n.index()])] = 1;
     }
 
     template <std::size_t N>

@@ -49,9 +49,24 @@ Expectation expectation_of(const Brep& brep) {
     return expected;
 }
 
-void validate(const Mesh& mesh, const Brep& brep, RunContext& context) {
+/// Nodes around which something is new or gone; empty when nothing was kept.
+std::vector<char> unproven_nodes(const Mesh& mesh, const std::vector<char>& is_rim, std::size_t kept_tets, const std::vector<TetId>& released,
+                                 const std::vector<std::array<NodeId, 4>>& old_tets) {
+    if (is_rim.empty()) return {};
+    std::vector<char> unproven = is_rim;
+    unproven.resize(mesh.points.size(), 1);
+    for (std::size_t t = kept_tets - released.size(); t < mesh.tets.size(); ++t)
+        for (const NodeId n : mesh.tets[t]) unproven[n.index()] = 1;
+    for (const TetId t : released)
+        for (const NodeId n : old_tets[t.index()]) unproven[n.index()] = 1;
+    return unproven;
+}
+
+void validate(const Mesh& mesh, const Brep& brep, std::vector<char> unproven, RunContext& context) {
     RunContext::Step step(context, "validate");
-    const std::vector<std::string> broken = broken_invariants(mesh, expectation_of(brep));
+    Expectation expected = expectation_of(brep);
+    expected.is_unproven = std::move(unproven);
+    const std::vector<std::string> broken = broken_invariants(mesh, expected, context);
     if (!broken.empty())
         throw MeshError("The mesh is not valid: " + broken.front() +
                         (broken.size() > 1 ? " (and " + std::to_string(broken.size() - 1) + " more)" : "") + ".");
@@ -66,12 +81,13 @@ struct Filled {
 
 /// The one operation: fills whatever is not meshed yet.
 Filled fill(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, RunContext& context) {
+    const std::vector<std::array<NodeId, 4>> kept_tets = kept.mesh.tets;
     SurfaceResult surface = fill_surface(brep, sizing, std::move(kept.mesh), context);
     VolumeResult volume = fill_solids(brep, sizing, std::move(surface.mesh), kept.active, options.volume, context);
     Mesh mesh = std::move(volume.mesh);
     if (options.order == 2)
         mesh = curve_to_second_order(brep, std::move(mesh), kept.curved.order == 2 ? &kept.curved : nullptr, context);
-    validate(mesh, brep, context);
+    validate(mesh, brep, unproven_nodes(mesh, kept.is_rim, kept_tets.size(), volume.released, kept_tets), context);
     return {std::move(mesh), std::move(surface.report), std::move(volume.report), std::move(volume.released)};
 }
 
@@ -219,7 +235,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
 
 std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& options, Mesh mesh, RunContext& context) {
     PartState part = read_part(document, context);
-    const std::vector<std::string> broken = broken_invariants(mesh, expectation_of(part.brep));
+    const std::vector<std::string> broken = broken_invariants(mesh, expectation_of(part.brep), context);
     if (!broken.empty()) throw StateError("The saved mesh does not fit the part: " + broken.front() + ".");
     const std::size_t nodes = mesh.node_count(), tets = mesh.tets.size();
     return std::make_shared<const PartMesh>(PartMesh{std::move(part), std::move(document), options, std::move(mesh),
