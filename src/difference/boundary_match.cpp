@@ -26,9 +26,7 @@ struct Keyed {
     double key;
     bool is_new;
     std::size_t index;
-    bool operator<(const Keyed& b) const {
-        return std::tie(key, is_new, index) < std::tie(b.key, b.is_new, b.index);
-    }
+    bool operator<(const Keyed& b) const { return std::tie(key, is_new, index) < std::tie(b.key, b.is_new, b.index); }
 };
 
 /// Groups of equal items: each item is compared with the first of every group whose key is near.
@@ -111,8 +109,7 @@ class Matcher {
             items.push_back({sort_key(old_curves_[e], reference_), false, e});
         }
         for (std::size_t e = 0; e < new_edges.size(); ++e)
-            if (!new_edges[e].is_degenerated)
-                items.push_back({sort_key(new_edges[e].curve, reference_), true, e});
+            if (!new_edges[e].is_degenerated) items.push_back({sort_key(new_edges[e].curve, reference_), true, e});
         int count = 0;
         const std::vector<int> group = group_equals(items, window_, count, [&](const Keyed& a, const Keyed& b) {
             return same_carrier(curve_of(a), curve_of(b), pair_.sameness);
@@ -122,7 +119,8 @@ class Matcher {
         match_.new_edges.resize(new_edges.size());
         std::vector<char> has_curve(std::size_t(count), 0);
         for (std::size_t i = 0; i < items.size(); ++i) {
-            if (!std::exchange(has_curve[std::size_t(group[i])], 1)) match_.curves[std::size_t(group[i])] = curve_of(items[i]);
+            if (!std::exchange(has_curve[std::size_t(group[i])], 1))
+                match_.curves[std::size_t(group[i])] = curve_of(items[i]);
             stretch_of(items[i]) = stretch(items[i], group[i]);
         }
         join_equal_paths(items, group);
@@ -161,8 +159,8 @@ class Matcher {
         for (std::size_t i = 0; i < items.size(); ++i) {
             const CurveCarrier& curve = curve_of(items[i]);
             if (curve.kind != CurveKind::free_form || members[std::size_t(group[i])] > 1) continue;
-            const double key = distance(point_at(curve, curve.first), reference_) +
-                               distance(point_at(curve, curve.last), reference_);
+            const double key =
+                distance(point_at(curve, curve.first), reference_) + distance(point_at(curve, curve.last), reference_);
             lonely.push_back({key, items[i].is_new, items[i].index});
         }
         int count = 0;
@@ -180,7 +178,8 @@ class Matcher {
             const CurveCarrier& own = curve_of(lonely[i]);
             const Vec3 start = point_at(own, own.first);
             Stretch joined = stretch_of(lonely[std::size_t(leader)]);
-            joined.along = distance(start, point_at(shared, shared.first)) <= distance(start, point_at(shared, shared.last));
+            joined.along =
+                distance(start, point_at(shared, shared.first)) <= distance(start, point_at(shared, shared.last));
             stretch_of(lonely[i]) = joined;
         }
     }
@@ -236,7 +235,7 @@ class Matcher {
     std::array<bool, 2> material_of(const Keyed& item, const Keyed& leader) const {
         const BoundaryFace& face = face_of(item);
         return normal_as_leader(item, leader) ? std::array{face.material_before, face.material_behind}
-                         : std::array{face.material_behind, face.material_before};
+                                              : std::array{face.material_behind, face.material_before};
     }
 
     /// One side of a stretch that is covered by a face: 1 left, 2 right, 4 drawn into the face.
@@ -280,7 +279,8 @@ class Matcher {
         std::vector<Cover> covers;
         for (const FaceId f : group.old_faces) add_covers(f, false, covers);
         for (const FaceId f : group.new_faces) add_covers(f, true, covers);
-        std::stable_sort(covers.begin(), covers.end(), [](const Cover& a, const Cover& b) { return a.curve < b.curve; });
+        std::stable_sort(covers.begin(), covers.end(),
+                         [](const Cover& a, const Cover& b) { return a.curve < b.curve; });
         for (std::size_t begin = 0, end; begin < covers.size(); begin = end) {
             for (end = begin; end < covers.size() && covers[end].curve == covers[begin].curve;) ++end;
             sweep({covers.data() + begin, end - begin}, group.pieces);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Old boundary, moved, against new boundary: which faces lie on the same carrier, and where the borders of their trims differ.
+// Old boundary, moved, against new boundary: which faces lie on the same carrier, and where the borders of their trims
+// differ.
 #pragma once
 
 #include <optional>
@@ -9,7 +10,8 @@
 
 namespace featuremesh {
 
-/// The old boundary under a motion and the new one; only carriers with a face that touches `domain` matter, all when there is none.
+/// The old boundary under a motion and the new one; only carriers with a face that touches `domain` matter, all when
+/// there is none.
 struct BoundaryPair {
     const BoundaryModel& old_model;
     const BoundaryModel& new_model;
@@ -20,36 +22,37 @@ struct BoundaryPair {
 
 /// An edge as a stretch of a curve that several edges may share.
 struct Stretch {
-    int curve = -1;               ///< index into BoundaryMatch::curves; -1 for a pole
-    double first = 0, last = 0;   ///< curve parameters, first < last; of a closed curve first is in [0, period)
-    bool along = true;            ///< the edge runs in the direction of the curve
+    int curve = -1;              ///< index into BoundaryMatch::curves; -1 for a pole
+    double first = 0, last = 0;  ///< curve parameters, first < last; of a closed curve first is in [0, period)
+    bool along = true;           ///< the edge runs in the direction of the curve
 };
 
 /// Part of the border of one trim that the other does not have.
 struct ChangedPiece {
     int curve = -1;
     double first = 0, last = 0;
-    bool is_border = false;       ///< exactly one side of it is in the symmetric difference of the trims
+    bool is_border = false;  ///< exactly one side of it is in the symmetric difference of the trims
 };
 
 /// All faces of both states on one carrier with material on the same side.
 struct CarrierGroup {
     std::vector<FaceId> old_faces, new_faces;
     std::vector<ChangedPiece> pieces;
-    std::vector<Vec3> points;     ///< vertices that one side does not have, in the new state's place
+    std::vector<Vec3> points;  ///< vertices that one side does not have, in the new state's place
 
-    bool in_domain = false;       ///< else nothing was compared
+    bool in_domain = false;  ///< else nothing was compared
 
     bool is_unchanged() const { return pieces.empty() && points.empty(); }
 };
 
 struct BoundaryMatch {
-    std::vector<CurveCarrier> curves;                 ///< in the new state's place
-    std::vector<Stretch> old_edges, new_edges;        ///< by EdgeId
-    std::vector<VertexId> new_vertex_of;              ///< by old VertexId
+    std::vector<CurveCarrier> curves;           ///< in the new state's place
+    std::vector<Stretch> old_edges, new_edges;  ///< by EdgeId
+    std::vector<VertexId> new_vertex_of;        ///< by old VertexId
     std::vector<CarrierGroup> groups;
     std::vector<int> group_of_old_face, group_of_new_face;
-    std::vector<char> old_normal_as_group, new_normal_as_group;   ///< by FaceId: the oriented normal is the one the group counts by
+    std::vector<char> old_normal_as_group,
+        new_normal_as_group;  ///< by FaceId: the oriented normal is the one the group counts by
 };
 
 BoundaryMatch match_boundaries(const BoundaryPair& pair);

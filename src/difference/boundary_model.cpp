@@ -50,8 +50,8 @@ void BoundaryModel::take_face(FaceId id) {
         const EdgeId edge = brep_.find(TopoDS::Edge(e.Current()));
         if (!edge.is_valid() || edges_[edge.index()].is_degenerated) continue;
         const TopAbs_Orientation orientation = e.Current().Orientation();
-        face.uses.push_back({edge, orientation == TopAbs_FORWARD,
-                             orientation == TopAbs_INTERNAL || orientation == TopAbs_EXTERNAL});
+        face.uses.push_back(
+            {edge, orientation == TopAbs_FORWARD, orientation == TopAbs_INTERNAL || orientation == TopAbs_EXTERNAL});
     }
     const auto [behind, before] = brep_.sides_of(id);
     face.material_behind = behind.is_valid();
@@ -98,8 +98,7 @@ void BoundaryModel::find_sense(FaceId id, BoundaryFace& face) const {
 
 Side BoundaryModel::classify(FaceId face, std::array<double, 2> uv) const {
     auto& classifier = classifiers_[face.index()];
-    if (!classifier)
-        classifier = std::make_unique<BRepTopAdaptor_FClass2d>(brep_.face(face), Precision::PConfusion());
+    if (!classifier) classifier = std::make_unique<BRepTopAdaptor_FClass2d>(brep_.face(face), Precision::PConfusion());
     switch (classifier->Perform(gp_Pnt2d(uv[0], uv[1]))) {
         case TopAbs_IN:
             return Side::in;

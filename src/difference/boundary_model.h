@@ -15,20 +15,20 @@ namespace featuremesh {
 struct EdgeUse {
     EdgeId edge;
     bool forward = true;
-    bool both_sides = false;    ///< drawn into the face, not at its border
+    bool both_sides = false;  ///< drawn into the face, not at its border
 };
 
 struct BoundaryFace {
     SurfaceCarrier carrier;
-    bool normal_is_outward = true;            ///< the oriented face's normal has the sense of `outward_at`
-    bool material_behind = true, material_before = false;   ///< against and along the oriented normal
-    std::vector<EdgeUse> uses;                ///< without degenerated edges
-    Box box;                                  ///< holds it, not tightly
+    bool normal_is_outward = true;                         ///< the oriented face's normal has the sense of `outward_at`
+    bool material_behind = true, material_before = false;  ///< against and along the oriented normal
+    std::vector<EdgeUse> uses;                             ///< without degenerated edges
+    Box box;                                               ///< holds it, not tightly
 };
 
 struct BoundaryEdge {
     CurveCarrier curve;
-    Vec3 first, last;                         ///< at the ends of the range
+    Vec3 first, last;  ///< at the ends of the range
     Box box;
     bool is_degenerated = false;
 };

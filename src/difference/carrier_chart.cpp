@@ -31,7 +31,8 @@ void CarrierChart::scale_for(const UvBox& box) {
             break;
         case SurfaceKind::cone:
             scale_ = {std::max(std::abs(r + box.low[1] * std::sin(carrier_.second)),
-                               std::abs(r + box.high[1] * std::sin(carrier_.second))), 1};
+                               std::abs(r + box.high[1] * std::sin(carrier_.second))),
+                      1};
             scale_[0] = std::max(scale_[0], 1e-12);
             break;
         case SurfaceKind::sphere:
@@ -63,8 +64,7 @@ double CarrierChart::period(int direction) const {
 
 bool CarrierChart::is_pole(const Uv& uv) const {
     if (carrier_.kind == SurfaceKind::sphere) return std::cos(uv[1]) < 1e-7;
-    if (carrier_.kind == SurfaceKind::cone)
-        return std::abs(carrier_.radius + uv[1] * std::sin(carrier_.second)) < 1e-7;
+    if (carrier_.kind == SurfaceKind::cone) return std::abs(carrier_.radius + uv[1] * std::sin(carrier_.second)) < 1e-7;
     return false;
 }
 
@@ -80,7 +80,8 @@ std::optional<Uv> CarrierChart::parameters(const Vec3& p, const std::optional<Uv
     Uv uv = parameters_of(carrier_, p);
     if (previous && is_pole(uv)) uv[0] = (*previous)[0];
     for (int k = 0; k < 2; ++k)
-        if (const double full = period(k); previous && full > 0) uv[k] += full * std::round(((*previous)[k] - uv[k]) / full);
+        if (const double full = period(k); previous && full > 0)
+            uv[k] += full * std::round(((*previous)[k] - uv[k]) / full);
     return uv;
 }
 

@@ -32,7 +32,8 @@ class CarrierChart {
     void scale_for(const UvBox& box);
     Uv scale() const { return scale_; }
     double period(int direction) const;
-    /// Parameters of a point on the carrier, near `previous` where they are not unique; nothing when the point is not on it.
+    /// Parameters of a point on the carrier, near `previous` where they are not unique; nothing when the point is not
+    /// on it.
     std::optional<Uv> parameters(const Vec3& p, const std::optional<Uv>& previous) const;
     Vec3 point(const Uv& uv) const { return point_at(carrier_, uv[0], uv[1]); }
     /// Longest parameter step whose chord leaves the carrier by no more than `sag`, mm; huge along straight lines

@@ -58,7 +58,8 @@ bool same_cone(const SurfaceCarrier& a, const SurfaceCarrier& b, const Sameness&
     auto [radius_b, slope_b] = cone_at(b, q);
     if (dot(axis_of(a), axis_of(b)) < 0) slope_b = -slope_b;
     for (const double sign : {1.0, -1.0})
-        if (std::abs(radius_a - sign * radius_b) <= s.length && std::abs(slope_a - sign * slope_b) * s.reach <= s.length)
+        if (std::abs(radius_a - sign * radius_b) <= s.length &&
+            std::abs(slope_a - sign * slope_b) * s.reach <= s.length)
             return true;
     return false;
 }
@@ -281,8 +282,7 @@ bool same_path(const CurveCarrier& a, const CurveCarrier& b, const Sameness& s) 
 }
 
 double sort_key(const CurveCarrier& c, const Vec3& reference) {
-    if (c.kind == CurveKind::line)
-        return distance(foot_on_axis(origin_of(c), axis_of(c), reference), reference);
+    if (c.kind == CurveKind::line) return distance(foot_on_axis(origin_of(c), axis_of(c), reference), reference);
     if (c.kind != CurveKind::free_form) return distance(origin_of(c), reference);
     if (c.curve.IsNull()) return distance(point_at(c, c.first), reference);
     const double first = c.curve->FirstParameter();

@@ -30,10 +30,10 @@ enum class SurfaceKind { plane, cylinder, cone, sphere, torus, free_form };
 struct SurfaceCarrier {
     SurfaceKind kind = SurfaceKind::free_form;
     gp_Ax3 position;
-    double radius = 0;             ///< mm; of the cone at its position, of the torus the larger one
-    double second = 0;             ///< smaller radius of the torus, mm; half angle of the cone, rad
+    double radius = 0;  ///< mm; of the cone at its position, of the torus the larger one
+    double second = 0;  ///< smaller radius of the torus, mm; half angle of the cone, rad
     Handle(Geom_Surface) surface;
-    gp_Trsf placement;             ///< of `surface` in space
+    gp_Trsf placement;  ///< of `surface` in space
 };
 
 SurfaceCarrier carrier_of(const TopoDS_Face& face);
@@ -44,7 +44,8 @@ double sort_key(const SurfaceCarrier& carrier, const Vec3& reference);
 Vec3 point_at(const SurfaceCarrier& carrier, double u, double v);
 /// The parameters of a point on a carrier that is not free-form.
 std::array<double, 2> parameters_of(const SurfaceCarrier& carrier, const Vec3& p);
-/// A normal that does not depend on the parametrisation: away from the axis, or the plane's own (same_side tells its sense).
+/// A normal that does not depend on the parametrisation: away from the axis, or the plane's own (same_side tells its
+/// sense).
 Vec3 outward_at(const SurfaceCarrier& carrier, const Vec3& p, const Vec3& parametric_normal);
 /// Whether `outward_at` of both has the same sense.
 bool same_side(const SurfaceCarrier& a, const SurfaceCarrier& b);

@@ -32,7 +32,9 @@ double squared_distance_to_triangle(const Vec3& p, const Triangle& t) {
 }
 
 double squared_distance_to_box(const Vec3& p, const Box& box) {
-    const auto outside = [](double x, double low, double high) { return x < low ? low - x : x > high ? x - high : 0.0; };
+    const auto outside = [](double x, double low, double high) {
+        return x < low ? low - x : x > high ? x - high : 0.0;
+    };
     return squared_length({outside(p.x, box.low.x, box.high.x), outside(p.y, box.low.y, box.high.y),
                            outside(p.z, box.low.z, box.high.z)});
 }

@@ -38,8 +38,10 @@ double strip(const SurfaceCarrier& c, double v) {
 double along_trace(const SurfaceCarrier& c, Handle(Geom2d_Curve) trace, double first, double last) {
     constexpr double x[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
     constexpr double w[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
-    if (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(trace); !trimmed.IsNull()) trace = trimmed->BasisCurve();
-    const bool is_line = trace->IsKind(STANDARD_TYPE(Geom2d_Line)), is_conic = trace->IsKind(STANDARD_TYPE(Geom2d_Conic));
+    if (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(trace); !trimmed.IsNull())
+        trace = trimmed->BasisCurve();
+    const bool is_line = trace->IsKind(STANDARD_TYPE(Geom2d_Line)),
+               is_conic = trace->IsKind(STANDARD_TYPE(Geom2d_Conic));
     const int parts = is_line ? 1 : is_conic ? std::max(1, int(std::ceil((last - first) / 1.6))) : 12;
     const double half = 0.5 * (last - first) / parts;
     double sum = 0;
@@ -68,7 +70,8 @@ double area_of(const TopoDS_Face& face) {
         if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED) continue;
         double first = 0, last = 0;
         // Of a seam's two traces this gives the one for the edge's orientation.
-        const Handle(Geom2d_Curve) trace = BRep_Tool::CurveOnSurface(edge, TopoDS::Face(face.Oriented(TopAbs_FORWARD)), first, last);
+        const Handle(Geom2d_Curve) trace =
+            BRep_Tool::CurveOnSurface(edge, TopoDS::Face(face.Oriented(TopAbs_FORWARD)), first, last);
         if (trace.IsNull()) continue;
         sum += (edge.Orientation() == TopAbs_FORWARD ? 1 : -1) * along_trace(carrier, trace, first, last);
     }

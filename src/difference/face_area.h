@@ -5,8 +5,8 @@ class TopoDS_Face;
 
 namespace featuremesh {
 
-/// Area of a face, mm^2. On planes, cylinders, cones, spheres and tori by Green's theorem along its border in the parameter plane,
-/// some fifty times faster than the kernel's integration, which serves the other surfaces.
+/// Area of a face, mm^2. On planes, cylinders, cones, spheres and tori by Green's theorem along its border in the
+/// parameter plane, some fifty times faster than the kernel's integration, which serves the other surfaces.
 double area_of(const TopoDS_Face& face);
 
 }  // namespace featuremesh

@@ -61,7 +61,8 @@ CarriedRegion carry(const BoundaryPair& pair, double resolution, BoundaryMatch& 
     match = match_boundaries(pair);
     std::vector<SpaceTriangle> triangles;
     for (const CarrierGroup& group : match.groups) append_trim_difference(pair, match, group, resolution, triangles);
-    region.changed = pair.domain ? ChangedBoundary(std::move(triangles), *pair.domain) : ChangedBoundary(std::move(triangles));
+    region.changed =
+        pair.domain ? ChangedBoundary(std::move(triangles), *pair.domain) : ChangedBoundary(std::move(triangles));
     find_partners(pair, match, region);
     return region;
 }
@@ -69,7 +70,8 @@ CarriedRegion carry(const BoundaryPair& pair, double resolution, BoundaryMatch& 
 std::vector<std::string> names_of_unmoved(const std::vector<FeatureChange>& changes) {
     std::vector<std::string> names;
     for (const FeatureChange& change : changes)
-        if (change.verdict == Verdict::same || change.verdict == Verdict::interaction_changed) names.push_back(change.name);
+        if (change.verdict == Verdict::same || change.verdict == Verdict::interaction_changed)
+            names.push_back(change.name);
     return names;
 }
 
@@ -82,12 +84,13 @@ void note_unrelated(const PartState& old_state, const PartState& new_state, std:
 
 void limit_motions(std::vector<MovedFeatures>& moved, std::vector<std::string>& notes) {
     if (moved.size() <= most_motions) return;
-    notes.push_back(std::to_string(moved.size()) + " different motions; only the first " + std::to_string(most_motions) +
-                    " carry parts of the mesh");
+    notes.push_back(std::to_string(moved.size()) + " different motions; only the first " +
+                    std::to_string(most_motions) + " carry parts of the mesh");
     moved.resize(most_motions);
 }
 
-FeatureDifference compare_states(const PartState& old_state, const PartState& new_state, double resolution, RunContext& context) {
+FeatureDifference compare_states(const PartState& old_state, const PartState& new_state, double resolution,
+                                 RunContext& context) {
     const Sameness sameness = sameness_for(old_state, new_state);
     FeatureVerdicts verdicts = compare_features(old_state, new_state, sameness);
     const BoundaryModel old_model(old_state.brep), new_model(new_state.brep);
@@ -103,7 +106,8 @@ FeatureDifference compare_states(const PartState& old_state, const PartState& ne
     limit_motions(verdicts.moved, difference.notes);
     for (std::size_t m = 0; m < verdicts.moved.size(); ++m) {
         MovedFeatures& moved = verdicts.moved[m];
-        const BoundaryPair pair{old_model, new_model, moved.motion, domain_of(moved, verdicts.everything_moved, resolution), sameness};
+        const BoundaryPair pair{old_model, new_model, moved.motion,
+                                domain_of(moved, verdicts.everything_moved, resolution), sameness};
         CarriedRegion region = carry(pair, resolution, match);
         region.features = std::move(moved.features);
         region.volumes = std::move(moved.additive_volumes);
@@ -119,15 +123,18 @@ FeatureDifference compare_states(const PartState& old_state, const PartState& ne
 }
 }  // namespace
 
-FeatureDifference compare(const PartState& old_state, const PartState& new_state, double resolution, RunContext& context) {
+FeatureDifference compare(const PartState& old_state, const PartState& new_state, double resolution,
+                          RunContext& context) {
     const RunContext::Step step(context, "difference");
     if (!(resolution > 0) || !std::isfinite(resolution))
-        throw InputError("the resolution of the difference must be a positive length, not " + std::to_string(resolution) + " mm");
+        throw InputError("the resolution of the difference must be a positive length, not " +
+                         std::to_string(resolution) + " mm");
     try {
         return compare_states(old_state, new_state, resolution, context);
     } catch (const Standard_Failure& failure) {
         const char* why = failure.GetMessageString();
-        throw KernelError(std::string("the two states of the part cannot be compared (") + (why ? why : "no reason given") +
+        throw KernelError(std::string("the two states of the part cannot be compared (") +
+                          (why ? why : "no reason given") +
                           "); check the geometry of the new shape, or mesh it from scratch");
     }
 }

@@ -30,23 +30,24 @@ std::string to_string(Verdict verdict);
 struct FeatureChange {
     std::string name, label;
     Verdict verdict = Verdict::same;
-    RigidMotion motion;                  ///< for `moved`
-    double old_volume = 0, new_volume = 0;   ///< mm^3, of the feature's own volumes
+    RigidMotion motion;                        ///< for `moved`
+    double old_volume = 0, new_volume = 0;     ///< mm^3, of the feature's own volumes
     std::vector<FaceId> old_faces, new_faces;  ///< faces of the final shapes concerned
-    std::string detail;                  ///< in words: "moved by (5, 0, 0) mm", "radius 4 -> 5"
+    std::string detail;                        ///< in words: "moved by (5, 0, 0) mm", "radius 4 -> 5"
 };
 
 /// What became of one face of the old or the new boundary.
 enum class FaceVerdict { kept, vanished, appeared, trimmed_differently };
 struct FaceChange {
     FaceVerdict verdict = FaceVerdict::kept;
-    FaceId old_face, new_face;           ///< none where there is no partner
-    double old_area = 0, new_area = 0;   ///< mm^2
+    FaceId old_face, new_face;          ///< none where there is no partner
+    double old_area = 0, new_area = 0;  ///< mm^2
 };
 
-/// The part of either boundary that the other does not have, as triangles, conservative: every point of the symmetric difference of the
-/// two boundaries, and of the edges that only one of them has, is on a triangle or no further from one than a quarter of the
-/// resolution that was asked for. It reaches at most about one resolution beyond that difference.
+/// The part of either boundary that the other does not have, as triangles, conservative: every point of the symmetric
+/// difference of the two boundaries, and of the edges that only one of them has, is on a triangle or no further from
+/// one than a quarter of the resolution that was asked for. It reaches at most about one resolution beyond that
+/// difference.
 class ChangedBoundary {
   public:
     ChangedBoundary();
@@ -67,15 +68,16 @@ class ChangedBoundary {
 
 /// Everything that may be carried by one rigid motion from the old to the new state.
 struct CarriedRegion {
-    RigidMotion motion;                                ///< the first region's is the identity
-    std::vector<std::string> features;                 ///< that moved with it; all that stayed for the identity
+    RigidMotion motion;                 ///< the first region's is the identity
+    std::vector<std::string> features;  ///< that moved with it; all that stayed for the identity
     /// Old volumes (additive, moved rigidly by `motion`) whose material prefers this motion; empty for the identity.
     std::vector<TopoDS_Shape> volumes;
-    ChangedBoundary changed;                           ///< in the new state's place: old boundary under the motion against the new one
-    std::vector<FaceId> new_face_of;                   ///< by old FaceId: the new face on the same carrier under the motion; none
-    std::vector<EdgeId> new_edge_of;                   ///< by old EdgeId, same curve under the motion (trims may differ); none
-    std::vector<VertexId> new_vertex_of;               ///< by old VertexId; none
-    /// All new faces (edges) that overlap the old one, the largest share first, so that [0] is the one above: a face may have been split.
+    ChangedBoundary changed;          ///< in the new state's place: old boundary under the motion against the new one
+    std::vector<FaceId> new_face_of;  ///< by old FaceId: the new face on the same carrier under the motion; none
+    std::vector<EdgeId> new_edge_of;  ///< by old EdgeId, same curve under the motion (trims may differ); none
+    std::vector<VertexId> new_vertex_of;  ///< by old VertexId; none
+    /// All new faces (edges) that overlap the old one, the largest share first, so that [0] is the one above: a face
+    /// may have been split.
     std::vector<std::vector<FaceId>> new_faces_of;
     std::vector<std::vector<EdgeId>> new_edges_of;
 };
@@ -83,12 +85,13 @@ struct CarriedRegion {
 struct FeatureDifference {
     std::vector<FeatureChange> features;
     std::vector<FaceChange> faces;
-    std::vector<CarriedRegion> regions;                ///< identity first
-    std::vector<std::string> notes;                    ///< e.g. "the two parts look unrelated"
-    bool is_empty() const;                             ///< nothing changed at all
+    std::vector<CarriedRegion> regions;  ///< identity first
+    std::vector<std::string> notes;      ///< e.g. "the two parts look unrelated"
+    bool is_empty() const;               ///< nothing changed at all
 };
 
 /// `resolution`: wanted edge length of the triangles of the changed boundary where a face is trimmed differently, mm.
-FeatureDifference compare(const PartState& old_state, const PartState& new_state, double resolution, RunContext& context);
+FeatureDifference compare(const PartState& old_state, const PartState& new_state, double resolution,
+                          RunContext& context);
 
 }  // namespace featuremesh

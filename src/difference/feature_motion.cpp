@@ -43,23 +43,27 @@ bool same_in_order(const VolumeOutline& from, const VolumeOutline& to, const Rig
 }
 
 /// Each of `from`, moved, has a partner; sought by one coordinate first.
-bool points_have_images(const std::vector<Vec3>& from, const std::vector<Vec3>& to, const RigidMotion& motion, double tolerance) {
+bool points_have_images(const std::vector<Vec3>& from, const std::vector<Vec3>& to, const RigidMotion& motion,
+                        double tolerance) {
     std::vector<Vec3> sorted = to;
     std::sort(sorted.begin(), sorted.end(), [](const Vec3& a, const Vec3& b) { return a.x < b.x; });
     return std::all_of(from.begin(), from.end(), [&](const Vec3& point) {
         const Vec3 p = motion.apply(point);
-        auto q = std::lower_bound(sorted.begin(), sorted.end(), p.x - tolerance, [](const Vec3& a, double x) { return a.x < x; });
+        auto q = std::lower_bound(sorted.begin(), sorted.end(), p.x - tolerance,
+                                  [](const Vec3& a, double x) { return a.x < x; });
         for (; q != sorted.end() && q->x <= p.x + tolerance; ++q)
             if (distance(*q, p) <= tolerance) return true;
         return false;
     });
 }
 
-bool faces_have_images(const VolumeOutline& from, const VolumeOutline& to, const RigidMotion& motion, const Sameness& s) {
+bool faces_have_images(const VolumeOutline& from, const VolumeOutline& to, const RigidMotion& motion,
+                       const Sameness& s) {
     const gp_Trsf trsf = to_trsf(motion);
     return std::all_of(from.faces.begin(), from.faces.end(), [&](const SurfaceCarrier& face) {
         const SurfaceCarrier image = moved(face, trsf);
-        return std::any_of(to.faces.begin(), to.faces.end(), [&](const SurfaceCarrier& f) { return same_carrier(image, f, s); });
+        return std::any_of(to.faces.begin(), to.faces.end(),
+                           [&](const SurfaceCarrier& f) { return same_carrier(image, f, s); });
     });
 }
 
@@ -91,7 +95,8 @@ RigidMotion shift(const Vec3& from, const Vec3& to) {
 }
 
 /// From three points far apart and their partners in the same order.
-std::optional<RigidMotion> from_three_points(const std::vector<Vec3>& from, const std::vector<Vec3>& to, double tolerance) {
+std::optional<RigidMotion> from_three_points(const std::vector<Vec3>& from, const std::vector<Vec3>& to,
+                                             double tolerance) {
     std::size_t b = 0, c = 0;
     for (std::size_t i = 0; i < from.size(); ++i)
         if (distance(from[i], from[0]) > distance(from[b], from[0])) b = i;
@@ -151,7 +156,8 @@ std::string describe(const RigidMotion& motion) {
         const int k = r[0] >= r[4] && r[0] >= r[8] ? 0 : r[4] >= r[8] ? 1 : 2;
         axis = {r[std::size_t(k)] + (k == 0), r[std::size_t(3 + k)] + (k == 1), r[std::size_t(6 + k)] + (k == 2)};
     }
-    const std::string turned = "turned by " + in_words(angle * 180 / std::numbers::pi) + " deg about " + vector(normalized(axis));
+    const std::string turned =
+        "turned by " + in_words(angle * 180 / std::numbers::pi) + " deg about " + vector(normalized(axis));
     return length(motion.translation) == 0 ? turned : turned + " and " + shifted;
 }
 

@@ -21,7 +21,8 @@ VolumeOutline outline_of(const TopoDS_Shape& volume);
 /// Whether `motion` takes one to the other: every point and every carrier of either has its image in the other.
 bool is_image(const VolumeOutline& from, const VolumeOutline& to, const RigidMotion& motion, const Sameness& sameness);
 
-/// The rigid motion that takes one to the other: the identity, a shift, the hint, or one derived from corresponding points.
+/// The rigid motion that takes one to the other: the identity, a shift, the hint, or one derived from corresponding
+/// points.
 std::optional<RigidMotion> motion_between(const VolumeOutline& from, const VolumeOutline& to, const RigidMotion& hint,
                                           const Sameness& sameness);
 

@@ -11,7 +11,8 @@
 
 namespace featuremesh {
 namespace {
-/// Volumes of one state, mm^3, by feature; summed up from the cells unless those are not to be trusted, then integrated.
+/// Volumes of one state, mm^3, by feature; summed up from the cells unless those are not to be trusted, then
+/// integrated.
 class Volumes {
   public:
     explicit Volumes(const PartState& state) : state_(state), from_cells_(state.tree.features.size(), 0) {
@@ -40,15 +41,16 @@ class Volumes {
 
 /// How the volumes of one feature correspond: instances by geometry, not by number.
 struct InstanceMatch {
-    std::vector<int> new_of;                 ///< by old volume; -1 for none
-    std::vector<RigidMotion> motions;        ///< by old volume
+    std::vector<int> new_of;           ///< by old volume; -1 for none
+    std::vector<RigidMotion> motions;  ///< by old volume
     std::size_t same = 0, moved = 0, added = 0, removed = 0;
 };
 
 std::string changed_parameters(const Feature& was, const Feature& is) {
     std::string words;
     for (const auto& [name, value] : is.parameters) {
-        const auto old = std::find_if(was.parameters.begin(), was.parameters.end(), [&](const auto& p) { return p.first == name; });
+        const auto old =
+            std::find_if(was.parameters.begin(), was.parameters.end(), [&](const auto& p) { return p.first == name; });
         if (old == was.parameters.end() || std::abs(old->second - value) <= 1e-9 * (1 + std::abs(value))) continue;
         words += (words.empty() ? "" : ", ") + name + " " + in_words(old->second) + " -> " + in_words(value);
     }
@@ -188,8 +190,8 @@ class FeatureComparison {
         return match;
     }
 
-    std::optional<RigidMotion> fit(const Feature& was, const Feature& is, const VolumeOutline& from, const VolumeOutline& to,
-                                   bool may_move) const {
+    std::optional<RigidMotion> fit(const Feature& was, const Feature& is, const VolumeOutline& from,
+                                   const VolumeOutline& to, bool may_move) const {
         if (may_move) return motion_between(from, to, compose(is.frame, was.frame.inverse()), sameness_);
         return is_image(from, to, RigidMotion{}, sameness_) ? std::optional(RigidMotion{}) : std::nullopt;
     }
@@ -199,20 +201,24 @@ class FeatureComparison {
                            [&](const RigidMotion& m) { return same_motion(m, match.motions[0], sameness_); });
     }
 
-    void register_motions(const Feature& was, const InstanceMatch& match, const std::vector<VolumeOutline>& new_outlines) {
+    void register_motions(const Feature& was, const InstanceMatch& match,
+                          const std::vector<VolumeOutline>& new_outlines) {
         if (match.same > 0 || match.added > 0 || match.removed > 0) something_stayed_ = true;
         for (std::size_t i = 0; i < was.volumes.size(); ++i) {
             if (match.new_of[i] < 0 || match.motions[i].is_identity()) continue;
-            auto group = std::find_if(result_.moved.begin(), result_.moved.end(),
-                                      [&](const MovedFeatures& m) { return same_motion(m.motion, match.motions[i], sameness_); });
-            if (group == result_.moved.end()) group = result_.moved.insert(group, MovedFeatures{match.motions[i], {}, {}, {}});
+            auto group = std::find_if(result_.moved.begin(), result_.moved.end(), [&](const MovedFeatures& m) {
+                return same_motion(m.motion, match.motions[i], sameness_);
+            });
+            if (group == result_.moved.end())
+                group = result_.moved.insert(group, MovedFeatures{match.motions[i], {}, {}, {}});
             if (group->features.empty() || group->features.back() != was.name) group->features.push_back(was.name);
             if (was.volumes[i].effect == Effect::adds) group->additive_volumes.push_back(was.volumes[i].shape);
             group->new_place.add(new_outlines[std::size_t(match.new_of[i])].box());
         }
     }
 
-    std::string words_for(const FeatureChange& change, const Feature& was, const Feature& is, const InstanceMatch& match) const {
+    std::string words_for(const FeatureChange& change, const Feature& was, const Feature& is,
+                          const InstanceMatch& match) const {
         std::string words = changed_parameters(was, is);
         if (was.volumes.size() > 1 || is.volumes.size() > 1) {
             const auto count = [&](std::size_t k, const char* what) {
@@ -267,7 +273,8 @@ void add_face_verdicts(const PartState& old_state, const PartState& new_state, c
         if (change.old_faces.empty() && change.new_faces.empty()) continue;
         change.verdict = Verdict::interaction_changed;
         change.detail = "its own volume is the same, but other features now meet " +
-                        std::to_string(std::max(change.old_faces.size(), change.new_faces.size())) + " of its faces differently";
+                        std::to_string(std::max(change.old_faces.size(), change.new_faces.size())) +
+                        " of its faces differently";
     }
 }
 

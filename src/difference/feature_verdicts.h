@@ -11,14 +11,14 @@ namespace featuremesh {
 struct MovedFeatures {
     RigidMotion motion;
     std::vector<std::string> features;
-    std::vector<TopoDS_Shape> additive_volumes;   ///< as they were
-    Box new_place;                                ///< of all volumes that moved
+    std::vector<TopoDS_Shape> additive_volumes;  ///< as they were
+    Box new_place;                               ///< of all volumes that moved
 };
 
 struct FeatureVerdicts {
-    std::vector<FeatureChange> changes;           ///< in the order of the new tree, removed features where they were
-    std::vector<MovedFeatures> moved;             ///< distinct motions in the order of the features
-    bool everything_moved = false;                ///< by the first of `moved`
+    std::vector<FeatureChange> changes;  ///< in the order of the new tree, removed features where they were
+    std::vector<MovedFeatures> moved;    ///< distinct motions in the order of the features
+    bool everything_moved = false;       ///< by the first of `moved`
 };
 
 /// By the features' own volumes alone.

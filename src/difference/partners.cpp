@@ -14,7 +14,8 @@ class PartnerFinder {
     void find_edges(CarriedRegion& region) const {
         std::vector<std::vector<EdgeId>> new_edges_on(match_.curves.size());
         for (std::size_t e = 0; e < match_.new_edges.size(); ++e)
-            if (match_.new_edges[e].curve >= 0) new_edges_on[std::size_t(match_.new_edges[e].curve)].push_back(EdgeId(e));
+            if (match_.new_edges[e].curve >= 0)
+                new_edges_on[std::size_t(match_.new_edges[e].curve)].push_back(EdgeId(e));
         region.new_edge_of.assign(match_.old_edges.size(), EdgeId());
         region.new_edges_of.assign(match_.old_edges.size(), {});
         for (std::size_t e = 0; e < match_.old_edges.size(); ++e) {
@@ -48,17 +49,20 @@ class PartnerFinder {
     /// Whether they have a border in common or one reaches into the other.
     bool do_overlap(FaceId old_face, FaceId new_face) const {
         const double share = overlap(old_face, new_face);
-        return share > barely || (share > 0 && (reaches_into(new_face, true, old_face) || reaches_into(old_face, false, new_face)));
+        return share > barely ||
+               (share > 0 && (reaches_into(new_face, true, old_face) || reaches_into(old_face, false, new_face)));
     }
 
     /// Every edge of the old face is an edge of the new one, and no other.
     bool same_trim(FaceId old_face, FaceId new_face) const {
         const std::vector<Border> old_border = border(old_face, false), new_border = border(new_face, true);
         return old_border.size() == new_border.size() &&
-               std::equal(old_border.begin(), old_border.end(), new_border.begin(), [&](const Border& a, const Border& b) {
-                   return a.curve == b.curve && a.left == b.left && std::abs(a.first - b.first) <= tolerance(a.curve) &&
-                          std::abs(a.last - b.last) <= tolerance(a.curve);
-               });
+               std::equal(old_border.begin(), old_border.end(), new_border.begin(),
+                          [&](const Border& a, const Border& b) {
+                              return a.curve == b.curve && a.left == b.left &&
+                                     std::abs(a.first - b.first) <= tolerance(a.curve) &&
+                                     std::abs(a.last - b.last) <= tolerance(a.curve);
+                          });
     }
 
   private:
@@ -84,7 +88,8 @@ class PartnerFinder {
         const double period = period_of(match_.curves[std::size_t(a.curve)]);
         double share = 0;
         for (int turn = period > 0 ? -1 : 0; turn <= (period > 0 ? 1 : 0); ++turn)
-            share += std::max(0.0, std::min(a.last, b.last + turn * period) - std::max(a.first, b.first + turn * period));
+            share +=
+                std::max(0.0, std::min(a.last, b.last + turn * period) - std::max(a.first, b.first + turn * period));
         return share > tolerance(a.curve) ? share : 0;
     }
 
@@ -111,7 +116,8 @@ class PartnerFinder {
         return was.overlaps(is) && (!pair_.domain || (pair_.domain->overlaps(was) && pair_.domain->overlaps(is)));
     }
 
-    /// Border that both have on the same side, mm; `barely` when there is none but their boxes meet; 0 when they are apart.
+    /// Border that both have on the same side, mm; `barely` when there is none but their boxes meet; 0 when they are
+    /// apart.
     double overlap(FaceId old_face, FaceId new_face) const {
         if (!boxes_meet(old_face, new_face)) return 0;
         const std::vector<Border> was = border(old_face, false), is = border(new_face, true);
@@ -119,7 +125,8 @@ class PartnerFinder {
         for (const Border& a : was)
             for (auto b = std::lower_bound(is.begin(), is.end(), Border{a.curve, a.left, -1e300, 0});
                  a.curve >= 0 && b != is.end() && b->curve == a.curve && b->left == a.left; ++b)
-                share += length_of(a.curve, overlap(Stretch{a.curve, a.first, a.last}, Stretch{b->curve, b->first, b->last}));
+                share += length_of(a.curve,
+                                   overlap(Stretch{a.curve, a.first, a.last}, Stretch{b->curve, b->first, b->last}));
         return share > 0 ? share : barely;
     }
 
@@ -170,20 +177,24 @@ FaceChange change_of(FaceId f, const BoundaryPair& pair, const BoundaryMatch& ma
         change.new_face = partner;
     }
     if (!change.new_face.is_valid()) return change;
-    if (match.groups[std::size_t(match.group_of_old_face[f.index()])].is_unchanged()) change.verdict = FaceVerdict::kept;
-    change.new_area = change.verdict == FaceVerdict::kept ? change.old_area : area_of(pair.new_model.brep().face(change.new_face));
+    if (match.groups[std::size_t(match.group_of_old_face[f.index()])].is_unchanged())
+        change.verdict = FaceVerdict::kept;
+    change.new_area =
+        change.verdict == FaceVerdict::kept ? change.old_area : area_of(pair.new_model.brep().face(change.new_face));
     return change;
 }
 }  // namespace
 
-std::vector<FaceChange> face_changes(const BoundaryPair& pair, const BoundaryMatch& match, const CarriedRegion& region) {
+std::vector<FaceChange> face_changes(const BoundaryPair& pair, const BoundaryMatch& match,
+                                     const CarriedRegion& region) {
     std::vector<FaceChange> changes;
     std::vector<char> has_partner(match.group_of_new_face.size(), 0);
     for (std::size_t f = 0; f < match.group_of_old_face.size(); ++f)
         changes.push_back(change_of(FaceId(f), pair, match, region, has_partner));
     for (std::size_t f = 0; f < has_partner.size(); ++f)
         if (!has_partner[f])
-            changes.push_back({FaceVerdict::appeared, FaceId(), FaceId(f), 0, area_of(pair.new_model.brep().face(FaceId(f)))});
+            changes.push_back(
+                {FaceVerdict::appeared, FaceId(), FaceId(f), 0, area_of(pair.new_model.brep().face(FaceId(f)))});
     return changes;
 }
 

@@ -4,14 +4,14 @@
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_Conic.hxx>
+#include <Geom_Ellipse.hxx>
 #include <Geom_Hyperbola.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_OffsetCurve.hxx>
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_Parabola.hxx>
-#include <Geom_Circle.hxx>
-#include <Geom_Ellipse.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_TrimmedCurve.hxx>
@@ -88,7 +88,8 @@ bool same_spline(const Geom_BSplineSurface& a, const Geom_BSplineSurface& b, con
 std::array<double, 2> sizes_of(const Handle(Geom_Conic) & conic) {
     if (const auto c = Handle(Geom_Circle)::DownCast(conic); !c.IsNull()) return {c->Radius(), 0};
     if (const auto c = Handle(Geom_Ellipse)::DownCast(conic); !c.IsNull()) return {c->MajorRadius(), c->MinorRadius()};
-    if (const auto c = Handle(Geom_Hyperbola)::DownCast(conic); !c.IsNull()) return {c->MajorRadius(), c->MinorRadius()};
+    if (const auto c = Handle(Geom_Hyperbola)::DownCast(conic); !c.IsNull())
+        return {c->MajorRadius(), c->MinorRadius()};
     if (const auto c = Handle(Geom_Parabola)::DownCast(conic); !c.IsNull()) return {c->Focal(), 0};
     return {0, 0};
 }

@@ -9,21 +9,28 @@
 namespace featuremesh {
 namespace {
 constexpr double most_border_cells = 20000;
-constexpr double gap = 1e-6;   // mm, between ends of edges that are meant to meet
+constexpr double gap = 1e-6;  // mm, between ends of edges that are meant to meet
 
-/// A stretch of a changed piece in the parameter plane; the true curve is no further from it than `margin` (scaled, mm).
+/// A stretch of a changed piece in the parameter plane; the true curve is no further from it than `margin` (scaled,
+/// mm).
 struct Segment {
     Uv a, b;
     double margin;
-    bool is_border;   ///< on one side of it is difference, on the other not
+    bool is_border;  ///< on one side of it is difference, on the other not
 };
 
 class TrimRaster {
   public:
     TrimRaster(const BoundaryPair& pair, const BoundaryMatch& match, const CarrierGroup& group, double resolution,
                std::vector<SpaceTriangle>& triangles)
-        : pair_(pair), match_(match), group_(group), resolution_(resolution), leaf_(resolution), triangles_(triangles),
-          to_old_(pair.motion.inverse()), chart_(carrier()) {}
+        : pair_(pair),
+          match_(match),
+          group_(group),
+          resolution_(resolution),
+          leaf_(resolution),
+          triangles_(triangles),
+          to_old_(pair.motion.inverse()),
+          chart_(carrier()) {}
 
     void run() {
         const bool known = take_borders();
@@ -31,6 +38,8 @@ class TrimRaster {
         if (chart_.carrier().kind == SurfaceKind::plane && !clip_root_to_domain()) return;
         chart_.scale_for(root_);
         step_ = chart_.step_for_sag(resolution_ / 8);
+        free_form_cell_ =
+            std::max(2 * resolution_, std::hypot(root_.size(0) * chart_.scale()[0], root_.size(1) * chart_.scale()[1]) / 150);
         if (!known) return emit(root_);
         shift_into_root();
         widen_margins();
@@ -88,7 +97,8 @@ class TrimRaster {
         std::vector<Uv> trace;
         for (int i = 0; i <= count; ++i) {
             points.push_back(point_at(curve, piece.first + (piece.last - piece.first) * i / count));
-            const auto uv = chart_.parameters(points.back(), trace.empty() ? std::nullopt : std::optional(trace.back()));
+            const auto uv =
+                chart_.parameters(points.back(), trace.empty() ? std::nullopt : std::optional(trace.back()));
             if (!uv) return false;
             trace.push_back(*uv);
         }
@@ -120,7 +130,8 @@ class TrimRaster {
         return int(std::clamp(std::max(std::ceil(2 * size / leaf_), turns), 2.0, most));
     }
 
-    // A difference ends at changed pieces, so its extent is theirs, except round a sphere or a torus or on a closed free-form carrier.
+    // A difference ends at changed pieces, so its extent is theirs, except round a sphere or a torus or on a closed
+    // free-form carrier.
     UvBox root_box() {
         const SurfaceKind kind = chart_.carrier().kind;
         if (kind == SurfaceKind::free_form) return natural_box();
@@ -153,7 +164,8 @@ class TrimRaster {
         if (!pair_.domain) return true;
         const UvBox domain = domain_in_plane();
         for (int k = 0; k < 2; ++k) {
-            root_.low[k] = std::max(root_.low[k], domain.low[k]), root_.high[k] = std::min(root_.high[k], domain.high[k]);
+            root_.low[k] = std::max(root_.low[k], domain.low[k]),
+            root_.high[k] = std::min(root_.high[k], domain.high[k]);
             if (root_.size(k) <= 0) return false;
         }
         return true;
@@ -168,8 +180,8 @@ class TrimRaster {
         const Uv centre = parameters_of(chart_.carrier(), to_vec3(curve.position.Location()));
         const UvBox domain = domain_in_plane();
         const double reach = curve.radius + leaf_;
-        return centre[0] + reach < domain.low[0] || centre[0] - reach > domain.high[0] || centre[1] + reach < domain.low[1] ||
-               centre[1] - reach > domain.high[1];
+        return centre[0] + reach < domain.low[0] || centre[0] - reach > domain.high[0] ||
+               centre[1] + reach < domain.low[1] || centre[1] - reach > domain.high[1];
     }
 
     // Where no border is over a whole arc, a line along the axis there meets no border: it is outside the difference.
@@ -202,7 +214,8 @@ class TrimRaster {
             for (const Segment& s : segments_) {
                 const double low = std::min(s.a[k], s.b[k]), high = std::max(s.a[k], s.b[k]);
                 const double slack = 1e-9 + s.margin * (high - low);
-                for (double n = std::floor((root_.low[k] - high - slack) / full); n * full <= root_.high[k] - low + slack; ++n)
+                for (double n = std::floor((root_.low[k] - high - slack) / full);
+                     n * full <= root_.high[k] - low + slack; ++n)
                     if (high + n * full >= root_.low[k] - slack) {
                         shifted.push_back(s);
                         shifted.back().a[k] += n * full, shifted.back().b[k] += n * full;
@@ -269,7 +282,8 @@ class TrimRaster {
         return kind == SurfaceKind::plane || kind == SurfaceKind::cylinder || kind == SurfaceKind::cone;
     }
 
-    /// Whether the borders of the difference are closed lines, as they are when the shapes' vertices are where their edges end.
+    /// Whether the borders of the difference are closed lines, as they are when the shapes' vertices are where their
+    /// edges end.
     bool borders_close() {
         std::sort(border_ends_.begin(), border_ends_.end(), [](const Vec3& a, const Vec3& b) { return a.x < b.x; });
         std::vector<char> visited(border_ends_.size(), 0);
@@ -290,7 +304,8 @@ class TrimRaster {
             if (!s.is_border) continue;
             const double slack = 2 * gap / chart_.scale()[0];
             const int last = column_of(std::max(s.a[0], s.b[0]) + slack);
-            for (int c = column_of(std::min(s.a[0], s.b[0]) - slack); c <= last; ++c) columns_[std::size_t(c)].push_back(int(i));
+            for (int c = column_of(std::min(s.a[0], s.b[0]) - slack); c <= last; ++c)
+                columns_[std::size_t(c)].push_back(int(i));
         }
     }
 
@@ -309,7 +324,8 @@ class TrimRaster {
         return true;
     }
 
-    /// The parity of the borders between the point and infinity, on a cone away from the apex; nothing when a border starts there.
+    /// The parity of the borders between the point and infinity, on a cone away from the apex; nothing when a border
+    /// starts there.
     std::optional<bool> differs_by_crossings(const Uv& uv) const {
         const SurfaceCarrier& c = chart_.carrier();
         const double cone_side = (c.radius + uv[1] * std::sin(c.second)) * std::sin(c.second);
@@ -367,7 +383,7 @@ class TrimRaster {
         const double strays = std::max({distance(at(0.5, 0.5), (a + c) * 0.5), distance(at(0.5, 0), (a + b) * 0.5),
                                         distance(at(1, 0.5), (b + c) * 0.5), distance(at(0.5, 1), (c + d) * 0.5),
                                         distance(at(0, 0.5), (d + a) * 0.5)});
-        const bool small = std::max(distance(a, c), distance(b, d)) <= 2 * resolution_;
+        const bool small = std::max(distance(a, c), distance(b, d)) <= free_form_cell_;
         if ((strays <= sag && small) || depth >= 9) {
             add_triangle(a, b, c);
             add_triangle(a, c, d);
@@ -389,7 +405,7 @@ class TrimRaster {
     const BoundaryPair& pair_;
     const BoundaryMatch& match_;
     const CarrierGroup& group_;
-    double resolution_, leaf_;
+    double resolution_, leaf_, free_form_cell_ = 0;
     std::vector<SpaceTriangle>& triangles_;
     RigidMotion to_old_;
     CarrierChart chart_;
@@ -398,12 +414,12 @@ class TrimRaster {
     std::vector<Segment> segments_;
     std::vector<Vec3> border_ends_;
     bool by_crossings_ = false;
-    std::vector<std::vector<int>> columns_;   ///< border segments by u
+    std::vector<std::vector<int>> columns_;  ///< border segments by u
 };
 }  // namespace
 
-void append_trim_difference(const BoundaryPair& pair, const BoundaryMatch& match, const CarrierGroup& group, double resolution,
-                            std::vector<SpaceTriangle>& triangles) {
+void append_trim_difference(const BoundaryPair& pair, const BoundaryMatch& match, const CarrierGroup& group,
+                            double resolution, std::vector<SpaceTriangle>& triangles) {
     if (!group.is_unchanged()) TrimRaster(pair, match, group, resolution, triangles).run();
 }
 

@@ -11,12 +11,13 @@ namespace featuremesh {
 
 using SpaceTriangle = std::array<Vec3, 3>;
 
-/// Appends triangles that cover, up to resolution / 4, the symmetric difference of the group's old (moved) and new trims and the
-/// changed pieces of their borders; they reach at most one cell of size `resolution` beyond it. Nothing outside the domain.
+/// Appends triangles that cover, up to resolution / 4, the symmetric difference of the group's old (moved) and new
+/// trims and the changed pieces of their borders; they reach at most one cell of size `resolution` beyond it. Nothing
+/// outside the domain.
 ///
-/// The parameter plane is halved again and again where a changed piece runs, down to the resolution. A cell that no changed piece
-/// enters lies wholly in the difference or wholly outside it: one point decides.
-void append_trim_difference(const BoundaryPair& pair, const BoundaryMatch& match, const CarrierGroup& group, double resolution,
-                            std::vector<SpaceTriangle>& triangles);
+/// The parameter plane is halved again and again where a changed piece runs, down to the resolution. A cell that no
+/// changed piece enters lies wholly in the difference or wholly outside it: one point decides.
+void append_trim_difference(const BoundaryPair& pair, const BoundaryMatch& match, const CarrierGroup& group,
+                            double resolution, std::vector<SpaceTriangle>& triangles);
 
 }  // namespace featuremesh

@@ -35,7 +35,9 @@ TopoDS_Shape cone(const Vec3& base, const Vec3& axis, double radius, double top_
     return BRepPrimAPI_MakeCone(gp_Ax2(to_pnt(base), gp_Dir(to_vec(axis))), radius, top_radius, height).Shape();
 }
 
-TopoDS_Shape sphere(const Vec3& centre, double radius) { return BRepPrimAPI_MakeSphere(to_pnt(centre), radius).Shape(); }
+TopoDS_Shape sphere(const Vec3& centre, double radius) {
+    return BRepPrimAPI_MakeSphere(to_pnt(centre), radius).Shape();
+}
 
 TopoDS_Shape torus(const Vec3& centre, const Vec3& axis, double radius, double tube) {
     return BRepPrimAPI_MakeTorus(gp_Ax2(to_pnt(centre), gp_Dir(to_vec(axis))), radius, tube).Shape();
@@ -88,7 +90,8 @@ TopoDS_Shape evaluate(const std::vector<Primitive>& features) {
         for (const TopoDS_Shape& s : f.instances) tools.Append(s);
         BRepAlgoAPI_Fuse fuse;
         BRepAlgoAPI_Cut cut;
-        BRepAlgoAPI_BooleanOperation& operation = f.effect == Effect::adds ? static_cast<BRepAlgoAPI_BooleanOperation&>(fuse) : cut;
+        BRepAlgoAPI_BooleanOperation& operation =
+            f.effect == Effect::adds ? static_cast<BRepAlgoAPI_BooleanOperation&>(fuse) : cut;
         operation.SetArguments(arguments);
         operation.SetTools(tools);
         operation.SetNonDestructive(true);
@@ -108,7 +111,8 @@ FeatureTree tree_of(const std::vector<Primitive>& features) {
         f.type = "Test::Primitive";
         f.role = p.effect == Effect::adds ? Role::additive : Role::subtractive;
         f.parameters = p.parameters;
-        for (const TopoDS_Shape& s : p.instances) f.volumes.push_back({s, p.effect, int(f.volumes.size()), {}, p.effect});
+        for (const TopoDS_Shape& s : p.instances)
+            f.volumes.push_back({s, p.effect, int(f.volumes.size()), {}, p.effect});
         f.combination = Combination::chain;
         if (!tree.features.empty()) f.depends_on = f.operands = {FeatureId(tree.features.size() - 1)};
         tree.features.push_back(std::move(f));

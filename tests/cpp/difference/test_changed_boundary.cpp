@@ -15,7 +15,8 @@ std::vector<Triangle> random_triangles(std::size_t count, double size, std::mt19
     std::vector<Triangle> triangles;
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3 a{at(random), at(random), at(random)};
-        triangles.push_back({a, a + Vec3{step(random), step(random), step(random)}, a + Vec3{step(random), step(random), step(random)}});
+        triangles.push_back({a, a + Vec3{step(random), step(random), step(random)},
+                             a + Vec3{step(random), step(random), step(random)}});
     }
     return triangles;
 }
@@ -41,7 +42,7 @@ double brute_force(const Vec3& p, const Triangle& t) {
 TEST_CASE("the distance agrees with sampling the triangles") {
     std::mt19937 random(7);
     std::vector<Triangle> triangles = random_triangles(40, 15, random);
-    triangles.push_back({Vec3{5, 5, 5}, Vec3{5, 5, 5}, Vec3{9, 5, 5}});   // without area
+    triangles.push_back({Vec3{5, 5, 5}, Vec3{5, 5, 5}, Vec3{9, 5, 5}});  // without area
     const ChangedBoundary changed(triangles);
     std::uniform_real_distribution<double> at(-20, 120);
     for (int i = 0; i < 60; ++i) {

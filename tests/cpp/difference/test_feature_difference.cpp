@@ -22,7 +22,8 @@ const FeatureChange& change_of(const FeatureDifference& d, const std::string& na
 }
 
 int count(const FeatureDifference& d, FaceVerdict verdict) {
-    return int(std::count_if(d.faces.begin(), d.faces.end(), [&](const FaceChange& f) { return f.verdict == verdict; }));
+    return int(
+        std::count_if(d.faces.begin(), d.faces.end(), [&](const FaceChange& f) { return f.verdict == verdict; }));
 }
 }  // namespace
 
@@ -35,7 +36,8 @@ TEST_CASE("equal parts made twice have no difference") {
     CHECK(d.regions[0].features.size() == 10);
     for (std::size_t f = 0; f < d.regions[0].new_face_of.size(); ++f) CHECK(d.regions[0].new_face_of[f] == FaceId(f));
     for (std::size_t e = 0; e < d.regions[0].new_edge_of.size(); ++e) CHECK(d.regions[0].new_edge_of[e] == EdgeId(e));
-    for (std::size_t v = 0; v < d.regions[0].new_vertex_of.size(); ++v) CHECK(d.regions[0].new_vertex_of[v] == VertexId(v));
+    for (std::size_t v = 0; v < d.regions[0].new_vertex_of.size(); ++v)
+        CHECK(d.regions[0].new_vertex_of[v] == VertexId(v));
 }
 
 TEST_CASE("a moved hole") {
@@ -54,9 +56,9 @@ TEST_CASE("a moved hole") {
     CHECK(count(d, FaceVerdict::appeared) == 1);
 
     const ChangedBoundary& changed = d.regions[0].changed;
-    CHECK(changed.distance({8, 12, 7}, 1) < 0.3);      // the old wall
-    CHECK(changed.distance({21, 12, 7}, 1) < 0.3);     // the new wall
-    CHECK(changed.distance({9, 12, 15}, 1) < 0.3);     // closed
+    CHECK(changed.distance({8, 12, 7}, 1) < 0.3);   // the old wall
+    CHECK(changed.distance({21, 12, 7}, 1) < 0.3);  // the new wall
+    CHECK(changed.distance({9, 12, 15}, 1) < 0.3);  // closed
     CHECK(changed.distance({30, 12, 15}, 5) == 5);
     CHECK(changed.distance({12, 12, 7}, 10) == Approx(1).margin(0.3));
 
@@ -66,7 +68,7 @@ TEST_CASE("a moved hole") {
     CHECK(d.regions[1].volumes.empty());
     CHECK(d.regions[1].new_face_of[hole.old_faces[0].index()] == hole.new_faces[0]);
     CHECK(d.regions[1].changed.distance({21, 12, 7}, 3) == 3);
-    CHECK(d.regions[1].changed.distance({5, 12, 7}, 3) == Approx(0).margin(0.3));   // the plate's old side, moved
+    CHECK(d.regions[1].changed.distance({5, 12, 7}, 3) == Approx(0).margin(0.3));  // the plate's old side, moved
 }
 
 TEST_CASE("a moved boss carries its volume") {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A verdict "unchanged" that is wrong must not exist: random edits of random parts, judged by a point oracle that knows nothing of
-// how the difference is found. FEATUREMESH_RANDOM_EDITS sets the number of edits (100 in every run, 2000 for the long one).
+// A verdict "unchanged" that is wrong must not exist: random edits of random parts, judged by a point oracle that knows
+// nothing of how the difference is found. FEATUREMESH_RANDOM_EDITS sets the number of edits (100 in every run, 2000 for
+// the long one).
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepTools.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
-#include <BRepExtrema_DistShapeShape.hxx>
-#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <TopoDS.hxx>
 #include <cstdlib>
 #include <random>
@@ -24,7 +25,7 @@ using namespace featuremesh::test;
 namespace {
 constexpr double resolution = 2.0;
 constexpr double slack = resolution / 4;
-constexpr double off = 2e-4;   // mm from the boundary, where the two sides are asked
+constexpr double off = 2e-4;  // mm from the boundary, where the two sides are asked
 
 class RandomParts {
   public:
@@ -120,7 +121,7 @@ class RandomParts {
 };
 
 struct Sample {
-    Vec3 point, normal;   ///< the normal points out of the material
+    Vec3 point, normal;  ///< the normal points out of the material
     FaceId face;
 };
 
@@ -171,13 +172,14 @@ double area_of(const ChangedBoundary& changed) {
 struct Totals {
     int edits = 0, skipped = 0, points = 0, edge_points = 0, regions = 0;
     int wrong = 0;
-    double called_changed = 0, truly_changed = 0;   // mm^2
+    double called_changed = 0, truly_changed = 0;  // mm^2
 };
 
 /// The oracle's own doubt: where the very shape that was sampled does not answer as it must, nothing is concluded.
 bool is_sound(PointOracle& own, const Sample& s) { return own.has_boundary(s.point, s.normal); }
 
-void judge_region(const CarriedRegion& region, const PartState& before, const PartState& after, RandomParts& random, Totals& totals) {
+void judge_region(const CarriedRegion& region, const PartState& before, const PartState& after, RandomParts& random,
+                  Totals& totals) {
     PointOracle old_oracle(before.brep), new_oracle(after.brep);
     const RigidMotion back = region.motion.inverse();
     for (const Sample& s : samples_on_faces(after.brep, 2, random)) {
@@ -193,17 +195,19 @@ void judge_region(const CarriedRegion& region, const PartState& before, const Pa
         const Vec3 p = region.motion.apply(s.point), n = region.motion.rotate(s.normal);
         if (region.changed.distance(p, 1) <= slack) continue;
         ++totals.points;
-        bool on_partner = random.chance(0.6);   // the costly question
+        bool on_partner = random.chance(0.6);  // the costly question
         for (const FaceId f : region.new_faces_of[s.face.index()])
             on_partner = on_partner || distance_to(after.brep.face(f), p) < 1e-5;
         if ((!on_partner || !new_oracle.has_boundary(p, n)) && is_sound(old_oracle, s)) {
             ++totals.wrong;
-            UNSCOPED_INFO("old boundary carried to " << p.x << " " << p.y << " " << p.z << " is not there, partner " << on_partner);
+            UNSCOPED_INFO("old boundary carried to " << p.x << " " << p.y << " " << p.z << " is not there, partner "
+                                                     << on_partner);
         }
     }
 }
 
-void judge_edges(const CarriedRegion& region, const PartState& before, const PartState& after, RandomParts& random, Totals& totals) {
+void judge_edges(const CarriedRegion& region, const PartState& before, const PartState& after, RandomParts& random,
+                 Totals& totals) {
     for (std::size_t e = 0; e < before.brep.edge_count(); ++e) {
         if (before.brep.is_degenerated(EdgeId(e)) || !random.chance(0.3)) continue;
         double first, last;
@@ -221,8 +225,8 @@ void judge_edges(const CarriedRegion& region, const PartState& before, const Par
     }
 }
 
-void measure_conservativeness(const FeatureDifference& d, const PartState& before, const PartState& after, RandomParts& random,
-                              Totals& totals) {
+void measure_conservativeness(const FeatureDifference& d, const PartState& before, const PartState& after,
+                              RandomParts& random, Totals& totals) {
     const auto changed_area = [&](const Brep& of, const Brep& other, bool is_old) {
         PointOracle oracle(other);
         const auto samples = samples_on_faces(of, 6, random);
@@ -249,7 +253,7 @@ std::optional<PartState> valid_part(const std::vector<Primitive>& features) {
         if (!BRepCheck_Analyzer(state.tree.final_shape).IsValid()) return std::nullopt;
         return state;
     } catch (const InputError&) {
-        return std::nullopt;   // nothing is left of the part
+        return std::nullopt;  // nothing is left of the part
     }
 }
 }  // namespace
@@ -282,13 +286,15 @@ TEST_CASE("what is called unchanged is unchanged") {
         CHECK(totals.wrong == wrong);
     }
     INFO(totals.edits << " edits, " << totals.skipped << " skipped, " << totals.regions << " regions, " << totals.points
-                      << " points on faces and " << totals.edge_points << " on edges called unchanged, " << totals.called_changed
-                      << " mm^2 called changed, " << totals.truly_changed << " truly are");
+                      << " points on faces and " << totals.edge_points << " on edges called unchanged, "
+                      << totals.called_changed << " mm^2 called changed, " << totals.truly_changed << " truly are");
     CHECK(totals.points > 10 * totals.edits);
     CHECK(totals.edge_points > 2 * totals.edits);
     CHECK(totals.skipped < totals.edits);
     if (totals.truly_changed > 0) CHECK(totals.called_changed < 1.5 * totals.truly_changed);
-    if (wanted) WARN(totals.edits << " edits, " << totals.skipped << " skipped, " << totals.regions << " regions, " << totals.points
-                      << " face points, " << totals.edge_points << " edge points, " << totals.wrong << " wrong, " << totals.called_changed
-                      << " mm^2 called changed, " << totals.truly_changed << " truly");
+    if (wanted)
+        WARN(totals.edits << " edits, " << totals.skipped << " skipped, " << totals.regions << " regions, "
+                          << totals.points << " face points, " << totals.edge_points << " edge points, " << totals.wrong
+                          << " wrong, " << totals.called_changed << " mm^2 called changed, " << totals.truly_changed
+                          << " truly");
 }
