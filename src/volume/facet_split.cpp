@@ -60,8 +60,8 @@ void cut_triangle(std::array<int, 3> corners, std::array<int, 3> mids, int facet
 /// Which CAD entity an added point belongs to, and where on it.
 class Placement {
   public:
-    Placement(const Cavity& cavity, const Projector& projector, const Mesh& mesh)
-        : cavity_(cavity), projector_(projector) {
+    Placement(const Cavity& cavity, const Projector& projector, double on_entity, const Mesh& mesh)
+        : cavity_(cavity), projector_(projector), on_entity_(on_entity) {
         for (std::size_t i = 0; i < mesh.segments.size(); ++i)
             edge_of_.emplace(sorted_pair(mesh.segments[i][0], mesh.segments[i][1]), mesh.segment_edges[i]);
     }
@@ -71,16 +71,18 @@ class Placement {
             const auto edge = edge_of_.find(pair_of(added, cavity_));
             if (edge != edge_of_.end()) {
                 const OnEdge on = projector_.nearest(edge->second, added.point);
-                return mesh.add_node(on.point, entity_of(edge->second), {on.t, 0});
+                return mesh.add_node(on.distance < on_entity_ ? added.point : on.point, entity_of(edge->second),
+                                     {on.t, 0});
             }
         }
         const OnFace on = projector_.nearest(face, added.point);
-        return mesh.add_node(on.point, entity_of(face), on.uv);
+        return mesh.add_node(on.distance < on_entity_ ? added.point : on.point, entity_of(face), on.uv);
     }
 
   private:
     const Cavity& cavity_;
     const Projector& projector_;
+    double on_entity_;  ///< a point this near stays, so that exact decisions about it hold
     std::map<NodePair, EdgeId> edge_of_;
 };
 
@@ -201,9 +203,10 @@ std::vector<TetId> tets_in_the_way(const FacetSplit& split, const Cavity& cavity
     return found;
 }
 
-std::vector<NodeId> apply_split(const FacetSplit& split, const Cavity& cavity, const Projector& projector, Mesh& mesh) {
+std::vector<NodeId> apply_split(const FacetSplit& split, const Cavity& cavity, const Projector& projector,
+                                double on_entity, Mesh& mesh) {
     const std::vector<FaceId> faces = faces_of_points(split, cavity, mesh);
-    const Placement placement(cavity, projector, mesh);
+    const Placement placement(cavity, projector, on_entity, mesh);
     std::vector<NodeId> nodes;
     for (std::size_t i = 0; i < split.added.size(); ++i) nodes.push_back(placement.add(split.added[i], faces[i], mesh));
     cut_segments(split, cavity, nodes, mesh);

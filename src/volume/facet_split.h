@@ -37,9 +37,10 @@ FacetSplit halve_longest_edges(const Cavity& cavity, std::span<const int> facets
 std::vector<TetId> tets_in_the_way(const FacetSplit& split, const Cavity& cavity, const Mesh& mesh,
                                    std::span<const std::uint8_t> is_released);
 
-/// Puts the added points on the exact CAD edge or face and cuts the mesh's segments and triangles: the first piece
-/// takes the place of what is cut, the others are appended, all with new numbers. Gives back the new nodes, by added
-/// point.
-std::vector<NodeId> apply_split(const FacetSplit& split, const Cavity& cavity, const Projector& projector, Mesh& mesh);
+/// Puts the added points on the exact CAD edge or face (those within `on_entity`, mm, stay where they are) and cuts the
+/// mesh's segments and triangles: the first piece takes the place of what is cut, the others are appended, all with new
+/// numbers. Gives back the new nodes, by added point.
+std::vector<NodeId> apply_split(const FacetSplit& split, const Cavity& cavity, const Projector& projector,
+                                double on_entity, Mesh& mesh);
 
 }  // namespace featuremesh

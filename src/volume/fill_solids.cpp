@@ -19,6 +19,7 @@ namespace featuremesh {
 namespace {
 
 constexpr int most_rounds = 12;
+constexpr int most_crossing_rounds = 3;
 
 std::vector<std::array<SolidId, 2>> sides_of_faces(const Brep& brep) {
     std::vector<std::array<SolidId, 2>> sides;
@@ -131,6 +132,7 @@ class Filling {
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
             CavityFill& fill = fills_[i];
             if (round == 0) result_.report.recovered_triangles += fill.places.missing.size();
+            if (!fill.is_complete()) log("triangles are missing", fill.places.missing.size());
             if (fill.is_complete())
                 known_.push_back(
                     {cavities_[i].nodes, seeds_of(cavities_[i], fill), std::move(fill.triangulation), true});
@@ -167,20 +169,25 @@ class Filling {
         std::vector<Vec3> seeds = seeds_of(cavity, fill);
         const FacetSplit flips = flip_missing(cavity, fill, result_.mesh);
         if (!flips.pieces.empty()) {
+            log("diagonals to change", flips.pieces.size() / 2);
             if (apply(flips, cavity))
                 known_.push_back({cavity.nodes, std::move(seeds), std::move(fill.triangulation), true});
             return;
         }
         const std::vector<int> crossing = crossing_facets(cavity);
         if (!crossing.empty()) {
+            if (++crossing_rounds_ > most_crossing_rounds) throw_crossing(cavity, crossing);
+            log("triangles that cross others", crossing.size());
             apply(halve_longest_edges(cavity, crossing), cavity);
             return;
         }
         ConstrainedTriangulation constrained = constrained_delaunay(cavity, seeds);
         if (!constrained.failed.empty()) {
+            log("triangles that constraints did not bring back", constrained.failed.size());
             apply(halve_longest_edges(cavity, constrained.failed), cavity);
             return;
         }
+        log("points that constraints added", constrained.split.added.size());
         if (const auto added = apply(constrained.split, cavity)) {
             std::vector<NodeId> nodes = cavity.nodes;
             nodes.insert(nodes.end(), added->begin(), added->end());
@@ -188,12 +195,17 @@ class Filling {
         }
     }
 
+    void log(const char* what, std::size_t count) const {
+        context_.log("boundary recovery: " + std::to_string(count) + " " + what);
+    }
+
     /// The new nodes; none when kept tets were in the way and have been released instead.
     std::optional<std::vector<NodeId>> apply(const FacetSplit& split, const Cavity& cavity) {
         const std::vector<TetId> in_the_way = tets_in_the_way(split, cavity, result_.mesh, is_released_);
         for (const TetId tet : in_the_way) is_released_[tet.index()] = 1;
         if (!in_the_way.empty()) return {};
-        std::vector<NodeId> added = apply_split(split, cavity, projector_, result_.mesh);
+        std::vector<NodeId> added =
+            apply_split(split, cavity, projector_, brep_.tolerances().on_entity(), result_.mesh);
         result_.report.recovery_points += added.size();
         return added;
     }
@@ -216,6 +228,11 @@ class Filling {
             throw MeshError("the surface mesh does not close at " + names_of_faces(cavities_[i], open) +
                             "; check the shape there, or try another size");
         }
+    }
+
+    [[noreturn]] void throw_crossing(const Cavity& cavity, const std::vector<int>& crossing) const {
+        throw MeshError("triangles of " + names_of_faces(cavity, crossing) +
+                        " cut one another; the shape may touch or cut itself there: repair it, or mesh finer there");
     }
 
     [[noreturn]] void throw_unrecovered() const {
@@ -249,7 +266,9 @@ class Filling {
         for (const auto& tet : complex.tets) {
             if (tet[0] < 0) continue;
             const auto& p = complex.points;
-            if (signed_volume(p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]) > 0) continue;
+            const Vec3 u = p[tet[1]] - p[tet[0]], v = p[tet[2]] - p[tet[0]], w = p[tet[3]] - p[tet[0]];
+            // the product of three lengths times the rounding of a determinant
+            if (dot(cross(u, v), w) > 1e-14 * length(u) * length(v) * length(w)) continue;
             std::string nearest = "inside the solid";
             for (const int corner : tet)
                 if (corner < static_cast<int>(cavity.nodes.size()))
@@ -307,6 +326,7 @@ class Filling {
     std::vector<CavityFill> fills_;
     std::vector<KnownTriangulation> known_;
     std::vector<TetComplex> complexes_;
+    int crossing_rounds_ = 0;
     VolumeResult result_;
 };
 

@@ -40,17 +40,21 @@ class FlipSearch {
 
     FacetSplit flat() const {
         std::vector<int> facets;
+        std::set<std::array<int, 2>> pairs;
         for (std::size_t t = 0; t < fill_.regions.size(); ++t) {
             if (fill_.regions[t] < 0 || !is_flat(fill_.triangulation.tets[t])) continue;
             std::vector<int> own;
             for (int k = 0; k < 4; ++k)
                 if (const int f = fill_.places.facet_at[4 * t + k]; f >= 0) own.push_back(f);
-            if (own.size() == 2 && is_one_sided(own[0]) && is_one_sided(own[1]))
-                facets.insert(facets.end(), own.begin(), own.end());
+            if (own.size() != 2 || !is_one_sided(own[0]) || !is_one_sided(own[1])) continue;
+            pairs.insert(edge_of(own[0], own[1]));
+            facets.insert(facets.end(), own.begin(), own.end());
         }
         std::sort(facets.begin(), facets.end());
         facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
-        return split_of(quads_among(facets));
+        std::vector<Quad> quads = quads_among(facets);
+        std::erase_if(quads, [&](const Quad& q) { return !pairs.contains(edge_of(q.first, q.second)); });
+        return split_of(quads);
     }
 
   private:
