@@ -18,7 +18,8 @@ class Parser(argparse.ArgumentParser):
 def parse(words):
     parser = Parser(prog=PROGRAM, description=DESCRIPTION)
     subparsers = parser.add_subparsers(dest="command", metavar="COMMAND", required=True, parser_class=Parser)
-    for add in (add_demo, add_test, add_mesh, add_update, add_diff, add_tree, add_export, add_gui, add_bench):
+    for add in (add_demo, add_test, add_mesh, add_update, add_diff, add_tree, add_export, add_gui, add_bench,
+                add_install, add_uninstall):
         add(subparsers)
     return parser.parse_args(words)
 
@@ -89,6 +90,14 @@ def add_bench(subparsers):
     bench.add_argument("--repeat", type=int, default=5, metavar="N", help="runs of each, for the median (default: %(default)s)")
     bench.add_argument("--threads", type=int, default=1, metavar="N", help="threads of each mesher (default: %(default)s)")
     bench.add_argument("--list", action="store_true", help="list the cases and stop")
+
+
+def add_install(subparsers):
+    command(subparsers, "install", commands.install, "put the workbench into FreeCAD's folder for add-ons")
+
+
+def add_uninstall(subparsers):
+    command(subparsers, "uninstall", commands.uninstall, "remove the workbench from FreeCAD's folder for add-ons")
 
 
 def add_part(parser):

@@ -6,6 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import addon
 import packages
 from engine_build import PYTHON, set_up
 from freecad_task import freecad_environment, run_script, run_task
@@ -113,6 +114,19 @@ def gui(given):
     if code:
         raise Failure(f"FreeCAD ended with exit code {code}")
     print("FreeCAD was closed")
+    return 0
+
+
+def install(given):
+    set_up()
+    folder = addon.addon_folder()
+    folder.mkdir(parents=True, exist_ok=True)
+    print(f"FeatureMesh is installed in {addon.install_into(folder)}; start FreeCAD anew")
+    return 0
+
+
+def uninstall(given):
+    print(f"FeatureMesh was removed from {addon.remove_from(addon.addon_folder())}")
     return 0
 
 

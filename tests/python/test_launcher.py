@@ -15,11 +15,12 @@ ROOT = Path(__file__).resolve().parents[2]
 LAUNCHER = ROOT / "featuremesh"
 sys.path.insert(0, str(ROOT / "resources" / "launcher"))
 
+import addon  # noqa: E402
 import cgal_headers  # noqa: E402
 import engine_build  # noqa: E402
 import freecad_task  # noqa: E402
 import packages  # noqa: E402
-from layout import RELEASE, Failure  # noqa: E402
+from layout import RELEASE, Failure, UserError  # noqa: E402
 
 
 def run(*words):
@@ -30,7 +31,7 @@ class CommandLine(unittest.TestCase):
     def test_help_explains_each_command(self):
         shown = run("--help")
         self.assertEqual(shown.returncode, 0)
-        for command in ("demo", "test", "mesh", "update", "diff", "tree", "export", "gui", "bench"):
+        for command in ("demo", "test", "mesh", "update", "diff", "tree", "export", "gui", "bench", "install", "uninstall"):
             self.assertRegex(shown.stdout, rf"\n    {command} +[a-z]")
             self.assertEqual(run(command, "--help").returncode, 0)
 
@@ -162,6 +163,38 @@ Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
             header.parent.mkdir(parents=True)
             header.write_text("#define CGAL_VERSION_STR CGAL_STR(CGAL_VERSION)\n#define CGAL_VERSION 6.2.1\n", encoding="utf-8")
             self.assertEqual(cgal_headers.version_of(Path(folder)), (6, 2))
+
+
+class AddOn(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name) / "Mod"
+        self.folder.mkdir()
+        build = Path(temporary.name) / "build"
+        (build / "bindings").mkdir(parents=True)
+        (build / "bindings" / "featuremesh_engine.so").write_bytes(b"engine")
+        patched = mock.patch.object(addon, "RELEASE", build)
+        patched.start()
+        self.addCleanup(patched.stop)
+
+    def test_installed_twice_and_removed(self):
+        for _ in range(2):
+            target = addon.install_into(self.folder)
+            self.assertTrue((target / addon.OURS).is_file())
+            self.assertEqual((target / "featuremesh_engine.so").read_bytes(), b"engine")
+            self.assertEqual([path.name for path in self.folder.iterdir()], ["FeatureMesh"])
+        addon.remove_from(self.folder)
+        self.assertEqual(list(self.folder.iterdir()), [])
+        with self.assertRaisesRegex(UserError, "not installed"):
+            addon.remove_from(self.folder)
+
+    def test_a_folder_of_somebody_else_stays(self):
+        (self.folder / "FeatureMesh").mkdir()
+        for act in (addon.install_into, addon.remove_from):
+            with self.assertRaisesRegex(UserError, "not an installed FeatureMesh"):
+                act(self.folder)
+        self.assertTrue((self.folder / "FeatureMesh").is_dir())
 
 
 class SetUp(unittest.TestCase):
