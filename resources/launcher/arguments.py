@@ -8,6 +8,11 @@ PROGRAM = "featuremesh"
 DESCRIPTION = "Tetrahedral FEM meshes of FreeCAD parts that are updated locally when the part is edited. Lengths in mm."
 
 
+def one_line_each(prog):
+    """Room for every command's explanation in one line."""
+    return argparse.HelpFormatter(prog, max_help_position=16, width=100)
+
+
 class Parser(argparse.ArgumentParser):
     """Errors in one line."""
 
@@ -16,7 +21,7 @@ class Parser(argparse.ArgumentParser):
 
 
 def parse(words):
-    parser = Parser(prog=PROGRAM, description=DESCRIPTION)
+    parser = Parser(prog=PROGRAM, description=DESCRIPTION, formatter_class=one_line_each)
     subparsers = parser.add_subparsers(dest="command", metavar="COMMAND", required=True, parser_class=Parser)
     for add in (add_demo, add_test, add_mesh, add_update, add_diff, add_tree, add_export, add_gui, add_bench,
                 add_install, add_uninstall):
