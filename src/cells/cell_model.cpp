@@ -3,7 +3,6 @@
 
 #include <TopExp_Explorer.hxx>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -14,6 +13,7 @@
 #include "cells/fuse.h"
 #include "cells/replay.h"
 #include "core/errors.h"
+#include "features/deadline.h"
 #include "features/flux.h"
 #include "features/shape_difference.h"
 #include "features/solid_probe.h"
@@ -22,7 +22,7 @@ namespace featuremesh {
 
 namespace {
 
-constexpr double most_seconds = 30;   // for all attempts together; what is fused in that time is worth it, see docs/design/cells.md
+constexpr double most_seconds = 30;   // of the processor, for all attempts together; what is fused in that time is worth it, see docs/design/cells.md
 
 void add_solids(std::vector<FuseArgument>& arguments, const Owner& owner, const TopoDS_Shape& shape) {
     for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) arguments.push_back({owner, it.Current()});
@@ -70,7 +70,7 @@ class CellBuilder {
 
   private:
     double seconds_left() const {
-        return most_seconds - std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        return most_seconds - (thread_seconds() - start_);
     }
     void note(std::string text) { notes_.push_back(std::move(text)); }
     void distrust(FeatureId id) { untrusted_.insert(id); }
@@ -257,7 +257,7 @@ class CellBuilder {
     RunContext& context_;
     double final_volume_;
     double overlap_ = 0;   // mm^3 that the final shape's solids count more than once
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double start_ = thread_seconds();
     CellModel model_;
     std::vector<std::string> notes_;
     std::set<FeatureId> offenders_, untrusted_;

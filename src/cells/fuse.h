@@ -17,7 +17,7 @@ struct FuseArgument {
 
 struct FuseOptions {
     double fuzzy = 0;        ///< mm, added to the shapes' own tolerances
-    double seconds = 20;     ///< no more than this
+    double seconds = 20;     ///< of the processor, no more than this
 };
 
 /// Cells and faces with owners, sides and volumes; material and final faces are not decided yet.

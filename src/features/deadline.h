@@ -3,23 +3,29 @@
 #pragma once
 
 #include <Message_ProgressIndicator.hxx>
-#include <chrono>
+#include <ctime>
 #include <functional>
+#include <utility>
 
 namespace featuremesh {
 
-/// Handed to a kernel algorithm, says "break" when the seconds are over or `stop` (may be empty) says so. Throws nothing itself: the kernel
-/// would not survive it.
+/// Processor seconds that the calling thread has used. What is worth its time must not depend on how busy the machine is.
+inline double thread_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Handed to a kernel algorithm that runs in this thread, says "break" when the processor seconds are over or `stop` (may be empty) says so.
+/// Throws nothing itself: the kernel would not survive it.
 class Deadline : public Message_ProgressIndicator {
     DEFINE_STANDARD_RTTI_INLINE(Deadline, Message_ProgressIndicator)
 
   public:
-    explicit Deadline(double seconds, std::function<bool()> stop = {})
-        : end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))),
-          stop_(std::move(stop)) {}
+    explicit Deadline(double seconds, std::function<bool()> stop = {}) : end_(thread_seconds() + seconds), stop_(std::move(stop)) {}
 
     Standard_Boolean UserBreak() override {
-        broken_ = broken_ || Clock::now() >= end_ || (stop_ && stop_());
+        broken_ = broken_ || thread_seconds() >= end_ || (stop_ && stop_());
         return broken_;
     }
     /// Has the algorithm been told to end?
@@ -29,8 +35,7 @@ class Deadline : public Message_ProgressIndicator {
     void Show(const Message_ProgressScope&, const Standard_Boolean) override {}
 
   private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point end_;
+    double end_;
     std::function<bool()> stop_;
     bool broken_ = false;
 };

@@ -3,10 +3,10 @@
 
 #include <TopExp_Explorer.hxx>
 #include <algorithm>
-#include <chrono>
 #include <set>
 
 #include "core/errors.h"
+#include "features/deadline.h"
 #include "features/document_view.h"
 #include "features/feature_types.h"
 #include "features/occt_geometry.h"
@@ -240,9 +240,9 @@ class Interpreter {
     bool take_difference(int i) {
         const TopoDS_Shape& after = feature(i).after;
         if (after.IsNull()) return note(i, "has no solid, so its effect is unknown"), true;
-        const auto start = std::chrono::steady_clock::now();
+        const double start = thread_seconds();
         const ShapeDifference difference = difference_of(feature(i).before, after, std::min(8.0, seconds_left_));
-        seconds_left_ = std::max(0.5, seconds_left_ - std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        seconds_left_ = std::max(0.5, seconds_left_ - (thread_seconds() - start));
         if (!difference.closed) {
             note(i, "what it adds and removes could not be told from the shapes before and after it; it is taken as one piece with all before it");
             feature(i).role = Role::opaque;

@@ -14,7 +14,7 @@ struct ShapeDifference {
 
 /// Works on the faces only that the two shapes do not share (see same_faces.h): they bound all that was added or removed, and the
 /// rest of the part costs nothing. Where that does not account for the change of volume, whole booleans. Each attempt may take
-/// `seconds`. Either shape may be null: nothing before, or nothing left.
+/// `seconds` of the processor. Either shape may be null: nothing before, or nothing left.
 ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& after, double seconds = 8.0);
 
 }  // namespace featuremesh
