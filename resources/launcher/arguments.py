@@ -10,7 +10,7 @@ DESCRIPTION = "Tetrahedral FEM meshes of FreeCAD parts that are updated locally 
 
 def one_line_each(prog):
     """Room for every command's explanation in one line."""
-    return argparse.HelpFormatter(prog, max_help_position=16, width=100)
+    return argparse.HelpFormatter(prog, max_help_position=20, width=100)
 
 
 class Parser(argparse.ArgumentParser):
