@@ -22,7 +22,7 @@ class Parser(argparse.ArgumentParser):
 
 def parse(words):
     parser = Parser(prog=PROGRAM, description=DESCRIPTION, formatter_class=one_line_each)
-    subparsers = parser.add_subparsers(dest="command", metavar="COMMAND", required=True, parser_class=Parser)
+    subparsers = parser.add_subparsers(dest="command", metavar="COMMAND ...", required=True, parser_class=Parser)
     for add in (add_demo, add_test, add_mesh, add_update, add_diff, add_tree, add_export, add_gui, add_bench,
                 add_install, add_uninstall):
         add(subparsers)
