@@ -17,7 +17,8 @@ using Uv = std::array<double, 2>;
 Vec3 to_vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 Vec3 to_vec(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
 
-/// A growing, piecewise linear function of one surface parameter: the arc length along it, averaged over the other parameter.
+/// A growing, piecewise linear function of one surface parameter: the arc length along it, averaged over the other
+/// parameter.
 class Stretch {
   public:
     /// `speed[i]` is the derivative on the i-th of equal intervals of [first, last].
@@ -57,10 +58,10 @@ struct Chart::Data {
     BRepAdaptor_Surface surface;
     Kind kind = Kind::stretched;
     bool reversed = false, isometric = true;
-    double u_min = 0, u_max = 0, v_min = 0, v_max = 0;   ///< of the face's trim
+    double u_min = 0, u_max = 0, v_min = 0, v_max = 0;  ///< of the face's trim
     double u_period = 0, v_period = 0;
-    double radius = 0;                                   ///< cylinder
-    double apex = 0, sine = 0, side = 1, turn = 0;       ///< cone: v of the apex, |sin|, which nappe, middle u
+    double radius = 0;                              ///< cylinder
+    double apex = 0, sine = 0, side = 1, turn = 0;  ///< cone: v of the apex, |sin|, which nappe, middle u
     Stretch u_stretch, v_stretch;
 
     explicit Data(const TopoDS_Face& face) : surface(face, Standard_False) {
@@ -69,10 +70,17 @@ struct Chart::Data {
         u_period = surface.IsUPeriodic() ? surface.UPeriod() : 0;
         v_period = surface.IsVPeriodic() ? surface.VPeriod() : 0;
         switch (surface.GetType()) {
-            case GeomAbs_Plane: kind = Kind::plane; break;
-            case GeomAbs_Cylinder: kind = Kind::cylinder, radius = surface.Cylinder().Radius(); break;
-            case GeomAbs_Cone: make_cone(); break;
-            default: make_stretched();
+            case GeomAbs_Plane:
+                kind = Kind::plane;
+                break;
+            case GeomAbs_Cylinder:
+                kind = Kind::cylinder, radius = surface.Cylinder().Radius();
+                break;
+            case GeomAbs_Cone:
+                make_cone();
+                break;
+            default:
+                make_stretched();
         }
     }
 
@@ -96,7 +104,8 @@ struct Chart::Data {
                     const double a = (i + 0.5) / intervals, b = (j + 0.5) / lines;
                     gp_Pnt p;
                     gp_Vec du, dv;
-                    surface.D1(u_min + (along_u ? a : b) * (u_max - u_min), v_min + (along_u ? b : a) * (v_max - v_min), p, du, dv);
+                    surface.D1(u_min + (along_u ? a : b) * (u_max - u_min), v_min + (along_u ? b : a) * (v_max - v_min),
+                               p, du, dv);
                     speed[static_cast<std::size_t>(i)] += (along_u ? du : dv).Magnitude() / lines;
                 }
             // A floor keeps the map one to one where the surface is singular along a whole line.
@@ -132,26 +141,32 @@ Chart::Chart(Chart&&) noexcept = default;
 Vec2 Chart::to_plane(std::array<double, 2> uv) const {
     const Data& d = *data_;
     switch (d.kind) {
-        case Kind::plane: return {uv[0], uv[1]};
-        case Kind::cylinder: return {d.radius * uv[0], uv[1]};
+        case Kind::plane:
+            return {uv[0], uv[1]};
+        case Kind::cylinder:
+            return {d.radius * uv[0], uv[1]};
         case Kind::cone: {
             const double s = d.side * (uv[1] - d.apex), angle = (uv[0] - d.turn) * d.sine;
             return {d.side * s * std::sin(angle), s * std::cos(angle)};
         }
-        default: return {d.u_stretch.forward(uv[0]), d.v_stretch.forward(uv[1])};
+        default:
+            return {d.u_stretch.forward(uv[0]), d.v_stretch.forward(uv[1])};
     }
 }
 
 std::array<double, 2> Chart::to_uv(Vec2 p) const {
     const Data& d = *data_;
     switch (d.kind) {
-        case Kind::plane: return {p.x, p.y};
-        case Kind::cylinder: return {p.x / d.radius, p.y};
+        case Kind::plane:
+            return {p.x, p.y};
+        case Kind::cylinder:
+            return {p.x / d.radius, p.y};
         case Kind::cone: {
             const double angle = std::atan2(d.side * p.x, p.y);
             return {d.turn + angle / d.sine, d.apex + d.side * std::hypot(p.x, p.y)};
         }
-        default: return {d.u_stretch.back(p.x), d.v_stretch.back(p.y)};
+        default:
+            return {d.u_stretch.back(p.x), d.v_stretch.back(p.y)};
     }
 }
 
@@ -168,8 +183,10 @@ Chart::Frame Chart::frame(Vec2 p) const {
     d.surface.D1(uv[0], uv[1], q, du, dv);
     const Vec3 su = to_vec(du), sv = to_vec(dv);
     switch (d.kind) {
-        case Kind::plane: return {to_vec(q), su, sv};
-        case Kind::cylinder: return {to_vec(q), su / d.radius, sv};
+        case Kind::plane:
+            return {to_vec(q), su, sv};
+        case Kind::cylinder:
+            return {to_vec(q), su / d.radius, sv};
         case Kind::cone: {
             // Unit vectors around and along; d(angle) = d(u) sine and the slant length is the radius in the plane.
             const double s = std::hypot(p.x, p.y);
@@ -178,7 +195,8 @@ Chart::Frame Chart::frame(Vec2 p) const {
             const double c = p.y / s, n = d.side * p.x / s;
             return {to_vec(q), d.side * (c * around + n * along), c * along - n * around};
         }
-        default: return {to_vec(q), su / d.u_stretch.slope(uv[0]), sv / d.v_stretch.slope(uv[1])};
+        default:
+            return {to_vec(q), su / d.u_stretch.slope(uv[0]), sv / d.v_stretch.slope(uv[1])};
     }
 }
 

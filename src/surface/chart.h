@@ -25,8 +25,9 @@ inline double distance(Vec2 a, Vec2 b) { return std::sqrt(dot(b - a, b - a)); }
 /// Twice the signed area of the triangle.
 constexpr double doubled_area(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
 
-/// Maps a face's parameters (u, v) one to one to a plane and to space, turning nothing over: planes as they are, cylinders and cones developed, other surfaces
-/// with u and v each stretched to arc length (averaged over the face). One object per thread: the kernel's adaptors cache.
+/// Maps a face's parameters (u, v) one to one to a plane and to space, turning nothing over: planes as they are,
+/// cylinders and cones developed, other surfaces with u and v each stretched to arc length (averaged over the face).
+/// One object per thread: the kernel's adaptors cache.
 class Chart {
   public:
     Chart(const Brep& brep, FaceId face);

@@ -20,13 +20,15 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 
 struct FaceInfo {
-    int side = 0;     ///< 1 inside, -1 outside, 0 not known
-    int index = -1;   ///< in the patch
+    int side = 0;    ///< 1 inside, -1 outside, 0 not known
+    int index = -1;  ///< in the patch
 };
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
+using FaceBase =
+    CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_requiring_constructions_tag>;
+using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
+                                                       CGAL::No_constraint_intersection_requiring_constructions_tag>;
 using Vertex = Cdt::Vertex_handle;
 using Face = Cdt::Face_handle;
 
@@ -47,10 +49,10 @@ bool do_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
 
 struct ChartDomain::Data {
     Cdt cdt;
-    std::vector<Vertex> vertices;             ///< by point of the boundary, then by seed
+    std::vector<Vertex> vertices;  ///< by point of the boundary, then by seed
     std::vector<Crossing> crossings;
     std::vector<std::array<int, 2>> segments;
-    std::set<std::array<int, 2>> inner;       ///< both directions
+    std::set<std::array<int, 2>> inner;  ///< both directions
     std::size_t boundary_points = 0;
     bool valid = false;
 
@@ -70,13 +72,16 @@ struct ChartDomain::Data {
 
     void insert_points(const FaceBoundary& boundary) {
         std::vector<char> used(boundary_points, 0);
-        for (const auto& s : boundary.segments) used[static_cast<std::size_t>(s.a)] = used[static_cast<std::size_t>(s.b)] = 1;
-        for (const auto& s : boundary.inner) used[static_cast<std::size_t>(s.a)] = used[static_cast<std::size_t>(s.b)] = 1;
+        for (const auto& s : boundary.segments)
+            used[static_cast<std::size_t>(s.a)] = used[static_cast<std::size_t>(s.b)] = 1;
+        for (const auto& s : boundary.inner)
+            used[static_cast<std::size_t>(s.a)] = used[static_cast<std::size_t>(s.b)] = 1;
         for (const int p : boundary.lone_points) used[static_cast<std::size_t>(p)] = 1;
         std::vector<Point> points;
         std::vector<int> indices;
         for (std::size_t i = 0; i < boundary_points; ++i)
-            if (used[i]) points.emplace_back(boundary.points[i].x, boundary.points[i].y), indices.push_back(static_cast<int>(i));
+            if (used[i])
+                points.emplace_back(boundary.points[i].x, boundary.points[i].y), indices.push_back(static_cast<int>(i));
         Face hint;
         for (const std::size_t i : curve_order(points)) {
             const Vertex v = cdt.insert(points[i], hint);
@@ -90,9 +95,9 @@ struct ChartDomain::Data {
         const auto all_there = [&](const std::vector<BoundarySegment>& list) {
             for (const auto& s : list) {
                 const Vertex a = vertices[static_cast<std::size_t>(s.a)], b = vertices[static_cast<std::size_t>(s.b)];
-                if (a->info() != s.a || b->info() != s.b || a == b) return false;   // two points at one place
+                if (a->info() != s.a || b->info() != s.b || a == b) return false;  // two points at one place
                 cdt.insert_constraint(a, b);
-                if (!cdt.is_edge(a, b)) return false;                               // a point on the piece
+                if (!cdt.is_edge(a, b)) return false;  // a point on the piece
             }
             return true;
         };
@@ -105,14 +110,18 @@ struct ChartDomain::Data {
 
     void find_crossings(const FaceBoundary& boundary) {
         const auto point = [&](int p) {
-            return Point(boundary.points[static_cast<std::size_t>(p)].x, boundary.points[static_cast<std::size_t>(p)].y);
+            return Point(boundary.points[static_cast<std::size_t>(p)].x,
+                         boundary.points[static_cast<std::size_t>(p)].y);
         };
         // Sorted by their left ends, so that only pieces that overlap in x are compared.
         const auto left = [&](std::size_t i) { return std::min(point(segments[i][0]).x(), point(segments[i][1]).x()); };
-        const auto right = [&](std::size_t i) { return std::max(point(segments[i][0]).x(), point(segments[i][1]).x()); };
+        const auto right = [&](std::size_t i) {
+            return std::max(point(segments[i][0]).x(), point(segments[i][1]).x());
+        };
         std::vector<std::size_t> order(segments.size());
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-        std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return std::pair(left(i), i) < std::pair(left(j), j); });
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t i, std::size_t j) { return std::pair(left(i), i) < std::pair(left(j), j); });
         for (std::size_t m = 0; m < order.size(); ++m)
             for (std::size_t n = m + 1; n < order.size() && left(order[n]) <= right(order[m]); ++n) {
                 const auto [a, b] = segments[order[m]];
@@ -124,7 +133,7 @@ struct ChartDomain::Data {
 
     template <class PointOf>
     static bool touches_wrongly(const PointOf& point, int a, int b, int c, int d) {
-        if (a == d && b == c) return true;   // there and back again
+        if (a == d && b == c) return true;  // there and back again
         if (a == c || a == d || b == c || b == d) {
             const int shared = a == c || a == d ? a : b, p = shared == a ? b : a, q = shared == c ? d : c;
             // Two pieces from one point overlap when they go the same way.
@@ -146,7 +155,8 @@ struct ChartDomain::Data {
         for (const auto& [a, b] : segments) {
             Face f;
             int i = 0;
-            if (!cdt.is_edge(vertices[static_cast<std::size_t>(a)], vertices[static_cast<std::size_t>(b)], f, i)) return false;
+            if (!cdt.is_edge(vertices[static_cast<std::size_t>(a)], vertices[static_cast<std::size_t>(b)], f, i))
+                return false;
             const bool f_is_left = f->vertex(Cdt::ccw(i))->info() == a && !cdt.is_infinite(f->vertex(Cdt::ccw(i)));
             const Face other = f->neighbor(i);
             if (!mark(f_is_left ? f : other, 1) || !mark(f_is_left ? other : f, -1)) return false;
@@ -183,7 +193,7 @@ bool ChartDomain::contains(Vec2 p, void*& hint) const {
     return f->info().side > 0 && !cdt.is_infinite(f);
 }
 
-void ChartDomain::insert(std::span<const Vec2> seeds) {
+void ChartDomain::insert(std::span<const Vec2> seeds, const Heartbeat& heart) {
     std::vector<Point> points;
     points.reserve(seeds.size());
     for (const Vec2& p : seeds) points.emplace_back(p.x, p.y);
@@ -192,9 +202,10 @@ void ChartDomain::insert(std::span<const Vec2> seeds) {
     const std::size_t before = data_->boundary_points;
     for (const std::size_t i : curve_order(points)) {
         const std::size_t count = data_->cdt.number_of_vertices();
+        if (count % 4096 == 0) heart.beat();
         const Vertex v = data_->cdt.insert(points[i], hint);
         hint = v->face();
-        if (data_->cdt.number_of_vertices() == count) continue;   // a seed on a point that is there already
+        if (data_->cdt.number_of_vertices() == count) continue;  // a seed on a point that is there already
         data_->vertices[before + i] = v;
         v->info() = static_cast<int>(before + i);
     }
@@ -221,7 +232,8 @@ TrianglePatch ChartDomain::patch() const {
             const bool is_barrier = f->is_constrained(i);
             around[static_cast<std::size_t>(i)] = is_barrier || data_->cdt.is_infinite(n) ? -1 : n->info().index;
         }
-        for (const int c : corners) patch.triangle_of[static_cast<std::size_t>(c)] = static_cast<int>(patch.triangles.size());
+        for (const int c : corners)
+            patch.triangle_of[static_cast<std::size_t>(c)] = static_cast<int>(patch.triangles.size());
         patch.triangles.push_back(corners);
         patch.neighbours.push_back(around);
     }

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "surface/face_boundary.h"
+#include "surface/heartbeat.h"
 #include "surface/triangle_patch.h"
 
 namespace featuremesh {
 
 /// Two pieces of the boundary that cross, or a piece that runs through a point of another.
 struct Crossing {
-    std::size_t first = 0, second = 0;   ///< index in FaceBoundary::segments
+    std::size_t first = 0, second = 0;  ///< index in FaceBoundary::segments
 };
 
 /// Constrained Delaunay triangulation of the boundary; inside is what is left of its segments, found by flooding.
@@ -27,10 +28,11 @@ class ChartDomain {
     const std::vector<Crossing>& crossings() const;
     bool is_valid() const;
 
-    /// Whether a point is inside; `hint` is the place where the last search ended (0 at first) and makes near points cheap. Only before insert().
+    /// Whether a point is inside; `hint` is the place where the last search ended (0 at first) and makes near points
+    /// cheap. Only before insert().
     bool contains(Vec2 p, void*& hint) const;
     /// Adds inner points.
-    void insert(std::span<const Vec2> seeds);
+    void insert(std::span<const Vec2> seeds, const Heartbeat& heart);
     /// The triangles inside. Its points are the boundary's, then the seeds; places are not set.
     TrianglePatch patch() const;
 

@@ -17,11 +17,13 @@ std::uint64_t side_key(std::int32_t a, std::int32_t b) {
 
 class SideBook {
   public:
-    SideBook(std::span<const std::array<NodeId, 2>> segments, const Mesh& mesh) : mesh_(mesh), next_inner_(static_cast<std::int32_t>(mesh.node_count())) {
+    SideBook(std::span<const std::array<NodeId, 2>> segments, const Mesh& mesh)
+        : mesh_(mesh), next_inner_(static_cast<std::int32_t>(mesh.node_count())) {
         for (const auto& [a, b] : segments) sides_.insert(side_key(a.value, b.value));
         for (const auto& t : mesh.triangles)
             for (int i = 0; i < 3; ++i)
-                if (is_on_edge(t[at(i)]) && is_on_edge(t[at((i + 1) % 3)])) sides_.insert(side_key(t[at(i)].value, t[at((i + 1) % 3)].value));
+                if (is_on_edge(t[at(i)]) && is_on_edge(t[at((i + 1) % 3)]))
+                    sides_.insert(side_key(t[at(i)].value, t[at((i + 1) % 3)].value));
         for (const auto& t : mesh.triangles)
             if (is_on_edge(t[0]) && is_on_edge(t[1]) && is_on_edge(t[2])) triangles_.insert(sorted(t));
     }
@@ -29,7 +31,8 @@ class SideBook {
     std::size_t settle(FilledFace& face) {
         current_ = &face;
         find_copies();
-        std::unordered_set<std::uint64_t> own, seen;   // boundary pieces; inner sides, each of which is met from both of its triangles
+        std::unordered_set<std::uint64_t> own,
+            seen;  // boundary pieces; inner sides, each of which is met from both of its triangles
         for (const auto& s : face.boundary->segments) own.insert(side_key(s.a, s.b));
         for (const auto& s : face.boundary->inner) own.insert(side_key(s.a, s.b));
         const std::size_t count = face.filling->triangles.size();
@@ -44,7 +47,8 @@ class SideBook {
             }
             const auto c = face.filling->triangles[t];
             if (!is_on_edge(c[0]) || !is_on_edge(c[1]) || !is_on_edge(c[2])) continue;
-            if (triangles_.insert(sorted({NodeId(node(c[0])), NodeId(node(c[1])), NodeId(node(c[2]))})).second) continue;
+            if (triangles_.insert(sorted({NodeId(node(c[0])), NodeId(node(c[1])), NodeId(node(c[2]))})).second)
+                continue;
             split_triangle(face, t);
             ++added;
         }
@@ -63,8 +67,8 @@ class SideBook {
     bool is_copy(int p) const { return is_boundary(p) && copies_.count(current_->boundary->nodes[at(p)].value) > 0; }
     bool is_pole(int p) const { return is_boundary(p) && poles_.count(current_->boundary->nodes[at(p)].value) > 0; }
 
-    /// Two nodes on edges may be joined in another face too; a node that the chart shows more than once, also on another side of this face. The sides at a pole
-    /// are joined by the flat triangles that are left out there.
+    /// Two nodes on edges may be joined in another face too; a node that the chart shows more than once, also on
+    /// another side of this face. The sides at a pole are joined by the flat triangles that are left out there.
     bool may_meet_again(int a, int b) const {
         if (is_pole(a) || is_pole(b)) return false;
         return (is_on_edge(a) && is_on_edge(b)) || is_copy(a) || is_copy(b);
@@ -87,7 +91,8 @@ class SideBook {
 
     static Vec2 point(const FilledFace& face, int p) {
         const std::size_t count = face.boundary->points.size();
-        return at(p) < count ? face.boundary->points[at(p)] : face.chart->to_plane(face.filling->parameters[at(p) - count]);
+        return at(p) < count ? face.boundary->points[at(p)]
+                             : face.chart->to_plane(face.filling->parameters[at(p) - count]);
     }
 
     static int add_point(FilledFace& face, Vec2 p) {
@@ -129,7 +134,8 @@ class SideBook {
 
 }  // namespace
 
-std::size_t make_sides_distinct(std::span<FilledFace> faces, std::span<const std::array<NodeId, 2>> segments, const Mesh& mesh) {
+std::size_t make_sides_distinct(std::span<FilledFace> faces, std::span<const std::array<NodeId, 2>> segments,
+                                const Mesh& mesh) {
     SideBook book(segments, mesh);
     std::size_t added = 0;
     for (FilledFace& face : faces) added += book.settle(face);

@@ -22,7 +22,8 @@ class Measure {
     Measure(const BRepAdaptor_Curve& curve, const WantedLength& sizing, double first, double last)
         : curve_(curve), sizing_(sizing), is_line_(curve.GetType() == GeomAbs_Line) {
         const int steps = is_line_ ? (sizing.is_uniform() ? 1 : 8) : 32;
-        for (int i = 0; i < steps; ++i) add(first + (last - first) * i / steps, first + (last - first) * (i + 1) / steps, 0);
+        for (int i = 0; i < steps; ++i)
+            add(first + (last - first) * i / steps, first + (last - first) * (i + 1) / steps, 0);
         t_.push_back(last);
     }
 
@@ -76,13 +77,13 @@ class Measure {
     bool is_line_;
     double turning_ = 0;
     Vec3 last_direction_{};
-    std::vector<double> t_, metric_{0};   ///< at the steps' ends
+    std::vector<double> t_, metric_{0};  ///< at the steps' ends
 };
 
 /// What the mesh already has on the edges.
 struct KeptOnEdges {
-    std::vector<std::vector<NodeId>> nodes;                       ///< by edge
-    std::vector<std::vector<std::array<NodeId, 2>>> segments;     ///< by edge
+    std::vector<std::vector<NodeId>> nodes;                    ///< by edge
+    std::vector<std::vector<std::array<NodeId, 2>>> segments;  ///< by edge
 };
 
 KeptOnEdges kept_on_edges(const Brep& brep, const Mesh& mesh) {
@@ -90,8 +91,10 @@ KeptOnEdges kept_on_edges(const Brep& brep, const Mesh& mesh) {
     kept.nodes.resize(brep.edge_count());
     kept.segments.resize(brep.edge_count());
     for (std::size_t n = 0; n < mesh.node_count(); ++n)
-        if (mesh.entities[n].dim == 1) kept.nodes[static_cast<std::size_t>(mesh.entities[n].index)].push_back(NodeId(n));
-    for (std::size_t s = 0; s < mesh.segments.size(); ++s) kept.segments[mesh.segment_edges[s].index()].push_back(mesh.segments[s]);
+        if (mesh.entities[n].dim == 1)
+            kept.nodes[static_cast<std::size_t>(mesh.entities[n].index)].push_back(NodeId(n));
+    for (std::size_t s = 0; s < mesh.segments.size(); ++s)
+        kept.segments[mesh.segment_edges[s].index()].push_back(mesh.segments[s]);
     return kept;
 }
 
@@ -125,12 +128,14 @@ int fewest_pieces(const Measure& measure, bool is_closed, bool has_twin) {
 
 void check_order(const EdgeChain& chain, EdgeId edge) {
     if (std::is_sorted(chain.t.begin(), chain.t.end(), std::less_equal<>())) return;
-    throw MeshError("The kept nodes of " + name_of(entity_of(edge)) + " are not in the order of the edge. Mesh the part from scratch.");
+    throw MeshError("The kept nodes of " + name_of(entity_of(edge)) +
+                    " are not in the order of the edge. Mesh the part from scratch.");
 }
 
 /// The kept part of a chain: ends, kept nodes between them, and which neighbours are joined by a kept segment.
-EdgeChain kept_chain(const BRepAdaptor_Curve& curve, EdgeId edge, const std::array<NodeId, 2>& ends, const std::vector<NodeId>& kept_nodes,
-                     const std::vector<std::array<NodeId, 2>>& kept_segments, const Mesh& mesh) {
+EdgeChain kept_chain(const BRepAdaptor_Curve& curve, EdgeId edge, const std::array<NodeId, 2>& ends,
+                     const std::vector<NodeId>& kept_nodes, const std::vector<std::array<NodeId, 2>>& kept_segments,
+                     const Mesh& mesh) {
     std::vector<std::pair<double, NodeId>> inner;
     for (const NodeId n : kept_nodes) inner.emplace_back(mesh.parameters[n.index()][0], n);
     std::sort(inner.begin(), inner.end());
@@ -143,12 +148,14 @@ EdgeChain kept_chain(const BRepAdaptor_Curve& curve, EdgeId edge, const std::arr
     std::sort(segments.begin(), segments.end());
     std::size_t found = 0;
     for (std::size_t i = 0; i + 1 < chain.nodes.size(); ++i) {
-        const bool kept = std::binary_search(segments.begin(), segments.end(), std::array{chain.nodes[i], chain.nodes[i + 1]});
+        const bool kept =
+            std::binary_search(segments.begin(), segments.end(), std::array{chain.nodes[i], chain.nodes[i + 1]});
         chain.is_kept.push_back(kept);
         found += kept;
     }
     if (found != segments.size())
-        throw MeshError("The kept segments of " + name_of(entity_of(edge)) + " do not follow the edge. Mesh the part from scratch.");
+        throw MeshError("The kept segments of " + name_of(entity_of(edge)) +
+                        " do not follow the edge. Mesh the part from scratch.");
     return chain;
 }
 
@@ -169,9 +176,11 @@ EdgeChains::EdgeChains(const Brep& brep, const WantedLength& sizing, Mesh& mesh,
         if (brep.is_degenerated(edge) || !is_used(brep, edge)) continue;
         auto ends = brep.ends_of(edge);
         if (!ends[0].is_valid() || !ends[1].is_valid())
-            throw MeshError(name_of(entity_of(edge)) + " has no end points. Check the feature that made it (Part: Check geometry).");
+            throw MeshError(name_of(entity_of(edge)) +
+                            " has no end points. Check the feature that made it (Part: Check geometry).");
         const BRepAdaptor_Curve curve(brep.edge(edge));
-        const EdgeChain base = kept_chain(curve, edge, {node_of(ends[0]), node_of(ends[1])}, kept.nodes[e], kept.segments[e], mesh);
+        const EdgeChain base =
+            kept_chain(curve, edge, {node_of(ends[0]), node_of(ends[1])}, kept.nodes[e], kept.segments[e], mesh);
         if (ends[1] < ends[0]) std::swap(ends[0], ends[1]);
         EdgeChain& chain = chains_[e];
         const bool is_whole = base.is_kept.size() == 1;
@@ -201,7 +210,9 @@ bool EdgeChains::halve(const Brep& brep, EdgeId edge, std::size_t piece, Mesh& m
     const double t = 0.5 * (chain.t[piece] + chain.t[piece + 1]);
     const Vec3 p = to_vec(BRepAdaptor_Curve(brep.edge(edge)).Value(t));
     const double smallest = 100 * brep.tolerances().same_geometry();
-    if (distance(p, mesh.point(chain.nodes[piece])) < smallest || distance(p, mesh.point(chain.nodes[piece + 1])) < smallest) return false;
+    if (distance(p, mesh.point(chain.nodes[piece])) < smallest ||
+        distance(p, mesh.point(chain.nodes[piece + 1])) < smallest)
+        return false;
     const auto at = static_cast<std::ptrdiff_t>(piece) + 1;
     chain.nodes.insert(chain.nodes.begin() + at, mesh.add_node(p, entity_of(edge), {t, 0}));
     chain.t.insert(chain.t.begin() + at, t);

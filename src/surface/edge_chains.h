@@ -11,11 +11,12 @@
 
 namespace featuremesh {
 
-/// The nodes of one CAD edge by growing edge parameter, vertices included. Empty for an edge that no solid's face uses and for a pole.
+/// The nodes of one CAD edge by growing edge parameter, vertices included. Empty for an edge that no solid's face uses
+/// and for a pole.
 struct EdgeChain {
     std::vector<NodeId> nodes;
     std::vector<double> t;
-    std::vector<char> is_kept;   ///< per piece: whether the mesh has this segment already
+    std::vector<char> is_kept;  ///< per piece: whether the mesh has this segment already
 
     std::size_t piece_count() const { return is_kept.size(); }
 };
@@ -23,8 +24,9 @@ struct EdgeChain {
 /// A node per CAD vertex and a chain per CAD edge, each the same for all faces that use it.
 class EdgeChains {
   public:
-    /// Keeps the mesh's nodes and segments on edges and fills the gaps by the sizing field along the arc length: equal shares, at least one piece, a curve at
-    /// least one per quarter turn, two edges between the same two vertices never the same chain. New nodes are appended to `mesh`.
+    /// Keeps the mesh's nodes and segments on edges and fills the gaps by the sizing field along the arc length: equal
+    /// shares, at least one piece, a curve at least one per quarter turn, two edges between the same two vertices never
+    /// the same chain. New nodes are appended to `mesh`.
     EdgeChains(const Brep& brep, const WantedLength& sizing, Mesh& mesh, RunContext& context);
 
     const EdgeChain& operator[](EdgeId edge) const { return chains_[edge.index()]; }

@@ -23,11 +23,11 @@ namespace {
 struct Use {
     EdgeId edge;
     NodeId start, end;
-    std::vector<Vec2> points;      ///< in the direction of the use
+    std::vector<Vec2> points;  ///< in the direction of the use
     std::vector<NodeId> nodes;
     std::vector<std::size_t> pieces;
     bool is_pole = false, is_inner = false;
-    int start_point = -1, end_point = -1;   ///< index in the boundary, once the uses are joined
+    int start_point = -1, end_point = -1;  ///< index in the boundary, once the uses are joined
 };
 
 /// A pole is drawn as a line of several points in the chart, so that the triangles around it find a corner each.
@@ -104,22 +104,26 @@ class BoundaryBuilder {
             if (!uses_[u].is_inner)
                 for (const std::size_t next : starts[uses_[u].end])
                     pairs.push_back({distance(uses_[u].points.back(), uses_[next].points.front()), u, next});
-        std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
+        std::stable_sort(pairs.begin(), pairs.end(),
+                         [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
         for (const Pair& pair : pairs)
             if (uses_[pair.from].end_point < 0 && uses_[pair.to].start_point < 0)
                 uses_[pair.from].end_point = uses_[pair.to].start_point =
-                    corner(uses_[pair.to].start, uses_[pair.to].points.front(), shortest_piece(uses_[pair.from], uses_[pair.to]));
+                    corner(uses_[pair.to].start, uses_[pair.to].points.front(),
+                           shortest_piece(uses_[pair.from], uses_[pair.to]));
         for (Use& use : uses_) {
             if (use.is_inner) {
                 use.start_point = corner(use.start, use.points.front(), 1e-3 * distance(use.points[0], use.points[1]));
                 use.end_point = corner(use.end, use.points.back(), 1e-3 * distance(use.points[0], use.points[1]));
             }
-            if (use.start_point < 0 || use.end_point < 0) fail("its boundary is not closed at " + name_of(entity_of(use.edge)));
+            if (use.start_point < 0 || use.end_point < 0)
+                fail("its boundary is not closed at " + name_of(entity_of(use.edge)));
         }
     }
 
     static double shortest_piece(const Use& a, const Use& b) {
-        return 1e-3 * std::min(distance(a.points[a.points.size() - 2], a.points.back()), distance(b.points[0], b.points[1]));
+        return 1e-3 *
+               std::min(distance(a.points[a.points.size() - 2], a.points.back()), distance(b.points[0], b.points[1]));
     }
 
     /// The point of a vertex: one that is there already when it is as near as two wires that touch are.
@@ -140,8 +144,10 @@ class BoundaryBuilder {
     void add_segments(const Use& use) {
         int before = use.start_point;
         for (std::size_t i = 0; i < use.pieces.size(); ++i) {
-            const int here = i + 1 == use.pieces.size() ? use.end_point : add_point(use.points[i + 1], use.nodes[i + 1]);
-            (use.is_inner ? boundary_.inner : boundary_.segments).push_back({before, here, use.edge, use.pieces[i], use.is_pole});
+            const int here =
+                i + 1 == use.pieces.size() ? use.end_point : add_point(use.points[i + 1], use.nodes[i + 1]);
+            (use.is_inner ? boundary_.inner : boundary_.segments)
+                .push_back({before, here, use.edge, use.pieces[i], use.is_pole});
             before = here;
         }
     }
@@ -168,7 +174,8 @@ class KeptCutter {
   public:
     KeptCutter(const Brep& brep, FaceId face, const Chart& chart, const Mesh& mesh, FaceBoundary boundary)
         : brep_(brep), face_(face), chart_(chart), mesh_(mesh), boundary_(std::move(boundary)) {
-        for (std::size_t p = 0; p < boundary_.points.size(); ++p) points_of_[boundary_.nodes[p].value].push_back(static_cast<int>(p));
+        for (std::size_t p = 0; p < boundary_.points.size(); ++p)
+            points_of_[boundary_.nodes[p].value].push_back(static_cast<int>(p));
     }
 
     FaceBoundary cut(std::span<const TriangleId> triangles, std::span<const NodeId> nodes) {
@@ -184,7 +191,8 @@ class KeptCutter {
         auto& known = points_of_[node.value];
         if (known.empty()) {
             if (mesh_.entities[node.index()] != entity_of(face_))
-                fail("a kept triangle has a node (number " + std::to_string(mesh_.node_numbers[node.index()]) + ") that is not on the face");
+                fail("a kept triangle has a node (number " + std::to_string(mesh_.node_numbers[node.index()]) +
+                     ") that is not on the face");
             boundary_.points.push_back(chart_.to_plane(chart_.in_trim_period(mesh_.parameters[node.index()])));
             boundary_.nodes.push_back(node);
             known.push_back(static_cast<int>(boundary_.points.size()) - 1);
@@ -192,8 +200,8 @@ class KeptCutter {
         return known;
     }
 
-    /// The points of a kept triangle's corners, in the chart's orientation. Where a corner has several (seam, pole), the choice with the shortest sides among
-    /// those that are the right way round.
+    /// The points of a kept triangle's corners, in the chart's orientation. Where a corner has several (seam, pole),
+    /// the choice with the shortest sides among those that are the right way round.
     std::array<int, 3> corners_in_chart(TriangleId t) {
         auto corners = mesh_.triangles[t.index()];
         if (chart_.is_reversed()) std::swap(corners[1], corners[2]);
@@ -253,8 +261,9 @@ class KeptCutter {
 
 }  // namespace
 
-FaceBoundary find_boundary(const Brep& brep, FaceId face, const Chart& chart, const EdgeChains& chains, const Mesh& mesh,
-                           std::span<const TriangleId> kept_triangles, std::span<const NodeId> kept_nodes) {
+FaceBoundary find_boundary(const Brep& brep, FaceId face, const Chart& chart, const EdgeChains& chains,
+                           const Mesh& mesh, std::span<const TriangleId> kept_triangles,
+                           std::span<const NodeId> kept_nodes) {
     FaceBoundary boundary = BoundaryBuilder(brep, face, chart, chains, mesh).from_loops();
     if (kept_triangles.empty() && kept_nodes.empty()) return boundary;
     return KeptCutter(brep, face, chart, mesh, std::move(boundary)).cut(kept_triangles, kept_nodes);

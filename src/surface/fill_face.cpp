@@ -20,9 +20,16 @@ constexpr double wanted_angle = 35 * M_PI / 180;
 class FaceFiller {
   public:
     FaceFiller(const Brep& brep, FaceId face, const Chart& chart, const FaceBoundary& boundary, ChartDomain& domain,
-               const WantedLength& sizing, const Mesh& mesh, RunContext& context)
-        : brep_(brep), face_(face), chart_(chart), geometry_(chart), boundary_(boundary), domain_(domain), sizing_(sizing), mesh_(mesh),
-          context_(context) {}
+               const WantedLength& sizing, const Mesh& mesh, const Heartbeat& heart)
+        : brep_(brep),
+          face_(face),
+          chart_(chart),
+          geometry_(chart),
+          boundary_(boundary),
+          domain_(domain),
+          sizing_(sizing),
+          mesh_(mesh),
+          heart_(heart) {}
 
     FaceFilling fill() {
         plant();
@@ -37,16 +44,18 @@ class FaceFiller {
         Seeds seeds;
         if (geometry_.is_flat()) seeds = even_seeds();
         is_lattice_ = !seeds.points.empty();
-        if (!is_lattice_) seeds = front_seeds(boundary_, wanted_, domain_, chart_, sizing_, mesh_, context_);
-        domain_.insert(seeds.points);
+        if (!is_lattice_) seeds = front_seeds(boundary_, wanted_, domain_, chart_, sizing_, mesh_, heart_);
+        domain_.insert(seeds.points, heart_);
         patch_ = domain_.patch();
         patch_.wanted = wanted_;
         patch_.wanted.insert(patch_.wanted.end(), seeds.wanted.begin(), seeds.wanted.end());
         for (std::size_t p = 0; p < boundary_.nodes.size(); ++p) patch_.nodes[p] = boundary_.nodes[p].value;
         for (std::size_t p = 0; p < patch_.points.size(); ++p) {
             const bool is_boundary = p < boundary_.nodes.size();
-            if (geometry_.is_flat()) patch_.places.push_back({patch_.points[p].x, patch_.points[p].y, 0});
-            else patch_.places.push_back(is_boundary ? mesh_.point(boundary_.nodes[p]) : chart_.point(patch_.points[p]));
+            if (geometry_.is_flat())
+                patch_.places.push_back({patch_.points[p].x, patch_.points[p].y, 0});
+            else
+                patch_.places.push_back(is_boundary ? mesh_.point(boundary_.nodes[p]) : chart_.point(patch_.points[p]));
         }
     }
 
@@ -82,10 +91,10 @@ class FaceFiller {
     void improve() {
         open_loops();
         if (!geometry_.is_flat()) make_delaunay(patch_);
-        if (!is_lattice_) split_long_sides(patch_, geometry_, context_);
-        smooth(patch_, geometry_, context_);
-        if (split_folded(patch_, geometry_, context_) > 0) smooth(patch_, geometry_, context_);
-        raise_smallest_angles(patch_, geometry_, wanted_angle, context_);
+        if (!is_lattice_) split_long_sides(patch_, geometry_, heart_);
+        smooth(patch_, geometry_, heart_);
+        if (split_folded(patch_, geometry_, heart_) > 0) smooth(patch_, geometry_, heart_);
+        raise_smallest_angles(patch_, geometry_, wanted_angle, heart_);
         patch_.compact();
     }
 
@@ -118,7 +127,8 @@ class FaceFiller {
             filling.points.push_back(chart_.point(patch_.points[p]));
         }
         const auto place = [&](int p) {
-            return at(p) < boundary_count ? mesh_.point(boundary_.nodes[at(p)]) : filling.points[at(p) - boundary_count];
+            return at(p) < boundary_count ? mesh_.point(boundary_.nodes[at(p)])
+                                          : filling.points[at(p) - boundary_count];
         };
         filling.smallest_angle = M_PI;
         for (int i = 0; i < static_cast<int>(patch_.triangles.size()); ++i) {
@@ -127,7 +137,8 @@ class FaceFiller {
             std::array<int, 3> c{new_index[at(t[0])], new_index[at(t[1])], new_index[at(t[2])]};
             if (chart_.is_reversed()) std::swap(c[1], c[2]);
             filling.triangles.push_back(c);
-            filling.smallest_angle = std::min(filling.smallest_angle, smallest_angle(place(c[0]), place(c[1]), place(c[2])));
+            filling.smallest_angle =
+                std::min(filling.smallest_angle, smallest_angle(place(c[0]), place(c[1]), place(c[2])));
         }
         return filling;
     }
@@ -145,17 +156,17 @@ class FaceFiller {
     ChartDomain& domain_;
     const WantedLength& sizing_;
     const Mesh& mesh_;
-    RunContext& context_;
+    const Heartbeat& heart_;
     TrianglePatch patch_;
-    std::vector<double> wanted_;   ///< side length by point of the boundary
+    std::vector<double> wanted_;  ///< side length by point of the boundary
     bool is_lattice_ = false;
 };
 
 }  // namespace
 
-FaceFilling fill_face(const Brep& brep, FaceId face, const Chart& chart, const FaceBoundary& boundary, ChartDomain& domain,
-                      const WantedLength& sizing, const Mesh& mesh, RunContext& context) {
-    return FaceFiller(brep, face, chart, boundary, domain, sizing, mesh, context).fill();
+FaceFilling fill_face(const Brep& brep, FaceId face, const Chart& chart, const FaceBoundary& boundary,
+                      ChartDomain& domain, const WantedLength& sizing, const Mesh& mesh, const Heartbeat& heart) {
+    return FaceFiller(brep, face, chart, boundary, domain, sizing, mesh, heart).fill();
 }
 
 }  // namespace featuremesh

@@ -5,24 +5,25 @@
 #include <array>
 #include <vector>
 
-#include "core/run_context.h"
-#include "surface/wanted_length.h"
 #include "surface/chart_domain.h"
 #include "surface/face_boundary.h"
+#include "surface/heartbeat.h"
+#include "surface/wanted_length.h"
 
 namespace featuremesh {
 
-/// New nodes and triangles of a face. A corner below `boundary node count` is that point of the FaceBoundary, others are new nodes.
+/// New nodes and triangles of a face. A corner below `boundary node count` is that point of the FaceBoundary, others
+/// are new nodes.
 struct FaceFilling {
     std::vector<Vec3> points;
     std::vector<std::array<double, 2>> parameters;
-    std::vector<std::array<int, 3>> triangles;    ///< right-hand normal as the face is oriented in the shape
-    double smallest_angle = 0;                    ///< radians
+    std::vector<std::array<int, 3>> triangles;  ///< right-hand normal as the face is oriented in the shape
+    double smallest_angle = 0;                  ///< radians
 };
 
 /// Fills the region with nearly equilateral triangles of the wanted size and checks that they cover it exactly once.
 /// Throws MeshError that names the face.
-FaceFilling fill_face(const Brep& brep, FaceId face, const Chart& chart, const FaceBoundary& boundary, ChartDomain& domain,
-                      const WantedLength& sizing, const Mesh& mesh, RunContext& context);
+FaceFilling fill_face(const Brep& brep, FaceId face, const Chart& chart, const FaceBoundary& boundary,
+                      ChartDomain& domain, const WantedLength& sizing, const Mesh& mesh, const Heartbeat& heart);
 
 }  // namespace featuremesh

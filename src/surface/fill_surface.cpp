@@ -2,6 +2,7 @@
 #include "surface/fill_surface.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -31,8 +32,14 @@ struct FaceJob {
 class SurfaceFiller {
   public:
     SurfaceFiller(const Brep& brep, const WantedLength& sizing, Mesh kept, RunContext& context)
-        : brep_(brep), sizing_(sizing), mesh_(std::move(kept)), context_(context), first_new_node_(mesh_.node_count()),
-          first_new_triangle_(mesh_.triangles.size()), chains_(brep, sizing, mesh_, context), jobs_(brep.face_count()) {}
+        : brep_(brep),
+          sizing_(sizing),
+          mesh_(std::move(kept)),
+          context_(context),
+          first_new_node_(mesh_.node_count()),
+          first_new_triangle_(mesh_.triangles.size()),
+          chains_(brep, sizing, mesh_, context),
+          jobs_(brep.face_count()) {}
 
     SurfaceResult fill() {
         sort_kept();
@@ -55,12 +62,15 @@ class SurfaceFiller {
     void sort_kept() {
         kept_triangles_.resize(brep_.face_count());
         kept_nodes_.resize(brep_.face_count());
-        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) kept_triangles_[mesh_.triangle_faces[t].index()].push_back(TriangleId(t));
+        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+            kept_triangles_[mesh_.triangle_faces[t].index()].push_back(TriangleId(t));
         for (std::size_t n = 0; n < first_new_node_; ++n)
-            if (mesh_.entities[n].dim == 2) kept_nodes_[static_cast<std::size_t>(mesh_.entities[n].index)].push_back(NodeId(n));
+            if (mesh_.entities[n].dim == 2)
+                kept_nodes_[static_cast<std::size_t>(mesh_.entities[n].index)].push_back(NodeId(n));
     }
 
-    /// Triangulates the boundary of every face; where coarse chains cross in it, halves their pieces and tries again, for all faces of the edge.
+    /// Triangulates the boundary of every face; where coarse chains cross in it, halves their pieces and tries again,
+    /// for all faces of the edge.
     void bound_faces() {
         std::vector<FaceId> open;
         for (std::size_t f = 0; f < jobs_.size(); ++f)
@@ -81,7 +91,8 @@ class SurfaceFiller {
             open.assign(again.begin(), again.end());
         }
         if (!refined.empty())
-            report_.warnings.push_back("Meshed finer than asked, because a face beside it would cross itself: " + listed(refined) + ".");
+            report_.warnings.push_back(
+                "Meshed finer than asked, because a face beside it would cross itself: " + listed(refined) + ".");
     }
 
     static std::string listed(const std::set<EdgeId>& edges) {
@@ -98,7 +109,8 @@ class SurfaceFiller {
     void bound(FaceId face) {
         FaceJob& job = jobs_[face.index()];
         if (!job.chart) job.chart = std::make_unique<Chart>(brep_, face);
-        job.boundary = find_boundary(brep_, face, *job.chart, chains_, mesh_, kept_triangles_[face.index()], kept_nodes_[face.index()]);
+        job.boundary = find_boundary(brep_, face, *job.chart, chains_, mesh_, kept_triangles_[face.index()],
+                                     kept_nodes_[face.index()]);
         job.domain.reset();
         if (!job.boundary.is_complete()) job.domain.emplace(job.boundary);
     }
@@ -106,7 +118,8 @@ class SurfaceFiller {
     /// Halves the curved pieces that cross; false when there is nothing to halve.
     bool refine(FaceId face, std::set<EdgeId>& refined, std::set<FaceId>& again) {
         const FaceJob& job = jobs_[face.index()];
-        std::set<std::pair<EdgeId, std::size_t>, std::greater<>> pieces;   // the last first, so that halving does not renumber the others
+        std::set<std::pair<EdgeId, std::size_t>, std::greater<>>
+            pieces;  // the last first, so that halving does not renumber the others
         for (const Crossing& c : job.domain->crossings())
             for (const std::size_t s : {c.first, c.second}) {
                 const BoundarySegment& segment = job.boundary.segments[s];
@@ -129,7 +142,8 @@ class SurfaceFiller {
         if (!job.domain->crossings().empty()) {
             const Crossing& c = job.domain->crossings().front();
             const EdgeId a = job.boundary.segments[c.first].edge, b = job.boundary.segments[c.second].edge;
-            if (a.is_valid() && b.is_valid()) where = " (" + name_of(entity_of(a)) + " and " + name_of(entity_of(b)) + ")";
+            if (a.is_valid() && b.is_valid())
+                where = " (" + name_of(entity_of(a)) + " and " + name_of(entity_of(b)) + ")";
         }
         throw MeshError(name_of(entity_of(face)) + " cannot be meshed: its boundary crosses or touches itself" + where +
                         ". Check the feature that made it (Part: Check geometry), or try a smaller size.");
@@ -139,17 +153,18 @@ class SurfaceFiller {
         std::vector<FaceId> open;
         for (std::size_t f = 0; f < jobs_.size(); ++f)
             if (jobs_[f].domain) open.push_back(FaceId(f));
-        constexpr std::size_t batch = 256;
-        for (std::size_t from = 0; from < open.size(); from += batch) {
-            context_.progress(0.2 + 0.8 * static_cast<double>(from) / static_cast<double>(open.size()));
-            parallel_for(context_, std::min(batch, open.size() - from), 1, [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i) {
-                    FaceJob& job = jobs_[open[from + i].index()];
-                    job.filling = fill_face(brep_, open[from + i], *job.chart, job.boundary, *job.domain, sizing_, mesh_, context_);
-                    job.domain.reset();
-                }
-            });
-        }
+        Heartbeat heart(context_);
+        heart.set_share(0.2);
+        std::atomic<std::size_t> done{0};
+        parallel_for(context_, open.size(), 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                FaceJob& job = jobs_[open[i].index()];
+                job.filling = fill_face(brep_, open[i], *job.chart, job.boundary, *job.domain, sizing_, mesh_, heart);
+                job.domain.reset();
+                heart.set_share(0.2 + 0.7 * static_cast<double>(++done) / static_cast<double>(open.size()));
+                heart.beat();
+            }
+        });
     }
 
     void separate_faces() {
@@ -193,7 +208,8 @@ struct Extent {
 };
 
 Extent extent_of(const Mesh& mesh) {
-    return {mesh.node_count(), mesh.segments.size(), mesh.triangles.size(), mesh.next_node_number, mesh.next_element_number};
+    return {mesh.node_count(), mesh.segments.size(), mesh.triangles.size(), mesh.next_node_number,
+            mesh.next_element_number};
 }
 
 void cut_back(Mesh& mesh, const Extent& extent) {
@@ -225,12 +241,14 @@ void ask_for_less(WantedLength& wanted, const Mesh& mesh, const TrianglePairs& c
 
 std::string names_of(const Mesh& mesh, const TrianglePairs& crossings) {
     std::set<std::pair<FaceId, FaceId>> faces;
-    for (const auto& [t, u] : crossings) faces.insert(std::minmax(mesh.triangle_faces[t.index()], mesh.triangle_faces[u.index()]));
+    for (const auto& [t, u] : crossings)
+        faces.insert(std::minmax(mesh.triangle_faces[t.index()], mesh.triangle_faces[u.index()]));
     std::string names;
     std::size_t count = 0;
     for (const auto& [f, g] : faces) {
         if (++count > 4) return names + ", and others";
-        names += (names.empty() ? "" : ", ") + (f == g ? name_of(entity_of(f)) + " and itself" : name_of(entity_of(f)) + " and " + name_of(entity_of(g)));
+        names += (names.empty() ? "" : ", ") + (f == g ? name_of(entity_of(f)) + " and itself"
+                                                       : name_of(entity_of(f)) + " and " + name_of(entity_of(g)));
     }
     return names;
 }
@@ -249,12 +267,14 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
         const TrianglePairs crossings = crossing_triangles(brep, result.mesh, before.triangles, context);
         if (crossings.empty()) {
             for (const std::string& names : refined)
-                result.report.warnings.push_back("The mesh is finer than asked where these faces are near each other: " + names + ".");
+                result.report.warnings.push_back(
+                    "The mesh is finer than asked where these faces are near each other: " + names + ".");
             return result;
         }
         const std::string names = names_of(result.mesh, crossings);
         if (attempt == attempts || crossings.size() > hopeless)
-            throw MeshError("These faces cross each other: " + names + ". The shape intersects itself (Part: Check geometry), or is thinner there than any mesh "
+            throw MeshError("These faces cross each other: " + names +
+                            ". The shape intersects itself (Part: Check geometry), or is thinner there than any mesh "
                             "of this size can follow; repair the feature, or ask for a smaller size on these faces.");
         refined.insert(names);
         ask_for_less(wanted, result.mesh, crossings);

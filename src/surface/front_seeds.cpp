@@ -59,7 +59,8 @@ class PointGrid {
 
     bool has_near_on_level(const Vec3& p, double reach, int level) const {
         const double side = std::ldexp(1.0, level), limit = std::min(reach, side);
-        const Cell low = cell_of(p - Vec3{limit, limit, limit}, level), high = cell_of(p + Vec3{limit, limit, limit}, level);
+        const Cell low = cell_of(p - Vec3{limit, limit, limit}, level),
+                   high = cell_of(p + Vec3{limit, limit, limit}, level);
         for (long x = low.x; x <= high.x; ++x)
             for (long y = low.y; y <= high.y; ++y)
                 for (long z = low.z; z <= high.z; ++z) {
@@ -81,7 +82,7 @@ class PointGrid {
 
 struct Seed {
     Vec2 point;
-    Vec3 place, direction;   ///< direction of one of its six neighbours, in the surface
+    Vec3 place, direction;  ///< direction of one of its six neighbours, in the surface
     double wanted = 0;
     void* hint = nullptr;
 };
@@ -89,8 +90,14 @@ struct Seed {
 class Front {
   public:
     Front(const FaceBoundary& boundary, std::span<const double> wanted, const ChartDomain& domain, const Chart& chart,
-          const WantedLength& sizing, const Mesh& mesh, RunContext& context)
-        : boundary_(boundary), wanted_(wanted), domain_(domain), chart_(chart), sizing_(sizing), mesh_(mesh), context_(context) {}
+          const WantedLength& sizing, const Mesh& mesh, const Heartbeat& heart)
+        : boundary_(boundary),
+          wanted_(wanted),
+          domain_(domain),
+          chart_(chart),
+          sizing_(sizing),
+          mesh_(mesh),
+          heart_(heart) {}
 
     Seeds grow() {
         place_boundary();
@@ -98,7 +105,7 @@ class Front {
             if (!s.is_pole) start_from(s, 1);
         for (const auto& s : boundary_.inner) start_from(s, 1), start_from(s, -1);
         for (std::size_t i = 0; i < seeds_.size(); ++i) {
-            if (i % 1024 == 0) context_.check_cancelled();
+            if (i % 1024 == 0) heart_.beat();
             grow_around(i);
         }
         Seeds seeds;
@@ -131,7 +138,8 @@ class Front {
         const double l = length(along);
         if (!(l > 0)) return;
         const Vec3 inwards = normalized(cross(cross(frame.dx, frame.dy), along));
-        const double h = 0.5 * (wanted(s.a) + wanted(s.b)), height = std::sqrt(std::max(0.25 * h * h, h * h - 0.25 * l * l));
+        const double h = 0.5 * (wanted(s.a) + wanted(s.b)),
+                     height = std::sqrt(std::max(0.25 * h * h, h * h - 0.25 * l * l));
         try_add(middle, frame, side * height * inwards, along, nullptr, 0.5 * (place(s.a) + place(s.b)));
     }
 
@@ -141,7 +149,8 @@ class Front {
         const Vec3 normal = normalized(cross(frame.dx, frame.dy));
         const Vec3 e1 = normalized(seed.direction - dot(seed.direction, normal) * normal), e2 = cross(normal, e1);
         const double h_here = seed.wanted, half = 0.5, height = std::sqrt(0.75);
-        const std::array<std::array<double, 2>, 6> around{{{1, 0}, {half, height}, {-half, height}, {-1, 0}, {-half, -height}, {half, -height}}};
+        const std::array<std::array<double, 2>, 6> around{
+            {{1, 0}, {half, height}, {-half, height}, {-1, 0}, {-half, -height}, {half, -height}}};
         for (const auto& [x, y] : around) {
             const Vec3 direction = x * e1 + y * e2, rough = seed.place + h_here * direction;
             if (grid_.has_near(rough, 0.5 * spacing * h_here)) continue;
@@ -151,7 +160,8 @@ class Front {
     }
 
     /// Steps along the surface and adds what it reaches when that is inside and nothing is near.
-    void try_add(Vec2 from, const Chart::Frame& frame, const Vec3& step, const Vec3& direction, void* hint, const Vec3& start) {
+    void try_add(Vec2 from, const Chart::Frame& frame, const Vec3& step, const Vec3& direction, void* hint,
+                 const Vec3& start) {
         Vec2 p;
         if (!step_in_chart(frame, step, p)) return;
         p = from + p;
@@ -173,7 +183,8 @@ class Front {
         seeds_.push_back({p, there.point, direction, h, hint});
     }
 
-    /// The step in the chart that moves by the given vector on the surface, in the least-squares sense; false where the surface is singular.
+    /// The step in the chart that moves by the given vector on the surface, in the least-squares sense; false where the
+    /// surface is singular.
     static bool step_in_chart(const Chart::Frame& f, const Vec3& d, Vec2& step) {
         const double e = dot(f.dx, f.dx), g = dot(f.dy, f.dy), m = dot(f.dx, f.dy), det = e * g - m * m;
         if (!(det > 1e-12 * e * g)) return false;
@@ -188,16 +199,16 @@ class Front {
     const Chart& chart_;
     const WantedLength& sizing_;
     const Mesh& mesh_;
-    RunContext& context_;
+    const Heartbeat& heart_;
     PointGrid grid_;
     std::vector<Seed> seeds_;
 };
 
 }  // namespace
 
-Seeds front_seeds(const FaceBoundary& boundary, std::span<const double> wanted, const ChartDomain& domain, const Chart& chart,
-                  const WantedLength& sizing, const Mesh& mesh, RunContext& context) {
-    return Front(boundary, wanted, domain, chart, sizing, mesh, context).grow();
+Seeds front_seeds(const FaceBoundary& boundary, std::span<const double> wanted, const ChartDomain& domain,
+                  const Chart& chart, const WantedLength& sizing, const Mesh& mesh, const Heartbeat& heart) {
+    return Front(boundary, wanted, domain, chart, sizing, mesh, heart).grow();
 }
 
 }  // namespace featuremesh

@@ -21,7 +21,8 @@ double squared_distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
 /// Rows of a hexagonal lattice; every other row is shifted by half a size.
 class Lattice {
   public:
-    Lattice(const FaceBoundary& boundary, double size) : boundary_(boundary), size_(size), row_height_(size * std::sqrt(0.75)) {
+    Lattice(const FaceBoundary& boundary, double size)
+        : boundary_(boundary), size_(size), row_height_(size * std::sqrt(0.75)) {
         Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
         for (const auto& s : boundary.segments)
             for (const Vec2 p : {point(s.a), point(s.b)}) {
@@ -63,7 +64,8 @@ class Lattice {
             const long from = std::max(0L, static_cast<long>(std::ceil(low / row_height_)) - first_row_ - 1);
             for (long r = from; r < rows_ && row_y(r) < high; ++r) {
                 const double y = row_y(r);
-                if (y >= low && y < high) crossings[static_cast<std::size_t>(r)].push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+                if (y >= low && y < high)
+                    crossings[static_cast<std::size_t>(r)].push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
             }
         }
         for (long r = 0; r < rows_; ++r) {
@@ -82,15 +84,20 @@ class Lattice {
 
     void clear_near(Vec2 a, Vec2 b) {
         const double reach = clearance * size_;
-        const long r0 = std::max(0L, static_cast<long>(std::floor((std::min(a.y, b.y) - reach) / row_height_)) - first_row_);
-        const long r1 = std::min(rows_ - 1, static_cast<long>(std::ceil((std::max(a.y, b.y) + reach) / row_height_)) - first_row_);
+        const long r0 =
+            std::max(0L, static_cast<long>(std::floor((std::min(a.y, b.y) - reach) / row_height_)) - first_row_);
+        const long r1 =
+            std::min(rows_ - 1, static_cast<long>(std::ceil((std::max(a.y, b.y) + reach) / row_height_)) - first_row_);
         for (long r = r0; r <= r1; ++r) {
             const double offset = row_shift(r);
-            const long c0 = std::max(0L, static_cast<long>(std::floor((std::min(a.x, b.x) - reach - offset) / size_)) - first_column_);
+            const long c0 = std::max(
+                0L, static_cast<long>(std::floor((std::min(a.x, b.x) - reach - offset) / size_)) - first_column_);
             const long c1 =
-                std::min(columns_ - 1, static_cast<long>(std::ceil((std::max(a.x, b.x) + reach - offset) / size_)) - first_column_);
+                std::min(columns_ - 1,
+                         static_cast<long>(std::ceil((std::max(a.x, b.x) + reach - offset) / size_)) - first_column_);
             for (long c = c0; c <= c1; ++c)
-                if (is_inside_[index(r, c)] && squared_distance_to_segment(at(r, c), a, b) < reach * reach) is_inside_[index(r, c)] = 0;
+                if (is_inside_[index(r, c)] && squared_distance_to_segment(at(r, c), a, b) < reach * reach)
+                    is_inside_[index(r, c)] = 0;
         }
     }
 

@@ -14,7 +14,6 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 constexpr double good_enough = 0.97;
 constexpr int smoothing_sweeps = 8;
 
-
 double quality_of(const TrianglePatch& patch, int t) {
     if (patch.is_at_pole(t)) return 1;
     const auto& c = patch.corners(t);
@@ -76,7 +75,8 @@ void flip_from(TrianglePatch& patch, std::vector<int>& queue, std::vector<int>* 
 }
 
 /// The point where the star's energy is least for fixed connectivity, relative to p; false for a star at a pole.
-bool variational_step(const TrianglePatch& patch, int p, const std::vector<int>& star, const std::vector<double>& density, Vec3& step) {
+bool variational_step(const TrianglePatch& patch, int p, const std::vector<int>& star,
+                      const std::vector<double>& density, Vec3& step) {
     const Vec3& x = patch.place(p);
     Vec3 sum{};
     double total = 0;
@@ -108,7 +108,8 @@ StarMeasure measure_star(const TrianglePatch& patch, int p, const std::vector<in
     for (const int t : star) {
         m.smallest_quality = std::min(m.smallest_quality, quality_of(patch, t));
         const int i = patch.corner_index(t, p);
-        m.shortest_side = std::min(m.shortest_side, distance(patch.place(p), patch.place(patch.corners(t)[at((i + 1) % 3)])));
+        m.shortest_side =
+            std::min(m.shortest_side, distance(patch.place(p), patch.place(patch.corners(t)[at((i + 1) % 3)])));
     }
     return m;
 }
@@ -122,7 +123,8 @@ bool is_right_way_round(const TrianglePatch& patch, const std::vector<int>& star
 }
 
 /// Moves p when the star stays valid and is not made worse than it may be; else puts it back.
-bool try_move(TrianglePatch& patch, const PatchGeometry& geometry, int p, const std::vector<int>& star, Vec2 to, double least_quality) {
+bool try_move(TrianglePatch& patch, const PatchGeometry& geometry, int p, const std::vector<int>& star, Vec2 to,
+              double least_quality) {
     const Vec2 old_point = patch.point(p);
     const Vec3 old_place = patch.place(p);
     patch.points[at(p)] = to;
@@ -135,7 +137,8 @@ bool try_move(TrianglePatch& patch, const PatchGeometry& geometry, int p, const 
     return false;
 }
 
-/// The weight per area that makes the triangles' sides follow the wanted length: its power -4. Empty where that is the same everywhere.
+/// The weight per area that makes the triangles' sides follow the wanted length: its power -4. Empty where that is the
+/// same everywhere.
 std::vector<double> densities(const TrianglePatch& patch) {
     const auto [smallest, largest] = std::minmax_element(patch.wanted.begin(), patch.wanted.end());
     std::vector<double> density;
@@ -185,7 +188,7 @@ void make_delaunay(TrianglePatch& patch) {
     flip_from(patch, queue);
 }
 
-std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry, RunContext& context) {
+std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry, const Heartbeat& heart) {
     constexpr double too_long = 1.6;
     std::size_t splits = 0;
     std::vector<int> queue;
@@ -193,7 +196,7 @@ std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry
         std::size_t before = splits;
         const std::size_t count = patch.triangles.size();
         for (std::size_t t = 0; t < count; ++t) {
-            if (t % 1024 == 0) context.check_cancelled();
+            if (t % 1024 == 0) heart.beat();
             int longest = -1;
             double excess = too_long;
             for (int i = 0; i < 3; ++i) {
@@ -224,7 +227,9 @@ namespace {
 bool is_folded(const TrianglePatch& patch, const PatchGeometry& geometry, int t) {
     constexpr double least_cosine = 0.25;
     const auto& c = patch.corners(t);
-    const auto place = [&](int p) { return geometry.is_flat() ? geometry.chart().point(patch.point(p)) : patch.place(p); };
+    const auto place = [&](int p) {
+        return geometry.is_flat() ? geometry.chart().point(patch.point(p)) : patch.place(p);
+    };
     const Vec3 a = place(c[0]), b = place(c[1]), d = place(c[2]);
     if (patch.is_at_pole(t)) return false;
     const Vec2 centre = (1.0 / 3) * (patch.point(c[0]) + patch.point(c[1]) + patch.point(c[2]));
@@ -258,7 +263,7 @@ int split_somewhere(TrianglePatch& patch, const PatchGeometry& geometry, int t) 
 
 }  // namespace
 
-std::size_t split_folded(TrianglePatch& patch, const PatchGeometry& geometry, RunContext& context) {
+std::size_t split_folded(TrianglePatch& patch, const PatchGeometry& geometry, const Heartbeat& heart) {
     if (geometry.chart().is_plane()) return 0;
     constexpr int rounds = 6;
     std::size_t splits = 0;
@@ -266,7 +271,7 @@ std::size_t split_folded(TrianglePatch& patch, const PatchGeometry& geometry, Ru
     for (int round = 0; round < rounds; ++round) {
         const std::size_t before = splits, count = patch.triangles.size();
         for (std::size_t t = 0; t < count; ++t) {
-            if (t % 1024 == 0) context.check_cancelled();
+            if (t % 1024 == 0) heart.beat();
             if (patch.is_removed(static_cast<int>(t)) || !is_folded(patch, geometry, static_cast<int>(t))) continue;
             const int p = split_somewhere(patch, geometry, static_cast<int>(t));
             ++splits;
@@ -278,7 +283,7 @@ std::size_t split_folded(TrianglePatch& patch, const PatchGeometry& geometry, Ru
     return splits;
 }
 
-void smooth(TrianglePatch& patch, const PatchGeometry& geometry, RunContext& context) {
+void smooth(TrianglePatch& patch, const PatchGeometry& geometry, const Heartbeat& heart) {
     const std::vector<double> density = densities(patch);
     std::vector<char> is_active(patch.points.size(), 0), next(patch.points.size(), 0);
     for (std::size_t t = 0; t < patch.triangles.size(); ++t)
@@ -288,7 +293,7 @@ void smooth(TrianglePatch& patch, const PatchGeometry& geometry, RunContext& con
     for (int sweep = 0; sweep < smoothing_sweeps; ++sweep) {
         bool has_moved = false;
         for (int p = 0; p < static_cast<int>(patch.points.size()); ++p) {
-            if (p % 1024 == 0) context.check_cancelled();
+            if (p % 1024 == 0) heart.beat();
             if (!is_active[at(p)] || patch.is_fixed[at(p)] || patch.triangle_of[at(p)] < 0) continue;
             patch.star(p, star);
             Vec3 step;
@@ -324,7 +329,8 @@ class AngleRaiser {
 
     double angle_of(int t) const {
         const auto& c = patch_.corners(t);
-        return patch_.is_at_pole(t) ? M_PI / 3 : smallest_angle(patch_.place(c[0]), patch_.place(c[1]), patch_.place(c[2]));
+        return patch_.is_at_pole(t) ? M_PI / 3
+                                    : smallest_angle(patch_.place(c[0]), patch_.place(c[1]), patch_.place(c[2]));
     }
 
     bool improve(int t) { return turn(t) || move_corners(t) || split(t); }
@@ -412,7 +418,8 @@ class AngleRaiser {
             if (l > length_of_it) length_of_it = l, longest = i;
         }
         const int n = patch_.neighbour(t, longest);
-        if (n < 0 || !patch_.is_fixed[at(corners[at((longest + 1) % 3)])] || !patch_.is_fixed[at(corners[at((longest + 2) % 3)])])
+        if (n < 0 || !patch_.is_fixed[at(corners[at((longest + 1) % 3)])] ||
+            !patch_.is_fixed[at(corners[at((longest + 2) % 3)])])
             return false;
         const double before = std::min(angle_of(t), angle_of(n));
         const Vec2 middle =
@@ -445,7 +452,8 @@ class AngleRaiser {
 
 }  // namespace
 
-void raise_smallest_angles(TrianglePatch& patch, const PatchGeometry& geometry, double wanted_angle, RunContext& context) {
+void raise_smallest_angles(TrianglePatch& patch, const PatchGeometry& geometry, double wanted_angle,
+                           const Heartbeat& heart) {
     AngleRaiser raiser(patch, geometry);
     for (int pass = 0; pass < 4; ++pass) {
         std::vector<std::pair<double, int>> bad;
@@ -455,7 +463,7 @@ void raise_smallest_angles(TrianglePatch& patch, const PatchGeometry& geometry, 
         std::sort(bad.begin(), bad.end());
         bool gained = false;
         for (const auto& [angle, t] : bad) {
-            context.check_cancelled();
+            heart.beat();
             if (!patch.is_removed(t) && raiser.angle_of(t) < wanted_angle) gained = raiser.improve(t) || gained;
         }
         if (!gained) break;

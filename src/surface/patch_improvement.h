@@ -2,8 +2,8 @@
 // Makes the triangles of a face near-equilateral on the surface.
 #pragma once
 
-#include "core/run_context.h"
 #include "surface/chart.h"
+#include "surface/heartbeat.h"
 #include "surface/triangle_patch.h"
 
 namespace featuremesh {
@@ -31,13 +31,17 @@ double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c);
 /// Turns sides until each is locally Delaunay as measured on the surface.
 void make_delaunay(TrianglePatch& patch);
 /// Splits inner sides that are much longer than wanted. Returns how many.
-std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry, RunContext& context);
-/// The variational step, node by node: each goes to the area-weighted mean of the circumcentres of its star (Chen and Holst 2011), as long as that does not
-/// make a bad star worse; sides are turned in between. Only nodes with something to gain are visited.
-void smooth(TrianglePatch& patch, const PatchGeometry& geometry, RunContext& context);
-/// Splits triangles that stand across the surface: normals more than about 75 degrees off, as coarse chains on a strongly curved face give. Returns how many.
-std::size_t split_folded(TrianglePatch& patch, const PatchGeometry& geometry, RunContext& context);
-/// Triangles with an angle below the given one, worst first: turns, moves, removals and splits, each only when the smallest angle around grows.
-void raise_smallest_angles(TrianglePatch& patch, const PatchGeometry& geometry, double wanted_angle, RunContext& context);
+std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry, const Heartbeat& heart);
+/// The variational step, node by node: each goes to the area-weighted mean of the circumcentres of its star (Chen and
+/// Holst 2011), as long as that does not make a bad star worse; sides are turned in between. Only nodes with something
+/// to gain are visited.
+void smooth(TrianglePatch& patch, const PatchGeometry& geometry, const Heartbeat& heart);
+/// Splits triangles that stand across the surface: normals more than about 75 degrees off, as coarse chains on a
+/// strongly curved face give. Returns how many.
+std::size_t split_folded(TrianglePatch& patch, const PatchGeometry& geometry, const Heartbeat& heart);
+/// Triangles with an angle below the given one, worst first: turns, moves, removals and splits, each only when the
+/// smallest angle around grows.
+void raise_smallest_angles(TrianglePatch& patch, const PatchGeometry& geometry, double wanted_angle,
+                           const Heartbeat& heart);
 
 }  // namespace featuremesh

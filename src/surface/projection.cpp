@@ -53,20 +53,31 @@ double shifted_near(double x, double period, double wanted) {
 
 /// The same point of the surface, in the period that the face's trim (or the guess) uses.
 Uv in_period(const SurfaceData& s, Uv uv, const std::optional<Uv>& guess) {
-    const Uv wanted = guess ? *guess
-                            : Uv{0.5 * (s.trim_box.u_min + s.trim_box.u_max), 0.5 * (s.trim_box.v_min + s.trim_box.v_max)};
+    const Uv wanted =
+        guess ? *guess : Uv{0.5 * (s.trim_box.u_min + s.trim_box.u_max), 0.5 * (s.trim_box.v_min + s.trim_box.v_max)};
     return {shifted_near(uv[0], s.u_period, wanted[0]), shifted_near(uv[1], s.v_period, wanted[1])};
 }
 
 std::optional<Uv> analytic_parameters(const BRepAdaptor_Surface& a, const gp_Pnt& p) {
     Uv uv;
     switch (a.GetType()) {
-        case GeomAbs_Plane: ElSLib::Parameters(a.Plane(), p, uv[0], uv[1]); return uv;
-        case GeomAbs_Cylinder: ElSLib::Parameters(a.Cylinder(), p, uv[0], uv[1]); return uv;
-        case GeomAbs_Cone: ElSLib::Parameters(a.Cone(), p, uv[0], uv[1]); return uv;
-        case GeomAbs_Sphere: ElSLib::Parameters(a.Sphere(), p, uv[0], uv[1]); return uv;
-        case GeomAbs_Torus: ElSLib::Parameters(a.Torus(), p, uv[0], uv[1]); return uv;
-        default: return std::nullopt;
+        case GeomAbs_Plane:
+            ElSLib::Parameters(a.Plane(), p, uv[0], uv[1]);
+            return uv;
+        case GeomAbs_Cylinder:
+            ElSLib::Parameters(a.Cylinder(), p, uv[0], uv[1]);
+            return uv;
+        case GeomAbs_Cone:
+            ElSLib::Parameters(a.Cone(), p, uv[0], uv[1]);
+            return uv;
+        case GeomAbs_Sphere:
+            ElSLib::Parameters(a.Sphere(), p, uv[0], uv[1]);
+            return uv;
+        case GeomAbs_Torus:
+            ElSLib::Parameters(a.Torus(), p, uv[0], uv[1]);
+            return uv;
+        default:
+            return std::nullopt;
     }
 }
 
@@ -93,7 +104,8 @@ std::optional<Uv> newton(const SurfaceData& s, const Vec3& p, Uv uv) {
         const double det = huu * hvv - huv * huv;
         if (!(det > 0)) return std::nullopt;
         const Uv step{(-gu * hvv + gv * huv) / det, (-gv * huu + gu * huv) / det};
-        const double move = std::sqrt(std::abs(step[0] * step[0] * e + 2 * step[0] * step[1] * m + step[1] * step[1] * g));
+        const double move =
+            std::sqrt(std::abs(step[0] * step[0] * e + 2 * step[0] * step[1] * m + step[1] * step[1] * g));
         if (move < 1e-12 * (1 + std::sqrt(f))) return uv;
         double scale = 1;
         bool better = false;
@@ -132,7 +144,8 @@ OnFace global_nearest(SurfaceData& s, const Vec3& p) {
 
 /// What is kept per edge.
 struct CurveData {
-    explicit CurveData(const TopoDS_Edge& e) : adaptor(e), first(adaptor.FirstParameter()), last(adaptor.LastParameter()) {}
+    explicit CurveData(const TopoDS_Edge& e)
+        : adaptor(e), first(adaptor.FirstParameter()), last(adaptor.LastParameter()) {}
     BRepAdaptor_Curve adaptor;
     double first, last;
 };
@@ -241,8 +254,8 @@ Vec3 Projector::normal(FaceId face, std::array<double, 2> uv) const {
         // A pole: the normal a little way into the face is the one of the pole to first order.
         const auto& b = s.trim_box;
         const double share = 1e-6;
-        s.adaptor.D1(uv[0] + share * (0.5 * (b.u_min + b.u_max) - uv[0]), uv[1] + share * (0.5 * (b.v_min + b.v_max) - uv[1]),
-                     q, du, dv);
+        s.adaptor.D1(uv[0] + share * (0.5 * (b.u_min + b.u_max) - uv[0]),
+                     uv[1] + share * (0.5 * (b.v_min + b.v_max) - uv[1]), q, du, dv);
         n = cross(to_vec(du), to_vec(dv));
     }
     n = normalized(n);

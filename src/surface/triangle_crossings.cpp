@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/triangle_crossings.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <algorithm>
@@ -29,8 +29,8 @@ Box box_of(const Mesh& mesh, const std::array<NodeId, 3>& t) {
 }
 
 bool overlap(const Box& a, const Box& b) {
-    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y && a.low.z <= b.high.z &&
-           b.low.z <= a.high.z;
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+           a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
 /// Boxes in a binary tree, split at the median of the longest side.
@@ -49,7 +49,7 @@ class BoxTree {
   private:
     struct Node {
         Box box;
-        std::size_t begin, end, right;   ///< right 0: a leaf; the left child follows its parent
+        std::size_t begin, end, right;  ///< right 0: a leaf; the left child follows its parent
     };
     static constexpr std::size_t leaf_size = 6;
 
@@ -63,9 +63,10 @@ class BoxTree {
         const Vec3 extent = box.high - box.low;
         const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
         const auto middle = order_.begin() + static_cast<std::ptrdiff_t>((begin + end) / 2);
-        std::nth_element(order_.begin() + static_cast<std::ptrdiff_t>(begin), middle, order_.begin() + static_cast<std::ptrdiff_t>(end),
-                         [&](std::uint32_t a, std::uint32_t b) {
-                             const double ca = boxes_[a].low[axis] + boxes_[a].high[axis], cb = boxes_[b].low[axis] + boxes_[b].high[axis];
+        std::nth_element(order_.begin() + static_cast<std::ptrdiff_t>(begin), middle,
+                         order_.begin() + static_cast<std::ptrdiff_t>(end), [&](std::uint32_t a, std::uint32_t b) {
+                             const double ca = boxes_[a].low[axis] + boxes_[a].high[axis],
+                                          cb = boxes_[b].low[axis] + boxes_[b].high[axis];
                              return ca != cb ? ca < cb : a < b;
                          });
         build(begin, (begin + end) / 2);
@@ -98,9 +99,11 @@ class CrossingSearch {
             is_plane_.push_back(BRepAdaptor_Surface(brep.face(FaceId(f)), Standard_False).GetType() == GeomAbs_Plane);
         std::vector<char> is_line(brep.edge_count(), 1);
         for (std::size_t e = 0; e < brep.edge_count(); ++e)
-            if (!brep.is_degenerated(EdgeId(e))) is_line[e] = BRepAdaptor_Curve(brep.edge(EdgeId(e))).GetType() == GeomAbs_Line;
+            if (!brep.is_degenerated(EdgeId(e)))
+                is_line[e] = BRepAdaptor_Curve(brep.edge(EdgeId(e))).GetType() == GeomAbs_Line;
         for (std::size_t s = 0; s < mesh.segments.size(); ++s)
-            if (!is_line[mesh.segment_edges[s].index()]) chords_.insert(side_key(mesh.segments[s][0], mesh.segments[s][1]));
+            if (!is_line[mesh.segment_edges[s].index()])
+                chords_.insert(side_key(mesh.segments[s][0], mesh.segments[s][1]));
     }
 
     std::vector<std::array<TriangleId, 2>> find(RunContext& context) {
@@ -129,23 +132,28 @@ class CrossingSearch {
     bool lies_in_face(std::size_t t) const {
         const auto& c = mesh_.triangles[t];
         if (!is_plane_[mesh_.triangle_faces[t].index()]) return false;
-        return !chords_.count(side_key(c[0], c[1])) && !chords_.count(side_key(c[1], c[2])) && !chords_.count(side_key(c[2], c[0]));
+        return !chords_.count(side_key(c[0], c[1])) && !chords_.count(side_key(c[1], c[2])) &&
+               !chords_.count(side_key(c[2], c[0]));
     }
 
     void find_with(const BoxTree& tree, std::size_t i, std::vector<std::array<TriangleId, 2>>& found) const {
         tree.visit_overlaps(boxes_[i], [&](std::uint32_t j) {
             if (j == i || (!is_exact_[j] && j < i)) return;
             const std::size_t a = triangles_[i], b = triangles_[j];
-            if (std::max(a, b) < first_new_ || is_smooth_pair(a, b) || !do_cross(mesh_.triangles[a], mesh_.triangles[b])) return;
+            if (std::max(a, b) < first_new_ || is_smooth_pair(a, b) ||
+                !do_cross(mesh_.triangles[a], mesh_.triangles[b]))
+                return;
             found.push_back({TriangleId(std::max(a, b)), TriangleId(std::min(a, b))});
         });
     }
 
-    /// Two triangles of one face that share a node and have about one normal cannot cross: they do not overlap in the face's chart.
+    /// Two triangles of one face that share a node and have about one normal cannot cross: they do not overlap in the
+    /// face's chart.
     bool is_smooth_pair(std::size_t t, std::size_t u) const {
         if (mesh_.triangle_faces[t] != mesh_.triangle_faces[u]) return false;
         const auto &a = mesh_.triangles[t], &b = mesh_.triangles[u];
-        const bool touch = std::any_of(a.begin(), a.end(), [&](NodeId n) { return n == b[0] || n == b[1] || n == b[2]; });
+        const bool touch =
+            std::any_of(a.begin(), a.end(), [&](NodeId n) { return n == b[0] || n == b[1] || n == b[2]; });
         if (!touch) return false;
         const Vec3 m = normal(a), n = normal(b);
         return dot(m, n) > 0.5 * length(m) * length(n);
@@ -171,18 +179,20 @@ class CrossingSearch {
         const Point p0 = point(a[0]), p1 = point(a[1]), p2 = point(a[2]), q1 = point(b[1]), q2 = point(b[2]);
         if (shared == 3) return true;
         if (shared == 2)
-            return CGAL::orientation(p0, p1, p2, q2) == CGAL::COPLANAR && CGAL::coplanar_orientation(p0, p1, p2, q2) == CGAL::POSITIVE;
+            return CGAL::orientation(p0, p1, p2, q2) == CGAL::COPLANAR &&
+                   CGAL::coplanar_orientation(p0, p1, p2, q2) == CGAL::POSITIVE;
         const Kernel::Triangle_3 one(p0, p1, p2), other(point(b[0]), q1, q2);
         if (one.is_degenerate() || other.is_degenerate()) return false;
         if (shared == 1)
-            return CGAL::do_intersect(Kernel::Segment_3(p1, p2), other) || CGAL::do_intersect(Kernel::Segment_3(q1, q2), one);
+            return CGAL::do_intersect(Kernel::Segment_3(p1, p2), other) ||
+                   CGAL::do_intersect(Kernel::Segment_3(q1, q2), one);
         return CGAL::do_intersect(one, other);
     }
 
     const Mesh& mesh_;
     std::size_t first_new_;
     std::vector<char> is_plane_;
-    std::unordered_set<std::uint64_t> chords_;   ///< segments on curved edges
+    std::unordered_set<std::uint64_t> chords_;  ///< segments on curved edges
     std::vector<std::size_t> triangles_;
     std::vector<Box> boxes_;
     std::vector<char> is_exact_;
@@ -190,7 +200,8 @@ class CrossingSearch {
 
 }  // namespace
 
-std::vector<std::array<TriangleId, 2>> crossing_triangles(const Brep& brep, const Mesh& mesh, std::size_t first_new, RunContext& context) {
+std::vector<std::array<TriangleId, 2>> crossing_triangles(const Brep& brep, const Mesh& mesh, std::size_t first_new,
+                                                          RunContext& context) {
     if (first_new == mesh.triangles.size()) return {};
     return CrossingSearch(brep, mesh, first_new).find(context);
 }

@@ -21,7 +21,8 @@ bool TrianglePatch::can_flip(int t, int i) const {
     const auto& c = corners(t);
     const int a = c[at(i)], b = c[at((i + 1) % 3)], d = c[at((i + 2) % 3)];
     const int e = corners(n)[at(opposite_index(n, t))];
-    return !are_one_node(a, e) && is_counterclockwise(point(a), point(b), point(e)) && is_counterclockwise(point(a), point(e), point(d));
+    return !are_one_node(a, e) && is_counterclockwise(point(a), point(b), point(e)) &&
+           is_counterclockwise(point(a), point(e), point(d));
 }
 
 void TrianglePatch::replace_neighbour(int t, int from, int to) {
@@ -30,7 +31,8 @@ void TrianglePatch::replace_neighbour(int t, int from, int to) {
 
 void TrianglePatch::flip(int t, int i) {
     const int n = neighbour(t, i), j = opposite_index(n, t);
-    const int a = corners(t)[at(i)], b = corners(t)[at((i + 1) % 3)], d = corners(t)[at((i + 2) % 3)], e = corners(n)[at(j)];
+    const int a = corners(t)[at(i)], b = corners(t)[at((i + 1) % 3)], d = corners(t)[at((i + 2) % 3)],
+              e = corners(n)[at(j)];
     const int beyond_ab = neighbour(t, (i + 2) % 3), beyond_da = neighbour(t, (i + 1) % 3);
     // In n the corners are e, d, b: opposite d lies the side (b, e), opposite b the side (e, d).
     const int beyond_be = neighbour(n, (j + 1) % 3), beyond_ed = neighbour(n, (j + 2) % 3);
@@ -71,7 +73,8 @@ int TrianglePatch::add_triangle(std::array<int, 3> c, std::array<int, 3> around)
 
 int TrianglePatch::split_triangle(int t, Vec2 point, Vec3 place) {
     const int p = static_cast<int>(points.size());
-    points.push_back(point), places.push_back(place), is_fixed.push_back(0), nodes.push_back(-1), triangle_of.push_back(t);
+    points.push_back(point), places.push_back(place), is_fixed.push_back(0), nodes.push_back(-1),
+        triangle_of.push_back(t);
     const auto [a, b, c] = corners(t);
     const auto [na, nb, nc] = neighbours[at(t)];
     wanted.push_back((wanted[at(a)] + wanted[at(b)] + wanted[at(c)]) / 3);
@@ -88,9 +91,11 @@ int TrianglePatch::split_triangle(int t, Vec2 point, Vec3 place) {
 
 int TrianglePatch::split_side(int t, int i, Vec2 point, Vec3 place) {
     const int p = static_cast<int>(points.size());
-    points.push_back(point), places.push_back(place), is_fixed.push_back(0), nodes.push_back(-1), triangle_of.push_back(t);
+    points.push_back(point), places.push_back(place), is_fixed.push_back(0), nodes.push_back(-1),
+        triangle_of.push_back(t);
     const int n = neighbour(t, i), j = opposite_index(n, t);
-    const int a = corners(t)[at(i)], b = corners(t)[at((i + 1) % 3)], d = corners(t)[at((i + 2) % 3)], e = corners(n)[at(j)];
+    const int a = corners(t)[at(i)], b = corners(t)[at((i + 1) % 3)], d = corners(t)[at((i + 2) % 3)],
+              e = corners(n)[at(j)];
     const int beyond_ab = neighbour(t, (i + 2) % 3), beyond_da = neighbour(t, (i + 1) % 3);
     const int beyond_be = neighbour(n, (j + 1) % 3), beyond_ed = neighbour(n, (j + 2) % 3);
     wanted.push_back(0.5 * (wanted[at(b)] + wanted[at(d)]));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The triangles of one face while they are being improved: a triangulation of a part of the chart's plane, with measures from the surface.
+// The triangles of one face while they are being improved: a triangulation of a part of the chart's plane, with
+// measures from the surface.
 #pragma once
 
 #include <array>
@@ -11,21 +12,22 @@
 
 namespace featuremesh {
 
-/// Every triangle is counterclockwise in the chart, so the triangles never overlap on the surface. Lengths and angles are taken between `places`: points of the
-/// surface, or of the chart itself where that is isometric.
+/// Every triangle is counterclockwise in the chart, so the triangles never overlap on the surface. Lengths and angles
+/// are taken between `places`: points of the surface, or of the chart itself where that is isometric.
 struct TrianglePatch {
-    std::vector<Vec2> points;                     ///< in the chart
+    std::vector<Vec2> points;  ///< in the chart
     std::vector<Vec3> places;
-    std::vector<char> is_fixed;                   ///< on the boundary, or kept
-    std::vector<double> wanted;                   ///< length of the sides at each point, mm
-    std::vector<std::int32_t> nodes;              ///< the mesh's node at a boundary point; -1 for a new point
-    std::vector<std::array<int, 3>> triangles;    ///< first corner -1: removed
-    std::vector<std::array<int, 3>> neighbours;   ///< across the side opposite each corner; -1 at the boundary
-    std::vector<int> triangle_of;                 ///< one triangle at each point; -1 for none
+    std::vector<char> is_fixed;                  ///< on the boundary, or kept
+    std::vector<double> wanted;                  ///< length of the sides at each point, mm
+    std::vector<std::int32_t> nodes;             ///< the mesh's node at a boundary point; -1 for a new point
+    std::vector<std::array<int, 3>> triangles;   ///< first corner -1: removed
+    std::vector<std::array<int, 3>> neighbours;  ///< across the side opposite each corner; -1 at the boundary
+    std::vector<int> triangle_of;                ///< one triangle at each point; -1 for none
 
     /// Whether two points are the same node: a pole, or the two sides of a seam.
     bool are_one_node(int p, int q) const {
-        return nodes[static_cast<std::size_t>(p)] >= 0 && nodes[static_cast<std::size_t>(p)] == nodes[static_cast<std::size_t>(q)];
+        return nodes[static_cast<std::size_t>(p)] >= 0 &&
+               nodes[static_cast<std::size_t>(p)] == nodes[static_cast<std::size_t>(q)];
     }
     /// A triangle with a side along a pole exists in the chart only.
     bool is_at_pole(int t) const {
@@ -48,8 +50,8 @@ struct TrianglePatch {
         return list[0] == t ? 0 : list[1] == t ? 1 : 2;
     }
 
-    /// Whether the side opposite corner i of t can be turned within the chart: its two triangles form a strictly convex quadrilateral, and the
-    /// new side joins two nodes.
+    /// Whether the side opposite corner i of t can be turned within the chart: its two triangles form a strictly convex
+    /// quadrilateral, and the new side joins two nodes.
     bool can_flip(int t, int i) const;
     void flip(int t, int i);
     /// The triangles around p, counterclockwise; for a boundary point from one boundary side to the other.

@@ -44,14 +44,18 @@ TopoDS_Shape plate_with_holes() {
     TopoDS_Shape plate = BRepPrimAPI_MakeBox(60, 40, 5).Shape();
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 2; ++j)
-            plate = BRepAlgoAPI_Cut(plate, BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(10 + 20 * i, 10 + 20 * j, 0), gp_Dir(0, 0, 1)), 4, 5).Shape())
+            plate = BRepAlgoAPI_Cut(plate, BRepPrimAPI_MakeCylinder(
+                                               gp_Ax2(gp_Pnt(10 + 20 * i, 10 + 20 * j, 0), gp_Dir(0, 0, 1)), 4, 5)
+                                               .Shape())
                         .Shape();
     return plate;
 }
 
 TopoDS_Shape square_to_circle() {
     BRepOffsetAPI_ThruSections loft(true);
-    loft.AddWire(BRepBuilderAPI_MakePolygon(gp_Pnt(-10, -10, 0), gp_Pnt(10, -10, 0), gp_Pnt(10, 10, 0), gp_Pnt(-10, 10, 0), true).Wire());
+    loft.AddWire(
+        BRepBuilderAPI_MakePolygon(gp_Pnt(-10, -10, 0), gp_Pnt(10, -10, 0), gp_Pnt(10, 10, 0), gp_Pnt(-10, 10, 0), true)
+            .Wire());
     const gp_Circ circle(gp_Ax2(gp_Pnt(0, 0, 30), gp_Dir(0, 0, 1)), 8);
     loft.AddWire(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle).Edge()).Wire());
     return loft.Shape();
@@ -64,8 +68,9 @@ std::array<NodeId, 2> ordered(NodeId a, NodeId b) { return a < b ? std::array{a,
 std::vector<NamedShape> named_shapes() {
     const TopoDS_Shape torus_on_box =
         BRepAlgoAPI_Fuse(BRepPrimAPI_MakeTorus(30, 8).Shape(), BRepPrimAPI_MakeBox(40, 30, 10).Shape()).Shape();
-    const TopoDS_Shape hollow =
-        BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(30, 30, 30).Shape(), BRepPrimAPI_MakeBox(gp_Pnt(10, 10, 10), 10, 10, 10).Shape()).Shape();
+    const TopoDS_Shape hollow = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(30, 30, 30).Shape(),
+                                                BRepPrimAPI_MakeBox(gp_Pnt(10, 10, 10), 10, 10, 10).Shape())
+                                    .Shape();
     std::vector<NamedShape> list{
         {"box", BRepPrimAPI_MakeBox(10, 20, 30).Shape(), 2.5, 2},
         {"cylinder", BRepPrimAPI_MakeCylinder(10, 30).Shape(), 2.5, 2},
@@ -106,7 +111,8 @@ std::vector<std::string> findings(const Brep& brep, const Mesh& mesh) {
         const Vec3 there = e.dim == 0   ? brep.point_of(VertexId(id))
                            : e.dim == 1 ? projector.on_edge(EdgeId(id), mesh.parameters[n][0])
                                         : projector.on_face(FaceId(id), mesh.parameters[n]);
-        if (distance(there, mesh.points[n]) > 1e-8) found.push_back("node " + std::to_string(n) + " is not on " + name_of(e));
+        if (distance(there, mesh.points[n]) > 1e-8)
+            found.push_back("node " + std::to_string(n) + " is not on " + name_of(e));
         if (e.dim == 2 && !projector.is_inside_trim(FaceId(id), mesh.parameters[n]))
             found.push_back("node " + std::to_string(n) + " is outside " + name_of(e));
     }
@@ -130,7 +136,8 @@ std::vector<std::string> findings(const Brep& brep, const Mesh& mesh) {
     for (std::size_t s = 0; s < mesh.segments.size(); ++s) {
         const auto [a, b] = mesh.segments[s];
         if (!segments.emplace(ordered(a, b), mesh.segment_edges[s]).second) found.push_back("a segment is there twice");
-        if (!uses.count(ordered(a, b))) found.push_back("a segment of " + name_of(entity_of(mesh.segment_edges[s])) + " is on no triangle");
+        if (!uses.count(ordered(a, b)))
+            found.push_back("a segment of " + name_of(entity_of(mesh.segment_edges[s])) + " is on no triangle");
     }
     for (const auto& [side, count] : uses)
         if (count != 2) found.push_back("a side is shared by " + std::to_string(count) + " triangles");
@@ -149,7 +156,8 @@ double smallest_angle(const Mesh& mesh) {
     double smallest = M_PI;
     for (const auto& t : mesh.triangles)
         for (int i = 0; i < 3; ++i) {
-            const Vec3 u = mesh.point(t[(i + 1) % 3]) - mesh.point(t[i]), v = mesh.point(t[(i + 2) % 3]) - mesh.point(t[i]);
+            const Vec3 u = mesh.point(t[(i + 1) % 3]) - mesh.point(t[i]),
+                       v = mesh.point(t[(i + 2) % 3]) - mesh.point(t[i]);
             smallest = std::min(smallest, std::atan2(length(cross(u, v)), dot(u, v)));
         }
     return smallest * 180 / M_PI;

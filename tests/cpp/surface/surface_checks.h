@@ -15,15 +15,16 @@ namespace featuremesh::testing {
 struct NamedShape {
     std::string name;
     TopoDS_Shape shape;
-    double size;      ///< mm
-    int euler;        ///< of the whole boundary
+    double size;  ///< mm
+    int euler;    ///< of the whole boundary
 };
 /// Boxes, cylinders, cones with their apex, spheres, tori, fillets, lofts, plates with holes: turned by an odd angle.
 std::vector<NamedShape> named_shapes();
 
 SurfaceResult mesh_surface(const Brep& brep, double size, Mesh kept = {}, int threads = 1);
 
-/// Nodes on their entities, chains complete, triangles the right way round, every side shared as the shape says. In words; empty when all is well.
+/// Nodes on their entities, chains complete, triangles the right way round, every side shared as the shape says. In
+/// words; empty when all is well.
 std::vector<std::string> findings(const Brep& brep, const Mesh& mesh);
 int euler_characteristic(const Mesh& mesh);
 /// Degrees.

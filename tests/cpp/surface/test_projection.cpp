@@ -30,7 +30,8 @@ TEST_CASE("a point of a face or an edge projects on itself, with and without a g
                 CHECK(projector.is_inside_trim(face, uv));
             } else if (e.dim == 1) {
                 const EdgeId edge(e.index);
-                for (const OnEdge& foot : {projector.nearest(edge, mesh.points[n], mesh.parameters[n][0]), projector.nearest(edge, mesh.points[n])})
+                for (const OnEdge& foot : {projector.nearest(edge, mesh.points[n], mesh.parameters[n][0]),
+                                           projector.nearest(edge, mesh.points[n])})
                     CHECK(distance(foot.point, mesh.points[n]) < 1e-9);
             }
         }
@@ -56,7 +57,8 @@ TEST_CASE("normals point out of the solid") {
         const Brep brep(s.shape);
         const Mesh mesh = mesh_surface(brep, s.size).mesh;
         double volume = 0;
-        for (const auto& t : mesh.triangles) volume += signed_volume({}, mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]));
+        for (const auto& t : mesh.triangles)
+            volume += signed_volume({}, mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]));
         CHECK(volume == Approx(brep.volume_of(SolidId(0))).epsilon(0.06));
     }
 }
