@@ -21,8 +21,9 @@ class Parser(argparse.ArgumentParser):
 
 
 def parse(words):
-    parser = Parser(prog=PROGRAM, description=DESCRIPTION, formatter_class=one_line_each)
-    subparsers = parser.add_subparsers(dest="command", metavar="COMMAND ...", required=True, parser_class=Parser)
+    parser = Parser(prog=PROGRAM, description=DESCRIPTION, usage=f"{PROGRAM} [-h] COMMAND ...",
+                    formatter_class=one_line_each)
+    subparsers = parser.add_subparsers(prog=PROGRAM, dest="command", metavar="COMMAND ...", required=True, parser_class=Parser)
     for add in (add_demo, add_test, add_mesh, add_update, add_diff, add_tree, add_export, add_gui, add_bench,
                 add_install, add_uninstall):
         add(subparsers)
