@@ -19,6 +19,28 @@ constexpr std::size_t tets_between_reports = 1 << 17;
 constexpr std::size_t tets_per_chunk = 1 << 13;
 }  // namespace
 
+/// The first face, from `first_face` on, whose other apex is inside the circumsphere; not those where skip(next,
+/// corners) is true.
+template <class Skip>
+DelaunayFlipper::Violation DelaunayFlipper::find_violation(int tet, int first_face, const Skip& skip) const {
+    const Tet& v = complex_.tets[tet];
+    const auto& p = complex_.points;
+    const Circumsphere sphere(p[v[0]], p[v[1]], p[v[2]], p[v[3]]);
+    const Vec3 to_center = sphere.scaled / (2 * sphere.six_volumes);
+    const Vec3 center = p[v[0]] + to_center;
+    const double squared_radius = squared_length(to_center) * (1 - least_energy_gain);
+    for (int face = first_face; face < 4; ++face) {
+        const int next = complex_.neighbours[tet][face];
+        if (next < 0) continue;
+        const Tet& w = complex_.tets[next];
+        if (skip(next, w)) continue;
+        // what the two tets share cancels out; looking for the face in next's neighbours would be one more cache miss
+        const int apex = w[0] ^ w[1] ^ w[2] ^ w[3] ^ v[0] ^ v[1] ^ v[2] ^ v[3] ^ v[face];
+        if (!(squared_length(p[apex] - center) >= squared_radius)) return {face, next, apex};
+    }
+    return {};
+}
+
 std::size_t DelaunayFlipper::restore(OdtMarks& marks) {
     flips_ = 0;
     const std::size_t count = complex_.tets.size();
@@ -36,29 +58,16 @@ std::size_t DelaunayFlipper::restore(OdtMarks& marks) {
 }
 
 void DelaunayFlipper::flag_violations(const OdtMarks& marks, std::size_t begin, std::size_t end) {
+    const auto is_touched = [&](const Tet& v) {
+        return (marks.touched[v[0]] | marks.touched[v[1]] | marks.touched[v[2]] | marks.touched[v[3]]) != 0;
+    };
     for (std::size_t t = begin; t < end; ++t) {
-        const Tet& v = complex_.tets[t];
-        if (v[0] < 0 || !(marks.touched[v[0]] | marks.touched[v[1]] | marks.touched[v[2]] | marks.touched[v[3]]))
-            continue;
-        flagged_[t] = find_violation(static_cast<int>(t), 0).face >= 0;
+        const int tet = static_cast<int>(t);
+        if (complex_.tets[t][0] < 0 || !is_touched(complex_.tets[t])) continue;
+        // a face between two touched tets is looked at from one side
+        const auto skip = [&](int next, const Tet& w) { return next < tet && is_touched(w); };
+        flagged_[t] = find_violation(tet, 0, skip).face >= 0;
     }
-}
-
-/// The first face, from `first_face` on, whose other apex is inside the circumsphere.
-DelaunayFlipper::Violation DelaunayFlipper::find_violation(int tet, int first_face) const {
-    const Tet& v = complex_.tets[tet];
-    const auto& p = complex_.points;
-    const Circumsphere sphere(p[v[0]], p[v[1]], p[v[2]], p[v[3]]);
-    const Vec3 to_center = sphere.scaled / (2 * sphere.six_volumes);
-    const Vec3 center = p[v[0]] + to_center;
-    const double squared_radius = squared_length(to_center) * (1 - least_energy_gain);
-    for (int face = first_face; face < 4; ++face) {
-        const int next = complex_.neighbours[tet][face];
-        if (next < 0) continue;
-        const int apex = complex_.tets[next][face_towards(complex_.neighbours[next], tet)];
-        if (!(squared_length(p[apex] - center) >= squared_radius)) return {face, next, apex};
-    }
-    return {};
 }
 
 void DelaunayFlipper::flip_from(int start, OdtMarks& marks) {
@@ -67,7 +76,7 @@ void DelaunayFlipper::flip_from(int start, OdtMarks& marks) {
         const int tet = pending_.back();
         pending_.pop_back();
         for (int face = 0; complex_.tets[tet][0] >= 0;) {
-            const Violation violation = find_violation(tet, face);
+            const Violation violation = find_violation(tet, face, [](int, const Tet&) { return false; });
             if (violation.face < 0 || flip(tet, violation, marks)) break;
             face = violation.face + 1;
         }

@@ -25,7 +25,8 @@ class DelaunayFlipper {
     struct Violation {
         int face = -1, next = -1, apex = -1;
     };
-    Violation find_violation(int tet, int first_face) const;
+    template <class Skip>
+    Violation find_violation(int tet, int first_face, const Skip& skip) const;
     void flag_violations(const OdtMarks& marks, std::size_t begin, std::size_t end);
     void flip_from(int tet, OdtMarks& marks);
     bool flip(int tet, const Violation& violation, OdtMarks& marks);

@@ -35,10 +35,12 @@ OdtReport optimise_odt(TetComplex& complex, const SizingField& sizing, const Odt
     report.energy_before = total_energy(complex, context);
     OdtMarks marks;
     marks.queued.assign(complex.points.size(), 0);
-    marks.touched.assign(complex.points.size(), 1);
+    marks.touched.assign(complex.points.size(), 0);
     OdtMover mover(complex, sizing, options.weight_by_size, context);
     DelaunayFlipper flipper(complex, context);
     mover.queue_gainers(marks);
+    // far from the boundary and at their optimum the seeds are a lattice that Delaunay has connected already
+    for (std::size_t v = 0; v < complex.points.size(); ++v) marks.touched[v] = complex.is_fixed[v] | marks.queued[v];
     report.flips += flipper.restore(marks);
     const int sweeps = options.weight_by_size ? graded_sweeps * options.sweeps : options.sweeps;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
