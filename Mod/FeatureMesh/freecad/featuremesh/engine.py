@@ -31,4 +31,4 @@ def load():
             importlib.invalidate_caches()
             return importlib.import_module("featuremesh_engine")
     raise EngineMissing("FeatureMesh's compiled engine (featuremesh_engine) is not installed; "
-                        "the mesh is shown as it was saved. Build and install it with `./featuremesh install`.")
+                        "the mesh is shown as it was saved. Any command of `./featuremesh` in a clone builds it.")

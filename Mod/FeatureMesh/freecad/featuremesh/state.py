@@ -76,9 +76,12 @@ def load(path):
                          % (meta["program"], meta["schema"], SCHEMA))
     for schema in range(meta["schema"], SCHEMA):
         meta, members = MIGRATIONS[schema](meta, members)
-    raw = {"final_object": meta["final_object"], "records": meta["records"], "shapes": members["shapes"].tobytes()}
     arrays = {name[len("array."):]: values for name, values in members.items() if name.startswith("array.")}
-    return State(raw, meta["options"], arrays, meta["references"])
+    try:
+        raw = {"final_object": meta["final_object"], "records": meta["records"], "shapes": members["shapes"].tobytes()}
+        return State(raw, meta["options"], arrays, meta["references"])
+    except KeyError as error:
+        raise StateError("the saved mesh state lacks its %s" % error.args[0]) from error
 
 
 def checksum_of(path):

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Analyses with our mesh: CalculiX solves them, the figures are right, and an edit needs no hand on the constraints."""
+import os
+import shutil
+import tempfile
+import unittest
+
+import FreeCAD
+import ObjectsFem
+from femtools import ccxtools
+from freecad.featuremesh import api, mesh_object, versions
+from parts import new_document
+
+STEEL = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.30", "Density": "7850 kg/m^3"}
+ALUMINIUM = {"Name": "Aluminium", "YoungsModulus": "70000 MPa", "PoissonRatio": "0.33", "Density": "2700 kg/m^3"}
+LENGTH, WIDTH, HEIGHT, FORCE = 80.0, 10.0, 10.0, 1000.0
+
+
+def newton(value):
+    return value if versions.version() < (1, 0) else "%g N" % value
+
+
+def face_at(part, x):
+    """Name of the plane face of `part` normal to the x axis at x."""
+    for number, face in enumerate(part.Shape.Faces, 1):
+        box = face.BoundBox
+        if abs(box.XMin - x) < 1e-6 and abs(box.XMax - x) < 1e-6:
+            return "Face%d" % number
+    raise ValueError("no face at x = %g" % x)
+
+
+def analysis_of(document, part, materials):
+    """A cantilever: fixed at x = 0, pulled down at the far end."""
+    analysis = ObjectsFem.makeAnalysis(document, "Analysis")
+    make = getattr(ObjectsFem, "makeSolverCalculiXCcxTools", None) or ObjectsFem.makeSolverCalculixCcxTools
+    solver = make(document, "Solver")
+    solver.AnalysisType, solver.GeometricalNonlinearity = "static", "linear"
+    solver.ThermoMechSteadyState = solver.IterationsControlParameterTimeUse = False
+    fixed = ObjectsFem.makeConstraintFixed(document, "Fixed")
+    fixed.References = [(part, face_at(part, 0))]
+    force = ObjectsFem.makeConstraintForce(document, "Force")
+    force.References = [(part, face_at(part, part.Shape.BoundBox.XMax))]
+    force.Force = newton(FORCE)
+    force.Direction = (part, ["Edge1"])
+    analysis.addObject(solver)
+    for name, values, references in materials:
+        material = ObjectsFem.makeMaterialSolid(document, name)
+        material.Material = values
+        if references:
+            material.References = references
+        analysis.addObject(material)
+    analysis.addObject(fixed)
+    analysis.addObject(force)
+    document.recompute()
+    return analysis
+
+
+@unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+class Solving(unittest.TestCase):
+
+    def setUp(self):
+        self.document = new_document()
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def solve(self, analysis):
+        """(largest displacement mm, the input file's text)."""
+        for obj in [o for o in self.document.Objects if o.isDerivedFrom("Fem::FemResultObject") or o.Name.startswith("ResultMesh")]:
+            self.document.removeObject(obj.Name)
+        tools = ccxtools.FemToolsCcx(analysis, analysis.Group[0], test_mode=False)
+        tools.setup_working_dir(self.folder)
+        tools.update_objects()
+        tools.setup_ccx(ccx_binary=shutil.which("ccx"))
+        self.assertEqual(tools.check_prerequisites(), "")
+        tools.write_inp_file()
+        self.assertEqual(tools.ccx_run(), 0)
+        tools.load_results()
+        result, = [o for o in analysis.Group if o.isDerivedFrom("Fem::FemResultObject")]
+        with open(tools.inp_file_name, encoding="utf-8") as stream:
+            return max(vector.Length for vector in result.DisplacementVectors), stream.read()
+
+    def beam(self):
+        box = self.document.addObject("Part::Box", "Beam")
+        box.Length, box.Width, box.Height = LENGTH, WIDTH, HEIGHT
+        self.document.recompute()
+        return box
+
+    def bending(self, length):
+        """Of a cantilever, with shear (Timoshenko), mm."""
+        second_moment, shear_modulus = WIDTH * HEIGHT ** 3 / 12, 210000 / 2.6
+        return FORCE * length ** 3 / (3 * 210000 * second_moment) + FORCE * length / (5 / 6 * shear_modulus * WIDTH * HEIGHT)
+
+    def test_cantilever_before_and_after_an_edit(self):
+        beam = self.beam()
+        analysis = analysis_of(self.document, beam, [("Steel", STEEL, [])])
+        force = self.document.getObject("Force")
+        side = [e for e, edge in enumerate(beam.Shape.Edges, 1) if abs(edge.tangentAt(edge.FirstParameter).z) > 0.99][0]
+        force.Direction = (beam, ["Edge%d" % side])
+        mesh = api.add_mesh(beam, 3.0, order=2)
+        self.document.recompute()
+        self.assertIn(mesh, analysis.Group)
+        first, _ = self.solve(analysis)
+        self.assertAlmostEqual(first / self.bending(LENGTH), 1, delta=0.01)
+        references = [obj.References for obj in (self.document.getObject("Fixed"), force)]
+        beam.Length = 90
+        self.document.recompute()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        self.assertGreater(mesh.KeptNodes, 50)
+        second, _ = self.solve(analysis)
+        self.assertAlmostEqual(second / self.bending(90), 1, delta=0.01)
+        self.assertEqual([obj.References for obj in (self.document.getObject("Fixed"), force)], references)
+
+    def test_groups_give_the_nodes_that_freecad_would_find(self):
+        """The input file with our groups and the one that FreeCAD makes by searching name the same nodes."""
+        beam = self.beam()
+        analysis = analysis_of(self.document, beam, [("Steel", STEEL, [])])
+        mesh = api.add_mesh(beam, 4.0)
+        self.document.recompute()
+        with_groups, _ = self.solve(analysis)
+        for group in mesh.FemMesh.Groups:
+            mesh.FemMesh.removeGroup(group)
+        without, _ = self.solve(analysis)
+        self.assertAlmostEqual(with_groups, without, delta=1e-9 * without)
+
+    def test_two_materials_in_one_part(self):
+        from BOPTools import SplitFeatures
+        left, right = (self.document.addObject("Part::Box", name) for name in ("Left", "Right"))
+        left.Length = right.Length = 20
+        right.Placement.Base.x = 20
+        fragments = SplitFeatures.makeBooleanFragments("Fragments")
+        fragments.Objects, fragments.Mode = [left, right], "CompSolid"
+        self.document.recompute()
+        self.assertEqual(len(fragments.Shape.Solids), 2)
+        names = sorted(("Solid1", "Solid2"), key=lambda n: fragments.Shape.Solids[int(n[5:]) - 1].CenterOfMass.x)
+        analysis = analysis_of(self.document, fragments, [("Steel", STEEL, [(fragments, names[0])]),
+                                                          ("Aluminium", ALUMINIUM, [(fragments, names[1])])])
+        mesh = api.add_mesh(fragments, 4.0)
+        self.document.recompute()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        groups = {mesh.FemMesh.getGroupName(g): set(mesh.FemMesh.getGroupElements(g)) for g in mesh.FemMesh.Groups}
+        self.assertEqual(groups["Steel_Volumes"], groups[names[0]])
+        self.assertEqual(groups["Aluminium_Volumes"], groups[names[1]])
+        self.assertEqual(groups["Steel_Volumes"] | groups["Aluminium_Volumes"], set(mesh.FemMesh.Volumes))
+        _, text = self.solve(analysis)
+        self.assertEqual(text.upper().count("*SOLID SECTION"), 2)
