@@ -22,14 +22,16 @@ namespace featuremesh {
 
 namespace {
 
-constexpr double most_seconds = 30;   // of the processor, for all attempts together; what is fused in that time is worth it, see docs/design/cells.md
+constexpr double most_seconds = 30;  // of the processor, for all attempts together; what is fused in that time is worth
+                                     // it, see docs/design/cells.md
 
 void add_solids(std::vector<FuseArgument>& arguments, const Owner& owner, const TopoDS_Shape& shape) {
     for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) arguments.push_back({owner, it.Current()});
 }
 
 void add_final_shape(std::vector<FuseArgument>& arguments, const Brep& final_shape) {
-    for (std::size_t s = 0; s < final_shape.solid_count(); ++s) arguments.push_back({Owner{}, final_shape.solid(SolidId(s))});
+    for (std::size_t s = 0; s < final_shape.solid_count(); ++s)
+        arguments.push_back({Owner{}, final_shape.solid(SolidId(s))});
 }
 
 double volume_of(const Brep& shape) {
@@ -69,9 +71,7 @@ class CellBuilder {
     }
 
   private:
-    double seconds_left() const {
-        return most_seconds - (thread_seconds() - start_);
-    }
+    double seconds_left() const { return most_seconds - (thread_seconds() - start_); }
     void note(std::string text) { notes_.push_back(std::move(text)); }
     void distrust(FeatureId id) { untrusted_.insert(id); }
 
@@ -95,12 +95,14 @@ class CellBuilder {
         return arguments;
     }
 
-    /// A feature whose own volume the kernel cannot work with (a pipe that crosses itself) still has a shape before and after it.
+    /// A feature whose own volume the kernel cannot work with (a pipe that crosses itself) still has a shape before and
+    /// after it.
     bool replace_offenders() {
         std::set<FeatureId> done;
         for (const FeatureId id : offenders_) {
             if (tree_[id].before.IsNull() || tree_[id].after.IsNull() || seconds_left() <= 0) continue;
-            ShapeDifference difference = difference_of(tree_[id].before, tree_[id].after, std::min(8.0, seconds_left() / 3));
+            ShapeDifference difference =
+                difference_of(tree_[id].before, tree_[id].after, std::min(8.0, seconds_left() / 3));
             context_.check_cancelled();
             if (!difference.closed) continue;
             auto& solids = replaced_[id];
@@ -109,7 +111,9 @@ class CellBuilder {
             distrust(id);
             done.insert(id);
         }
-        if (!done.empty()) note("the volumes of these features do not add up and are taken from the shapes before and after: " + names(done));
+        if (!done.empty())
+            note("the volumes of these features do not add up and are taken from the shapes before and after: " +
+                 names(done));
         for (const FeatureId id : done) offenders_.erase(id);
         return !done.empty();
     }
@@ -137,17 +141,19 @@ class CellBuilder {
         return decide_material() && books_close();
     }
 
-    /// Known at once where the kernel kept a face of the final shape: there is material on that side of it or there is not.
+    /// Known at once where the kernel kept a face of the final shape: there is material on that side of it or there is
+    /// not.
     std::vector<std::optional<bool>> material_by_identity() const {
         std::vector<std::optional<bool>> material(model_.cells.size());
-        if (probes_.size() > 1) return material;   // solids may overlap, so that a border of one is inside another
+        if (probes_.size() > 1) return material;  // solids may overlap, so that a border of one is inside another
         for (const CellFace& face : model_.faces) {
             const FaceId id = final_shape_.find(face.face);
             if (!id.is_valid()) continue;
             const auto sides = final_shape_.sides_of(id);
             const bool forward = final_shape_.face(id).Orientation() == TopAbs_FORWARD;
             for (const int side : {0, 1})
-                if (face.cells[side].is_valid()) material[face.cells[side].index()] = sides[forward ? side : 1 - side].is_valid();
+                if (face.cells[side].is_valid())
+                    material[face.cells[side].index()] = sides[forward ? side : 1 - side].is_valid();
         }
         return material;
     }
@@ -166,7 +172,8 @@ class CellBuilder {
             if (!inner && cell.volume > Tolerances::volume_books * final_volume_) {
                 std::set<FeatureId> features;
                 for (const Owner& owner : cell.owners) features.insert(owner.feature);
-                note("a cell of " + std::to_string(cell.volume) + " mm^3 of " + names(features) + " has no sound inner point");
+                note("a cell of " + std::to_string(cell.volume) + " mm^3 of " + names(features) +
+                     " has no sound inner point");
                 return false;
             }
             if (inner) count_in(cell, *inner);
@@ -175,7 +182,8 @@ class CellBuilder {
     }
 
     void count_in(Cell& cell, const Vec3& inner) {
-        const auto solids = std::count_if(probes_.begin(), probes_.end(), [&](const auto& probe) { return probe->side_of(inner) == Side::inside; });
+        const auto solids = std::count_if(probes_.begin(), probes_.end(),
+                                          [&](const auto& probe) { return probe->side_of(inner) == Side::inside; });
         cell.material = solids > 0;
         if (solids > 1) overlap_ += static_cast<double>(solids - 1) * cell.volume;
     }
@@ -188,18 +196,22 @@ class CellBuilder {
         model_.report.final_volume = final_volume_ - overlap_;
         if (std::abs(material + overlap_ - final_volume_) <= Tolerances::volume_books * final_volume_) {
             if (overlap_ > Tolerances::volume_books * final_volume_)
-                note("the solids of the final shape overlap by " + std::to_string(overlap_) + " mm^3; fuse them or mesh them one by one");
+                note("the solids of the final shape overlap by " + std::to_string(overlap_) +
+                     " mm^3; fuse them or mesh them one by one");
             return true;
         }
-        note("the cells' material is " + std::to_string(material) + " mm^3 where the final shape has " + std::to_string(final_volume_));
+        note("the cells' material is " + std::to_string(material) + " mm^3 where the final shape has " +
+             std::to_string(final_volume_));
         return false;
     }
 
-    /// The tree says otherwise than the final shape: what FreeCAD did is not what the tree says, so nobody should build on its features there.
+    /// The tree says otherwise than the final shape: what FreeCAD did is not what the tree says, so nobody should build
+    /// on its features there.
     void cross_check() {
         const std::vector<bool> expected = replay(tree_, model_.cells);
         for (std::size_t c = 0; c < model_.cells.size(); ++c)
-            if (expected[c] != model_.cells[c].material && model_.cells[c].volume > Tolerances::volume_books * final_volume_)
+            if (expected[c] != model_.cells[c].material &&
+                model_.cells[c].volume > Tolerances::volume_books * final_volume_)
                 for (const Owner& owner : model_.cells[c].owners) distrust(owner.feature);
     }
 
@@ -253,15 +265,15 @@ class CellBuilder {
 
     const FeatureTree& tree_;
     const Brep& final_shape_;
-    std::vector<std::unique_ptr<SolidProbe>> probes_;   // one per solid of the final shape
+    std::vector<std::unique_ptr<SolidProbe>> probes_;  // one per solid of the final shape
     RunContext& context_;
     double final_volume_;
-    double overlap_ = 0;   // mm^3 that the final shape's solids count more than once
+    double overlap_ = 0;  // mm^3 that the final shape's solids count more than once
     double start_ = thread_seconds();
     CellModel model_;
     std::vector<std::string> notes_;
     std::set<FeatureId> offenders_, untrusted_;
-    std::map<FeatureId, std::vector<TopoDS_Shape>> replaced_;   // other volumes than the tree's, all counted as volume 0
+    std::map<FeatureId, std::vector<TopoDS_Shape>> replaced_;  // other volumes than the tree's, all counted as volume 0
 };
 
 }  // namespace

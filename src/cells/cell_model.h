@@ -17,39 +17,41 @@ namespace featuremesh {
 /// One volume of one feature.
 struct Owner {
     FeatureId feature;
-    int volume = 0;                    ///< index into Feature::volumes
+    int volume = 0;  ///< index into Feature::volumes
     auto operator<=>(const Owner&) const = default;
 };
 
 struct Cell {
     TopoDS_Solid solid;
-    std::vector<Owner> owners;         ///< sorted
+    std::vector<Owner> owners;  ///< sorted
     bool material = false;
-    double volume = 0;                 ///< mm^3
+    double volume = 0;  ///< mm^3
     Box box;
 };
 
 struct CellFace {
     TopoDS_Face face;
-    std::vector<Owner> owners;         ///< the feature faces it is part of, sorted
-    std::array<CellId, 2> cells;       ///< on either side; none for outside
-    FaceId final_face;                 ///< the face of the final shape it lies on; none inside the material (unless solids touch there) or outside
+    std::vector<Owner> owners;    ///< the feature faces it is part of, sorted
+    std::array<CellId, 2> cells;  ///< on either side; none for outside
+    FaceId final_face;  ///< the face of the final shape it lies on; none inside the material (unless solids touch
+                        ///< there) or outside
 };
 
 struct CellReport {
-    double material_volume = 0, final_volume = 0;   ///< mm^3; the books close when they agree to 1e-6
-    std::vector<std::string> fallbacks;             ///< fuzzy fuse, feature by feature, opaque features: in words
-    std::vector<FeatureId> untrusted;               ///< features to be treated as changed
+    double material_volume = 0, final_volume = 0;  ///< mm^3; the books close when they agree to 1e-6
+    std::vector<std::string> fallbacks;            ///< fuzzy fuse, feature by feature, opaque features: in words
+    std::vector<FeatureId> untrusted;              ///< features to be treated as changed
 };
 
 struct CellModel {
     std::vector<Cell> cells;
     std::vector<CellFace> faces;
-    std::vector<std::vector<Owner>> owners_of_final_face;   ///< by FaceId of the final shape
+    std::vector<std::vector<Owner>> owners_of_final_face;  ///< by FaceId of the final shape
     CellReport report;
 };
 
-/// General Fuse of all feature volumes with owner lists from the builder's history, material by classification against the final shape.
+/// General Fuse of all feature volumes with owner lists from the builder's history, material by classification against
+/// the final shape.
 CellModel build_cells(const FeatureTree& tree, const Brep& final_shape, RunContext& context);
 
 }  // namespace featuremesh

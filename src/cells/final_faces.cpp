@@ -10,13 +10,14 @@ namespace featuremesh {
 
 namespace {
 
-constexpr double on_face = 1e-5;         // mm: how closely booleans and repairs keep a face on its surface
-constexpr double same_normal = 0.999;    // cosine
+constexpr double on_face = 1e-5;       // mm: how closely booleans and repairs keep a face on its surface
+constexpr double same_normal = 0.999;  // cosine
 
 class Matcher {
   public:
     Matcher(CellModel& model, const Brep& final_shape) : model_(model), final_shape_(final_shape) {
-        for (std::size_t f = 0; f < final_shape.face_count(); ++f) final_faces_.emplace_back(final_shape.face(FaceId(f)));
+        for (std::size_t f = 0; f < final_shape.face_count(); ++f)
+            final_faces_.emplace_back(final_shape.face(FaceId(f)));
         model.owners_of_final_face.assign(final_shape.face_count(), {});
     }
 
@@ -62,7 +63,8 @@ class Matcher {
             if (!probe.inner_point()) return;
             const Vec3 p = *probe.inner_point(), normal = outward(face, probe, p);
             for (std::size_t f = 0; f < final_faces_.size() && !face.final_face.is_valid(); ++f)
-                if (final_faces_[f].contains(p, on_face) && dot(outward(FaceId(f), p), normal) > same_normal) face.final_face = FaceId(f);
+                if (final_faces_[f].contains(p, on_face) && dot(outward(FaceId(f), p), normal) > same_normal)
+                    face.final_face = FaceId(f);
         }
         if (face.final_face.is_valid()) give(face.final_face, face);
     }

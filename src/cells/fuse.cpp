@@ -82,7 +82,8 @@ class Collector {
         for (const FuseArgument& argument : arguments) add_argument(argument, builder);
         for (std::size_t c = 0; c < complex_.cells.size(); ++c) add_faces(CellId(c));
         for (const FuseArgument& argument : arguments)
-            for (TopExp_Explorer it(argument.solid, TopAbs_FACE); it.More(); it.Next()) own_faces(it.Current(), argument.owner, builder);
+            for (TopExp_Explorer it(argument.solid, TopAbs_FACE); it.More(); it.Next())
+                own_faces(it.Current(), argument.owner, builder);
         for (Cell& cell : complex_.cells) sort_unique(cell.owners);
         for (CellFace& face : complex_.faces) sort_unique(face.owners);
     }
@@ -120,7 +121,8 @@ class Collector {
     void own_faces(const TopoDS_Shape& face, const Owner& owner, Builder& builder) {
         if (!owner.feature.is_valid()) return;
         for (const TopoDS_Shape& image : builder.images(face))
-            if (const int index = face_map_.FindIndex(image); index > 0) complex_.faces[index - 1].owners.push_back(owner);
+            if (const int index = face_map_.FindIndex(image); index > 0)
+                complex_.faces[index - 1].owners.push_back(owner);
     }
 
     FusedComplex complex_;

@@ -16,16 +16,16 @@ struct FuseArgument {
 };
 
 struct FuseOptions {
-    double fuzzy = 0;        ///< mm, added to the shapes' own tolerances
-    double seconds = 20;     ///< of the processor, no more than this
+    double fuzzy = 0;     ///< mm, added to the shapes' own tolerances
+    double seconds = 20;  ///< of the processor, no more than this
 };
 
 /// Cells and faces with owners, sides and volumes; material and final faces are not decided yet.
 struct FusedComplex {
     std::vector<Cell> cells;
     std::vector<CellFace> faces;
-    std::string trouble;             ///< what went wrong, in words; empty when nothing did
-    std::vector<Owner> offenders;    ///< arguments whose cells do not add up to their own volume
+    std::string trouble;           ///< what went wrong, in words; empty when nothing did
+    std::vector<Owner> offenders;  ///< arguments whose cells do not add up to their own volume
 };
 
 /// Never throws for the kernel's sake: that is told in `trouble`. Throws Cancelled.

@@ -25,7 +25,8 @@ void exclude(CellSet& a, const CellSet& b) {
 class Replay {
   public:
     Replay(const FeatureTree& tree, const std::vector<Cell>& cells) : tree_(tree), count_(cells.size()) {
-        for (std::size_t f = 0; f < tree.features.size(); ++f) inside_.emplace_back(tree.features[f].volumes.size(), CellSet(count_));
+        for (std::size_t f = 0; f < tree.features.size(); ++f)
+            inside_.emplace_back(tree.features[f].volumes.size(), CellSet(count_));
         for (std::size_t c = 0; c < count_; ++c)
             for (const Owner& owner : cells[c].owners) inside_[owner.feature.index()][owner.volume][c] = true;
         results_.resize(tree.features.size());
@@ -44,7 +45,8 @@ class Replay {
         CellSet result(count_);
         if (!feature.operands.empty()) result = result_of(feature.operands.front());
         if (feature.combination == Combination::chain) apply_volumes(id, result);
-        for (std::size_t k = 1; k < feature.operands.size(); ++k) combine(feature.combination, result, result_of(feature.operands[k]));
+        for (std::size_t k = 1; k < feature.operands.size(); ++k)
+            combine(feature.combination, result, result_of(feature.operands[k]));
         return result;
     }
 
@@ -58,28 +60,39 @@ class Replay {
         for (std::size_t v = 0; v < inside_[id.index()].size(); ++v) {
             const CellSet& volume = inside_[id.index()][v];
             switch (tree_[id].volumes[v].step) {
-                case Effect::adds: unite(result, volume); break;
-                case Effect::removes: subtract(result, volume); break;
-                case Effect::keeps_only: intersect(result, volume); break;
+                case Effect::adds:
+                    unite(result, volume);
+                    break;
+                case Effect::removes:
+                    subtract(result, volume);
+                    break;
+                case Effect::keeps_only:
+                    intersect(result, volume);
+                    break;
             }
         }
     }
 
     static void combine(Combination how, CellSet& result, const CellSet& operand) {
         switch (how) {
-            case Combination::fuse: return unite(result, operand);
-            case Combination::cut: return subtract(result, operand);
-            case Combination::common: return intersect(result, operand);
-            case Combination::exclusive: return exclude(result, operand);
+            case Combination::fuse:
+                return unite(result, operand);
+            case Combination::cut:
+                return subtract(result, operand);
+            case Combination::common:
+                return intersect(result, operand);
+            case Combination::exclusive:
+                return exclude(result, operand);
             case Combination::volumes:
             case Combination::chain:
-            case Combination::pass: return;
+            case Combination::pass:
+                return;
         }
     }
 
     const FeatureTree& tree_;
     std::size_t count_;
-    std::vector<std::vector<CellSet>> inside_;   // by feature and volume
+    std::vector<std::vector<CellSet>> inside_;  // by feature and volume
     std::vector<std::optional<CellSet>> results_;
 };
 

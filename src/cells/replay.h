@@ -8,7 +8,8 @@
 
 namespace featuremesh {
 
-/// By cell: is it material after all features were applied in their order? The final shape decides what is; this is the cross-check.
+/// By cell: is it material after all features were applied in their order? The final shape decides what is; this is the
+/// cross-check.
 std::vector<bool> replay(const FeatureTree& tree, const std::vector<Cell>& cells);
 
 }  // namespace featuremesh

@@ -11,7 +11,8 @@ const TopoDS_Shape no_shape;
 
 DocumentView::DocumentView(const RawDocument& document) : document_(document), shapes_(read_shapes(document.shapes)) {
     for (const TopoDS_Shape& shape : shapes_) has_solid_.push_back(TopExp_Explorer(shape, TopAbs_SOLID).More());
-    for (std::size_t i = 0; i < document.records.size(); ++i) by_name_.emplace(document.records[i].name, static_cast<int>(i));
+    for (std::size_t i = 0; i < document.records.size(); ++i)
+        by_name_.emplace(document.records[i].name, static_cast<int>(i));
 }
 
 int DocumentView::find(const std::string& name) const {

@@ -27,11 +27,21 @@ struct FaceProbe::Data {
     gp_Pnt2d nearest_parameters(const gp_Pnt& p) {
         double u = 0, v = 0;
         switch (surface.GetType()) {
-            case GeomAbs_Plane: ElSLib::Parameters(surface.Plane(), p, u, v); break;
-            case GeomAbs_Cylinder: ElSLib::Parameters(surface.Cylinder(), p, u, v); break;
-            case GeomAbs_Cone: ElSLib::Parameters(surface.Cone(), p, u, v); break;
-            case GeomAbs_Sphere: ElSLib::Parameters(surface.Sphere(), p, u, v); break;
-            case GeomAbs_Torus: ElSLib::Parameters(surface.Torus(), p, u, v); break;
+            case GeomAbs_Plane:
+                ElSLib::Parameters(surface.Plane(), p, u, v);
+                break;
+            case GeomAbs_Cylinder:
+                ElSLib::Parameters(surface.Cylinder(), p, u, v);
+                break;
+            case GeomAbs_Cone:
+                ElSLib::Parameters(surface.Cone(), p, u, v);
+                break;
+            case GeomAbs_Sphere:
+                ElSLib::Parameters(surface.Sphere(), p, u, v);
+                break;
+            case GeomAbs_Torus:
+                ElSLib::Parameters(surface.Torus(), p, u, v);
+                break;
             default:
                 if (free_form.IsNull()) {
                     free_form = new ShapeAnalysis_Surface(BRep_Tool::Surface(face));

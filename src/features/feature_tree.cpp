@@ -39,10 +39,13 @@ class Interpreter {
 
     FeatureTree run() {
         const int last = view_.find(tree_.object);
-        if (last < 0) throw InputError("The document has no object named " + tree_.object + ". Name one of its objects.");
+        if (last < 0)
+            throw InputError("The document has no object named " + tree_.object + ". Name one of its objects.");
         tree_.final_shape = view_.solids_of(record(last));
         if (tree_.final_shape.IsNull())
-            throw InputError(title(last) + " has no solid. Recompute the document, and mesh a body or a Part object whose result is a solid.");
+            throw InputError(
+                title(last) +
+                " has no solid. Recompute the document, and mesh a body or a Part object whose result is a solid.");
         evaluate(last, Effect::adds);
         return std::move(tree_);
     }
@@ -101,7 +104,8 @@ class Interpreter {
             for (const RawLink& link : DocumentView::links_of(r, "Group")) {
                 if (link.object == record(i).name) return before;
                 const int member = view_.find(link.object);
-                if (member >= 0 && member < i && is_step(member) && !view_.solids_of(record(member)).IsNull()) before = member;
+                if (member >= 0 && member < i && is_step(member) && !view_.solids_of(record(member)).IsNull())
+                    before = member;
             }
         }
         return -2;
@@ -109,12 +113,12 @@ class Interpreter {
 
     bool is_step(int i) const {
         const Kind kind = meanings_[i].kind;
-        return kind == Kind::chain_step || kind == Kind::chain_change || kind == Kind::chain_pattern || kind == Kind::boolean ||
-               record(i).type == "PartDesign::FeatureBase";
+        return kind == Kind::chain_step || kind == Kind::chain_change || kind == Kind::chain_pattern ||
+               kind == Kind::boolean || record(i).type == "PartDesign::FeatureBase";
     }
 
-    /// The object whose shape a chain step starts from. Old documents may not name it: then it is the body's member before, or, before
-    /// FreeCAD had bodies, the object on whose face the sketch lies.
+    /// The object whose shape a chain step starts from. Old documents may not name it: then it is the body's member
+    /// before, or, before FreeCAD had bodies, the object on whose face the sketch lies.
     int base_of(int i) const {
         if (const int base = source_of(i); base >= 0) return base;
         const int before = member_before(i);
@@ -136,14 +140,19 @@ class Interpreter {
         if (visited_[i]) return;
         visited_[i] = true;
         switch (meanings_[i].kind) {
-            case Kind::container: return evaluate_container(i, context);
+            case Kind::container:
+                return evaluate_container(i, context);
             case Kind::chain_step:
             case Kind::chain_change:
-            case Kind::chain_pattern: return evaluate_chain(i, context);
-            case Kind::boolean: return evaluate_boolean(i, context);
-            case Kind::copy: return evaluate_copy(i, context);
+            case Kind::chain_pattern:
+                return evaluate_chain(i, context);
+            case Kind::boolean:
+                return evaluate_boolean(i, context);
+            case Kind::copy:
+                return evaluate_copy(i, context);
             case Kind::leaf:
-            case Kind::reference: return take_shape(i, context);
+            case Kind::reference:
+                return take_shape(i, context);
         }
     }
 
@@ -189,7 +198,8 @@ class Interpreter {
 
     void evaluate_copy(int i, Effect context) {
         const int source = source_of(i);
-        if (source >= 0 && same_solids(view_.solids_of(record(source)), view_.solids_of(record(i)))) return pass_on(i, source, context);
+        if (source >= 0 && same_solids(view_.solids_of(record(source)), view_.solids_of(record(i))))
+            return pass_on(i, source, context);
         take_shape(i, context);
     }
 
@@ -205,7 +215,8 @@ class Interpreter {
         // The repeated volumes belong to features before this one.
         const bool repeats = meanings_[i].kind == Kind::chain_pattern;
         if (repeats) evaluate(base, context);
-        if (!(repeats && take_instances(i, base)) && !take_own_volume(i) && !take_difference(i)) return take_shape(i, context);
+        if (!(repeats && take_instances(i, base)) && !take_own_volume(i) && !take_difference(i))
+            return take_shape(i, context);
         feature(i).combination = Combination::chain;
         for (FeatureVolume& volume : feature(i).volumes) volume.effect = within(context, volume.step);
         if (base < 0) return;
@@ -230,7 +241,8 @@ class Interpreter {
             const auto& volumes = feature(original).volumes;
             originals.insert(originals.end(), volumes.begin(), volumes.end());
         }
-        auto found = pattern_instances(record(i), originals, view_.solids_of(record(base)), view_.solids_of(record(i)), view_);
+        auto found =
+            pattern_instances(record(i), originals, view_.solids_of(record(base)), view_.solids_of(record(i)), view_);
         if (!found) return false;
         feature(i).volumes = std::move(*found);
         feature(i).volume_source = "instances";
@@ -244,7 +256,9 @@ class Interpreter {
         const ShapeDifference difference = difference_of(feature(i).before, after, std::min(8.0, seconds_left_));
         seconds_left_ = std::max(0.5, seconds_left_ - (thread_seconds() - start));
         if (!difference.closed) {
-            note(i, "what it adds and removes could not be told from the shapes before and after it; it is taken as one piece with all before it");
+            note(i,
+                 "what it adds and removes could not be told from the shapes before and after it; it is taken as one "
+                 "piece with all before it");
             feature(i).role = Role::opaque;
             return false;
         }
@@ -283,23 +297,33 @@ class Interpreter {
     FeatureTree tree_;
     std::vector<TypeMeaning> meanings_;
     std::vector<bool> visited_;
-    double seconds_left_ = 30;   // for what was added and removed by all features together
+    double seconds_left_ = 30;  // for what was added and removed by all features together
 };
 
 }  // namespace
 
 std::string to_string(Role role) {
     switch (role) {
-        case Role::additive: return "additive";
-        case Role::subtractive: return "subtractive";
-        case Role::common: return "common";
-        case Role::dress_up: return "dress-up";
-        case Role::pattern: return "pattern";
-        case Role::boolean: return "boolean";
-        case Role::transform: return "transform";
-        case Role::base: return "base";
-        case Role::reference: return "reference";
-        case Role::opaque: return "opaque";
+        case Role::additive:
+            return "additive";
+        case Role::subtractive:
+            return "subtractive";
+        case Role::common:
+            return "common";
+        case Role::dress_up:
+            return "dress-up";
+        case Role::pattern:
+            return "pattern";
+        case Role::boolean:
+            return "boolean";
+        case Role::transform:
+            return "transform";
+        case Role::base:
+            return "base";
+        case Role::reference:
+            return "reference";
+        case Role::opaque:
+            return "opaque";
     }
     return "unknown";
 }

@@ -19,17 +19,19 @@ std::string to_string(Role role);
 /// What a volume does to the part.
 enum class Effect { adds, removes, keeps_only };
 
-/// How a feature's result comes from the results of its operands and its own volumes: `volumes` their union, `chain` the first operand
-/// changed by one own volume after the other, `pass` the first operand as it is, else the boolean operation of the operands.
+/// How a feature's result comes from the results of its operands and its own volumes: `volumes` their union, `chain`
+/// the first operand changed by one own volume after the other, `pass` the first operand as it is, else the boolean
+/// operation of the operands.
 enum class Combination { volumes, chain, pass, fuse, cut, common, exclusive };
 
 /// One volume of a feature: the whole, one instance of a pattern, or the part a dress-up adds or removes.
 struct FeatureVolume {
-    TopoDS_Shape shape;          ///< in the final shape's frame
+    TopoDS_Shape shape;  ///< in the final shape's frame
     Effect effect = Effect::adds;
-    int instance = 0;            ///< number within a pattern
-    RigidMotion motion;          ///< from the first instance to this one; the identity where it is not rigid (mirrored, scaled)
-    /// What it does to the shape that the feature is applied to: the opposite of `effect` within a tool that is cut away.
+    int instance = 0;    ///< number within a pattern
+    RigidMotion motion;  ///< from the first instance to this one; the identity where it is not rigid (mirrored, scaled)
+    /// What it does to the shape that the feature is applied to: the opposite of `effect` within a tool that is cut
+    /// away.
     Effect step = Effect::adds;
 };
 
@@ -37,23 +39,23 @@ struct Feature {
     std::string name, label, type;
     Role role = Role::opaque;
     std::vector<FeatureVolume> volumes;
-    RigidMotion frame;                   ///< of the feature, in the final shape's frame
+    RigidMotion frame;  ///< of the feature, in the final shape's frame
     std::vector<FeatureId> depends_on;
     bool suppressed = false;
-    std::string error;                   ///< FreeCAD's message; such a feature counts as changed
-    std::string volume_source;           ///< how the volumes were had: "own", "before and after", "instances", "shape"
-    TopoDS_Shape before, after;          ///< what FreeCAD shows before and after it, where it changes a shape; may be null
+    std::string error;           ///< FreeCAD's message; such a feature counts as changed
+    std::string volume_source;   ///< how the volumes were had: "own", "before and after", "instances", "shape"
+    TopoDS_Shape before, after;  ///< what FreeCAD shows before and after it, where it changes a shape; may be null
     Combination combination = Combination::volumes;
-    std::vector<FeatureId> operands;     ///< whose results are combined; always earlier features
+    std::vector<FeatureId> operands;  ///< whose results are combined; always earlier features
     std::vector<std::pair<std::string, double>> parameters;
 };
 
 /// The features in dependency order and the shape that FreeCAD shows.
 struct FeatureTree {
-    std::string object;                  ///< name of the object that is meshed
+    std::string object;  ///< name of the object that is meshed
     std::vector<Feature> features;
     TopoDS_Shape final_shape;
-    std::vector<std::string> notes;      ///< findings for the report
+    std::vector<std::string> notes;  ///< findings for the report
 
     const Feature& operator[](FeatureId id) const { return features[id.index()]; }
     std::optional<FeatureId> find(const std::string& name) const;

@@ -11,11 +11,15 @@ namespace featuremesh {
 
 namespace {
 
-TypeMeaning step(Role role, Effect effect) { return {Kind::chain_step, role, effect, Combination::chain, {"BaseFeature"}, {}}; }
+TypeMeaning step(Role role, Effect effect) {
+    return {Kind::chain_step, role, effect, Combination::chain, {"BaseFeature"}, {}};
+}
 TypeMeaning change(std::vector<std::string> sources) {
     return {Kind::chain_change, Role::dress_up, Effect::adds, Combination::chain, std::move(sources), {}};
 }
-TypeMeaning pattern() { return {Kind::chain_pattern, Role::pattern, Effect::adds, Combination::chain, {"BaseFeature"}, {}}; }
+TypeMeaning pattern() {
+    return {Kind::chain_pattern, Role::pattern, Effect::adds, Combination::chain, {"BaseFeature"}, {}};
+}
 TypeMeaning boolean(Combination how, std::vector<std::string> sources, std::vector<std::string> tools) {
     return {Kind::boolean, Role::boolean, Effect::adds, how, std::move(sources), std::move(tools)};
 }
@@ -28,15 +32,19 @@ TypeMeaning reference() { return {Kind::reference, Role::reference, Effect::adds
 const std::map<std::string, TypeMeaning, std::less<>>& types() {
     static const std::map<std::string, TypeMeaning, std::less<>> table = [] {
         std::map<std::string, TypeMeaning, std::less<>> t;
-        t["PartDesign::Body"] = {Kind::container, Role::transform, Effect::adds, Combination::pass, {"Tip", "BaseFeature"}, {"Group"}};
+        t["PartDesign::Body"] = {Kind::container,   Role::transform,        Effect::adds,
+                                 Combination::pass, {"Tip", "BaseFeature"}, {"Group"}};
         t["App::Part"] = {Kind::container, Role::transform, Effect::adds, Combination::fuse, {}, {"Group"}};
-        t["App::DocumentObjectGroup"] = {Kind::container, Role::transform, Effect::adds, Combination::fuse, {}, {"Group"}};
-        for (const char* name : {"Pad", "Revolution"}) t["PartDesign::" + std::string(name)] = step(Role::additive, Effect::adds);
+        t["App::DocumentObjectGroup"] = {Kind::container, Role::transform, Effect::adds, Combination::fuse, {},
+                                         {"Group"}};
+        for (const char* name : {"Pad", "Revolution"})
+            t["PartDesign::" + std::string(name)] = step(Role::additive, Effect::adds);
         for (const char* name : {"Pocket", "Hole", "Groove"})
             t["PartDesign::" + std::string(name)] = step(Role::subtractive, Effect::removes);
         for (const char* name : {"Fillet", "Chamfer", "Draft", "Thickness"})
             t["PartDesign::" + std::string(name)] = change({"BaseFeature", "Base"});
-        for (const char* name : {"LinearPattern", "PolarPattern", "Mirrored", "Scaled", "MultiTransform", "Transformed"})
+        for (const char* name :
+             {"LinearPattern", "PolarPattern", "Mirrored", "Scaled", "MultiTransform", "Transformed"})
             t["PartDesign::" + std::string(name)] = pattern();
         t["PartDesign::Boolean"] = boolean(Combination::cut, {"BaseFeature"}, {"Group"});
         t["PartDesign::FeatureBase"] = copy(Role::base, {"BaseFeature"});
@@ -48,7 +56,8 @@ const std::map<std::string, TypeMeaning, std::less<>>& types() {
         t["Part::Common"] = boolean(Combination::common, {"Base"}, {"Tool"});
         t["Part::MultiFuse"] = boolean(Combination::fuse, {}, {"Shapes"});
         t["Part::MultiCommon"] = boolean(Combination::common, {}, {"Shapes"});
-        for (const char* name : {"Part::Compound", "Part::Compound2"}) t[name] = boolean(Combination::fuse, {}, {"Links"});
+        for (const char* name : {"Part::Compound", "Part::Compound2"})
+            t[name] = boolean(Combination::fuse, {}, {"Links"});
         t["Part::Fillet"] = change({"Base"});
         t["Part::Chamfer"] = change({"Base"});
         t["Part::Thickness"] = change({"Faces"});
@@ -56,8 +65,8 @@ const std::map<std::string, TypeMeaning, std::less<>>& types() {
         t["Part::Reverse"] = copy(Role::transform, {"Source"});
         t["Part::Mirroring"] = leaf(Role::transform);
         t["Part::Scale"] = leaf(Role::transform);
-        for (const char* name : {"Box", "Cylinder", "Sphere", "Cone", "Torus", "Prism", "Wedge", "Ellipsoid", "Extrusion", "Revolution", "Loft",
-                                 "Sweep"})
+        for (const char* name : {"Box", "Cylinder", "Sphere", "Cone", "Torus", "Prism", "Wedge", "Ellipsoid",
+                                 "Extrusion", "Revolution", "Loft", "Sweep"})
             t["Part::" + std::string(name)] = leaf(Role::additive);
         t["Part::Feature"] = leaf(Role::base);
         t["App::Link"] = copy(Role::transform, {"LinkedObject"});
@@ -97,14 +106,32 @@ bool is_step_by_name(std::string_view type, TypeMeaning& meaning) {
 
 bool is_reference(std::string_view type) {
     static constexpr std::string_view modules[] = {"Sketcher::", "Spreadsheet::"};
-    static const std::set<std::string, std::less<>> names{
-        "App::Origin",         "App::Line",           "App::Plane",         "App::Point",
-        "App::Placement",      "App::VarSet",         "App::LocalCoordinateSystem",
-        "PartDesign::Plane",   "PartDesign::Line",    "PartDesign::Point",  "PartDesign::CoordinateSystem",
-        "Part::DatumPlane",    "Part::DatumLine",     "Part::DatumPoint",   "Part::LocalCoordinateSystem",
-        "Part::Part2DObject",  "Part::Plane",         "Part::Line",         "Part::Circle",
-        "Part::Ellipse",       "Part::Vertex",        "Part::Helix",        "Part::Spiral",
-        "Part::Polygon",       "Part::RegularPolygon", "Part::RuledSurface"};
+    static const std::set<std::string, std::less<>> names{"App::Origin",
+                                                          "App::Line",
+                                                          "App::Plane",
+                                                          "App::Point",
+                                                          "App::Placement",
+                                                          "App::VarSet",
+                                                          "App::LocalCoordinateSystem",
+                                                          "PartDesign::Plane",
+                                                          "PartDesign::Line",
+                                                          "PartDesign::Point",
+                                                          "PartDesign::CoordinateSystem",
+                                                          "Part::DatumPlane",
+                                                          "Part::DatumLine",
+                                                          "Part::DatumPoint",
+                                                          "Part::LocalCoordinateSystem",
+                                                          "Part::Part2DObject",
+                                                          "Part::Plane",
+                                                          "Part::Line",
+                                                          "Part::Circle",
+                                                          "Part::Ellipse",
+                                                          "Part::Vertex",
+                                                          "Part::Helix",
+                                                          "Part::Spiral",
+                                                          "Part::Polygon",
+                                                          "Part::RegularPolygon",
+                                                          "Part::RuledSurface"};
     return names.count(type) > 0 ||
            std::any_of(std::begin(modules), std::end(modules), [&](std::string_view m) { return type.starts_with(m); });
 }

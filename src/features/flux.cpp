@@ -30,11 +30,14 @@ struct Estimate {
 
 /// Gauss 7 and Kronrod 15 points on [a, b].
 Estimate kronrod(const Integrand& f, double a, double b) {
-    static constexpr std::array<double, 8> x{0.991455371120812639, 0.949107912342758525, 0.864864423359769073, 0.741531185599394440,
-                                             0.586087235467691130, 0.405845151377397167, 0.207784955007898468, 0.0};
-    static constexpr std::array<double, 8> k{0.022935322010529225, 0.063092092629978553, 0.104790010322250184, 0.140653259715525919,
-                                             0.169004726639267903, 0.190350578064785410, 0.204432940075298892, 0.209482141084727828};
-    static constexpr std::array<double, 4> g{0.129484966168869693, 0.279705391489276668, 0.381830050505118945, 0.417959183673469388};
+    static constexpr std::array<double, 8> x{
+        0.991455371120812639, 0.949107912342758525, 0.864864423359769073, 0.741531185599394440,
+        0.586087235467691130, 0.405845151377397167, 0.207784955007898468, 0.0};
+    static constexpr std::array<double, 8> k{0.022935322010529225, 0.063092092629978553, 0.104790010322250184,
+                                             0.140653259715525919, 0.169004726639267903, 0.190350578064785410,
+                                             0.204432940075298892, 0.209482141084727828};
+    static constexpr std::array<double, 4> g{0.129484966168869693, 0.279705391489276668, 0.381830050505118945,
+                                             0.417959183673469388};
     const double middle = (a + b) / 2, half = (b - a) / 2;
     double fine = k[7] * f(middle), coarse = g[3] * f(middle);
     for (int i = 0; i < 7; ++i) {
@@ -56,8 +59,10 @@ double integrate(const Integrand& f, double a, double b, double error, int depth
 template <class F>
 double gauss(const F& f, double a, double b, int n) {
     static constexpr std::array<double, 2> x3{0.774596669241483377, 0.0}, w3{5.0 / 9, 8.0 / 9};
-    static constexpr std::array<double, 4> x8{0.960289856497536232, 0.796666477413626740, 0.525532409916328986, 0.183434642495649805};
-    static constexpr std::array<double, 4> w8{0.101228536290376259, 0.222381034453374471, 0.313706645877887287, 0.362683783378361983};
+    static constexpr std::array<double, 4> x8{0.960289856497536232, 0.796666477413626740, 0.525532409916328986,
+                                              0.183434642495649805};
+    static constexpr std::array<double, 4> w8{0.101228536290376259, 0.222381034453374471, 0.313706645877887287,
+                                              0.362683783378361983};
     const double middle = (a + b) / 2, half = (b - a) / 2;
     if (n == 1) return 2 * half * f(middle);
     if (n == 3) return half * (w3[0] * (f(middle - half * x3[0]) + f(middle + half * x3[0])) + w3[1] * f(middle));
@@ -75,7 +80,8 @@ std::vector<double> smooth_stretches(const Curve& curve) {
 
 double along(const Integrand& f, const std::vector<double>& stretches, double scale) {
     double sum = 0;
-    for (std::size_t i = 0; i + 1 < stretches.size(); ++i) sum += integrate(f, stretches[i], stretches[i + 1], relative_error * scale);
+    for (std::size_t i = 0; i + 1 < stretches.size(); ++i)
+        sum += integrate(f, stretches[i], stretches[i + 1], relative_error * scale);
     return sum;
 }
 

@@ -23,7 +23,8 @@ inline gp_Trsf to_trsf(const RigidMotion& m) {
     const auto& r = m.rotation;
     gp_Trsf trsf;
     if (!m.is_identity())
-        trsf.SetValues(r[0], r[1], r[2], m.translation.x, r[3], r[4], r[5], m.translation.y, r[6], r[7], r[8], m.translation.z);
+        trsf.SetValues(r[0], r[1], r[2], m.translation.x, r[3], r[4], r[5], m.translation.y, r[6], r[7], r[8],
+                       m.translation.z);
     return trsf;
 }
 

@@ -16,10 +16,11 @@ namespace featuremesh {
 
 namespace {
 
-constexpr double on_surface = 1e-5;   // mm: how closely the kernel's booleans keep a face on its surface
+constexpr double on_surface = 1e-5;  // mm: how closely the kernel's booleans keep a face on its surface
 
 TopoDS_Shape placed(const TopoDS_Shape& shape, const gp_Trsf& trsf) {
-    if (trsf.IsNegative() || std::abs(trsf.ScaleFactor() - 1) > 1e-12) return BRepBuilderAPI_Transform(shape, trsf, true).Shape();
+    if (trsf.IsNegative() || std::abs(trsf.ScaleFactor() - 1) > 1e-12)
+        return BRepBuilderAPI_Transform(shape, trsf, true).Shape();
     return shape.Moved(TopLoc_Location(trsf));
 }
 
@@ -39,7 +40,8 @@ std::vector<FeatureVolume> instances(const std::vector<FeatureVolume>& originals
 /// Judges readings of a pattern's parameters against the shapes before and after it.
 class PatternWitness {
   public:
-    PatternWitness(const std::vector<FeatureVolume>& originals, const TopoDS_Shape& before, const TopoDS_Shape& after) : after_(after) {
+    PatternWitness(const std::vector<FeatureVolume>& originals, const TopoDS_Shape& before, const TopoDS_Shape& after)
+        : after_(after) {
         // Later originals may undo earlier ones, so only the last can be told from the outcome.
         if (!originals.empty()) inner_ = point_inside(originals.back().shape);
         if (!originals.empty()) wanted_ = originals.back().step == Effect::adds ? Side::inside : Side::outside;
@@ -64,9 +66,11 @@ class PatternWitness {
     bool explains_faces(const std::vector<FeatureVolume>& volumes) const {
         std::vector<FaceProbe> sources;
         for (const FeatureVolume& volume : volumes)
-            for (TopExp_Explorer it(volume.shape, TopAbs_FACE); it.More(); it.Next()) sources.emplace_back(TopoDS::Face(it.Current()));
+            for (TopExp_Explorer it(volume.shape, TopAbs_FACE); it.More(); it.Next())
+                sources.emplace_back(TopoDS::Face(it.Current()));
         for (const FaceProbe& face : new_faces_)
-            if (face.inner_point() && !any_carries(old_faces_, *face.inner_point()) && !any_carries(sources, *face.inner_point()))
+            if (face.inner_point() && !any_carries(old_faces_, *face.inner_point()) &&
+                !any_carries(sources, *face.inner_point()))
                 return false;
         return true;
     }
@@ -79,7 +83,8 @@ class PatternWitness {
 
 }  // namespace
 
-std::optional<std::vector<FeatureVolume>> pattern_instances(const RawRecord& pattern, const std::vector<FeatureVolume>& originals,
+std::optional<std::vector<FeatureVolume>> pattern_instances(const RawRecord& pattern,
+                                                            const std::vector<FeatureVolume>& originals,
                                                             const TopoDS_Shape& before, const TopoDS_Shape& after,
                                                             const DocumentView& document) {
     if (originals.empty() || before.IsNull() || after.IsNull()) return std::nullopt;

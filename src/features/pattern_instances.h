@@ -10,9 +10,11 @@
 
 namespace featuremesh {
 
-/// One volume per repeated volume and further occurrence, placed by the pattern's parameters. The parameters alone are not trusted
-/// (versions differ in what they mean): the instances are returned only when they explain the shapes before and after the pattern.
-std::optional<std::vector<FeatureVolume>> pattern_instances(const RawRecord& pattern, const std::vector<FeatureVolume>& originals,
+/// One volume per repeated volume and further occurrence, placed by the pattern's parameters. The parameters alone are
+/// not trusted (versions differ in what they mean): the instances are returned only when they explain the shapes before
+/// and after the pattern.
+std::optional<std::vector<FeatureVolume>> pattern_instances(const RawRecord& pattern,
+                                                            const std::vector<FeatureVolume>& originals,
                                                             const TopoDS_Shape& before, const TopoDS_Shape& after,
                                                             const DocumentView& document);
 

@@ -9,8 +9,8 @@
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
-#include <gp_Cylinder.hxx>
 #include <gp_Cone.hxx>
+#include <gp_Cylinder.hxx>
 #include <gp_Lin.hxx>
 #include <gp_Pln.hxx>
 #include <numbers>
@@ -31,10 +31,12 @@ double number(const RawRecord& record, const std::string& name, double otherwise
 }
 
 gp_Ax1 local_axis(const RawRecord& record, const Vec3& direction) {
-    return {to_pnt(record.global_placement.apply({0, 0, 0})), gp_Dir(to_vec(record.global_placement.rotate(direction)))};
+    return {to_pnt(record.global_placement.apply({0, 0, 0})),
+            gp_Dir(to_vec(record.global_placement.rotate(direction)))};
 }
 
-std::optional<TopoDS_Shape> sub_shape(const TopoDS_Shape& shape, const std::string& name, const char* prefix, TopAbs_ShapeEnum kind) {
+std::optional<TopoDS_Shape> sub_shape(const TopoDS_Shape& shape, const std::string& name, const char* prefix,
+                                      TopAbs_ShapeEnum kind) {
     const std::string start = prefix;
     if (shape.IsNull() || !name.starts_with(start) || name.size() > start.size() + 6) return std::nullopt;
     const int index = std::atoi(name.c_str() + start.size());

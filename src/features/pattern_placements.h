@@ -12,8 +12,8 @@ namespace featuremesh {
 /// The transformations of all occurrences, the first (the identity) included.
 using Placements = std::vector<gp_Trsf>;
 
-/// All readings of the parameters worth trying, the likeliest first; empty when the direction, axis or plane cannot be resolved. In the final
-/// shape's frame.
+/// All readings of the parameters worth trying, the likeliest first; empty when the direction, axis or plane cannot be
+/// resolved. In the final shape's frame.
 std::vector<Placements> candidate_placements(const RawRecord& pattern, const DocumentView& document);
 
 }  // namespace featuremesh

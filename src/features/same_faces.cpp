@@ -19,14 +19,15 @@ namespace {
 std::vector<TopoDS_Face> faces_of_solids(const TopoDS_Shape& shape) {
     std::vector<TopoDS_Face> faces;
     for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
-        for (TopExp_Explorer it(solid.Current(), TopAbs_FACE); it.More(); it.Next()) faces.push_back(TopoDS::Face(it.Current()));
+        for (TopExp_Explorer it(solid.Current(), TopAbs_FACE); it.More(); it.Next())
+            faces.push_back(TopoDS::Face(it.Current()));
     return faces;
 }
 
 /// Numbers that do not depend on the order of a face's edges nor on their direction.
 struct Signature {
     int kind = 0, points = 0;
-    std::array<double, 13> moments{};   // first and second of the border points, normal and inner point
+    std::array<double, 13> moments{};  // first and second of the border points, normal and inner point
 
     explicit Signature(const TopoDS_Face& face) {
         for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) add_edge(TopoDS::Edge(it.Current()));
@@ -59,7 +60,8 @@ struct Signature {
         for (const double share : {0.0, 0.25, 0.75, 1.0}) add(to_vec3(curve.Value(first + share * (last - first))));
     }
     void add(const Vec3& p) {
-        const std::array<double, 9> terms{p.x, p.y, p.z, p.x * p.x, p.y * p.y, p.z * p.z, p.x * p.y, p.y * p.z, p.z * p.x};
+        const std::array<double, 9> terms{p.x,       p.y,       p.z,       p.x * p.x, p.y * p.y,
+                                          p.z * p.z, p.x * p.y, p.y * p.z, p.z * p.x};
         for (int i = 0; i < 9; ++i) moments[i] += terms[i];
         ++points;
     }
@@ -73,7 +75,8 @@ class SignatureIndex {
             sorted_.emplace_back(face);
             box_.add(box_of(face));
         }
-        std::sort(sorted_.begin(), sorted_.end(), [](const Signature& a, const Signature& b) { return a.moments[0] < b.moments[0]; });
+        std::sort(sorted_.begin(), sorted_.end(),
+                  [](const Signature& a, const Signature& b) { return a.moments[0] < b.moments[0]; });
         size_ = std::max({box_.diagonal(), std::abs(box_.low.x), std::abs(box_.low.y), std::abs(box_.low.z)});
     }
 

@@ -15,7 +15,8 @@ bool same_solids(const TopoDS_Shape& a, const TopoDS_Shape& b) {
     if (a.IsNull() || b.IsNull()) return a.IsNull() && b.IsNull();
     if (unshared_faces(a, b).empty() && unshared_faces(b, a).empty()) return true;
     const Box box_a = box_of(a), box_b = box_of(b);
-    const double size = box_a.diagonal(), close = 1e-6 * size;   // boxes are widened by tolerances, hence looser than the rest
+    const double size = box_a.diagonal(),
+                 close = 1e-6 * size;  // boxes are widened by tolerances, hence looser than the rest
     if (distance(box_a.low, box_b.low) > close || distance(box_a.high, box_b.high) > close) return false;
     GProp_GProps mass_a(to_pnt(box_a.center())), mass_b(to_pnt(box_a.center()));
     BRepGProp::VolumeProperties(a, mass_a);

@@ -18,7 +18,7 @@ namespace featuremesh {
 
 namespace {
 
-constexpr double volume_share = 1e-6;   // as the books of the cells
+constexpr double volume_share = 1e-6;  // as the books of the cells
 
 std::vector<TopoDS_Shape> solids_of(const TopoDS_Shape& shape) {
     std::vector<TopoDS_Shape> solids;
@@ -36,7 +36,7 @@ double flux(const std::vector<TopoDS_Shape>& shapes, const Vec3& apex) {
 struct Change {
     const TopoDS_Shape& before;
     const TopoDS_Shape& after;
-    std::vector<TopoDS_Shape> vanished, appeared;   // faces
+    std::vector<TopoDS_Shape> vanished, appeared;  // faces
     Vec3 apex;
     double volume = 0, scale = 0;
 
@@ -57,9 +57,9 @@ struct Change {
     }
 };
 
-/// The volumes between the faces that vanished and those that appeared. `glued`: faces are not intersected with each other, for mostly
-/// they meet along edges that one of them has anyway; that is several times faster where the faces are splines, but misses a
-/// drafted face that crosses the one it was before.
+/// The volumes between the faces that vanished and those that appeared. `glued`: faces are not intersected with each
+/// other, for mostly they meet along edges that one of them has anyway; that is several times faster where the faces
+/// are splines, but misses a drafted face that crosses the one it was before.
 ShapeDifference between_faces(const Change& change, bool glued, double seconds) {
     ShapeDifference result;
     TopTools_ListOfShape faces;
@@ -123,7 +123,7 @@ ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& af
         if (!result.closed) result = between_faces(change, false, seconds);
         if (!result.closed) result = by_booleans(change, seconds);
     } catch (const Standard_Failure&) {
-        result = {};   // not closed: the caller takes the feature as opaque and says so
+        result = {};  // not closed: the caller takes the feature as opaque and says so
     }
     return result;
 }

@@ -8,13 +8,14 @@
 namespace featuremesh {
 
 struct ShapeDifference {
-    std::vector<TopoDS_Shape> added, removed;   ///< solids
-    bool closed = false;                        ///< their volumes account for the change of volume
+    std::vector<TopoDS_Shape> added, removed;  ///< solids
+    bool closed = false;                       ///< their volumes account for the change of volume
 };
 
-/// Works on the faces only that the two shapes do not share (see same_faces.h): they bound all that was added or removed, and the
-/// rest of the part costs nothing. Where that does not account for the change of volume, whole booleans. Each attempt may take
-/// `seconds` of the processor. Either shape may be null: nothing before, or nothing left.
+/// Works on the faces only that the two shapes do not share (see same_faces.h): they bound all that was added or
+/// removed, and the rest of the part costs nothing. Where that does not account for the change of volume, whole
+/// booleans. Each attempt may take `seconds` of the processor. Either shape may be null: nothing before, or nothing
+/// left.
 ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& after, double seconds = 8.0);
 
 }  // namespace featuremesh

@@ -23,9 +23,9 @@ namespace featuremesh {
 
 namespace {
 
-constexpr double touching = 1e-7;     // mm: the kernel's own confusion
-constexpr double grazing = 1e-3;      // cosine below which a crossing proves nothing
-constexpr double tie = 1e-6;          // mm: two crossings this close are one edge
+constexpr double touching = 1e-7;  // mm: the kernel's own confusion
+constexpr double grazing = 1e-3;   // cosine below which a crossing proves nothing
+constexpr double tie = 1e-6;       // mm: two crossings this close are one edge
 
 // Directions without a special place in a model made along the axes.
 constexpr std::array<Vec3, 8> ray_directions{{{0.5361, 0.7233, 0.4353},
@@ -55,8 +55,8 @@ std::optional<double> entry(const Box& box, const Vec3& from, const Vec3& direct
 
 struct Hit {
     double distance = 0;
-    bool sound = false;     ///< not on an edge, not grazing
-    bool leaving = false;   ///< along the outward normal
+    bool sound = false;    ///< not on an edge, not grazing
+    bool leaving = false;  ///< along the outward normal
 };
 
 }  // namespace
@@ -78,17 +78,21 @@ struct SolidProbe::Data {
             face.surface = std::make_unique<BRepAdaptor_Surface>(face.face, false);
         }
         IntCurvesFace_Intersector& intersector = *face.intersector;
-        intersector.Perform(gp_Lin(to_pnt(from), gp_Dir(to_vec(direction))), -touching, 2 * box.diagonal() + distance(from, box.center()));
+        intersector.Perform(gp_Lin(to_pnt(from), gp_Dir(to_vec(direction))), -touching,
+                            2 * box.diagonal() + distance(from, box.center()));
         if (!intersector.IsDone()) return;
         for (int i = 1; i <= intersector.NbPnt(); ++i) {
             const double cosine =
-                dot(outward_normal(*face.surface, face.face, intersector.UParameter(i), intersector.VParameter(i)), direction);
-            hits.push_back({intersector.WParameter(i), intersector.State(i) == TopAbs_IN && std::abs(cosine) > grazing, cosine > 0});
+                dot(outward_normal(*face.surface, face.face, intersector.UParameter(i), intersector.VParameter(i)),
+                    direction);
+            hits.push_back({intersector.WParameter(i), intersector.State(i) == TopAbs_IN && std::abs(cosine) > grazing,
+                            cosine > 0});
         }
     }
 
-    /// The nearest hits further than `skip`, complete up to a tie behind the first. Faces are asked in the order in which the ray enters their
-    /// boxes, and no more of them than it takes: to prepare a face for its first question costs more than all else.
+    /// The nearest hits further than `skip`, complete up to a tie behind the first. Faces are asked in the order in
+    /// which the ray enters their boxes, and no more of them than it takes: to prepare a face for its first question
+    /// costs more than all else.
     std::vector<Hit> nearest_hits(const Vec3& from, const Vec3& direction, double skip) const {
         std::vector<std::pair<double, std::size_t>> candidates;
         for (std::size_t f = 0; f < faces.size(); ++f)

@@ -108,8 +108,9 @@ TEST_CASE("boxes face to face share one face and keep their coplanar sides apart
     check_sound(part, model);
     REQUIRE(model.cells.size() == 2);
     CHECK(model.faces.size() == 11);
-    const auto shared = std::count_if(model.faces.begin(), model.faces.end(),
-                                      [](const CellFace& f) { return f.cells[0].is_valid() && f.cells[1].is_valid() && f.owners.size() == 2; });
+    const auto shared = std::count_if(model.faces.begin(), model.faces.end(), [](const CellFace& f) {
+        return f.cells[0].is_valid() && f.cells[1].is_valid() && f.owners.size() == 2;
+    });
     CHECK(shared == 1);
 }
 
@@ -145,11 +146,12 @@ TEST_CASE("a cylinder tangent to a side of the box it stands in") {
 
 TEST_CASE("two equal cylinders that cross at right angles") {
     const double r = 3;
-    const Part part = Part().add("A", cylinder({-10, 0, 0}, {1, 0, 0}, r, 20)).add("B", cylinder({0, -10, 0}, {0, 1, 0}, r, 20));
+    const Part part =
+        Part().add("A", cylinder({-10, 0, 0}, {1, 0, 0}, r, 20)).add("B", cylinder({0, -10, 0}, {0, 1, 0}, r, 20));
     const CellModel model = cells_of(part);
     check_sound(part, model);
     const auto cells = by_owner(part, model);
-    const double common = 16 * r * r * r / 3;   // Steinmetz
+    const double common = 16 * r * r * r / 3;  // Steinmetz
     CHECK(cells.at({"A", "B"})[0] == Approx(common).epsilon(1e-6));
     CHECK(cells.at({"A"}).size() == 2);
     CHECK(cells.at({"B"}).size() == 2);
@@ -225,7 +227,8 @@ TEST_CASE("only what all have in common is kept") {
 
 TEST_CASE("the order of independent features does not change the cells") {
     const auto block = box(0, 0, 0, 30, 20, 10);
-    const auto boss = cylinder({8, 10, 0}, {0, 0, 1}, 4, 18), rib = box(5, 8, 9, 20, 4, 6), hole = cylinder({25, 5, -1}, {0, 0, 1}, 2, 12);
+    const auto boss = cylinder({8, 10, 0}, {0, 0, 1}, 4, 18), rib = box(5, 8, 9, 20, 4, 6),
+               hole = cylinder({25, 5, -1}, {0, 0, 1}, 2, 12);
     const Part one = Part().add("Block", block).add("Boss", boss).add("Rib", rib).remove("Hole", hole);
     const Part other = Part().add("Block", block).remove("Hole", hole).add("Rib", rib).add("Boss", boss);
     const auto first = by_owner(one, cells_of(one)), second = by_owner(other, cells_of(other));
@@ -238,7 +241,8 @@ TEST_CASE("the order of independent features does not change the cells") {
 }
 
 TEST_CASE("the same input gives the same cells in the same order") {
-    const Part part = Part().add("A", box(0, 0, 0, 10, 10, 10)).add("B", box(5, 5, 5, 10, 10, 10)).remove("C", sphere({5, 5, 5}, 4));
+    const Part part =
+        Part().add("A", box(0, 0, 0, 10, 10, 10)).add("B", box(5, 5, 5, 10, 10, 10)).remove("C", sphere({5, 5, 5}, 4));
     const CellModel one = cells_of(part), other = cells_of(part);
     REQUIRE(one.cells.size() == other.cells.size());
     for (std::size_t i = 0; i < one.cells.size(); ++i) {
@@ -284,7 +288,8 @@ TEST_CASE("overlapping solids of the final shape are reported") {
     TopoDS_Compound both;
     BRep_Builder builder;
     builder.MakeCompound(both);
-    for (const auto& [name, shape] : {std::pair{"A", box(0, 0, 0, 10, 10, 10)}, std::pair{"B", box(5, 5, 5, 10, 10, 10)}}) {
+    for (const auto& [name, shape] :
+         {std::pair{"A", box(0, 0, 0, 10, 10, 10)}, std::pair{"B", box(5, 5, 5, 10, 10, 10)}}) {
         Feature& feature = tree.features.emplace_back();
         feature.name = feature.label = name;
         feature.volumes.push_back({shape, Effect::adds, 0, {}, Effect::adds});
@@ -314,7 +319,9 @@ TEST_CASE("a volume that crosses itself is replaced by what changed between befo
     FeatureTree tree = part.tree();
     tree.features[1].before = box(0, 0, 0, 10, 10, 10);
     tree.features[1].after = tree.final_shape =
-        BRepAlgoAPI_Fuse(BRepAlgoAPI_Fuse(box(0, 0, 0, 10, 10, 10), box(2, 2, 5, 4, 4, 10)).Shape(), box(4, 4, 5, 4, 4, 10)).Shape();
+        BRepAlgoAPI_Fuse(BRepAlgoAPI_Fuse(box(0, 0, 0, 10, 10, 10), box(2, 2, 5, 4, 4, 10)).Shape(),
+                         box(4, 4, 5, 4, 4, 10))
+            .Shape();
     RunContext context;
     const CellModel model = build_cells(tree, Brep(tree.final_shape), context);
     CHECK(model.report.material_volume == Approx(1000 + 28 * 5));
@@ -327,7 +334,8 @@ TEST_CASE("where two solids of the final shape touch, both faces have owners") {
     TopoDS_Compound both;
     BRep_Builder builder;
     builder.MakeCompound(both);
-    for (const auto& [name, shape] : {std::pair{"A", box(0, 0, 0, 10, 10, 10)}, std::pair{"B", box(10, 2, 2, 5, 5, 5)}}) {
+    for (const auto& [name, shape] :
+         {std::pair{"A", box(0, 0, 0, 10, 10, 10)}, std::pair{"B", box(10, 2, 2, 5, 5, 5)}}) {
         Feature& feature = tree.features.emplace_back();
         feature.name = feature.label = name;
         feature.volumes.push_back({shape, Effect::adds, 0, {}, Effect::adds});

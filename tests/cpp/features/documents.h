@@ -28,8 +28,8 @@ inline TopoDS_Shape fused(const TopoDS_Shape& a, const TopoDS_Shape& b) { return
 
 class DocumentMaker {
   public:
-    RawRecord& add(const std::string& name, const std::string& type, std::vector<RawLink> links = {}, const TopoDS_Shape& shape = {},
-                   const TopoDS_Shape& own_volume = {}) {
+    RawRecord& add(const std::string& name, const std::string& type, std::vector<RawLink> links = {},
+                   const TopoDS_Shape& shape = {}, const TopoDS_Shape& own_volume = {}) {
         RawRecord record;
         record.name = record.label = name;
         record.type = type;

@@ -125,15 +125,17 @@ TEST_CASE("before there were bodies the chain runs through the sketch's support"
 }
 
 TEST_CASE("a linear pattern is one volume per further occurrence, placed by its parameters") {
-    const TopoDS_Shape pad = box(0, 0, 0, 40, 10, 5), tool = cylinder({5, 5, -1}, {0, 0, 1}, 2, 7), first = cut(pad, tool);
+    const TopoDS_Shape pad = box(0, 0, 0, 40, 10, 5), tool = cylinder({5, 5, -1}, {0, 0, 1}, 2, 7),
+                       first = cut(pad, tool);
     TopoDS_Shape after = first;
     for (int i = 1; i < 4; ++i) after = cut(after, cylinder({5.0 + 10 * i, 5, -1}, {0, 0, 1}, 2, 7));
     DocumentMaker maker;
     maker.add("Sketch", "Sketcher::SketchObject");
     maker.add("Pad", "PartDesign::Pad", {}, pad, pad);
     maker.add("Pocket", "PartDesign::Pocket", {{"BaseFeature", "Pad", ""}}, first, tool);
-    RawRecord& pattern = maker.add("Pattern", "PartDesign::LinearPattern",
-                                   {{"BaseFeature", "Pocket", ""}, {"Originals", "Pocket", ""}, {"Direction", "Sketch", "H_Axis"}}, after);
+    RawRecord& pattern = maker.add(
+        "Pattern", "PartDesign::LinearPattern",
+        {{"BaseFeature", "Pocket", ""}, {"Originals", "Pocket", ""}, {"Direction", "Sketch", "H_Axis"}}, after);
     pattern.numbers = {{"Length", 30}, {"Occurrences", 4}};
     SECTION("along the direction") {}
     SECTION("against it: the shapes decide, not the flag") { pattern.numbers["Reversed"] = 1; }
@@ -151,7 +153,8 @@ TEST_CASE("a linear pattern is one volume per further occurrence, placed by its 
 }
 
 TEST_CASE("polar patterns and mirrors") {
-    const TopoDS_Shape disc = cylinder({0, 0, 0}, {0, 0, 1}, 20, 5), tool = box(10, 2, -1, 4, 3, 7), first = cut(disc, tool);
+    const TopoDS_Shape disc = cylinder({0, 0, 0}, {0, 0, 1}, 20, 5), tool = box(10, 2, -1, 4, 3, 7),
+                       first = cut(disc, tool);
     const auto with = [&](const gp_Trsf& t) { return cut(first, tool.Moved(TopLoc_Location(t))); };
     DocumentMaker maker;
     maker.add("Sketch", "Sketcher::SketchObject");
@@ -160,8 +163,9 @@ TEST_CASE("polar patterns and mirrors") {
     SECTION("half a turn") {
         gp_Trsf turn;
         turn.SetRotation(gp::OZ(), pi);
-        RawRecord& pattern = maker.add("Pattern", "PartDesign::PolarPattern",
-                                       {{"BaseFeature", "Pocket", ""}, {"Originals", "Pocket", ""}, {"Axis", "Sketch", "N_Axis"}}, with(turn));
+        RawRecord& pattern = maker.add(
+            "Pattern", "PartDesign::PolarPattern",
+            {{"BaseFeature", "Pocket", ""}, {"Originals", "Pocket", ""}, {"Axis", "Sketch", "N_Axis"}}, with(turn));
         pattern.numbers = {{"Angle", 360}, {"Occurrences", 2}};
         const FeatureTree tree = interpret(maker.done());
         REQUIRE(named(tree, "Pattern").volumes.size() == 1);
@@ -191,8 +195,8 @@ TEST_CASE("polar patterns and mirrors") {
 }
 
 TEST_CASE("the leaves of a Part tree have volumes, its booleans none") {
-    const TopoDS_Shape a = box(0, 0, 0, 10, 10, 10), b = cylinder({5, 5, -1}, {0, 0, 1}, 3, 12), c = box(0, 0, 0, 5, 5, 5),
-                       d = box(4, 4, 4, 20, 20, 20);
+    const TopoDS_Shape a = box(0, 0, 0, 10, 10, 10), b = cylinder({5, 5, -1}, {0, 0, 1}, 3, 12),
+                       c = box(0, 0, 0, 5, 5, 5), d = box(4, 4, 4, 20, 20, 20);
     DocumentMaker maker;
     maker.add("A", "Part::Box", {}, a);
     maker.add("B", "Part::Cylinder", {}, b);
@@ -200,11 +204,12 @@ TEST_CASE("the leaves of a Part tree have volumes, its booleans none") {
     maker.add("D", "Part::Box", {}, d);
     maker.add("Tool", "Part::Cut", {{"Base", "B", ""}, {"Tool", "C", ""}}, cut(b, c));
     maker.add("Cut", "Part::Cut", {{"Base", "A", ""}, {"Tool", "Tool", ""}}, cut(a, cut(b, c)));
-    maker.add("Common", "Part::MultiCommon", {{"Shapes", "Cut", ""}, {"Shapes", "D", ""}}, BRepAlgoAPI_Common(cut(a, cut(b, c)), d).Shape());
+    maker.add("Common", "Part::MultiCommon", {{"Shapes", "Cut", ""}, {"Shapes", "D", ""}},
+              BRepAlgoAPI_Common(cut(a, cut(b, c)), d).Shape());
     const FeatureTree tree = interpret(maker.done());
     CHECK(named(tree, "A").volumes.at(0).effect == Effect::adds);
     CHECK(named(tree, "B").volumes.at(0).effect == Effect::removes);
-    CHECK(named(tree, "C").volumes.at(0).effect == Effect::adds);   // taken from what is taken away
+    CHECK(named(tree, "C").volumes.at(0).effect == Effect::adds);  // taken from what is taken away
     CHECK(named(tree, "D").volumes.at(0).effect == Effect::keeps_only);
     for (const char* name : {"Tool", "Cut", "Common"}) {
         CHECK(named(tree, name).role == Role::boolean);
@@ -214,13 +219,15 @@ TEST_CASE("the leaves of a Part tree have volumes, its booleans none") {
 }
 
 TEST_CASE("a body with a boolean of another body") {
-    const TopoDS_Shape a = box(0, 0, 0, 10, 10, 10), b = box(2, 2, 2, 20, 3, 3), pin = box(15, 2, 2, 2, 3, 3), tool = cut(b, pin);
+    const TopoDS_Shape a = box(0, 0, 0, 10, 10, 10), b = box(2, 2, 2, 20, 3, 3), pin = box(15, 2, 2, 2, 3, 3),
+                       tool = cut(b, pin);
     DocumentMaker maker;
     maker.add("Pad", "PartDesign::Pad", {}, a, a);
     maker.add("ToolPad", "PartDesign::Pad", {}, b, b);
     maker.add("ToolPocket", "PartDesign::Pocket", {{"BaseFeature", "ToolPad", ""}}, tool, pin);
     maker.add("ToolBody", "PartDesign::Body", body_links({"ToolPad", "ToolPocket"}), tool);
-    RawRecord& boolean = maker.add("Boolean", "PartDesign::Boolean", {{"BaseFeature", "Pad", ""}, {"Group", "ToolBody", ""}}, cut(a, tool));
+    RawRecord& boolean = maker.add("Boolean", "PartDesign::Boolean",
+                                   {{"BaseFeature", "Pad", ""}, {"Group", "ToolBody", ""}}, cut(a, tool));
     boolean.texts["Type"] = "Cut";
     const FeatureTree tree = interpret(maker.done());
     CHECK(named(tree, "ToolPad").volumes.at(0).effect == Effect::removes);
@@ -245,7 +252,8 @@ TEST_CASE("a feature in error is noted with FreeCAD's words") {
     DocumentMaker maker;
     const TopoDS_Shape pad = box(0, 0, 0, 10, 10, 10);
     maker.add("Pad", "PartDesign::Pad", {}, pad, pad);
-    maker.add("Fillet", "PartDesign::Fillet", {{"BaseFeature", "Pad", ""}}).error = "Fillet not possible on selected shapes";
+    maker.add("Fillet", "PartDesign::Fillet", {{"BaseFeature", "Pad", ""}}).error =
+        "Fillet not possible on selected shapes";
     maker.add("Body", "PartDesign::Body", body_links({"Pad"}), pad);
     const FeatureTree tree = interpret(maker.done());
     CHECK(named(tree, "Fillet").error == "Fillet not possible on selected shapes");
@@ -268,7 +276,8 @@ TEST_CASE("a link in the same place passes on what it links to, one elsewhere is
     for (const bool moved : {false, true}) {
         DocumentMaker maker;
         maker.add("Box", "Part::Box", {}, solid);
-        maker.add("Link", "App::Link", {{"LinkedObject", "Box", ""}}, moved ? solid.Moved(TopLoc_Location(away)) : solid);
+        maker.add("Link", "App::Link", {{"LinkedObject", "Box", ""}},
+                  moved ? solid.Moved(TopLoc_Location(away)) : solid);
         const FeatureTree tree = interpret(maker.done());
         CHECK(named(tree, "Box").volumes.size() == (moved ? 0u : 1u));
         CHECK(named(tree, "Link").volumes.size() == (moved ? 1u : 0u));

@@ -27,7 +27,8 @@ TEST_CASE("volumes of the primitives, wherever the apex is") {
         CHECK(flux(cylinder({1, 2, 3}, {1, 1, 0}, 2, 5), apex) == Approx(20 * pi).epsilon(1e-11));
         CHECK(flux(BRepPrimAPI_MakeSphere(3.0).Solid(), apex) == Approx(36 * pi).epsilon(1e-10));
         CHECK(flux(BRepPrimAPI_MakeTorus(5.0, 2.0).Solid(), apex) == Approx(2 * pi * pi * 5 * 4).epsilon(1e-9));
-        CHECK(flux(BRepPrimAPI_MakeCone(3.0, 1.0, 6.0).Solid(), apex) == Approx(pi * 6 / 3 * (9 + 3 + 1)).epsilon(1e-11));
+        CHECK(flux(BRepPrimAPI_MakeCone(3.0, 1.0, 6.0).Solid(), apex) ==
+              Approx(pi * 6 / 3 * (9 + 3 + 1)).epsilon(1e-11));
     }
 }
 
@@ -57,7 +58,7 @@ TEST_CASE("faces are recognised after a copy, not after a move") {
     CHECK(unshared_faces(solid, BRepBuilderAPI_Copy(solid).Shape()).empty());
     CHECK(unshared_faces(solid, {}).size() == 7);
     const TopoDS_Shape other = cut(box(0, 0, 0, 10, 10, 10), cylinder({5, 5.001, -1}, {0, 0, 1}, 2, 12));
-    CHECK(unshared_faces(solid, other).size() == 3);   // wall, top and bottom
+    CHECK(unshared_faces(solid, other).size() == 3);  // wall, top and bottom
 }
 
 TEST_CASE("added and removed parts account for the change of volume") {
