@@ -22,7 +22,7 @@ namespace featuremesh {
 
 namespace {
 
-constexpr double most_seconds = 30;  // of the processor, for all attempts together; what is fused in that time is worth
+constexpr double most_seconds = 20;  // of the processor, for all attempts together; what is fused in that time is worth
                                      // it, see docs/design/cells.md
 
 void add_solids(std::vector<FuseArgument>& arguments, const Owner& owner, const TopoDS_Shape& shape) {
@@ -54,10 +54,9 @@ class CellBuilder {
         if (volumes().empty()) return opaque("no feature has a volume of its own");
         if (attempt(volumes(), 0)) return finish();
         if (replace_offenders() && attempt(volumes(), 0)) return finish();
-        for (const double share : {1e-8, 1e-7}) {
-            note("the volumes are fused with a tolerance of " + std::to_string(share * diagonal) + " mm");
-            if (attempt(volumes(), std::max(share * diagonal, 1e-6))) return finish();
-        }
+        const double fuzzy = std::max(1e-7 * diagonal, 1e-6);
+        note("the volumes are fused with a tolerance of " + std::to_string(fuzzy) + " mm");
+        if (attempt(volumes(), fuzzy)) return finish();
         std::vector<FuseArgument> with_final = volumes();
         add_final_shape(with_final, final_shape_);
         note("the final shape itself takes part in the fuse");

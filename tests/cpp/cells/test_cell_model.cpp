@@ -8,6 +8,7 @@
 
 #include "catch.h"
 #include "cells/cell_model.h"
+#include "cells/fuse.h"
 #include "core/errors.h"
 #include "parts.h"
 
@@ -351,4 +352,13 @@ TEST_CASE("where two solids of the final shape touch, both faces have owners") {
     CHECK(model.report.fallbacks.empty());
     REQUIRE(model.owners_of_final_face.size() == 12);
     for (const auto& owners : model.owners_of_final_face) CHECK_FALSE(owners.empty());
+}
+
+TEST_CASE("a fuse without time says so and throws nothing") {
+    RunContext context;
+    const FusedComplex complex =
+        fuse({{{FeatureId(0), 0}, box(0, 0, 0, 10, 10, 10)}, {{FeatureId(1), 0}, box(5, 5, 5, 10, 10, 10)}},
+             {.fuzzy = 0, .seconds = 0}, context);
+    CHECK(complex.cells.empty());
+    CHECK(complex.trouble.find("longer than") != std::string::npos);
 }
