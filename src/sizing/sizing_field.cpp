@@ -138,7 +138,7 @@ bool is_inside(const Brep& brep, std::vector<std::unique_ptr<BRepClass3d_SolidCl
 
 /// Classifies cells drawn at equal steps of the summed extra tets; a finer cell is drawn more often.
 double share_inside(const Brep& brep, const std::vector<Cell>& cells, double total) {
-    constexpr int draws = 80;
+    constexpr int draws = 32;
     std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> classifiers(brep.solid_count());
     int inside = 0, drawn = 0;
     double sum = 0;

@@ -159,6 +159,19 @@ class Unfolding {
         return low;
     }
 
+    /// The side that a mid-side node belongs to.
+    BentSide side_at(NodeId mid, const std::vector<TetId>& star) const {
+        const auto& mids = mesh_.tet_mids[star.front().index()];
+        return side_of(star.front(), static_cast<int>(std::find(mids.begin(), mids.end(), mid) - mids.begin()));
+    }
+    /// An inner side that is bent more than this would spoil what it is to repair.
+    bool is_bent_too_much(NodeId n, const std::vector<TetId>& star) const {
+        constexpr double most_bend = 0.3;
+        if (n.index() < mesh_.corner_count) return false;
+        const BentSide side = side_at(n, star);
+        return mesh_.entities[n.index()].dim == 3 && squared_length(side.bend) > most_bend * most_bend * squared_length(side.along);
+    }
+
     double longest_side_at(NodeId n, const std::vector<TetId>& star) const {
         double longest = 0;
         for (TetId t : star)
@@ -183,7 +196,7 @@ class Unfolding {
         Place found = start;
         double found_value = best;
         for (const Vec3& direction : directions_) {
-            if (move(n, star, start, step * direction)) {
+            if (move(n, star, start, step * direction) && !is_bent_too_much(n, star)) {
                 const double value = worst(star);
                 if (value > found_value + 1e-6 && (!is_corner || worst_angle(star) >= angle - 1e-9)) {
                     found_value = value;

@@ -12,6 +12,8 @@ namespace {
 
 /// A split may not leave flatter tets than this, degrees.
 constexpr double least_dihedral_deg = 4;
+/// Over length: an arc of 75 degrees. A side bent more than this is the trouble, however the elements lie.
+constexpr double strong_bend = 0.17;
 
 class Splitting {
   public:
@@ -25,7 +27,7 @@ class Splitting {
 
     bool run(TetId tet) {
         if (is_touched_[tet.index()]) return false;
-        if (boundary_triangles(tet) >= 2) return split_inside(tet) || split_a_side(tet);
+        if (boundary_triangles(tet) >= 2 && largest_bend(tet) < strong_bend) return split_inside(tet) || split_a_side(tet);
         return split_a_side(tet) || split_inside(tet);
     }
 
@@ -71,8 +73,13 @@ class Splitting {
         return true;
     }
 
-    /// Tries the tet's sides on the boundary, the most bent one first.
-    bool split_a_side(TetId tet) {
+    double largest_bend(TetId tet) const {
+        const auto bent = boundary_sides(tet);
+        return bent.empty() ? 0 : -bent.front().first;
+    }
+
+    /// The tet's sides on the boundary with minus their bend over their length, the most bent one first.
+    std::vector<std::pair<double, int>> boundary_sides(TetId tet) const {
         std::vector<std::pair<double, int>> bent;
         const auto& corners = mesh_.tets[tet.index()];
         for (int s = 0; s < 6; ++s) {
@@ -82,6 +89,12 @@ class Splitting {
             bent.emplace_back(-distance(curved_.point(mid), (a + b) * 0.5) / distance(a, b), s);
         }
         std::sort(bent.begin(), bent.end());
+        return bent;
+    }
+
+    bool split_a_side(TetId tet) {
+        const auto corners = mesh_.tets[tet.index()];
+        const auto bent = boundary_sides(tet);
         return std::any_of(bent.begin(), bent.end(), [&](const auto& side) {
             return split_side({corners[tet_sides[side.second][0]], corners[tet_sides[side.second][1]]}, curved_.tet_mids[tet.index()][side.second]);
         });

@@ -116,14 +116,18 @@ Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh
 }  // namespace
 
 Mesh curve_to_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {
-    constexpr int most_refinements = 6;
+    constexpr int most_refinements = 12;
     RunContext::Step step(context, "surface");
     const Projector projector(brep);
     const KeptCounts counts = kept_counts(mesh, kept);
+    std::size_t folded_at_first = 0;
     for (int refinement = 0;; ++refinement) {
         Curved curved = curve(brep, projector, mesh, kept, context);
         if (curved.folded.empty()) return std::move(curved.mesh);
-        if (refinement == most_refinements || split_folded_tets(mesh, curved.mesh, curved.folded, counts) == 0)
+        if (refinement == 0) folded_at_first = curved.folded.size();
+        // refining that makes more trouble than it ends would go on for ever
+        const bool is_hopeless = refinement == most_refinements || curved.folded.size() > 4 * folded_at_first + 50;
+        if (is_hopeless || split_folded_tets(mesh, curved.mesh, curved.folded, counts) == 0)
             throw MeshError(std::to_string(curved.folded.size()) + " 10-node tets would be folded near " + place_of(curved.mesh, curved.folded.front()) +
                             ": the face bends too much within one element. Ask for a smaller size there, or for 4-node tets.");
         context.log(std::to_string(curved.folded.size()) + " tets are refined near " + place_of(curved.mesh, curved.folded.front()) +

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include "catch.h"
+#include "mesh/quality.h"
+#include "mesh/second_order.h"
+#include "mesh/validation.h"
+#include "surface/fill_surface.h"
+#include "surface/mid_side_nodes.h"
+#include "surface/projection.h"
+#include "volume/fill_solids.h"
+
+using namespace featuremesh;
+
+namespace {
+
+TopoDS_Shape filleted_box(double radius) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(40, 30, 20).Shape();
+    BRepFilletAPI_MakeFillet fillet(box);
+    for (TopExp_Explorer it(box, TopAbs_EDGE); it.More(); it.Next()) fillet.Add(radius, TopoDS::Edge(it.Current()));
+    return fillet.Shape();
+}
+
+Mesh curved_mesh(const Brep& brep, double size) {
+    RunContext context;
+    SizingOptions options;
+    options.size = size;
+    options.elements_per_circle = 0;
+    const SizingField sizing = make_sizing(brep, options, {}, context);
+    Mesh surface = fill_surface(brep, sizing, Mesh{}, context).mesh;
+    Mesh solid = fill_solids(brep, sizing, std::move(surface), {}, VolumeOptions{}, context).mesh;
+    return curve_to_second_order(brep, std::move(solid), nullptr, context);
+}
+
+double distance_from_faces(const Brep& brep, const Mesh& mesh) {
+    const Projector projector(brep);
+    double largest = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (NodeId n : mesh.triangle_mids[t]) largest = std::max(largest, projector.nearest(mesh.triangle_faces[t], mesh.point(n)).distance);
+    return largest;
+}
+
+}  // namespace
+
+TEST_CASE("coarse 10-node meshes of strongly curved parts are unfolded and on their faces") {
+    struct Case {
+        std::string name;
+        TopoDS_Shape shape;
+        double size;
+    };
+    const std::vector<Case> cases{{"cylinder, four around", BRepPrimAPI_MakeCylinder(10, 30).Shape(), 14},
+                                  {"torus", BRepPrimAPI_MakeTorus(20, 6).Shape(), 8},
+                                  {"fillet of 2 at size 10", filleted_box(2), 10},
+                                  {"tube with a thin wall", BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(20, 20).Shape(), BRepPrimAPI_MakeCylinder(19, 20).Shape()).Shape(), 6}};
+    for (const Case& c : cases) {
+        INFO(c.name);
+        const Brep brep(c.shape);
+        const Mesh mesh = curved_mesh(brep, c.size);
+        Expectation expected;
+        for (std::size_t f = 0; f < brep.face_count(); ++f) expected.face_sides.push_back(brep.sides_of(FaceId(f)));
+        CHECK(broken_invariants(mesh, expected).empty());
+        CHECK(measure_quality(mesh).min_scaled_jacobian > 0.1);
+        CHECK(distance_from_faces(brep, mesh) < 1e-8);
+    }
+}
