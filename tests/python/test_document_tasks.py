@@ -121,6 +121,29 @@ class Tasks(unittest.TestCase):
             self.done(command="export", part=self.part, format=name, out=self.path("mesh." + name))
             self.assertGreater(os.path.getsize(self.path("mesh." + name)), 10000)
 
+    def test_abaqus_surfaces_have_the_area_of_the_faces(self):
+        self.mesh()
+        self.done(command="export", part=self.part, format="inp", out=self.path("mesh.inp"))
+        with open(self.path("mesh.inp"), encoding="ascii") as stream:
+            blocks = stream.read().split("*")
+        nodes, tets, areas = {}, {}, {}
+        sides = {"S1": (0, 1, 2), "S2": (0, 1, 3), "S3": (1, 2, 3), "S4": (0, 2, 3)}
+        for block in blocks:
+            lines = [[word.strip() for word in line.split(",")] for line in block.split("\n")[1:] if line.strip()]
+            if block.startswith("NODE,"):
+                nodes = {int(line[0]): FreeCAD.Vector(*map(float, line[1:])) for line in lines}
+            elif block.startswith("ELEMENT,"):
+                tets = {int(line[0]): [int(word) for word in line[1:]] for line in lines}
+            elif block.startswith("SURFACE,"):
+                corners = [[nodes[tets[int(number)][i]] for i in sides[side]] for number, side in lines]
+                areas[block.split("NAME=")[1].split(",")[0]] = sum(
+                    (b - a).cross(c - a).Length / 2 for a, b, c in corners)
+        shape = documents.open_document(self.part).getObject("Body").Shape
+        self.assertEqual(len(areas), len(shape.Faces))
+        for name, area in areas.items():
+            face = shape.getElement(name)
+            self.assertAlmostEqual(area / face.Area, 1, delta=0.05, msg=name)
+
     # What does not
 
     def test_files_that_are_no_documents(self):

@@ -98,20 +98,15 @@ def _write_surfaces(stream, arrays):
     sides = np.repeat(np.arange(1, 5), len(arrays["tets"]))
     owners = np.tile(arrays["tet_numbers"], 4)
     triangles = np.sort(arrays["triangles"], axis=1)
-    count = int(arrays["counters"][1])
-    keys, wanted = _key(corners, count), _key(triangles, count)
-    order = np.argsort(keys, kind="stable")
-    rows = order[np.searchsorted(keys[order], wanted)]
+    # Each triangle gets one whole number that it has among the tets' sides too.
+    _, keys = np.unique(np.vstack([corners, triangles]), axis=0, return_inverse=True)
+    row_of = np.empty(len(keys), dtype=np.int64)
+    row_of[keys[:len(corners)]] = np.arange(len(corners))
+    rows = row_of[keys[len(corners):].reshape(-1)]
     for face in np.unique(arrays["triangle_faces"]):
         stream.write("*SURFACE, NAME=Face%d, TYPE=ELEMENT\n" % (face + 1))
         for row in rows[arrays["triangle_faces"] == face]:
             stream.write("%d, S%d\n" % (owners[row], sides[row]))
-
-
-def _key(corners, count):
-    """One whole number per sorted triangle; exact up to two million corner nodes."""
-    wide = corners.astype(np.int64)
-    return (wide[:, 0] * count + wide[:, 1]) * count + wide[:, 2]
 
 
 def _write_numbers(stream, numbers):

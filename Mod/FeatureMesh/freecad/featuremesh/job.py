@@ -7,7 +7,10 @@ from . import engine
 
 
 class MeshJob:
-    """Made and finished by the mesh object in FreeCAD's thread; `run` touches no FreeCAD object and may be called in any thread."""
+    """Made and finished by the mesh object in FreeCAD's thread.
+
+    `run` touches no FreeCAD object and may be called in any thread.
+    """
 
     def __init__(self, raw, options, old, problem, moved_references):
         self.raw, self.options = raw, options

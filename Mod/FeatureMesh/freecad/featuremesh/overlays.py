@@ -4,12 +4,17 @@
 import numpy as np
 
 from .errors import UserError
-from .quality import min_dihedral_angles
+from .pictures import tet_quality
 
 KEPT, NEW = (0.36, 0.61, 0.84), (0.95, 0.55, 0.16)
 # Colour from the smallest dihedral angle on (degrees): red is bad, green is good.
 QUALITY_STEPS = ((0, (0.75, 0.10, 0.10)), (10, (0.88, 0.35, 0.13)), (20, (0.97, 0.65, 0.20)), (30, (0.95, 0.85, 0.35)),
                  (40, (0.60, 0.80, 0.40)), (50, (0.25, 0.62, 0.30)))
+
+
+def smallest_angles(arrays):
+    """Smallest dihedral angle of each tet, degrees, (m,)."""
+    return tet_quality(arrays["points"], arrays["tets"])[0]
 
 
 def kept_colours(mesh):
@@ -31,14 +36,14 @@ def quality_colours(mesh):
     """{tet number: colour} by the smallest dihedral angle."""
     arrays = mesh.Proxy.arrays(mesh)
     limits = np.array([limit for limit, _ in QUALITY_STEPS[1:]])
-    steps = np.searchsorted(limits, min_dihedral_angles(arrays["points"], arrays["tets"]), side="right")
+    steps = np.searchsorted(limits, smallest_angles(arrays), side="right")
     return {number: QUALITY_STEPS[step][1] for number, step in zip(arrays["tet_numbers"].tolist(), steps.tolist())}
 
 
 def worst_tets(mesh, count=10):
     """(number, smallest dihedral angle in degrees, centre) of the worst tets, worst first."""
     arrays = mesh.Proxy.arrays(mesh)
-    angles = min_dihedral_angles(arrays["points"], arrays["tets"])
+    angles = smallest_angles(arrays)
     rows = np.argsort(angles, kind="stable")[:count]
     centres = arrays["points"][arrays["tets"][rows]].mean(axis=1)
     return [(int(arrays["tet_numbers"][row]), float(angles[row]), tuple(centre))

@@ -6,7 +6,6 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import overlays
-from ..quality import min_dihedral_angles
 from ..view_provider import icon
 
 translate = FreeCAD.Qt.translate
@@ -22,8 +21,7 @@ class QualityPanel:
         self.form.setWindowIcon(QtGui.QIcon(icon("FeatureMesh_ShowQuality")))
         self.form.setWindowTitle(translate("FeatureMesh", "Quality of %s") % mesh.Label)
         layout = QtGui.QVBoxLayout(self.form)
-        arrays = mesh.Proxy.arrays(mesh)
-        layout.addWidget(Histogram(min_dihedral_angles(arrays["points"], arrays["tets"])))
+        layout.addWidget(Histogram(overlays.smallest_angles(mesh.Proxy.arrays(mesh))))
         layout.addWidget(QtGui.QLabel(translate("FeatureMesh", "Smallest angle %.2f deg,\nmean radius ratio %.3f")
                                       % (mesh.MinDihedral.Value, mesh.MeanRadiusRatio)))
         layout.addWidget(QtGui.QLabel(translate("FeatureMesh", "The worst elements, click to see:")))

@@ -70,6 +70,18 @@ class MeshPanel:
         self.estimate = QtGui.QLabel("")
         self.estimate.setWordWrap(True)
         layout.addWidget(self.estimate)
+        layout.addLayout(self._buttons())
+        self.progress = QtGui.QProgressBar()
+        self.progress.setRange(0, 100)
+        self.progress.setFormat("")
+        layout.addWidget(self.progress)
+        self.result = QtGui.QLabel("")
+        self.result.setWordWrap(True)
+        self.result.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        layout.addWidget(self.result)
+        layout.addStretch()
+
+    def _buttons(self):
         buttons = QtGui.QGridLayout()
         self.mesh_button = QtGui.QPushButton(translate("FeatureMesh", "Mesh"))
         self.full_button = QtGui.QPushButton(translate("FeatureMesh", "From scratch"))
@@ -83,16 +95,7 @@ class MeshPanel:
         buttons.addWidget(self.mesh_button, 0, 0)
         buttons.addWidget(self.cancel_button, 0, 1)
         buttons.addWidget(self.full_button, 1, 0, 1, 2)
-        layout.addLayout(buttons)
-        self.progress = QtGui.QProgressBar()
-        self.progress.setRange(0, 100)
-        self.progress.setFormat("")
-        layout.addWidget(self.progress)
-        self.result = QtGui.QLabel("")
-        self.result.setWordWrap(True)
-        self.result.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-        layout.addWidget(self.result)
-        layout.addStretch()
+        return buttons
 
     def _length(self, name):
         widget = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
