@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "difference/feature_difference.h"
 
+#include <algorithm>
+#include <ctime>
+
 #include "catch.h"
 #include "core/errors.h"
 #include "difference/sample_parts.h"
@@ -69,6 +72,49 @@ TEST_CASE("a moved hole") {
     CHECK(d.regions[1].new_face_of[hole.old_faces[0].index()] == hole.new_faces[0]);
     CHECK(d.regions[1].changed.distance({21, 12, 7}, 3) == 3);
     CHECK(d.regions[1].changed.distance({5, 12, 7}, 3) == Approx(0).margin(0.3));  // the plate's old side, moved
+}
+
+TEST_CASE("one moved hole among 150 features") {
+    const auto before = many_features(150);
+    auto after = before;
+    after[2].instances = {test::moved(before[2].instances[0], shift({0.5, 0.2, 0}))};
+    const PartState was = part_with_cells(before), is = part_with_cells(after);
+    const std::clock_t start = std::clock();
+    const FeatureDifference d = diff(was, is, 1.5);
+    const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
+    INFO("processor time " << seconds << " s");
+    CHECK(seconds < 0.5);
+    for (const FeatureChange& f : d.features) {
+        INFO(f.name);
+        CHECK(f.verdict == (f.name == "Hole1"   ? Verdict::moved
+                            : f.name == "Plate" ? Verdict::interaction_changed
+                                                : Verdict::same));
+    }
+    CHECK(count(d, FaceVerdict::trimmed_differently) == 2);
+    CHECK(count(d, FaceVerdict::vanished) == 1);
+    CHECK(count(d, FaceVerdict::appeared) == 1);
+}
+
+TEST_CASE("faces that cross like a plus are partners") {
+    const FeatureDifference d = diff(part({{"A", Effect::adds, {box({0, 10, 0}, {30, 10, 5})}, {}}}),
+                                     part({{"A", Effect::adds, {box({10, 0, 0}, {10, 30, 5})}, {}}}));
+    CHECK(count(d, FaceVerdict::trimmed_differently) == 2);
+    CHECK(d.regions[0].changed.distance({15, 15, 5}, 4) > 3);  // both have the middle
+    CHECK(d.regions[0].changed.distance({5, 15, 5}, 4) < 0.3);
+}
+
+TEST_CASE("a face whose material changes sides is changed") {
+    const FeatureDifference d = diff(part({{"A", Effect::adds, {box({0, 0, 0}, {10, 10, 5})}, {}}}),
+                                     part({{"A", Effect::adds, {box({0, 0, 5}, {10, 10, 5})}, {}}}));
+    CHECK(d.regions[0].changed.distance({5, 5, 5}, 4) < 0.3);
+}
+
+TEST_CASE("the same inputs give the same triangles") {
+    const PartState was = part(bracket({12, 12, 0})), is = part(bracket({17, 13, 0}));
+    const FeatureDifference a = diff(was, is), b = diff(was, is);
+    REQUIRE(a.regions.size() == b.regions.size());
+    for (std::size_t r = 0; r < a.regions.size(); ++r)
+        CHECK(std::ranges::equal(a.regions[r].changed.triangles(), b.regions[r].changed.triangles()));
 }
 
 TEST_CASE("a moved boss carries its volume") {
