@@ -22,6 +22,7 @@ namespace featuremesh {
 
 namespace {
 
+// An attempt gets half of what is left.
 constexpr double most_seconds = 20;  // of the processor, for all attempts together; what is fused in that time is worth
                                      // it, see docs/design/cells.md
 
@@ -57,6 +58,8 @@ class CellBuilder {
         const double fuzzy = std::max(1e-7 * diagonal, 1e-6);
         note("the volumes are fused with a tolerance of " + std::to_string(fuzzy) + " mm");
         if (attempt(volumes(), fuzzy)) return finish();
+        for (const FeatureId step : steps_to_start_from())
+            if (collapse_before(step) && attempt(volumes(), 0)) return finish();
         std::vector<FuseArgument> with_final = volumes();
         add_final_shape(with_final, final_shape_);
         note("the final shape itself takes part in the fuse");
@@ -117,6 +120,53 @@ class CellBuilder {
         return !done.empty();
     }
 
+    /// Features that change a shape FreeCAD shows, the last first.
+    std::vector<FeatureId> chain() const {
+        std::vector<FeatureId> steps;
+        for (std::optional<FeatureId> id = tree_.find(tree_.object); id;) {
+            const Feature& feature = tree_[*id];
+            if (feature.combination == Combination::chain && !feature.before.IsNull()) steps.push_back(*id);
+            id = feature.operands.empty() ? std::nullopt : std::optional<FeatureId>(feature.operands.front());
+        }
+        return steps;
+    }
+
+    /// Where to begin when what is before cannot be fused: right behind the last offender, or, with none known, half
+    /// way; then at the last step.
+    std::vector<FeatureId> steps_to_start_from() const {
+        const std::vector<FeatureId> steps = chain();
+        if (steps.empty()) return {};
+        std::size_t first = steps.size() / 2;
+        if (!offenders_.empty()) {
+            const auto last_offender =
+                std::find_if(steps.begin(), steps.end(), [&](FeatureId id) { return offenders_.count(id) > 0; });
+            first = static_cast<std::size_t>(last_offender - steps.begin());
+            if (first == 0) return {};
+            --first;
+        }
+        if (first == 0) return {steps.front()};
+        return {steps[first], steps.front()};
+    }
+
+    /// Takes everything before a step as one piece: the shape that FreeCAD shows there.
+    bool collapse_before(FeatureId step) {
+        std::set<FeatureId> before;
+        std::vector<FeatureId> open = tree_[step].operands;
+        while (!open.empty()) {
+            const FeatureId id = open.back();
+            open.pop_back();
+            if (!before.insert(id).second) continue;
+            open.insert(open.end(), tree_[id].operands.begin(), tree_[id].operands.end());
+        }
+        std::erase_if(before, [&](FeatureId id) { return tree_[id].volumes.empty(); });
+        for (const FeatureId id : before) {
+            replaced_[id] = {tree_[step].before};
+            distrust(id);
+        }
+        if (!before.empty()) note("all before " + tree_[step].label + " is taken as one piece: " + names(before));
+        return !before.empty();
+    }
+
     bool leave_out_offenders() {
         if (offenders_.empty()) return false;
         note("the features whose volumes do not add up are left out: " + names(offenders_));
@@ -130,7 +180,7 @@ class CellBuilder {
     bool attempt(const std::vector<FuseArgument>& arguments, double fuzzy) {
         if (seconds_left() <= 0) return note("out of time"), false;
         context_.check_cancelled();
-        FusedComplex complex = fuse(arguments, {fuzzy, seconds_left()}, context_);
+        FusedComplex complex = fuse(arguments, {fuzzy, seconds_left() / 2}, context_);
         if (!complex.trouble.empty()) return note("fuse: " + complex.trouble), false;
         model_ = {};
         model_.cells = std::move(complex.cells);

@@ -362,3 +362,27 @@ TEST_CASE("a fuse without time says so and throws nothing") {
     CHECK(complex.cells.empty());
     CHECK(complex.trouble.find("longer than") != std::string::npos);
 }
+
+TEST_CASE("what cannot be fused is taken as one piece, and later features keep their cells") {
+    TopoDS_Compound twice;
+    BRep_Builder builder;
+    builder.MakeCompound(twice);
+    builder.Add(twice, box(0, 0, 0, 10, 10, 10));
+    builder.Add(twice, box(5, 5, 5, 10, 10, 10));
+    const TopoDS_Shape united = BRepAlgoAPI_Fuse(box(0, 0, 0, 10, 10, 10), box(5, 5, 5, 10, 10, 10)).Shape();
+    const TopoDS_Shape hole = cylinder({2, 2, 0}, {0, 0, 1}, 1, 10);
+    // What FreeCAD made of the pipe differs from its volume, so that the books cannot close with it.
+    const TopoDS_Shape shown = BRepAlgoAPI_Fuse(united, box(-5, 0, 0, 5, 5, 5)).Shape();
+    Part part = Part().add("Pipe", twice).remove("Hole", hole);
+    FeatureTree tree = part.tree();
+    tree.features[1].before = shown;
+    tree.features[1].after = tree.final_shape = BRepAlgoAPI_Cut(shown, hole).Shape();
+    RunContext context;
+    const CellModel model = build_cells(tree, Brep(tree.final_shape), context);
+    CHECK(material_of(model) == Approx(1875 + 125 - 10 * pi));
+    REQUIRE(model.cells.size() == 2);
+    const auto is_hole = [](const Cell& cell) { return cell.owners.size() == 2; };
+    CHECK(std::count_if(model.cells.begin(), model.cells.end(), is_hole) == 1);
+    CHECK(model.report.untrusted == std::vector<FeatureId>{FeatureId(0)});
+    CHECK_FALSE(model.report.fallbacks.empty());
+}
