@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -191,29 +192,48 @@ class NodeSets {
     std::vector<int> parent_;
 };
 
-/// By cavity node: the number of its part. Shells within one another's box belong together, for one may be the void of
-/// the other.
+/// A connected piece of the boundary: its box and the regions it bounds.
+struct Shell {
+    int root;
+    Box box;
+    std::set<int> regions;
+
+    bool may_bound_with(const Shell& other) const {
+        return box.overlaps(other.box) &&
+               std::any_of(regions.begin(), regions.end(), [&](int r) { return other.regions.contains(r); });
+    }
+};
+
+std::vector<Shell> find_shells(const Cavity& cavity, NodeSets& sets) {
+    std::vector<Shell> shells;
+    std::vector<int> shell_of(cavity.points.size(), -1);
+    for (std::size_t n = 0; n < cavity.points.size(); ++n) {
+        const int root = sets.root(static_cast<int>(n));
+        if (shell_of[root] < 0) shell_of[root] = static_cast<int>(shells.size()), shells.push_back({root, {}, {}});
+        shells[shell_of[root]].box.add(cavity.points[n]);
+    }
+    for (const Facet& f : cavity.facets)
+        for (const int region : f.regions)
+            if (region >= 0) shells[shell_of[sets.root(f.corners[0])]].regions.insert(region);
+    std::sort(shells.begin(), shells.end(), [](const Shell& a, const Shell& b) {
+        return std::tie(a.box.low.x, a.root) < std::tie(b.box.low.x, b.root);
+    });
+    return shells;
+}
+
+/// By cavity node: the number of its part. Shells of one solid within one another's box belong together, for one may be
+/// the void of the other. Solids that share no node are apart even where they touch.
 std::vector<int> number_parts(const Cavity& cavity, int& part_count) {
     NodeSets sets(cavity.points.size());
     for (const Facet& f : cavity.facets) sets.join(f.corners[0], f.corners[1]), sets.join(f.corners[0], f.corners[2]);
     bool is_changed = true;
-    std::vector<int> roots;
     while (is_changed) {
         is_changed = false;
-        std::vector<Box> boxes(cavity.points.size());
-        roots.clear();
-        for (std::size_t n = 0; n < cavity.points.size(); ++n) {
-            const int root = sets.root(static_cast<int>(n));
-            if (boxes[root].is_empty()) roots.push_back(root);
-            boxes[root].add(cavity.points[n]);
-        }
-        std::sort(roots.begin(), roots.end(), [&](int a, int b) {
-            return boxes[a].low.x < boxes[b].low.x || (boxes[a].low.x == boxes[b].low.x && a < b);
-        });
-        for (std::size_t i = 0; i < roots.size(); ++i)
-            for (std::size_t j = i + 1; j < roots.size() && boxes[roots[j]].low.x <= boxes[roots[i]].high.x; ++j)
-                if (boxes[roots[i]].overlaps(boxes[roots[j]]) && sets.root(roots[i]) != sets.root(roots[j]))
-                    sets.join(roots[i], roots[j]), is_changed = true;
+        const std::vector<Shell> shells = find_shells(cavity, sets);
+        for (std::size_t i = 0; i < shells.size(); ++i)
+            for (std::size_t j = i + 1; j < shells.size() && shells[j].box.low.x <= shells[i].box.high.x; ++j)
+                if (shells[i].may_bound_with(shells[j]) && sets.root(shells[i].root) != sets.root(shells[j].root))
+                    sets.join(shells[i].root, shells[j].root), is_changed = true;
     }
     std::vector<int> part(cavity.points.size(), -1);
     part_count = 0;

@@ -29,7 +29,8 @@ Cavity find_cavity(const Mesh& mesh, std::span<const std::array<SolidId, 2>> fac
 /// Facets with an edge around which the boundary of a region does not close; ascending.
 std::vector<int> open_facets(const Cavity& cavity);
 
-/// Splits a cavity into parts that can be filled one apart from the other: their boxes do not touch.
+/// Splits a cavity into parts that can be filled one apart from the other: they share no node, and no solid within one
+/// another's box.
 std::vector<Cavity> separate_cavities(Cavity cavity);
 
 }  // namespace featuremesh
