@@ -127,6 +127,23 @@ TEST_CASE("10-node tets: shared mid-side nodes and positive Jacobians") {
     CHECK(messages_after([](Mesh& m, Expectation&) { m.points[m.tet_mids[0][0].index()] += {0.02, 0.01, -0.01}; }, 2).empty());
 }
 
+TEST_CASE("the volume of 10-node tets is that of the curved elements") {
+    // a bulge of a boundary side adds volume, one of an inner side only moves it
+    const auto bulge = [](bool on_boundary) {
+        return messages_after(
+            [=](Mesh& m, Expectation&) {
+                for (std::size_t n = m.corner_count; n < m.points.size(); ++n)
+                    if ((m.entities[n].dim == 2 && m.entities[n].index == 0) == on_boundary && (on_boundary || m.entities[n].dim == 3)) {
+                        m.points[n].x -= 0.01;
+                        return;
+                    }
+            },
+            2);
+    };
+    CHECK(has(bulge(true), "volume is wrong: Solid1"));
+    CHECK(bulge(false).empty());
+}
+
 TEST_CASE("a surface without tets is closed around its solid") {
     Mesh surface = box_mesh(2);
     surface.tets.clear(), surface.tet_solids.clear(), surface.tet_numbers.clear();
