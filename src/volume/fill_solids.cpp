@@ -12,6 +12,7 @@
 #include "volume/facet_split.h"
 #include "volume/fill_cavity.h"
 #include "volume/flip_facets.h"
+#include "volume/local_recovery.h"
 #include "volume/optimise.h"
 
 namespace featuremesh {
@@ -20,6 +21,7 @@ namespace {
 
 constexpr int most_rounds = 12;
 constexpr int most_crossing_rounds = 3;
+constexpr int most_local_recoveries = 5;
 
 std::vector<std::array<SolidId, 2>> sides_of_faces(const Brep& brep) {
     std::vector<std::array<SolidId, 2>> sides;
@@ -181,7 +183,9 @@ class Filling {
             apply(halve_longest_edges(cavity, crossing), cavity);
             return;
         }
-        ConstrainedTriangulation constrained = constrained_delaunay(cavity, seeds);
+        std::optional<ConstrainedTriangulation> local;
+        if (local_recoveries_++ < most_local_recoveries) local = recover_locally(cavity, fill);
+        ConstrainedTriangulation constrained = local ? std::move(*local) : constrained_delaunay(cavity, seeds);
         if (!constrained.failed.empty()) {
             log("triangles that constraints did not bring back", constrained.failed.size());
             apply(halve_longest_edges(cavity, constrained.failed), cavity);
@@ -326,7 +330,7 @@ class Filling {
     std::vector<CavityFill> fills_;
     std::vector<KnownTriangulation> known_;
     std::vector<TetComplex> complexes_;
-    int crossing_rounds_ = 0;
+    int crossing_rounds_ = 0, local_recoveries_ = 0;
     VolumeResult result_;
 };
 
