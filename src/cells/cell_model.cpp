@@ -267,11 +267,29 @@ class CellBuilder {
     CellModel finish() {
         cross_check();
         match_final_faces(model_, final_shape_);
+        own_the_rest();
         for (std::size_t f = 0; f < tree_.features.size(); ++f)
             if (!tree_.features[f].error.empty()) distrust(FeatureId(f));
         model_.report.fallbacks = std::move(notes_);
         model_.report.untrusted.assign(untrusted_.begin(), untrusted_.end());
         return std::move(model_);
+    }
+
+    /// What belongs to nobody may belong to any feature that was not taken as it is.
+    void own_the_rest() {
+        std::vector<Owner> suspects, all;
+        for (std::size_t f = 0; f < tree_.features.size(); ++f) {
+            if (tree_.features[f].volumes.empty()) continue;
+            all.push_back({FeatureId(f), 0});
+            if (untrusted_.count(FeatureId(f))) suspects.push_back({FeatureId(f), 0});
+        }
+        const std::vector<Owner>& owners = suspects.empty() ? all : suspects;
+        for (Cell& cell : model_.cells)
+            if (cell.owners.empty()) cell.owners = owners;
+        for (CellFace& face : model_.faces)
+            if (face.owners.empty()) face.owners = owners;
+        for (auto& list : model_.owners_of_final_face)
+            if (list.empty()) list = owners;
     }
 
     /// The final shape as it is, owned by every feature and trusted to none.

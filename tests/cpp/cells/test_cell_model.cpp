@@ -261,6 +261,8 @@ TEST_CASE("a final shape that the tree does not explain is reported, and the tre
     CHECK_FALSE(model.report.fallbacks.empty());
     CHECK(model.report.material_volume == Approx(1000 - 90 * pi));
     CHECK(model.report.untrusted == std::vector<FeatureId>{FeatureId(0)});
+    for (const auto& owners : model.owners_of_final_face) CHECK_FALSE(owners.empty());
+    for (const CellFace& face : model.faces) CHECK_FALSE(face.owners.empty());
 }
 
 TEST_CASE("a tree without any volume is one opaque cell") {
