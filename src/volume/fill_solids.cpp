@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -68,6 +69,18 @@ bool has_inverted_tet(const CavityFill& fill) {
         if (signed_volume(a, b, c, d) < -1e-12 * edge * edge * edge) return true;
     }
     return false;
+}
+
+/// No more volume than the rounding of a determinant.
+bool is_flat(const TetComplex& complex, const std::array<int, 4>& tet) {
+    const Vec3 &a = complex.points[tet[0]], u = complex.points[tet[1]] - a, v = complex.points[tet[2]] - a,
+               w = complex.points[tet[3]] - a;
+    return !(dot(cross(u, v), w) > 1e-14 * length(u) * length(v) * length(w));
+}
+
+bool has_flat_tet(const TetComplex& complex) {
+    return std::any_of(complex.tets.begin(), complex.tets.end(),
+                       [&](const std::array<int, 4>& tet) { return tet[0] >= 0 && is_flat(complex, tet); });
 }
 
 /// The filling of one mesh, round by round: what does not hold is released or recovered, and filled again.
@@ -262,17 +275,41 @@ class Filling {
             result_.report.odt_energy_after += odt.energy_after;
             result_.report.slivers_before += slivers.before;
             result_.report.slivers_left += slivers.left;
+            if (has_flat_tet(complexes_[i])) leave_out_flat_tets(cavities_[i], complexes_[i]);
             require_positive(cavities_[i], complexes_[i]);
         }
     }
 
+    /// The optimiser may have moved a tet without height to where it lies under two triangles of a face.
+    void leave_out_flat_tets(const Cavity& cavity, TetComplex& complex) {
+        CavityFill fill;
+        fill.points = complex.points;
+        std::vector<std::size_t> live;
+        for (std::size_t t = 0; t < complex.tets.size(); ++t)
+            if (complex.tets[t][0] >= 0) live.push_back(t), fill.triangulation.tets.push_back(complex.tets[t]);
+        fill.regions.assign(live.size(), 0);
+        fill.places = find_facets(fill.triangulation, fill.points.size(), cavity.facets);
+        const FacetSplit flips = flip_flat(cavity, fill, result_.mesh);
+        if (flips.pieces.empty() || !tets_in_the_way(flips, cavity, result_.mesh, is_released_).empty()) return;
+        std::map<int, std::array<int, 3>> new_corners;
+        for (const auto& piece : flips.pieces) new_corners[piece.facet] = piece.corners;
+        for (std::size_t t = 0; t < live.size(); ++t) {
+            const auto& tet = fill.triangulation.tets[t];
+            int count = 0;  // of new triangles that are sides of this tet, in place of old ones that are
+            for (int k = 0; k < 4; ++k) {
+                const auto flipped = new_corners.find(fill.places.facet_at[4 * t + k]);
+                if (flipped == new_corners.end()) continue;
+                count += std::all_of(flipped->second.begin(), flipped->second.end(),
+                                     [&](int c) { return std::find(tet.begin(), tet.end(), c) != tet.end(); });
+            }
+            if (count == 2) complex.tets[live[t]][0] = -1;
+        }
+        apply(flips, cavity);
+    }
+
     void require_positive(const Cavity& cavity, const TetComplex& complex) const {
         for (const auto& tet : complex.tets) {
-            if (tet[0] < 0) continue;
-            const auto& p = complex.points;
-            const Vec3 u = p[tet[1]] - p[tet[0]], v = p[tet[2]] - p[tet[0]], w = p[tet[3]] - p[tet[0]];
-            // the product of three lengths times the rounding of a determinant
-            if (dot(cross(u, v), w) > 1e-14 * length(u) * length(v) * length(w)) continue;
+            if (tet[0] < 0 || !is_flat(complex, tet)) continue;
             std::string nearest = "inside the solid";
             for (const int corner : tet)
                 if (corner < static_cast<int>(cavity.nodes.size()))
