@@ -30,7 +30,8 @@ std::vector<std::string> Findings::messages() const {
     for (const Kind& entry : kinds_) {
         std::string line = entry.name + ": ";
         for (std::size_t i = 0; i < entry.details.size(); ++i) line += (i ? "; " : "") + entry.details[i];
-        if (entry.count > entry.details.size()) line += "; and " + std::to_string(entry.count - entry.details.size()) + " more";
+        if (entry.count > entry.details.size())
+            line += "; and " + std::to_string(entry.count - entry.details.size()) + " more";
         lines.push_back(std::move(line));
     }
     return lines;

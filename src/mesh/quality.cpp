@@ -49,13 +49,15 @@ double angle_deg(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)
 double fast_angle_deg(double cosine) {
     const double x = std::min(std::abs(cosine), 1.0);
     double p = -0.0012624911;
-    for (double c : {0.0066700901, -0.0170881256, 0.0308918810, -0.0501743046, 0.0889789874, -0.2145988016, 1.5707963050}) p = p * x + c;
+    for (double c :
+         {0.0066700901, -0.0170881256, 0.0308918810, -0.0501743046, 0.0889789874, -0.2145988016, 1.5707963050})
+        p = p * x + c;
     const double angle = std::sqrt(1 - x) * p * degrees;
     return cosine < 0 ? 180 - angle : angle;
 }
 
-/// Finds the 5-degree bin of an angle from its cosine without an arc cosine: a fine table gives the bin at a cell's right end, and a cell holds at
-/// most one border.
+/// Finds the 5-degree bin of an angle from its cosine without an arc cosine: a fine table gives the bin at a cell's
+/// right end, and a cell holds at most one border.
 class AngleBins {
   public:
     AngleBins() {
@@ -91,7 +93,8 @@ struct Tally {
 
 Tally tally_of(const Mesh& mesh, const std::vector<bool>& is_forced, std::size_t begin, std::size_t end) {
     static const AngleBins bin_of;
-    static const double cos_10 = std::cos(10 / degrees), cos_20 = std::cos(20 / degrees), cos_25 = std::cos(25 / degrees);
+    static const double cos_10 = std::cos(10 / degrees), cos_20 = std::cos(20 / degrees),
+                        cos_25 = std::cos(25 / degrees);
     Tally tally;
     for (std::size_t t = begin; t < end; ++t) {
         const auto& n = mesh.tets[t];

@@ -37,12 +37,14 @@ constexpr std::array<int, 4> corner_coefficients{index_of({3, 0, 0, 0}), index_o
                                                  index_of({0, 0, 0, 3})};
 
 double smallest_corner(const Coefficients& c) {
-    return std::min({c[corner_coefficients[0]], c[corner_coefficients[1]], c[corner_coefficients[2]], c[corner_coefficients[3]]});
+    return std::min(
+        {c[corner_coefficients[0]], c[corner_coefficients[1]], c[corner_coefficients[2]], c[corner_coefficients[3]]});
 }
 
 /// The coefficients over the half in which corner `to` is moved to the middle of (keep, to) (de Casteljau).
 Coefficients half(const Coefficients& c, int keep, int to) {
-    constexpr std::array<std::array<double, 4>, 4> share{{{1, 0, 0, 0}, {0.5, 0.5, 0, 0}, {0.25, 0.5, 0.25, 0}, {0.125, 0.375, 0.375, 0.125}}};
+    constexpr std::array<std::array<double, 4>, 4> share{
+        {{1, 0, 0, 0}, {0.5, 0.5, 0, 0}, {0.25, 0.5, 0.25, 0}, {0.125, 0.375, 0.375, 0.125}}};
     Coefficients out{};
     for (int n = 0; n < 20; ++n) {
         const int power = exponents[n][to];
@@ -156,7 +158,9 @@ NodeId& mid_of(Mesh& mesh, int dim, std::size_t element, int side) {
     if (dim == 2) return mesh.triangle_mids[element][side];
     return mesh.tet_mids[element][side];
 }
-NodeId mid_of(const Mesh& mesh, int dim, std::size_t element, int side) { return mid_of(const_cast<Mesh&>(mesh), dim, element, side); }
+NodeId mid_of(const Mesh& mesh, int dim, std::size_t element, int side) {
+    return mid_of(const_cast<Mesh&>(mesh), dim, element, side);
+}
 
 /// Takes over the kept mid-side nodes of the sides that are still there, in their old order.
 void take_over_kept_mids(Mesh& mesh, const Mesh& kept, SideTable& sides) {

@@ -19,7 +19,8 @@ class SideTable {
         const auto [low, high] = std::minmax(a.value, b.value);
         std::int32_t* link = &first_[static_cast<std::size_t>(low)];
         for (; *link >= 0; link = &entries_[static_cast<std::size_t>(*link)].next)
-            if (entries_[static_cast<std::size_t>(*link)].other == high) return entries_[static_cast<std::size_t>(*link)].value;
+            if (entries_[static_cast<std::size_t>(*link)].other == high)
+                return entries_[static_cast<std::size_t>(*link)].value;
         *link = static_cast<std::int32_t>(entries_.size());
         entries_.push_back({high, -1, -1});
         return entries_.back().value;
@@ -27,7 +28,8 @@ class SideTable {
     /// -1 when the side is not there or was not set.
     std::int32_t find(NodeId a, NodeId b) const {
         const auto [low, high] = std::minmax(a.value, b.value);
-        for (std::int32_t e = first_[static_cast<std::size_t>(low)]; e >= 0; e = entries_[static_cast<std::size_t>(e)].next)
+        for (std::int32_t e = first_[static_cast<std::size_t>(low)]; e >= 0;
+             e = entries_[static_cast<std::size_t>(e)].next)
             if (entries_[static_cast<std::size_t>(e)].other == high) return entries_[static_cast<std::size_t>(e)].value;
         return -1;
     }

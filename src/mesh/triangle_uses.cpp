@@ -39,18 +39,23 @@ std::array<std::uint32_t, count> values_of(const std::array<NodeId, count>& node
 }  // namespace
 
 TriangleUses::TriangleUses(const Mesh& mesh, std::span<const char> only) : begin_(mesh.points.size() + 1, 0) {
-    const auto is_wanted = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { return only.empty() || (only[a] && only[b] && only[c]); };
+    const auto is_wanted = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        return only.empty() || (only[a] && only[b] && only[c]);
+    };
     const auto count_marked = [&](const auto& nodes) {
-        return only.empty() ? 4 : std::count_if(nodes.begin(), nodes.end(), [&](NodeId n) { return only[n.index()] != 0; });
+        return only.empty() ? 4
+                            : std::count_if(nodes.begin(), nodes.end(), [&](NodeId n) { return only[n.index()] != 0; });
     };
     // Visits (smallest, middle, largest, code) of every wanted triangle, tets first.
     const auto for_each_use = [&](auto visit) {
         for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
             if (count_marked(mesh.tets[t]) < 3) continue;
             auto n = values_of(mesh.tets[t]);
-            // the face opposite the j-th smallest node is outward in growing order when j and the parity of the sorting agree
+            // the face opposite the j-th smallest node is outward in growing order when j and the parity of the sorting
+            // agree
             const bool odd = sort_nodes(n);
-            const std::int32_t even_face = static_cast<std::int32_t>(2 * t) + odd, odd_face = static_cast<std::int32_t>(2 * t) + !odd;
+            const std::int32_t even_face = static_cast<std::int32_t>(2 * t) + odd,
+                               odd_face = static_cast<std::int32_t>(2 * t) + !odd;
             if (is_wanted(n[0], n[1], n[2])) visit(n[0], TriangleUse{n[1], n[2], odd_face});
             if (is_wanted(n[0], n[1], n[3])) visit(n[0], TriangleUse{n[1], n[3], even_face});
             if (is_wanted(n[0], n[2], n[3])) visit(n[0], TriangleUse{n[2], n[3], odd_face});
@@ -59,7 +64,8 @@ TriangleUses::TriangleUses(const Mesh& mesh, std::span<const char> only) : begin
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
             auto n = values_of(mesh.triangles[t]);
             const bool odd = sort_nodes(n);
-            if (is_wanted(n[0], n[1], n[2])) visit(n[0], TriangleUse{n[1], n[2], -1 - (static_cast<std::int32_t>(2 * t) + odd)});
+            if (is_wanted(n[0], n[1], n[2]))
+                visit(n[0], TriangleUse{n[1], n[2], -1 - (static_cast<std::int32_t>(2 * t) + odd)});
         }
     };
     for_each_use([&](std::uint32_t smallest, const TriangleUse&) { ++begin_[smallest]; });
@@ -76,7 +82,8 @@ void TriangleUses::sort(std::span<TriangleUse> uses) {
         const TriangleUse use = uses[i];
         const std::uint64_t key = std::uint64_t{use.middle} << 32 | use.largest;
         std::size_t j = i;
-        for (; j > 0 && (std::uint64_t{uses[j - 1].middle} << 32 | uses[j - 1].largest) > key; --j) uses[j] = uses[j - 1];
+        for (; j > 0 && (std::uint64_t{uses[j - 1].middle} << 32 | uses[j - 1].largest) > key; --j)
+            uses[j] = uses[j - 1];
         uses[j] = use;
     }
 }

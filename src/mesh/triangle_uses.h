@@ -14,13 +14,14 @@ namespace featuremesh {
 
 /// One tet or surface triangle at a triangle.
 struct TriangleUse {
-    std::uint32_t middle, largest;   ///< of the triangle's three nodes; the smallest one is that of the bucket
+    std::uint32_t middle, largest;  ///< of the triangle's three nodes; the smallest one is that of the bucket
     std::int32_t code;
 
     bool is_tet() const { return code >= 0; }
     /// Tet or surface triangle, counted from 0.
     std::size_t element() const { return static_cast<std::size_t>(is_tet() ? code : -1 - code) / 2; }
-    /// The triangle (smallest, middle, largest) has its normal out of the tet, or is the surface triangle as it is oriented.
+    /// The triangle (smallest, middle, largest) has its normal out of the tet, or is the surface triangle as it is
+    /// oriented.
     bool is_forward() const { return (is_tet() ? code : -1 - code) % 2 == 0; }
 };
 
@@ -31,14 +32,17 @@ class TriangleUses {
     explicit TriangleUses(const Mesh& mesh, std::span<const char> only = {});
 
     std::size_t bucket_count() const { return begin_.size() - 1; }
-    /// Sorts the uses with this smallest node and calls visit(uses of one triangle) for each of its triangles, tets before surface triangles.
+    /// Sorts the uses with this smallest node and calls visit(uses of one triangle) for each of its triangles, tets
+    /// before surface triangles.
     template <class Visit>
     void visit_bucket(std::size_t smallest, Visit visit) {
         const std::span<TriangleUse> uses(uses_.data() + begin_[smallest], uses_.data() + begin_[smallest + 1]);
         sort(uses);
         for (std::size_t first = 0, last; first < uses.size(); first = last) {
             last = first + 1;
-            while (last < uses.size() && uses[last].middle == uses[first].middle && uses[last].largest == uses[first].largest) ++last;
+            while (last < uses.size() && uses[last].middle == uses[first].middle &&
+                   uses[last].largest == uses[first].largest)
+                ++last;
             visit(std::span<const TriangleUse>(uses.subspan(first, last - first)));
         }
     }

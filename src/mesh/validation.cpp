@@ -20,29 +20,35 @@ constexpr std::size_t grain = 1 << 14;
 std::string describe(const Mesh& mesh, NodeId n) {
     const Vec3& p = mesh.point(n);
     char text[128];
-    std::snprintf(text, sizeof text, "node %lld at (%.6g, %.6g, %.6g)", static_cast<long long>(mesh.node_numbers[n.index()]), p.x, p.y, p.z);
+    std::snprintf(text, sizeof text, "node %lld at (%.6g, %.6g, %.6g)",
+                  static_cast<long long>(mesh.node_numbers[n.index()]), p.x, p.y, p.z);
     return text;
 }
-std::string tet_name(const Mesh& mesh, std::size_t t) { return "tet " + std::to_string(mesh.tet_numbers[t]) + " with " + describe(mesh, mesh.tets[t][0]); }
+std::string tet_name(const Mesh& mesh, std::size_t t) {
+    return "tet " + std::to_string(mesh.tet_numbers[t]) + " with " + describe(mesh, mesh.tets[t][0]);
+}
 std::string triangle_name(const Mesh& mesh, std::size_t t) {
-    return "triangle " + std::to_string(mesh.triangle_numbers[t]) + " on Face" + std::to_string(mesh.triangle_faces[t].value + 1) + " with " +
-           describe(mesh, mesh.triangles[t][0]);
+    return "triangle " + std::to_string(mesh.triangle_numbers[t]) + " on Face" +
+           std::to_string(mesh.triangle_faces[t].value + 1) + " with " + describe(mesh, mesh.triangles[t][0]);
 }
 std::string segment_name(const Mesh& mesh, std::size_t s) {
-    return "segment " + std::to_string(mesh.segment_numbers[s]) + " on Edge" + std::to_string(mesh.segment_edges[s].value + 1) + " at " +
-           describe(mesh, mesh.segments[s][0]);
+    return "segment " + std::to_string(mesh.segment_numbers[s]) + " on Edge" +
+           std::to_string(mesh.segment_edges[s].value + 1) + " at " + describe(mesh, mesh.segments[s][0]);
 }
 std::string solid_name(SolidId s) { return s.is_valid() ? "Solid" + std::to_string(s.value + 1) : "the outside"; }
 
 void check_size(std::size_t have, std::size_t want, const char* array, Findings& findings) {
-    if (have != want) findings.add("array of wrong length", std::string(array) + " has " + std::to_string(have) + " entries, not " + std::to_string(want));
+    if (have != want)
+        findings.add("array of wrong length",
+                     std::string(array) + " has " + std::to_string(have) + " entries, not " + std::to_string(want));
 }
 
 void check_array_sizes(const Mesh& mesh, Findings& findings) {
     const bool second = mesh.order == 2;
     if (mesh.order != 1 && !second) findings.add("order is neither 1 nor 2", std::to_string(mesh.order));
     if (mesh.corner_count > mesh.points.size() || (!second && mesh.corner_count != mesh.points.size()))
-        findings.add("wrong count of corner nodes", std::to_string(mesh.corner_count) + " of " + std::to_string(mesh.points.size()) + " nodes");
+        findings.add("wrong count of corner nodes",
+                     std::to_string(mesh.corner_count) + " of " + std::to_string(mesh.points.size()) + " nodes");
     check_size(mesh.entities.size(), mesh.points.size(), "entities", findings);
     check_size(mesh.parameters.size(), mesh.points.size(), "parameters", findings);
     check_size(mesh.node_numbers.size(), mesh.points.size(), "node_numbers", findings);
@@ -58,18 +64,21 @@ void check_array_sizes(const Mesh& mesh, Findings& findings) {
 }
 
 template <std::size_t count>
-void check_nodes(const std::vector<std::array<NodeId, count>>& elements, std::size_t begin, std::size_t end, const char* kind, Findings& findings) {
+void check_nodes(const std::vector<std::array<NodeId, count>>& elements, std::size_t begin, std::size_t end,
+                 const char* kind, Findings& findings) {
     for (std::size_t i = 0; i < elements.size(); ++i)
         for (NodeId n : elements[i])
             if (n.value < 0 || n.index() < begin || n.index() >= end)
-                findings.add("node out of range", std::string(kind) + " at place " + std::to_string(i) + " names node place " + std::to_string(n.value));
+                findings.add("node out of range", std::string(kind) + " at place " + std::to_string(i) +
+                                                      " names node place " + std::to_string(n.value));
 }
 
 template <class Id>
 void check_owners(const std::vector<Id>& owners, std::size_t count, const char* kind, Findings& findings) {
     for (std::size_t i = 0; i < owners.size(); ++i)
         if (owners[i].value < 0 || (count > 0 && owners[i].index() >= count))
-            findings.add("CAD entity out of range", std::string(kind) + " at place " + std::to_string(i) + " names entity " + std::to_string(owners[i].value));
+            findings.add("CAD entity out of range", std::string(kind) + " at place " + std::to_string(i) +
+                                                        " names entity " + std::to_string(owners[i].value));
 }
 
 void check_ranges(const Mesh& mesh, const Expectation& expected, Findings& findings) {
@@ -80,7 +89,8 @@ void check_ranges(const Mesh& mesh, const Expectation& expected, Findings& findi
     check_nodes(mesh.triangle_mids, corners, nodes, "triangle", findings);
     check_nodes(mesh.tet_mids, corners, nodes, "tet", findings);
     for (std::size_t i = 0; i < mesh.segment_mids.size(); ++i)
-        if (mesh.segment_mids[i].value < 0 || mesh.segment_mids[i].index() < corners || mesh.segment_mids[i].index() >= nodes)
+        if (mesh.segment_mids[i].value < 0 || mesh.segment_mids[i].index() < corners ||
+            mesh.segment_mids[i].index() >= nodes)
             findings.add("node out of range", "segment at place " + std::to_string(i));
     check_owners(mesh.segment_edges, 0, "segment", findings);
     check_owners(mesh.triangle_faces, expected.face_sides.size(), "triangle", findings);
@@ -91,7 +101,8 @@ void check_ranges(const Mesh& mesh, const Expectation& expected, Findings& findi
 }
 
 /// Every number once, positive, and below the next one to be given.
-void check_numbers(std::initializer_list<std::span<const Number>> lists, Number next, const char* kind, Findings& findings) {
+void check_numbers(std::initializer_list<std::span<const Number>> lists, Number next, const char* kind,
+                   Findings& findings) {
     std::size_t count = 0;
     for (const auto& list : lists) count += list.size();
     std::vector<Number> all;
@@ -105,8 +116,9 @@ void check_numbers(std::initializer_list<std::span<const Number>> lists, Number 
     for (std::size_t i = 1; i < count; ++i)
         if (all[i] == all[i - 1]) findings.add(std::string(kind) + " number given twice", std::to_string(all[i]));
     if (count > 0 && (all.front() < 1 || all.back() >= next))
-        findings.add(std::string(kind) + " number out of range",
-                     std::to_string(all.front()) + " to " + std::to_string(all.back()) + ", the next one is " + std::to_string(next));
+        findings.add(std::string(kind) + " number out of range", std::to_string(all.front()) + " to " +
+                                                                     std::to_string(all.back()) + ", the next one is " +
+                                                                     std::to_string(next));
 }
 
 /// Of the element as it is curved: the mean of the Bernstein coefficients is the mean of det J.
@@ -123,13 +135,15 @@ void check_tets(const Mesh& mesh, const Expectation& expected, RunContext& conte
     parallel_for(context, mesh.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
             const auto& n = mesh.tets[t];
-            const Vec3 &a = mesh.point(n[0]), u = mesh.point(n[1]) - a, v = mesh.point(n[2]) - a, w = mesh.point(n[3]) - a;
+            const Vec3 &a = mesh.point(n[0]), u = mesh.point(n[1]) - a, v = mesh.point(n[2]) - a,
+                       w = mesh.point(n[3]) - a;
             const double six_volume = dot(cross(u, v), w);
             const double squares = squared_length(u) * squared_length(v) * squared_length(w);
             // the product of three lengths times the rounding of a determinant
             if (!(six_volume > 0) || six_volume * six_volume < 1e-28 * squares)
                 parts[begin / grain].add("tet without positive volume", tet_name(mesh, t));
-            if (solids > 0) volumes[begin / grain * solids + mesh.tet_solids[t].index()] += volume_of(mesh, t, six_volume / 6);
+            if (solids > 0)
+                volumes[begin / grain * solids + mesh.tet_solids[t].index()] += volume_of(mesh, t, six_volume / 6);
         }
     });
     for (const Findings& part : parts) findings.add(part);
@@ -138,27 +152,34 @@ void check_tets(const Mesh& mesh, const Expectation& expected, RunContext& conte
         for (std::size_t chunk = 0; chunk < chunks; ++chunk) volume += volumes[chunk * solids + s];
         const double wanted = expected.solid_volumes[s];
         if (std::abs(volume - wanted) > expected.volume_tolerance * std::abs(wanted))
-            findings.add("volume is wrong", solid_name(SolidId(s)) + " has " + std::to_string(volume) + " mm^3 of tets, not " + std::to_string(wanted));
+            findings.add("volume is wrong", solid_name(SolidId(s)) + " has " + std::to_string(volume) +
+                                                " mm^3 of tets, not " + std::to_string(wanted));
     }
 }
 
 /// The tets (behind and before) at one surface triangle, against what its face's sides say.
-void check_sides(const Mesh& mesh, const Expectation& expected, std::span<const TriangleUse> tets, const TriangleUse& triangle, Findings& findings) {
+void check_sides(const Mesh& mesh, const Expectation& expected, std::span<const TriangleUse> tets,
+                 const TriangleUse& triangle, Findings& findings) {
     std::array<SolidId, 2> sides;
-    for (const TriangleUse& tet : tets) sides[tet.is_forward() == triangle.is_forward() ? 0 : 1] = mesh.tet_solids[tet.element()];
+    for (const TriangleUse& tet : tets)
+        sides[tet.is_forward() == triangle.is_forward() ? 0 : 1] = mesh.tet_solids[tet.element()];
     const auto& wanted = expected.face_sides[mesh.triangle_faces[triangle.element()].index()];
     for (int i = 0; i < 2; ++i)
         if (sides[i] != wanted[i])
-            findings.add("wrong solid at a triangle", triangle_name(mesh, triangle.element()) + " has " + solid_name(sides[i]) +
-                                                          (i == 0 ? " behind it, not " : " before it, not ") + solid_name(wanted[i]));
+            findings.add("wrong solid at a triangle",
+                         triangle_name(mesh, triangle.element()) + " has " + solid_name(sides[i]) +
+                             (i == 0 ? " behind it, not " : " before it, not ") + solid_name(wanted[i]));
 }
 
-void check_triangle(const Mesh& mesh, const Expectation& expected, std::span<const TriangleUse> uses, Findings& findings) {
-    const auto first_triangle = std::find_if(uses.begin(), uses.end(), [](const TriangleUse& use) { return !use.is_tet(); });
+void check_triangle(const Mesh& mesh, const Expectation& expected, std::span<const TriangleUse> uses,
+                    Findings& findings) {
+    const auto first_triangle =
+        std::find_if(uses.begin(), uses.end(), [](const TriangleUse& use) { return !use.is_tet(); });
     const std::span<const TriangleUse> tets(uses.begin(), first_triangle), triangles(first_triangle, uses.end());
     if (tets.size() > 2) findings.add("triangle shared by more than two tets", tet_name(mesh, tets[0].element()));
     if (tets.size() == 2 && tets[0].is_forward() == tets[1].is_forward())
-        findings.add("two tets on the same side of a triangle", tet_name(mesh, tets[0].element()) + " and " + tet_name(mesh, tets[1].element()));
+        findings.add("two tets on the same side of a triangle",
+                     tet_name(mesh, tets[0].element()) + " and " + tet_name(mesh, tets[1].element()));
     if (triangles.size() > 1) findings.add("the same triangle twice", triangle_name(mesh, triangles[0].element()));
     if (triangles.empty()) {
         if (tets.size() == 1)
@@ -172,13 +193,15 @@ void check_triangle(const Mesh& mesh, const Expectation& expected, std::span<con
     }
 }
 
-void check_triangles_against_tets(const Mesh& mesh, const Expectation& expected, RunContext& context, Findings& findings) {
+void check_triangles_against_tets(const Mesh& mesh, const Expectation& expected, RunContext& context,
+                                  Findings& findings) {
     TriangleUses uses(mesh, expected.is_unproven);
     std::vector<Findings> parts((uses.bucket_count() + grain - 1) / grain);
     parallel_for(context, uses.bucket_count(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t smallest = begin; smallest < end; ++smallest)
             uses.visit_bucket(smallest, [&](std::span<const TriangleUse> triangle) {
-                const bool inner = triangle.size() == 2 && triangle[1].is_tet() && triangle[0].is_forward() != triangle[1].is_forward() &&
+                const bool inner = triangle.size() == 2 && triangle[1].is_tet() &&
+                                   triangle[0].is_forward() != triangle[1].is_forward() &&
                                    mesh.tet_solids[triangle[0].element()] == mesh.tet_solids[triangle[1].element()];
                 if (!inner) check_triangle(mesh, expected, triangle, parts[begin / grain]);
             });
@@ -195,7 +218,9 @@ void check_closed_surface(const Mesh& mesh, const Expectation& expected, Finding
         for (const bool report : {false, true})
             for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
                 for (int side = 0; side < 2; ++side) {
-                    if (!expected.face_sides.empty() && expected.face_sides[mesh.triangle_faces[t].index()][side] != solid) continue;
+                    if (!expected.face_sides.empty() &&
+                        expected.face_sides[mesh.triangle_faces[t].index()][side] != solid)
+                        continue;
                     if (expected.face_sides.empty() && side == 1) continue;
                     for (int s = 0; s < 3; ++s) {
                         const NodeId a = mesh.triangles[t][s], b = mesh.triangles[t][(s + 1) % 3];
@@ -203,9 +228,12 @@ void check_closed_surface(const Mesh& mesh, const Expectation& expected, Finding
                         // -1 stands for a side seen for the first time: sums are kept shifted by a large even number
                         constexpr std::int32_t zero = 1 << 20;
                         if (!report)
-                            count = (count < 0 ? zero : count) + (expected.face_sides.empty() ? 1 : (a < b) == (side == 0) ? 1 : -1);
+                            count = (count < 0 ? zero : count) + (expected.face_sides.empty() ? 1
+                                                                  : (a < b) == (side == 0)    ? 1
+                                                                                              : -1);
                         else if (expected.face_sides.empty() ? count < zero + 2 : count != zero)
-                            findings.add("open surface around " + solid_name(solid), "at a side of " + triangle_name(mesh, t));
+                            findings.add("open surface around " + solid_name(solid),
+                                         "at a side of " + triangle_name(mesh, t));
                     }
                 }
     }
@@ -220,9 +248,11 @@ void check_segments(const Mesh& mesh, Findings& findings) {
     }
     for (const auto& triangle : mesh.triangles)
         for (int s = 0; s < 3; ++s)
-            if (sides.find(triangle[s], triangle[(s + 1) % 3]) == 0) sides.value(triangle[s], triangle[(s + 1) % 3]) = 1;
+            if (sides.find(triangle[s], triangle[(s + 1) % 3]) == 0)
+                sides.value(triangle[s], triangle[(s + 1) % 3]) = 1;
     for (std::size_t i = 0; i < mesh.segments.size(); ++i)
-        if (sides.find(mesh.segments[i][0], mesh.segments[i][1]) != 1) findings.add("segment that is no triangle's side", segment_name(mesh, i));
+        if (sides.find(mesh.segments[i][0], mesh.segments[i][1]) != 1)
+            findings.add("segment that is no triangle's side", segment_name(mesh, i));
 }
 
 void check_mid_side_nodes(const Mesh& mesh, Findings& findings) {
@@ -232,7 +262,8 @@ void check_mid_side_nodes(const Mesh& mesh, Findings& findings) {
         std::int32_t& known = sides.value(a, b);
         if (known == mid.value) return;
         if (known >= 0) {
-            findings.add("two mid-side nodes on one side", describe(mesh, mid) + " and " + describe(mesh, NodeId(known)));
+            findings.add("two mid-side nodes on one side",
+                         describe(mesh, mid) + " and " + describe(mesh, NodeId(known)));
             return;
         }
         known = mid.value;
@@ -240,10 +271,13 @@ void check_mid_side_nodes(const Mesh& mesh, Findings& findings) {
         is_taken[mid.index()] = true;
     };
     for (std::size_t i = 0; i < mesh.tets.size(); ++i)
-        for (int s = 0; s < 6; ++s) check(mesh.tets[i][tet_sides[s][0]], mesh.tets[i][tet_sides[s][1]], mesh.tet_mids[i][s]);
+        for (int s = 0; s < 6; ++s)
+            check(mesh.tets[i][tet_sides[s][0]], mesh.tets[i][tet_sides[s][1]], mesh.tet_mids[i][s]);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-        for (int s = 0; s < 3; ++s) check(mesh.triangles[i][s], mesh.triangles[i][(s + 1) % 3], mesh.triangle_mids[i][s]);
-    for (std::size_t i = 0; i < mesh.segments.size(); ++i) check(mesh.segments[i][0], mesh.segments[i][1], mesh.segment_mids[i]);
+        for (int s = 0; s < 3; ++s)
+            check(mesh.triangles[i][s], mesh.triangles[i][(s + 1) % 3], mesh.triangle_mids[i][s]);
+    for (std::size_t i = 0; i < mesh.segments.size(); ++i)
+        check(mesh.segments[i][0], mesh.segments[i][1], mesh.segment_mids[i]);
 }
 
 void check_jacobians(const Mesh& mesh, RunContext& context, Findings& findings) {
@@ -254,7 +288,8 @@ void check_jacobians(const Mesh& mesh, RunContext& context, Findings& findings) 
             const auto nodes = tet_nodes(mesh, TetId(t));
             const auto coefficients = jacobian_coefficients(nodes);
             if (*std::min_element(coefficients.begin(), coefficients.end()) > 0) continue;
-            if (!(min_scaled_jacobian(nodes) > 0)) parts[begin / grain].add("10-node tet with a non-positive Jacobian", tet_name(mesh, t));
+            if (!(min_scaled_jacobian(nodes) > 0))
+                parts[begin / grain].add("10-node tet with a non-positive Jacobian", tet_name(mesh, t));
         }
     });
     for (const Findings& part : parts) findings.add(part);
@@ -268,7 +303,8 @@ std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& 
     if (findings.empty()) check_ranges(mesh, expected, findings);
     if (!findings.empty()) return findings.messages();
     check_numbers({mesh.node_numbers}, mesh.next_node_number, "node", findings);
-    check_numbers({mesh.segment_numbers, mesh.triangle_numbers, mesh.tet_numbers}, mesh.next_element_number, "element", findings);
+    check_numbers({mesh.segment_numbers, mesh.triangle_numbers, mesh.tet_numbers}, mesh.next_element_number, "element",
+                  findings);
     check_tets(mesh, expected, context, findings);
     if (mesh.tets.empty())
         check_closed_surface(mesh, expected, findings);

@@ -80,7 +80,9 @@ class TextFile {
         if (std::fwrite(buffer_.data(), 1, used, file_.get()) != used) fail();
         end_ = buffer_.data();
     }
-    [[noreturn]] void fail() const { throw Error("cannot write " + path_ + ": the disk is full or the file was taken away"); }
+    [[noreturn]] void fail() const {
+        throw Error("cannot write " + path_ + ": the disk is full or the file was taken away");
+    }
 
     std::string path_;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
@@ -122,7 +124,8 @@ void write_triangle(TextFile& file, const Mesh& mesh, std::size_t i) {
     const auto number = [&](NodeId n) { return mesh.node_numbers[n.index()]; };
     const auto& n = mesh.triangles[i];
     const bool second = mesh.order == 2;
-    file.integers(mesh.triangle_numbers[i], second ? parabolic_thin_shell_triangle : thin_shell_triangle, 1, 1, 7, second ? 6 : 3);
+    file.integers(mesh.triangle_numbers[i], second ? parabolic_thin_shell_triangle : thin_shell_triangle, 1, 1, 7,
+                  second ? 6 : 3);
     if (second) {
         const auto& m = mesh.triangle_mids[i];
         file.integers(number(n[0]), number(m[0]), number(n[1]), number(m[1]), number(n[2]), number(m[2]));
@@ -138,7 +141,8 @@ void write_tet(TextFile& file, const Mesh& mesh, std::size_t i) {
     file.integers(mesh.tet_numbers[i], second ? parabolic_solid_tet : solid_tet, 1, 1, 7, second ? 10 : 4);
     if (second) {
         const auto& m = mesh.tet_mids[i];
-        file.integers(number(n[0]), number(m[0]), number(n[1]), number(m[1]), number(n[2]), number(m[2]), number(m[3]), number(m[4]));
+        file.integers(number(n[0]), number(m[0]), number(n[1]), number(m[1]), number(n[2]), number(m[2]), number(m[3]),
+                      number(m[4]));
         file.integers(number(m[5]), number(n[3]));
     } else {
         file.integers(number(n[0]), number(n[1]), number(n[2]), number(n[3]));
@@ -162,7 +166,8 @@ void write_groups(TextFile& file, const std::vector<MeshGroup>& groups) {
         file.line_end();
         const int entity = group.kind == MeshGroup::Kind::node ? node_entity : element_entity;
         for (std::size_t i = 0; i < group.numbers.size(); ++i) {
-            for (std::int64_t value : {std::int64_t{entity}, group.numbers[i], std::int64_t{0}, std::int64_t{0}}) file.integer(value);
+            for (std::int64_t value : {std::int64_t{entity}, group.numbers[i], std::int64_t{0}, std::int64_t{0}})
+                file.integer(value);
             if (i % 2 == 1 || i + 1 == group.numbers.size()) file.line_end();
         }
         if (group.numbers.empty()) file.line_end();

@@ -7,8 +7,8 @@
 namespace featuremesh {
 namespace {
 
-constexpr std::size_t few = 16;       ///< a list this short needs no halving
-constexpr std::size_t many = 64;      ///< a longer one is slower than a tree over the balls
+constexpr std::size_t few = 16;   ///< a list this short needs no halving
+constexpr std::size_t many = 64;  ///< a longer one is slower than a tree over the balls
 constexpr int deepest = 7;
 constexpr std::size_t most_nodes = 200'000;
 
@@ -26,11 +26,13 @@ CandidateOctree::CandidateOctree(std::span<const SourceBall> balls, double slope
     build(0, box_, 0, balls, all);
 }
 
-void CandidateOctree::build(std::size_t node, const Box& box, int depth, std::span<const SourceBall> balls, const std::vector<std::int32_t>& candidates) {
+void CandidateOctree::build(std::size_t node, const Box& box, int depth, std::span<const SourceBall> balls,
+                            const std::vector<std::int32_t>& candidates) {
     const Vec3 center = box.center();
     const double radius = 0.5 * box.diagonal();
     double at_center = limit_;
-    for (const std::int32_t i : candidates) at_center = balls[static_cast<std::size_t>(i)].lower(at_center, center, slope_, inverse_slope_);
+    for (const std::int32_t i : candidates)
+        at_center = balls[static_cast<std::size_t>(i)].lower(at_center, center, slope_, inverse_slope_);
     // the field is nowhere in the cell above this, and a ball that asks for more everywhere in the cell is out
     const double high = std::min(limit_, at_center + slope_ * radius);
     std::vector<std::int32_t> left;
@@ -54,7 +56,8 @@ void CandidateOctree::build(std::size_t node, const Box& box, int depth, std::sp
     nodes_[node] = {static_cast<std::int32_t>(children), inner};
     const Vec3 half = box.size() * 0.5;
     for (int octant = 0; octant < 8; ++octant) {
-        const Vec3 low{box.low.x + (octant & 1 ? half.x : 0), box.low.y + (octant & 2 ? half.y : 0), box.low.z + (octant & 4 ? half.z : 0)};
+        const Vec3 low{box.low.x + (octant & 1 ? half.x : 0), box.low.y + (octant & 2 ? half.y : 0),
+                       box.low.z + (octant & 4 ? half.z : 0)};
         build(children + static_cast<std::size_t>(octant), {low, low + half}, depth + 1, balls, left);
     }
 }
@@ -73,7 +76,8 @@ double CandidateOctree::at(std::span<const SourceBall> balls, const Vec3& p) con
     if (node->count == crowded) return -1;
     double best = limit_;
     for (std::int32_t i = node->first; i < node->first + node->count; ++i)
-        best = balls[static_cast<std::size_t>(candidates_[static_cast<std::size_t>(i)])].lower(best, p, slope_, inverse_slope_);
+        best = balls[static_cast<std::size_t>(candidates_[static_cast<std::size_t>(i)])].lower(best, p, slope_,
+                                                                                               inverse_slope_);
     return best;
 }
 

@@ -26,12 +26,14 @@ struct LocalSizes {
 LocalSizes local_sizes(const Brep& brep, const SizingOptions& options, RunContext& context) {
     LocalSizes sizes;
     const std::array<std::vector<double>*, 4> by_dim{&sizes.vertices, &sizes.edges, &sizes.faces, &sizes.solids};
-    const std::array<std::size_t, 4> counts{brep.vertex_count(), brep.edge_count(), brep.face_count(), brep.solid_count()};
+    const std::array<std::size_t, 4> counts{brep.vertex_count(), brep.edge_count(), brep.face_count(),
+                                            brep.solid_count()};
     for (int dim = 0; dim < 4; ++dim) by_dim[dim]->assign(counts[dim], options.size);
     for (const LocalSize& local : options.local) {
         const auto [dim, index] = local.entity;
         if (dim < 0 || dim > 3 || index < 0 || static_cast<std::size_t>(index) >= counts[dim]) {
-            context.log("The local size at " + name_of(local.entity) + " is left out: the part has no such entity any more.");
+            context.log("The local size at " + name_of(local.entity) +
+                        " is left out: the part has no such entity any more.");
             continue;
         }
         double& size = (*by_dim[dim])[static_cast<std::size_t>(index)];
@@ -49,14 +51,22 @@ Vec3 to_vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 /// Covers one edge with balls, by halving its pieces until they are as short as wanted.
 class EdgeCover {
   public:
-    EdgeCover(const TopoDS_Edge& edge, double local, double per_circle, const SizingOptions& options, std::vector<SourceBall>& out)
-        : curve_(edge), local_(local), per_circle_(curve_.GetType() == GeomAbs_Line ? 0 : per_circle), options_(options), out_(out) {}
+    EdgeCover(const TopoDS_Edge& edge, double local, double per_circle, const SizingOptions& options,
+              std::vector<SourceBall>& out)
+        : curve_(edge),
+          local_(local),
+          per_circle_(curve_.GetType() == GeomAbs_Line ? 0 : per_circle),
+          options_(options),
+          out_(out) {}
 
     void run() {
         if (local_ >= options_.size && per_circle_ <= 0) return;
         const double first = curve_.FirstParameter(), last = curve_.LastParameter();
-        const int pieces = curve_.GetType() == GeomAbs_BSplineCurve ? std::clamp(curve_.NbKnots() - 1, 4, 64) : curve_.GetType() == GeomAbs_Line ? 1 : 8;
-        for (int i = 0; i < pieces; ++i) cover(first + (last - first) * i / pieces, first + (last - first) * (i + 1) / pieces, 0);
+        const int pieces = curve_.GetType() == GeomAbs_BSplineCurve ? std::clamp(curve_.NbKnots() - 1, 4, 64)
+                           : curve_.GetType() == GeomAbs_Line       ? 1
+                                                                    : 8;
+        for (int i = 0; i < pieces; ++i)
+            cover(first + (last - first) * i / pieces, first + (last - first) * (i + 1) / pieces, 0);
     }
 
   private:
@@ -67,14 +77,17 @@ class EdgeCover {
         gp_Vec d1, d2;
         curve_.D2(t, p, d1, d2);
         const double speed = d1.Magnitude(), bend = d1.Crossed(d2).Magnitude();
-        if (bend > 0 && speed > 0) size = std::min(size, std::max(curvature_floor(options_, curve_.GetType() > GeomAbs_Circle), circle_size(bend / (speed * speed * speed), per_circle_)));
+        if (bend > 0 && speed > 0)
+            size = std::min(size, std::max(curvature_floor(options_, curve_.GetType() > GeomAbs_Circle),
+                                           circle_size(bend / (speed * speed * speed), per_circle_)));
         return size;
     }
     void cover(double from, double to, int depth) {
         const double middle = 0.5 * (from + to);
         const Vec3 a = to_vec(curve_.Value(from)), m = to_vec(curve_.Value(middle)), b = to_vec(curve_.Value(to));
         const double length = distance(a, m) + distance(m, b);
-        const double size = std::min({wanted(middle), wanted(from + 0.05 * (to - from)), wanted(to - 0.05 * (to - from))});
+        const double size =
+            std::min({wanted(middle), wanted(from + 0.05 * (to - from)), wanted(to - 0.05 * (to - from))});
         if (size >= options_.size) return;
         if (length > 2 * size && depth < 16) {
             cover(from, middle, depth + 1);
@@ -93,7 +106,8 @@ class EdgeCover {
 /// Covers the inside of one of several solids by halving its box; what its faces cover already tells the depth.
 class SolidCover {
   public:
-    SolidCover(const TopoDS_Solid& solid, double size, double smallest_cell, const std::vector<SourceBall>& on_faces, std::vector<SourceBall>& out)
+    SolidCover(const TopoDS_Solid& solid, double size, double smallest_cell, const std::vector<SourceBall>& on_faces,
+               std::vector<SourceBall>& out)
         : classifier_(solid), size_(size), smallest_cell_(smallest_cell), out_(out) {
         std::vector<SourceBall> faces = on_faces;
         for (SourceBall& ball : faces) ball.size = 0;
@@ -112,7 +126,8 @@ class SolidCover {
         }
         const Vec3 half = box.size() * 0.5;
         for (int octant = 0; octant < 8; ++octant) {
-            const Vec3 low{box.low.x + (octant & 1 ? half.x : 0), box.low.y + (octant & 2 ? half.y : 0), box.low.z + (octant & 4 ? half.z : 0)};
+            const Vec3 low{box.low.x + (octant & 1 ? half.x : 0), box.low.y + (octant & 2 ? half.y : 0),
+                           box.low.z + (octant & 4 ? half.z : 0)};
             run({low, low + half});
         }
     }
@@ -124,7 +139,8 @@ class SolidCover {
     std::vector<SourceBall>& out_;
 };
 
-void cover_solids(const Brep& brep, const SizingOptions& options, const LocalSizes& sizes, RunContext& context, std::vector<SourceBall>& out) {
+void cover_solids(const Brep& brep, const SizingOptions& options, const LocalSizes& sizes, RunContext& context,
+                  std::vector<SourceBall>& out) {
     for (std::size_t s = 0; s < brep.solid_count(); ++s) {
         if (sizes.solids[s] >= options.size) continue;
         Box box;
@@ -139,7 +155,9 @@ void cover_solids(const Brep& brep, const SizingOptions& options, const LocalSiz
         for (const SourceBall& ball : on_faces) box.add(ball.center);
         context.check_cancelled();
         if (!box.is_empty())
-            SolidCover(brep.solid(SolidId(s)), sizes.solids[s], std::max(2 * sizes.solids[s], box.diagonal() / 48), on_faces, out).run(box);
+            SolidCover(brep.solid(SolidId(s)), sizes.solids[s], std::max(2 * sizes.solids[s], box.diagonal() / 48),
+                       on_faces, out)
+                .run(box);
     }
 }
 
@@ -149,11 +167,14 @@ std::vector<SourceBall> shape_sources(const Brep& brep, const SizingOptions& opt
     const LocalSizes sizes = local_sizes(brep, options, context);
     std::vector<SourceBall> sources;
     for (std::size_t v = 0; v < brep.vertex_count(); ++v)
-        if (sizes.vertices[v] < options.size) sources.push_back({brep.point_of(VertexId(v)), 0.5 * sizes.vertices[v], sizes.vertices[v]});
+        if (sizes.vertices[v] < options.size)
+            sources.push_back({brep.point_of(VertexId(v)), 0.5 * sizes.vertices[v], sizes.vertices[v]});
     for (std::size_t e = 0; e < brep.edge_count(); ++e)
-        if (!brep.is_degenerated(EdgeId(e))) EdgeCover(brep.edge(EdgeId(e)), sizes.edges[e], options.elements_per_circle, options, sources).run();
+        if (!brep.is_degenerated(EdgeId(e)))
+            EdgeCover(brep.edge(EdgeId(e)), sizes.edges[e], options.elements_per_circle, options, sources).run();
     std::optional<WallRays> walls;
-    if (options.elements_across_gap > 0) walls.emplace(brep, std::max(0.02 * options.size, 1e-3 * brep.box().diagonal()));
+    if (options.elements_across_gap > 0)
+        walls.emplace(brep, std::max(0.02 * options.size, 1e-3 * brep.box().diagonal()));
     for (std::size_t f = 0; f < brep.face_count(); ++f) {
         context.check_cancelled();
         FaceWish wish;

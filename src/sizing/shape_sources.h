@@ -10,8 +10,8 @@
 
 namespace featuremesh {
 
-/// Balls that cover the entities on which something smaller than the global size is wanted. Nothing is tessellated but for thin walls.
-/// Local sizes on entities that the part does not have are skipped and logged.
+/// Balls that cover the entities on which something smaller than the global size is wanted. Nothing is tessellated but
+/// for thin walls. Local sizes on entities that the part does not have are skipped and logged.
 std::vector<SourceBall> shape_sources(const Brep& brep, const SizingOptions& options, RunContext& context);
 
 }  // namespace featuremesh

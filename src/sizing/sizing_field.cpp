@@ -21,9 +21,7 @@ struct SizingField::Data {
 
 SizingField::SizingField(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
-double SizingField::at(const Vec3& p) const {
-    return data_->tree.empty() ? data_->size : data_->tree.at(p);
-}
+double SizingField::at(const Vec3& p) const { return data_->tree.empty() ? data_->size : data_->tree.at(p); }
 bool SizingField::is_uniform() const { return data_->tree.empty(); }
 double SizingField::smallest() const { return std::min(data_->size, data_->tree.smallest()); }
 double SizingField::growth() const { return data_->growth; }
@@ -31,7 +29,8 @@ double SizingField::largest() const { return data_->size; }
 
 namespace {
 
-/// A kept node is a source only where its edges are this much shorter than wanted: the scatter of a good mesh is none of the field's business.
+/// A kept node is a source only where its edges are this much shorter than wanted: the scatter of a good mesh is none
+/// of the field's business.
 constexpr double scatter_of_edge_lengths = 1.4;
 /// Tets per cube of the edge length, as the volume step makes them (measured on parts with 5 000 to 350 000 tets).
 constexpr double tets_per_cube = 7.1;
@@ -51,38 +50,45 @@ void check_size(double size, const Box& part) {
     const Vec3 s = part.size();
     const std::string part_size = number(s.x) + " x " + number(s.y) + " x " + number(s.z) + " mm";
     if (!std::isfinite(size) || size <= 0)
-        throw InputError("The mesh size is " + number(size) + " mm; it must be larger than zero. The part is " + part_size + ".");
+        throw InputError("The mesh size is " + number(size) + " mm; it must be larger than zero. The part is " +
+                         part_size + ".");
     if (size > longest_side(part) * (1 + 1e-9))
-        throw InputError("The mesh size of " + number(size) + " mm is larger than the part, which is " + part_size + ". Ask for a smaller size.");
+        throw InputError("The mesh size of " + number(size) + " mm is larger than the part, which is " + part_size +
+                         ". Ask for a smaller size.");
 }
 
 void check_options(const SizingOptions& options, const Box& part) {
     check_size(options.size, part);
     if (!std::isfinite(options.min_size) || options.min_size < 0 || options.min_size > options.size)
-        throw InputError("The smallest mesh size is " + number(options.min_size) + " mm; it must lie between zero and the mesh size of " +
-                         number(options.size) + " mm.");
+        throw InputError("The smallest mesh size is " + number(options.min_size) +
+                         " mm; it must lie between zero and the mesh size of " + number(options.size) + " mm.");
     if (!std::isfinite(options.growth) || options.growth < 1)
         throw InputError("The growth rate is " + number(options.growth) + "; it must be at least 1 (1.3 is usual).");
     if (!std::isfinite(options.elements_per_circle) || options.elements_per_circle < 0)
-        throw InputError("The number of elements per circle is " + number(options.elements_per_circle) + "; it must not be negative (0 turns it off).");
+        throw InputError("The number of elements per circle is " + number(options.elements_per_circle) +
+                         "; it must not be negative (0 turns it off).");
     if (!std::isfinite(options.elements_across_gap) || options.elements_across_gap < 0)
-        throw InputError("The number of elements across gaps is " + number(options.elements_across_gap) + "; it must not be negative (0 turns it off).");
+        throw InputError("The number of elements across gaps is " + number(options.elements_across_gap) +
+                         "; it must not be negative (0 turns it off).");
     for (const LocalSize& local : options.local)
         if (!std::isfinite(local.size) || local.size <= 0)
-            throw InputError("The local mesh size at " + name_of(local.entity) + " is " + number(local.size) + " mm; it must be larger than zero.");
+            throw InputError("The local mesh size at " + name_of(local.entity) + " is " + number(local.size) +
+                             " mm; it must be larger than zero.");
 }
 
 /// Adds the kept nodes whose mesh is clearly finer than the field asks for.
 void add_kept(std::span<const SizeSource> kept, const SizingField::Data& field, std::vector<SourceBall>& sources) {
     for (const SizeSource& source : kept) {
         if (!(source.size > 0) || source.size * scatter_of_edge_lengths >= field.size) continue;
-        if (field.tree.empty() || source.size * scatter_of_edge_lengths < field.tree.at(source.point)) sources.push_back({source.point, 0, source.size});
+        if (field.tree.empty() || source.size * scatter_of_edge_lengths < field.tree.at(source.point))
+            sources.push_back({source.point, 0, source.size});
     }
 }
 
 }  // namespace
 
-SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::span<const SizeSource> kept, RunContext& context) {
+SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::span<const SizeSource> kept,
+                        RunContext& context) {
     check_options(options, brep.box());
     context.check_cancelled();
     auto data = std::make_shared<SizingField::Data>();
@@ -117,7 +123,8 @@ void collect_cells(const SizingField& sizing, double slope, const Box& box, int 
     if (depth < 9 && reach > 0.3 * h && h - reach < size) {
         const Vec3 half = box.size() * 0.5;
         for (int octant = 0; octant < 8; ++octant) {
-            const Vec3 low{box.low.x + (octant & 1 ? half.x : 0), box.low.y + (octant & 2 ? half.y : 0), box.low.z + (octant & 4 ? half.z : 0)};
+            const Vec3 low{box.low.x + (octant & 1 ? half.x : 0), box.low.y + (octant & 2 ? half.y : 0),
+                           box.low.z + (octant & 4 ? half.z : 0)};
             collect_cells(sizing, slope, {low, low + half}, depth + 1, cells);
         }
         return;
@@ -127,7 +134,8 @@ void collect_cells(const SizingField& sizing, double slope, const Box& box, int 
     if (extra > 0) cells.push_back({center, extra});
 }
 
-bool is_inside(const Brep& brep, std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>>& classifiers, const Vec3& p) {
+bool is_inside(const Brep& brep, std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>>& classifiers,
+               const Vec3& p) {
     for (std::size_t s = 0; s < classifiers.size(); ++s) {
         if (!classifiers[s]) classifiers[s] = std::make_unique<BRepClass3d_SolidClassifier>(brep.solid(SolidId(s)));
         classifiers[s]->Perform({p.x, p.y, p.z}, 1e-7);

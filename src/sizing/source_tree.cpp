@@ -38,12 +38,14 @@ std::int32_t SourceTree::build(std::size_t begin, std::size_t end) {
         size = std::min(size, ball.size);
     }
     const auto index = static_cast<std::int32_t>(nodes_.size());
-    nodes_.push_back({box.low, box.high, size, static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end - begin)});
+    nodes_.push_back(
+        {box.low, box.high, size, static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end - begin)});
     if (end - begin <= balls_per_leaf) return index;
     const Vec3 extent = centers.size();
     const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     const std::size_t middle = begin + (end - begin) / 2;
-    std::nth_element(balls_.begin() + static_cast<std::ptrdiff_t>(begin), balls_.begin() + static_cast<std::ptrdiff_t>(middle),
+    std::nth_element(balls_.begin() + static_cast<std::ptrdiff_t>(begin),
+                     balls_.begin() + static_cast<std::ptrdiff_t>(middle),
                      balls_.begin() + static_cast<std::ptrdiff_t>(end),
                      [axis](const SourceBall& a, const SourceBall& b) { return a.center[axis] < b.center[axis]; });
     build(begin, middle);
@@ -83,7 +85,8 @@ double SourceTree::through_tree(const Vec3& p) const {
         const Node &left = nodes_[static_cast<std::size_t>(a)], &right = nodes_[static_cast<std::size_t>(b)];
         const Waiting to_left{a, squared_distance_to_box(p, left.low, left.high)};
         const Waiting to_right{b, squared_distance_to_box(p, right.low, right.high)};
-        const bool left_first = to_left.squared < to_right.squared || (to_left.squared == to_right.squared && left.size <= right.size);
+        const bool left_first =
+            to_left.squared < to_right.squared || (to_left.squared == to_right.squared && left.size <= right.size);
         stack[depth++] = left_first ? to_right : to_left;
         stack[depth++] = left_first ? to_left : to_right;
     }

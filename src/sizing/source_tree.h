@@ -10,8 +10,9 @@
 
 namespace featuremesh {
 
-/// Immutable bounding volume tree. The field is the exact minimum of size_i + slope * max(0, |x - center_i| - radius_i), so it is Lipschitz with
-/// the slope by itself; inside the given box a query reads one short list, elsewhere it goes through the tree.
+/// Immutable bounding volume tree. The field is the exact minimum of size_i + slope * max(0, |x - center_i| -
+/// radius_i), so it is Lipschitz with the slope by itself; inside the given box a query reads one short list, elsewhere
+/// it goes through the tree.
 class SourceTree {
   public:
     SourceTree() = default;
@@ -24,10 +25,10 @@ class SourceTree {
 
   private:
     struct Node {
-        Vec3 low, high;          ///< of the balls
-        double size;             ///< smallest one
-        std::int32_t first;      ///< first ball of a leaf, else the second child; the first child follows its parent
-        std::int32_t count;      ///< balls of a leaf, 0 for an inner node
+        Vec3 low, high;      ///< of the balls
+        double size;         ///< smallest one
+        std::int32_t first;  ///< first ball of a leaf, else the second child; the first child follows its parent
+        std::int32_t count;  ///< balls of a leaf, 0 for an inner node
     };
     std::int32_t build(std::size_t begin, std::size_t end);
     double reach(const Node& node, double best) const { return (best - node.size) * inverse_slope_; }

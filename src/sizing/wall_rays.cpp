@@ -53,7 +53,8 @@ std::optional<double> hit(const Vec3& a, const Vec3& b, const Vec3& c, const Vec
 
 }  // namespace
 
-WallRays::WallRays(const Brep& brep, double deflection) : diagonal_(brep.box().diagonal()), deflection_(deflection), neighbours_(brep.face_count()) {
+WallRays::WallRays(const Brep& brep, double deflection)
+    : diagonal_(brep.box().diagonal()), deflection_(deflection), neighbours_(brep.face_count()) {
     const TopoDS_Shape copy = BRepBuilderAPI_Copy(brep.shape(), false, false).Shape();
     BRepMesh_IncrementalMesh(copy, deflection, false, 0.35, false);
     TopTools_IndexedMapOfShape faces;
@@ -82,7 +83,8 @@ WallRays::WallRays(const Brep& brep, double deflection) : diagonal_(brep.box().d
 
 std::int32_t WallRays::build(std::size_t begin, std::size_t end) {
     Box box;
-    for (std::size_t i = begin; i < end; ++i) box.add(triangles_[i].a), box.add(triangles_[i].b), box.add(triangles_[i].c);
+    for (std::size_t i = begin; i < end; ++i)
+        box.add(triangles_[i].a), box.add(triangles_[i].b), box.add(triangles_[i].c);
     const auto index = static_cast<std::int32_t>(nodes_.size());
     nodes_.push_back({box, static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end - begin)});
     if (end - begin <= triangles_per_leaf) return index;
@@ -90,7 +92,8 @@ std::int32_t WallRays::build(std::size_t begin, std::size_t end) {
     const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     const auto middle = begin + (end - begin) / 2;
     const auto center = [axis](const Triangle& t) { return t.a[axis] + t.b[axis] + t.c[axis]; };
-    std::nth_element(triangles_.begin() + static_cast<std::ptrdiff_t>(begin), triangles_.begin() + static_cast<std::ptrdiff_t>(middle),
+    std::nth_element(triangles_.begin() + static_cast<std::ptrdiff_t>(begin),
+                     triangles_.begin() + static_cast<std::ptrdiff_t>(middle),
                      triangles_.begin() + static_cast<std::ptrdiff_t>(end),
                      [&](const Triangle& s, const Triangle& t) { return center(s) < center(t); });
     build(begin, middle);
@@ -126,7 +129,8 @@ double WallRays::thickness(FaceId face, const Vec3& point, const Vec3& direction
             if (!t || *t >= nearest || *t <= 1e-9 * diagonal_) continue;
             const double cosine = dot(normalized(cross(triangle.b - triangle.a, triangle.c - triangle.a)), direction);
             // the ray begins in the material: what it seems to enter is a chord of the face it comes from
-            const bool is_exit = is_between_solids_[triangle.face.index()] ? triangle.face != face || *t > 2 * deflection_ : cosine > 0;
+            const bool is_exit =
+                is_between_solids_[triangle.face.index()] ? triangle.face != face || *t > 2 * deflection_ : cosine > 0;
             if (!is_exit) continue;
             nearest = *t;
             is_wall = std::abs(cosine) > opposite_cosine && !is_neighbour(face, triangle.face);

@@ -14,8 +14,8 @@ class WallRays {
     /// `deflection` in mm: how far the triangles may be off the faces.
     WallRays(const Brep& brep, double deflection);
 
-    /// Distance from a point of `face` along `direction` (unit, into the material) to the opposite wall, at most `limit`. Faces that share an edge with `face`
-    /// are no opposite wall: in a wedge the distance would go to zero.
+    /// Distance from a point of `face` along `direction` (unit, into the material) to the opposite wall, at most
+    /// `limit`. Faces that share an edge with `face` are no opposite wall: in a wedge the distance would go to zero.
     double thickness(FaceId face, const Vec3& point, const Vec3& direction, double limit) const;
 
   private:
@@ -25,7 +25,7 @@ class WallRays {
     };
     struct Node {
         Box box;
-        std::int32_t first, count;   ///< triangles of a leaf; else the second child and 0
+        std::int32_t first, count;  ///< triangles of a leaf; else the second child and 0
     };
     std::int32_t build(std::size_t begin, std::size_t end);
     bool is_neighbour(FaceId a, FaceId b) const;

@@ -64,13 +64,19 @@ class Stars {
 class Unfolding {
   public:
     Unfolding(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable, double target)
-        : mesh_(mesh), projector_(projector), is_movable_(is_movable), target_(target), directions_(search_directions()) {}
+        : mesh_(mesh),
+          projector_(projector),
+          is_movable_(is_movable),
+          target_(target),
+          directions_(search_directions()) {}
 
-    /// Bends the inner sides, and those on planes, that end on the boundary as the curved sides near them are bent. Several of them have to move at once
-    /// in a thin curved wall, which moving one node at a time does not find.
+    /// Bends the inner sides, and those on planes, that end on the boundary as the curved sides near them are bent.
+    /// Several of them have to move at once in a thin curved wall, which moving one node at a time does not find.
     void bend_along(const std::vector<TetId>& bad) {
         std::vector<NodeId> nodes = movable_nodes(bad);
-        nodes.erase(std::remove_if(nodes.begin(), nodes.end(), [&](NodeId n) { return n.index() < mesh_.corner_count; }), nodes.end());
+        nodes.erase(
+            std::remove_if(nodes.begin(), nodes.end(), [&](NodeId n) { return n.index() < mesh_.corner_count; }),
+            nodes.end());
         const Stars stars(mesh_, nodes);
         std::vector<Vec3> bends;
         for (NodeId n : nodes) bends.push_back(bend_of(n, stars.of(n)));
@@ -95,7 +101,8 @@ class Unfolding {
         std::vector<NodeId> inner, on_faces, corners;
         for (TetId t : bad) {
             for (NodeId n : mesh_.tet_mids[t.index()])
-                if (is_movable_[n.index()] && mesh_.entities[n.index()].dim >= 2) (mesh_.entities[n.index()].dim == 3 ? inner : on_faces).push_back(n);
+                if (is_movable_[n.index()] && mesh_.entities[n.index()].dim >= 2)
+                    (mesh_.entities[n.index()].dim == 3 ? inner : on_faces).push_back(n);
             for (NodeId n : mesh_.tets[t.index()])
                 if (is_movable_[n.index()] && mesh_.entities[n.index()].dim == 3) corners.push_back(n);
         }
@@ -118,8 +125,8 @@ class Unfolding {
         return {b - a, mesh_.point(mesh_.tet_mids[t.index()][s]) - (a + b) * 0.5};
     }
 
-    /// How a still straight side between two boundary nodes would be bent if it curved like the bent sides of its tets: the bend goes with the square of
-    /// the length along them.
+    /// How a still straight side between two boundary nodes would be bent if it curved like the bent sides of its tets:
+    /// the bend goes with the square of the length along them.
     Vec3 bend_of(NodeId mid, const std::vector<TetId>& star) const {
         Vec3 sum, own;
         double weights = 0;
@@ -136,7 +143,8 @@ class Unfolding {
                 const BentSide side = side_of(t, s);
                 const double squared = squared_length(side.along), along = dot(own, side.along);
                 if (squared_length(side.bend) <= 1e-12 * squared) continue;
-                const double share = along * along / (squared * squared), weight = along * along / (squared * squared_length(own));
+                const double share = along * along / (squared * squared),
+                             weight = along * along / (squared * squared_length(own));
                 sum += weight * share * side.bend;
                 weights += weight;
             }
@@ -153,7 +161,8 @@ class Unfolding {
         double low = 180;
         for (TetId t : star) {
             const auto& n = mesh_.tets[t.index()];
-            const DihedralRange range = dihedral_range(mesh_.point(n[0]), mesh_.point(n[1]), mesh_.point(n[2]), mesh_.point(n[3]));
+            const DihedralRange range =
+                dihedral_range(mesh_.point(n[0]), mesh_.point(n[1]), mesh_.point(n[2]), mesh_.point(n[3]));
             low = std::min({low, range.smallest_deg, 180 - range.largest_deg});
         }
         return low;
@@ -169,20 +178,23 @@ class Unfolding {
         constexpr double most_bend = 0.3;
         if (n.index() < mesh_.corner_count) return false;
         const BentSide side = side_at(n, star);
-        return mesh_.entities[n.index()].dim == 3 && squared_length(side.bend) > most_bend * most_bend * squared_length(side.along);
+        return mesh_.entities[n.index()].dim == 3 &&
+               squared_length(side.bend) > most_bend * most_bend * squared_length(side.along);
     }
 
     double longest_side_at(NodeId n, const std::vector<TetId>& star) const {
         double longest = 0;
         for (TetId t : star)
-            for (NodeId other : mesh_.tets[t.index()]) longest = std::max(longest, distance(mesh_.point(n), mesh_.point(other)));
+            for (NodeId other : mesh_.tets[t.index()])
+                longest = std::max(longest, distance(mesh_.point(n), mesh_.point(other)));
         return longest;
     }
 
     bool improve(NodeId n, const std::vector<TetId>& star) {
         const double before = worst(star);
         double best = before;
-        for (double step = 0.2 * longest_side_at(n, star), last = 0.02 * step; step > last && best <= target_; step *= 0.5)
+        for (double step = 0.2 * longest_side_at(n, star), last = 0.02 * step; step > last && best <= target_;
+             step *= 0.5)
             for (int tries = 0; tries < 4 && best <= target_ + 0.05; ++tries)
                 if (!best_step(n, star, step, best)) break;
         return best > before + 1e-4;
@@ -225,7 +237,8 @@ class Unfolding {
                 const auto& corners = mesh_.tets[t.index()];
                 if (corners[tet_sides[s][0]] != n && corners[tet_sides[s][1]] != n) continue;
                 const NodeId mid = mesh_.tet_mids[t.index()][s];
-                if (mesh_.entities[mid.index()].dim == 3 && std::none_of(now.followers.begin(), now.followers.end(), [&](const auto& f) { return f.first == mid; }))
+                if (mesh_.entities[mid.index()].dim == 3 && std::none_of(now.followers.begin(), now.followers.end(),
+                                                                         [&](const auto& f) { return f.first == mid; }))
                     now.followers.emplace_back(mid, mesh_.point(mid));
             }
         return now;
@@ -270,7 +283,8 @@ std::vector<TetId> tets_at_most(const Mesh& mesh, double limit, RunContext& cont
     return found;
 }
 
-std::vector<TetId> unfold_tets(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable, double target, RunContext& context) {
+std::vector<TetId> unfold_tets(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable,
+                               double target, RunContext& context) {
     constexpr int most_passes = 6;
     std::vector<TetId> bad = tets_at_most(mesh, target, context);
     if (bad.empty()) return bad;

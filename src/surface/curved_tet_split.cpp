@@ -18,7 +18,12 @@ constexpr double strong_bend = 0.17;
 class Splitting {
   public:
     Splitting(Mesh& mesh, const Mesh& curved, const KeptCounts& kept)
-        : mesh_(mesh), curved_(curved), kept_(kept), is_touched_(mesh.tets.size(), false), tets_at_(mesh.points.size()), triangles_at_(mesh.points.size()) {
+        : mesh_(mesh),
+          curved_(curved),
+          kept_(kept),
+          is_touched_(mesh.tets.size(), false),
+          tets_at_(mesh.points.size()),
+          triangles_at_(mesh.points.size()) {
         for (std::size_t t = 0; t < mesh.tets.size(); ++t)
             for (NodeId n : mesh.tets[t]) tets_at_[n.index()].push_back(t);
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -27,7 +32,8 @@ class Splitting {
 
     bool run(TetId tet) {
         if (is_touched_[tet.index()]) return false;
-        if (boundary_triangles(tet) >= 2 && largest_bend(tet) < strong_bend) return split_inside(tet) || split_a_side(tet);
+        if (boundary_triangles(tet) >= 2 && largest_bend(tet) < strong_bend)
+            return split_inside(tet) || split_a_side(tet);
         return split_a_side(tet) || split_inside(tet);
     }
 
@@ -96,7 +102,8 @@ class Splitting {
         const auto corners = mesh_.tets[tet.index()];
         const auto bent = boundary_sides(tet);
         return std::any_of(bent.begin(), bent.end(), [&](const auto& side) {
-            return split_side({corners[tet_sides[side.second][0]], corners[tet_sides[side.second][1]]}, curved_.tet_mids[tet.index()][side.second]);
+            return split_side({corners[tet_sides[side.second][0]], corners[tet_sides[side.second][1]]},
+                              curved_.tet_mids[tet.index()][side.second]);
         });
     }
 
@@ -109,20 +116,24 @@ class Splitting {
         if (curved_.entities[curved_mid.index()].dim == 1)
             for (std::size_t s = 0; s < mesh_.segments.size(); ++s)
                 if (has(mesh_.segments[s], side[0]) && has(mesh_.segments[s], side[1])) segments.push_back(s);
-        const auto is_kept = [](const std::vector<std::size_t>& list, std::size_t count) { return std::any_of(list.begin(), list.end(), [&](std::size_t i) { return i < count; }); };
-        if (is_kept(tets, kept_.tets) || is_kept(triangles, kept_.triangles) || is_kept(segments, kept_.segments)) return false;
+        const auto is_kept = [](const std::vector<std::size_t>& list, std::size_t count) {
+            return std::any_of(list.begin(), list.end(), [&](std::size_t i) { return i < count; });
+        };
+        if (is_kept(tets, kept_.tets) || is_kept(triangles, kept_.triangles) || is_kept(segments, kept_.segments))
+            return false;
         if (std::any_of(tets.begin(), tets.end(), [&](std::size_t t) { return is_touched_[t]; })) return false;
         return apply(side, curved_mid, tets, triangles, segments);
     }
 
-    bool apply(Side side, NodeId curved_mid, const std::vector<std::size_t>& tets, const std::vector<std::size_t>& triangles,
-               const std::vector<std::size_t>& segments) {
+    bool apply(Side side, NodeId curved_mid, const std::vector<std::size_t>& tets,
+               const std::vector<std::size_t>& triangles, const std::vector<std::size_t>& segments) {
         const std::size_t m = curved_mid.index();
         const Number number_before = mesh_.next_node_number;
         const NodeId middle = mesh_.add_node(curved_.points[m], curved_.entities[m], curved_.parameters[m]);
         for (std::size_t t : tets)
             if (!is_sound(with(mesh_.tets[t], side[0], middle)) || !is_sound(with(mesh_.tets[t], side[1], middle))) {
-                mesh_.points.pop_back(), mesh_.entities.pop_back(), mesh_.parameters.pop_back(), mesh_.node_numbers.pop_back();
+                mesh_.points.pop_back(), mesh_.entities.pop_back(), mesh_.parameters.pop_back(),
+                    mesh_.node_numbers.pop_back();
                 mesh_.next_node_number = number_before;
                 return false;
             }
@@ -158,7 +169,8 @@ class Splitting {
 
 }  // namespace
 
-std::size_t split_folded_tets(Mesh& mesh, const Mesh& curved, const std::vector<TetId>& folded, const KeptCounts& kept) {
+std::size_t split_folded_tets(Mesh& mesh, const Mesh& curved, const std::vector<TetId>& folded,
+                              const KeptCounts& kept) {
     Splitting splitting(mesh, curved, kept);
     std::size_t added = 0;
     for (TetId t : folded) added += splitting.run(t);

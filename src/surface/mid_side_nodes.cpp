@@ -18,7 +18,8 @@
 namespace featuremesh {
 namespace {
 
-/// The parameter of a segment's end: chains run from the edge's first parameter to its last, so an end on a vertex is the first or the last one.
+/// The parameter of a segment's end: chains run from the edge's first parameter to its last, so an end on a vertex is
+/// the first or the last one.
 double parameter_at(const Mesh& mesh, NodeId node, bool is_start, const BRepAdaptor_Curve& curve) {
     if (mesh.entities[node.index()].dim == 1) return mesh.parameters[node.index()][0];
     return is_start ? curve.FirstParameter() : curve.LastParameter();
@@ -41,7 +42,8 @@ void place_on_edges(const Brep& brep, const Projector& projector, const std::vec
         const EdgeId edge = mesh.segment_edges[i];
         auto& curve = curves[edge.index()];
         if (!curve) curve.emplace(brep.edge(edge));
-        const double t = half_way(*curve, parameter_at(mesh, mesh.segments[i][0], true, *curve), parameter_at(mesh, mesh.segments[i][1], false, *curve));
+        const double t = half_way(*curve, parameter_at(mesh, mesh.segments[i][0], true, *curve),
+                                  parameter_at(mesh, mesh.segments[i][1], false, *curve));
         mesh.points[mid.index()] = projector.on_edge(edge, t);
         mesh.parameters[mid.index()] = {t, 0};
     }
@@ -61,7 +63,8 @@ void place_on_faces(const Projector& projector, std::vector<bool> is_new, Mesh& 
             const NodeId mid = mesh.triangle_mids[i][s];
             if (!is_new[mid.index()] || mesh.entities[mid.index()].dim != 2) continue;
             is_new[mid.index()] = false;
-            const OnFace on = projector.nearest(mesh.triangle_faces[i], mesh.points[mid.index()], start_parameters(mesh, i));
+            const OnFace on =
+                projector.nearest(mesh.triangle_faces[i], mesh.points[mid.index()], start_parameters(mesh, i));
             mesh.points[mid.index()] = on.point;
             mesh.parameters[mid.index()] = on.uv;
         }
@@ -73,7 +76,8 @@ std::string place_of(const Mesh& mesh, TetId tet) {
     const auto& corners = mesh.tets[tet.index()];
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (NodeId n : mesh.triangles[i])
-            if (std::find(corners.begin(), corners.end(), n) != corners.end()) return name_of(entity_of(mesh.triangle_faces[i]));
+            if (std::find(corners.begin(), corners.end(), n) != corners.end())
+                return name_of(entity_of(mesh.triangle_faces[i]));
     return "the inside of " + name_of(entity_of(mesh.tet_solids[tet.index()]));
 }
 
@@ -100,7 +104,8 @@ Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh
     constexpr double wanted_scaled_jacobian = 0.2;
     std::vector<bool> is_movable(mesh.points.size(), true);
     if (kept)
-        for (std::size_t n = 0; n < mesh.points.size(); ++n) is_movable[n] = mesh.node_numbers[n] >= kept->next_node_number;
+        for (std::size_t n = 0; n < mesh.points.size(); ++n)
+            is_movable[n] = mesh.node_numbers[n] >= kept->next_node_number;
     const std::vector<NodeId> added = add_mid_side_nodes(mesh, kept);
     std::vector<bool> is_new(mesh.points.size(), false);
     for (NodeId n : added) is_new[n.index()] = true;
@@ -128,10 +133,12 @@ Mesh curve_to_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunCon
         // refining that makes more trouble than it ends would go on for ever
         const bool is_hopeless = refinement == most_refinements || curved.folded.size() > 4 * folded_at_first + 50;
         if (is_hopeless || split_folded_tets(mesh, curved.mesh, curved.folded, counts) == 0)
-            throw MeshError(std::to_string(curved.folded.size()) + " 10-node tets would be folded near " + place_of(curved.mesh, curved.folded.front()) +
-                            ": the face bends too much within one element. Ask for a smaller size there, or for 4-node tets.");
-        context.log(std::to_string(curved.folded.size()) + " tets are refined near " + place_of(curved.mesh, curved.folded.front()) +
-                    " so that their curved sides do not fold them.");
+            throw MeshError(
+                std::to_string(curved.folded.size()) + " 10-node tets would be folded near " +
+                place_of(curved.mesh, curved.folded.front()) +
+                ": the face bends too much within one element. Ask for a smaller size there, or for 4-node tets.");
+        context.log(std::to_string(curved.folded.size()) + " tets are refined near " +
+                    place_of(curved.mesh, curved.folded.front()) + " so that their curved sides do not fold them.");
     }
 }
 

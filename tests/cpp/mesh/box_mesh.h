@@ -50,7 +50,9 @@ inline Mesh box_mesh(int n) {
                         ++c[order[step]];
                         tet[step + 1] = NodeId(index(c[0], c[1], c[2]));
                     }
-                    if (signed_volume(mesh.point(tet[0]), mesh.point(tet[1]), mesh.point(tet[2]), mesh.point(tet[3])) < 0) std::swap(tet[2], tet[3]);
+                    if (signed_volume(mesh.point(tet[0]), mesh.point(tet[1]), mesh.point(tet[2]), mesh.point(tet[3])) <
+                        0)
+                        std::swap(tet[2], tet[3]);
                     tets.push_back(tet);
                 } while (std::next_permutation(order.begin(), order.end()));
             }
@@ -72,8 +74,9 @@ inline Mesh box_mesh(int n) {
             for (int s = 0; s < 3; ++s) {
                 const NodeId a = std::min(t[s], t[(s + 1) % 3]), b = std::max(t[s], t[(s + 1) % 3]);
                 std::vector<int> on;
-                std::set_intersection(node_planes[a.index()].begin(), node_planes[a.index()].end(), node_planes[b.index()].begin(),
-                                      node_planes[b.index()].end(), std::back_inserter(on));
+                std::set_intersection(node_planes[a.index()].begin(), node_planes[a.index()].end(),
+                                      node_planes[b.index()].begin(), node_planes[b.index()].end(),
+                                      std::back_inserter(on));
                 if (on.size() == 2) segments[{a.value, b.value}] = EdgeId(6 * on[0] + on[1]);
             }
             mesh.add_triangle(t, FaceId(plane));

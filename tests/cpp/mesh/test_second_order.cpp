@@ -96,7 +96,8 @@ TEST_CASE("the Jacobian does not depend on how the corners are numbered") {
     std::mt19937 random(5);
     const auto nodes = bent_element(random, 0.08);
     // corners 1, 2, 3 turned: sides 01 12 02 03 13 23 become 02 23 03 01 12 13
-    const std::array<Vec3, 10> turned{nodes[0], nodes[2], nodes[3], nodes[1], nodes[6], nodes[9], nodes[7], nodes[4], nodes[5], nodes[8]};
+    const std::array<Vec3, 10> turned{nodes[0], nodes[2], nodes[3], nodes[1], nodes[6],
+                                      nodes[9], nodes[7], nodes[4], nodes[5], nodes[8]};
     CHECK(min_scaled_jacobian(turned) == Approx(min_scaled_jacobian(nodes)).margin(2e-3));
 }
 
@@ -116,7 +117,8 @@ TEST_CASE("mid-side nodes: one per side, on the entity of the side") {
     CHECK(mesh.points.size() == corners + sides.size());
     CHECK(mesh.corner_count == corners);
     CHECK(broken_invariants(mesh, box_expectation()).empty());
-    for (std::size_t i = 0; i < mesh.segments.size(); ++i) CHECK(mesh.entities[mesh.segment_mids[i].index()] == entity_of(mesh.segment_edges[i]));
+    for (std::size_t i = 0; i < mesh.segments.size(); ++i)
+        CHECK(mesh.entities[mesh.segment_mids[i].index()] == entity_of(mesh.segment_edges[i]));
     for (NodeId n : added) {
         const Vec3& p = mesh.point(n);
         int on = 0;
@@ -144,7 +146,7 @@ TEST_CASE("kept mid-side nodes keep bits, numbers and order") {
     Mesh partly = box_mesh(2);
     partly.next_node_number = kept.next_node_number;
     const auto added = add_mid_side_nodes(partly, &less);
-    CHECK(added.size() == kept.points.size() - kept.corner_count - 19);   // a cube of six tets has 19 sides
+    CHECK(added.size() == kept.points.size() - kept.corner_count - 19);  // a cube of six tets has 19 sides
     for (std::size_t t = 0; t < 6; ++t)
         for (int s = 0; s < 6; ++s) {
             CHECK(partly.point(partly.tet_mids[t][s]) == kept.point(kept.tet_mids[t][s]));

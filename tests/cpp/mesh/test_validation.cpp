@@ -71,19 +71,31 @@ TEST_CASE("a good mesh breaks no invariant, for any number of threads") {
 }
 
 TEST_CASE("tets: volume, overlap, gaps") {
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { std::swap(m.tets[3][0], m.tets[3][1]); }), "tet without positive volume: tet "));
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { std::swap(m.tets[3][0], m.tets[3][1]); }), "two tets on the same side"));
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_tet(m.tets[5], SolidId(0)); }), "triangle shared by more than two tets"));
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { remove_tet(m, 7); }), "boundary of the tets without a triangle"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { std::swap(m.tets[3][0], m.tets[3][1]); }),
+              "tet without positive volume: tet "));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { std::swap(m.tets[3][0], m.tets[3][1]); }),
+              "two tets on the same side"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_tet(m.tets[5], SolidId(0)); }),
+              "triangle shared by more than two tets"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { remove_tet(m, 7); }),
+              "boundary of the tets without a triangle"));
     CHECK(has(messages_after([](Mesh&, Expectation& e) { e.solid_volumes = {1.1}; }), "volume is wrong: Solid1"));
     // moving the inner node onto the boundary makes tets flat
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.points[13] = {0.5, 0.5, 0}; }), "tet without positive volume"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) {
+                  m.points[13] = {0.5, 0.5, 0};
+              }),
+              "tet without positive volume"));
 }
 
 TEST_CASE("triangles: missing, twice, loose, on the wrong side") {
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { remove_triangle(m, 2); }), "boundary of the tets without a triangle"));
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_triangle(m.triangles[2], FaceId(0)); }), "the same triangle twice"));
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_triangle({NodeId(0), NodeId(1), NodeId(26)}, FaceId(0)); }), "triangle without a tet"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { remove_triangle(m, 2); }),
+              "boundary of the tets without a triangle"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_triangle(m.triangles[2], FaceId(0)); }),
+              "the same triangle twice"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) {
+                  m.add_triangle({NodeId(0), NodeId(1), NodeId(26)}, FaceId(0));
+              }),
+              "triangle without a tet"));
     const auto flipped = messages_after([](Mesh& m, Expectation&) { std::swap(m.triangles[4][0], m.triangles[4][1]); });
     CHECK(has(flipped, "wrong solid at a triangle"));
     CHECK(has(flipped, "Face"));
@@ -103,28 +115,54 @@ TEST_CASE("several solids: the wall between them has triangles with the right si
 }
 
 TEST_CASE("numbers, arrays and ids") {
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.node_numbers[4] = m.node_numbers[9]; }), "node number given twice"));
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.tet_numbers[4] = m.triangle_numbers[1]; }), "element number given twice"));
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.tet_numbers[4] = m.next_element_number; }), "element number out of range"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.node_numbers[4] = m.node_numbers[9]; }),
+              "node number given twice"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.tet_numbers[4] = m.triangle_numbers[1]; }),
+              "element number given twice"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.tet_numbers[4] = m.next_element_number; }),
+              "element number out of range"));
     CHECK(has(messages_after([](Mesh& m, Expectation&) { m.node_numbers[0] = 0; }), "node number out of range"));
     CHECK(has(messages_after([](Mesh& m, Expectation&) { m.entities.pop_back(); }), "array of wrong length: entities"));
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.tets[2][1] = NodeId(27); }), "node out of range: tet at place 2"));
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.triangle_faces[2] = FaceId(6); }), "CAD entity out of range"));
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.points[5].y = std::nan(""); }), "coordinate is not a number"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.tets[2][1] = NodeId(27); }),
+              "node out of range: tet at place 2"));
+    CHECK(
+        has(messages_after([](Mesh& m, Expectation&) { m.triangle_faces[2] = FaceId(6); }), "CAD entity out of range"));
+    CHECK(
+        has(messages_after([](Mesh& m, Expectation&) { m.points[5].y = std::nan(""); }), "coordinate is not a number"));
 }
 
 TEST_CASE("segments lie on sides of triangles, once") {
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_segment({NodeId(0), NodeId(2)}, EdgeId(7)); }), "segment that is no triangle's side"));
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_segment({m.segments[0][1], m.segments[0][0]}, EdgeId(7)); }), "the same segment twice"));
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_segment({m.segments[0][1], m.segments[0][0]}, EdgeId(7)); }), "Edge8"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) {
+                  m.add_segment({NodeId(0), NodeId(2)}, EdgeId(7));
+              }),
+              "segment that is no triangle's side"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) {
+                  m.add_segment({m.segments[0][1], m.segments[0][0]}, EdgeId(7));
+              }),
+              "the same segment twice"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) {
+                  m.add_segment({m.segments[0][1], m.segments[0][0]}, EdgeId(7));
+              }),
+              "Edge8"));
 }
 
 TEST_CASE("10-node tets: shared mid-side nodes and positive Jacobians") {
     CHECK(messages_after([](Mesh&, Expectation&) {}, 2).empty());
     CHECK(has(messages_after([](Mesh& m, Expectation&) { m.tet_mids[0][0] = m.tet_mids[40][3]; }, 2), "mid-side node"));
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.triangle_mids[3][1] = m.triangle_mids[20][2]; }, 2), "two mid-side nodes on one side"));
-    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.points[m.tet_mids[0][0].index()] += {0.4, 0.3, -0.3}; }, 2), "non-positive Jacobian: tet "));
-    CHECK(messages_after([](Mesh& m, Expectation&) { m.points[m.tet_mids[0][0].index()] += {0.02, 0.01, -0.01}; }, 2).empty());
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.triangle_mids[3][1] = m.triangle_mids[20][2]; }, 2),
+              "two mid-side nodes on one side"));
+    CHECK(has(messages_after(
+                  [](Mesh& m, Expectation&) {
+                      m.points[m.tet_mids[0][0].index()] += {0.4, 0.3, -0.3};
+                  },
+                  2),
+              "non-positive Jacobian: tet "));
+    CHECK(messages_after(
+              [](Mesh& m, Expectation&) {
+                  m.points[m.tet_mids[0][0].index()] += {0.02, 0.01, -0.01};
+              },
+              2)
+              .empty());
 }
 
 TEST_CASE("the volume of 10-node tets is that of the curved elements") {
@@ -133,7 +171,8 @@ TEST_CASE("the volume of 10-node tets is that of the curved elements") {
         return messages_after(
             [=](Mesh& m, Expectation&) {
                 for (std::size_t n = m.corner_count; n < m.points.size(); ++n)
-                    if ((m.entities[n].dim == 2 && m.entities[n].index == 0) == on_boundary && (on_boundary || m.entities[n].dim == 3)) {
+                    if ((m.entities[n].dim == 2 && m.entities[n].index == 0) == on_boundary &&
+                        (on_boundary || m.entities[n].dim == 3)) {
                         m.points[n].x -= 0.01;
                         return;
                     }

@@ -84,13 +84,17 @@ TEST_CASE("a UNV file holds every bit, number and group of the mesh") {
     for (Vec3& p : mesh.points) p = p * (1.0 / 3) + Vec3{1e-7, -123456.789, 0};
     for (Number& number : mesh.node_numbers) number = 3 * number + 100;
     const std::string path = temporary("featuremesh_test_1.unv");
-    write_unv(mesh, {{"Face1_Nodes", MeshGroup::Kind::node, {103, 106, 109}}, {"Solid1", MeshGroup::Kind::volume, mesh.tet_numbers}, {"None", MeshGroup::Kind::face, {}}},
+    write_unv(mesh,
+              {{"Face1_Nodes", MeshGroup::Kind::node, {103, 106, 109}},
+               {"Solid1", MeshGroup::Kind::volume, mesh.tet_numbers},
+               {"None", MeshGroup::Kind::face, {}}},
               path);
     const UnvContent content = read_unv(path);
     std::remove(path.c_str());
     CHECK(content.longest_line <= 80);
     REQUIRE(content.nodes.size() == mesh.points.size());
-    for (std::size_t i = 0; i < mesh.points.size(); ++i) CHECK(content.nodes.at(mesh.node_numbers[i]) == mesh.points[i]);
+    for (std::size_t i = 0; i < mesh.points.size(); ++i)
+        CHECK(content.nodes.at(mesh.node_numbers[i]) == mesh.points[i]);
     REQUIRE(content.elements.size() == mesh.segments.size() + mesh.triangles.size() + mesh.tets.size());
     for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
         const UnvElement& element = content.elements.at(mesh.tet_numbers[t]);

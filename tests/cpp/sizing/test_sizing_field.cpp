@@ -22,7 +22,9 @@ namespace {
 
 Brep block() { return Brep(BRepPrimAPI_MakeBox(60, 40, 20).Shape()); }
 Brep block_with_hole() {
-    return Brep(BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(60, 40, 20).Shape(), BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(30, 20, 0), gp_Dir(0, 0, 1)), 3, 20).Shape()).Shape());
+    return Brep(BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(60, 40, 20).Shape(),
+                                BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(30, 20, 0), gp_Dir(0, 0, 1)), 3, 20).Shape())
+                    .Shape());
 }
 
 SizingOptions of_size(double size) {
@@ -79,7 +81,8 @@ TEST_CASE("where nothing asks for less, the field is uniform") {
 }
 
 TEST_CASE("a wrong size is refused with the figure and the part's size") {
-    for (double wrong : {0.0, -1.0, 61.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (double wrong :
+         {0.0, -1.0, 61.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
         CHECK_THROWS_AS(sizing_of(block(), of_size(wrong)), InputError);
     CHECK(message_of(block(), of_size(200)).find("200") != std::string::npos);
     CHECK(message_of(block(), of_size(200)).find("60 x 40 x 20 mm") != std::string::npos);
@@ -102,11 +105,13 @@ TEST_CASE("curvature puts the elements around the circle") {
     const double wanted = 2 * std::numbers::pi * 3 / 12;
     CHECK(field.smallest() == Approx(wanted));
     for (double angle = 0; angle < 6.2; angle += 0.37)
-        for (double z : {0.0, 3.3, 11.0, 20.0}) CHECK(field.at({30 + 3 * std::cos(angle), 20 + 3 * std::sin(angle), z}) == Approx(wanted));
+        for (double z : {0.0, 3.3, 11.0, 20.0})
+            CHECK(field.at({30 + 3 * std::cos(angle), 20 + 3 * std::sin(angle), z}) == Approx(wanted));
     CHECK(field.at({0, 0, 0}) == 8.0);
 
     const SizingField sphere = sizing_of(Brep(BRepPrimAPI_MakeSphere(5).Shape()), of_size(6));
-    for (const Vec3& d : {Vec3{0, 0, 1}, Vec3{0, 0, -1}, Vec3{1, 0, 0}, Vec3{0.6, 0.64, 0.48}}) CHECK(sphere.at(5.0 * d) == Approx(2 * std::numbers::pi * 5 / 12).epsilon(0.01));
+    for (const Vec3& d : {Vec3{0, 0, 1}, Vec3{0, 0, -1}, Vec3{1, 0, 0}, Vec3{0.6, 0.64, 0.48}})
+        CHECK(sphere.at(5.0 * d) == Approx(2 * std::numbers::pi * 5 / 12).epsilon(0.01));
 
     const SizingField torus = sizing_of(Brep(BRepPrimAPI_MakeTorus(20, 4).Shape()), of_size(10));
     CHECK(torus.at({24, 0, 0}) == Approx(2 * std::numbers::pi * 4 / 12).epsilon(0.01));
@@ -133,7 +138,8 @@ TEST_CASE("local sizes are obeyed on their entities") {
     options.local = {{entity_of(hole), 0.7}};
     const SizingField on_face = sizing_of(brep, options);
     for (double angle = 0; angle < 6.2; angle += 0.21)
-        for (double z : {0.0, 7.7, 20.0}) CHECK(on_face.at({30 + 3 * std::cos(angle), 20 + 3 * std::sin(angle), z}) == Approx(0.7));
+        for (double z : {0.0, 7.7, 20.0})
+            CHECK(on_face.at({30 + 3 * std::cos(angle), 20 + 3 * std::sin(angle), z}) == Approx(0.7));
     CHECK(on_face.at({30 + 3 + 10, 20, 10}) > 2.5);
 
     for (std::size_t e = 0; e < brep.edge_count(); ++e) {
@@ -183,7 +189,8 @@ TEST_CASE("a local size in one of two solids stays there") {
     SizingOptions options = of_size(10);
     options.local = {{entity_of(SolidId(0)), 2}};
     const SizingField field = sizing_of(brep, options);
-    for (const Vec3& p : random_points(Brep(BRepPrimAPI_MakeBox(gp_Pnt(5, 5, 5), gp_Pnt(15, 15, 15)).Shape()), 300)) CHECK(field.at(p) == Approx(2.0));
+    for (const Vec3& p : random_points(Brep(BRepPrimAPI_MakeBox(gp_Pnt(5, 5, 5), gp_Pnt(15, 15, 15)).Shape()), 300))
+        CHECK(field.at(p) == Approx(2.0));
     CHECK(field.at({75, 15, 15}) > 9);
 }
 
@@ -210,7 +217,8 @@ TEST_CASE("the field grows no faster than asked") {
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
             const Vec3 near = points[i] + Vec3{shift(random), shift(random), shift(random)};
             REQUIRE(std::abs(field.at(points[i]) - field.at(near)) <= (growth - 1) * distance(points[i], near) + 1e-12);
-            REQUIRE(std::abs(field.at(points[i]) - field.at(points[i + 1])) <= (growth - 1) * distance(points[i], points[i + 1]) + 1e-12);
+            REQUIRE(std::abs(field.at(points[i]) - field.at(points[i + 1])) <=
+                    (growth - 1) * distance(points[i], points[i + 1]) + 1e-12);
             REQUIRE(field.at(points[i]) <= 9.0);
             REQUIRE(field.at(points[i]) >= field.smallest());
         }
@@ -241,7 +249,8 @@ TEST_CASE("the same sizes give the same field, and a moved part a moved one") {
 
 TEST_CASE("the estimate follows the volume and the field") {
     const Brep brep = block();
-    const double coarse = estimate_tets(brep, sizing_of(brep, of_size(4))), fine = estimate_tets(brep, sizing_of(brep, of_size(2)));
+    const double coarse = estimate_tets(brep, sizing_of(brep, of_size(4))),
+                 fine = estimate_tets(brep, sizing_of(brep, of_size(2)));
     CHECK(fine == Approx(8 * coarse));
     SizingOptions options = of_size(4);
     options.local = {{entity_of(FaceId(0)), 1}};

@@ -11,7 +11,8 @@ std::vector<SourceBall> random_balls(int count, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> coordinate(0, 100), radius(0, 3), size(0.5, 4);
     std::vector<SourceBall> balls;
-    for (int i = 0; i < count; ++i) balls.push_back({{coordinate(random), coordinate(random), coordinate(random)}, radius(random), size(random)});
+    for (int i = 0; i < count; ++i)
+        balls.push_back({{coordinate(random), coordinate(random), coordinate(random)}, radius(random), size(random)});
     return balls;
 }
 }  // namespace
@@ -27,7 +28,8 @@ TEST_CASE("the tree finds the minimum over all balls") {
         for (int i = 0; i < 400; ++i) {
             const Vec3 p{coordinate(random), coordinate(random), coordinate(random)};
             double wanted = limit;
-            for (const SourceBall& ball : balls) wanted = std::min(wanted, ball.size + slope * std::max(0.0, distance(p, ball.center) - ball.radius));
+            for (const SourceBall& ball : balls)
+                wanted = std::min(wanted, ball.size + slope * std::max(0.0, distance(p, ball.center) - ball.radius));
             REQUIRE(tree.at(p) == Approx(wanted).epsilon(1e-12));
         }
     }

@@ -24,12 +24,14 @@ TEST_CASE("thickness of a plate and of a tube") {
         CHECK(rays.thickness(FaceId(f), {10, 10, 0}, {0, 0, 1}, 1.5) == 1.5);
     }
     CHECK(faces_without_common_edge == 2);
-    const Brep tube(BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(20, 40).Shape(), BRepPrimAPI_MakeCylinder(19, 40).Shape()).Shape());
+    const Brep tube(
+        BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(20, 40).Shape(), BRepPrimAPI_MakeCylinder(19, 40).Shape()).Shape());
     const WallRays through(tube, 0.02);
     for (double angle : {0.1, 1.3, 4.0}) {
         const Vec3 out{std::cos(angle), std::sin(angle), 0};
         double thinnest = 50;
-        for (std::size_t f = 0; f < tube.face_count(); ++f) thinnest = std::min(thinnest, through.thickness(FaceId(f), 20.0 * out + Vec3{0, 0, 20}, -out, 50));
+        for (std::size_t f = 0; f < tube.face_count(); ++f)
+            thinnest = std::min(thinnest, through.thickness(FaceId(f), 20.0 * out + Vec3{0, 0, 20}, -out, 50));
         CHECK(thinnest == Approx(1.0).margin(0.05));
     }
 }

@@ -44,8 +44,12 @@ double largest_distance(const Brep& brep, const Mesh& mesh) {
     double largest = 0;
     for (std::size_t n = 0; n < mesh.points.size(); ++n) {
         const Entity entity = mesh.entities[n];
-        if (entity.dim == 1) largest = std::max(largest, distance(projector.on_edge(EdgeId(entity.index), mesh.parameters[n][0]), mesh.points[n]));
-        if (entity.dim == 2) largest = std::max(largest, distance(projector.on_face(FaceId(entity.index), mesh.parameters[n]), mesh.points[n]));
+        if (entity.dim == 1)
+            largest = std::max(
+                largest, distance(projector.on_edge(EdgeId(entity.index), mesh.parameters[n][0]), mesh.points[n]));
+        if (entity.dim == 2)
+            largest = std::max(largest,
+                               distance(projector.on_face(FaceId(entity.index), mesh.parameters[n]), mesh.points[n]));
     }
     return largest;
 }
@@ -66,7 +70,8 @@ double curved_volume(const Mesh& mesh) {
 
 double straight_volume(const Mesh& mesh) {
     double sum = 0;
-    for (const auto& n : mesh.tets) sum += signed_volume(mesh.point(n[0]), mesh.point(n[1]), mesh.point(n[2]), mesh.point(n[3]));
+    for (const auto& n : mesh.tets)
+        sum += signed_volume(mesh.point(n[0]), mesh.point(n[1]), mesh.point(n[2]), mesh.point(n[3]));
     return sum;
 }
 
@@ -102,7 +107,8 @@ TEST_CASE("mid-side nodes are on the exact entities and no element is folded, co
         CHECK(largest_distance(brep, mesh) < 1e-9);
         CHECK(measure_quality(mesh).min_scaled_jacobian > 0.1);
         const double wanted = brep.volume_of(SolidId(0));
-        CHECK(std::abs(curved_volume(mesh) - wanted) < 0.3 * std::abs(straight_volume(straight) - wanted) + 1e-9 * wanted);
+        CHECK(std::abs(curved_volume(mesh) - wanted) <
+              0.3 * std::abs(straight_volume(straight) - wanted) + 1e-9 * wanted);
     }
 }
 
@@ -111,7 +117,8 @@ TEST_CASE("a mid-side node on an edge is half way in arc length") {
     const Brep brep(BRepPrimAPI_MakeCylinder(10, 12).Shape());
     const Mesh mesh = curve_to_second_order(brep, fan_mesh(brep, 6, {0, 0, 6}), nullptr, context);
     for (std::size_t i = 0; i < mesh.segments.size(); ++i) {
-        const Vec3 &a = mesh.point(mesh.segments[i][0]), &b = mesh.point(mesh.segments[i][1]), &m = mesh.point(mesh.segment_mids[i]);
+        const Vec3 &a = mesh.point(mesh.segments[i][0]), &b = mesh.point(mesh.segments[i][1]),
+                   &m = mesh.point(mesh.segment_mids[i]);
         CHECK(distance(a, m) == Approx(distance(m, b)));
         if (a.z == b.z) CHECK(std::hypot(m.x, m.y) == Approx(10.0));
     }
@@ -146,7 +153,8 @@ TEST_CASE("the same mesh gives the same bytes for any number of threads") {
     const Mesh straight = fan_mesh(brep, 14, {0, 0, 6});
     RunContext one, three;
     three.threads = 3;
-    const Mesh a = curve_to_second_order(brep, straight, nullptr, one), b = curve_to_second_order(brep, straight, nullptr, three);
+    const Mesh a = curve_to_second_order(brep, straight, nullptr, one),
+               b = curve_to_second_order(brep, straight, nullptr, three);
     CHECK(a.points == b.points);
     CHECK(a.tets == b.tets);
 }
@@ -160,7 +168,8 @@ TEST_CASE("a split keeps the mesh conforming and leaves kept elements alone") {
     const Projector projector(brep);
     for (std::size_t i = 0; i < curved.triangles.size(); ++i)
         for (NodeId n : curved.triangle_mids[i])
-            if (curved.entities[n.index()].dim == 2) curved.points[n.index()] = projector.nearest(curved.triangle_faces[i], curved.point(n)).point;
+            if (curved.entities[n.index()].dim == 2)
+                curved.points[n.index()] = projector.nearest(curved.triangle_faces[i], curved.point(n)).point;
     Mesh kept = mesh;
     const KeptCounts all{mesh.segments.size(), mesh.triangles.size(), mesh.tets.size()};
     CHECK(split_folded_tets(kept, curved, {TetId(0), TetId(5)}, all) == 0);

@@ -44,7 +44,8 @@ double distance_from_faces(const Brep& brep, const Mesh& mesh) {
     const Projector projector(brep);
     double largest = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        for (NodeId n : mesh.triangle_mids[t]) largest = std::max(largest, projector.nearest(mesh.triangle_faces[t], mesh.point(n)).distance);
+        for (NodeId n : mesh.triangle_mids[t])
+            largest = std::max(largest, projector.nearest(mesh.triangle_faces[t], mesh.point(n)).distance);
     return largest;
 }
 
@@ -56,10 +57,13 @@ TEST_CASE("coarse 10-node meshes of strongly curved parts are unfolded and on th
         TopoDS_Shape shape;
         double size;
     };
-    const std::vector<Case> cases{{"cylinder, four around", BRepPrimAPI_MakeCylinder(10, 30).Shape(), 14},
-                                  {"torus", BRepPrimAPI_MakeTorus(20, 6).Shape(), 8},
-                                  {"fillet of 2 at size 10", filleted_box(2), 10},
-                                  {"tube with a thin wall", BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(20, 20).Shape(), BRepPrimAPI_MakeCylinder(19, 20).Shape()).Shape(), 6}};
+    const std::vector<Case> cases{
+        {"cylinder, four around", BRepPrimAPI_MakeCylinder(10, 30).Shape(), 14},
+        {"torus", BRepPrimAPI_MakeTorus(20, 6).Shape(), 8},
+        {"fillet of 2 at size 10", filleted_box(2), 10},
+        {"tube with a thin wall",
+         BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(20, 20).Shape(), BRepPrimAPI_MakeCylinder(19, 20).Shape()).Shape(),
+         6}};
     for (const Case& c : cases) {
         INFO(c.name);
         const Brep brep(c.shape);
