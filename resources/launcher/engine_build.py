@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Builds the engine, and nothing at all when no source changed since the last build."""
+import contextlib
+import fcntl
 import hashlib
+import json
 import os
-import shutil
 from pathlib import Path
 
 import cgal_headers
@@ -20,18 +22,45 @@ MEMORY_PER_COMPILER = 2 << 30
 def set_up(extra_packages=(), everything=False):
     """Installs, fetches and builds what is missing: the engine, or everything that the tests need."""
     wanted = (*packages.BUILD_PACKAGES, *packages.RUN_PACKAGES, *extra_packages)
-    stamp_file = RELEASE / ("stamp-all" if everything else "stamp-engine")
-    stamp = fingerprint(wanted)
-    if stamp_file.is_file() and stamp_file.read_text(encoding="utf-8") == stamp:
+    if is_done(wanted, everything):
         return
     BUILD.mkdir(exist_ok=True)
-    if not RELEASE.exists():
-        SETUP_LOG.unlink(missing_ok=True)
-        say(f"setting up, which takes some minutes the first time (log: {SETUP_LOG})")
-    packages.install_missing(wanted)
-    cgal_headers.fetch_cgal()
-    build(everything)
-    stamp_file.write_text(fingerprint(wanted), encoding="utf-8")
+    with alone():
+        if not RELEASE.exists():
+            SETUP_LOG.unlink(missing_ok=True)
+            say(f"setting up, which takes some minutes the first time (log: {SETUP_LOG})")
+        packages.install_missing(wanted)
+        cgal_headers.fetch_cgal()
+        # Taken before the build, so that a source that changes meanwhile is built the next time.
+        stamp = {"fingerprint": fingerprint(), "packages": wanted, "everything": everything}
+        build(everything)
+        stamp_file().write_text(json.dumps(stamp), encoding="utf-8")
+
+
+def stamp_file():
+    return RELEASE / "setup-stamp.json"
+
+
+def is_done(wanted, everything):
+    """Was all that is wanted set up, and has nothing changed since?"""
+    try:
+        stamp = json.loads(stamp_file().read_text(encoding="utf-8"))
+    except (FileNotFoundError, json.JSONDecodeError):
+        return False
+    return (set(wanted) <= set(stamp["packages"]) and (stamp["everything"] or not everything)
+            and stamp["fingerprint"] == fingerprint())
+
+
+@contextlib.contextmanager
+def alone():
+    """Only one set-up at a time works in a build folder; others wait for it."""
+    with open(BUILD / "setup.lock", "w", encoding="utf-8") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            say("waiting for another set-up in this folder")
+            fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
 
 
 def build(everything):
@@ -48,10 +77,10 @@ def compilers_at_once():
     return max(1, min(len(os.sched_getaffinity(0)), memory // MEMORY_PER_COMPILER))
 
 
-def fingerprint(wanted):
-    """Changes when a source, the package database or the list of packages does."""
-    digest = hashlib.sha256(repr(wanted).encode())
-    for path in [*source_files(), Path("/var/lib/dpkg/status"), CGAL / "usr/include/CGAL/version.h", Path(shutil.which("cmake") or "-")]:
+def fingerprint():
+    """Changes when a source, the installed packages or CGAL's headers do."""
+    digest = hashlib.sha256()
+    for path in [*source_files(), Path("/var/lib/dpkg/status"), CGAL / "usr/include/CGAL/version.h"]:
         try:
             status = path.stat()
             digest.update(f"{path} {status.st_size} {status.st_mtime_ns}\n".encode())

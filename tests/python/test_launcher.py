@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The launcher as a user meets it, and the set-up's parts that need neither root nor a network. Runs in plain Python."""
+import contextlib
 import io
 import json
 import os
@@ -7,6 +8,7 @@ import stat
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -210,16 +212,48 @@ class SetUp(unittest.TestCase):
             with self.assertRaisesRegex(Failure, "cmake.*root"):
                 packages.root_prefix(["cmake"])
 
-    def test_a_changed_source_changes_the_stamp(self):
-        before = engine_build.fingerprint(("a",))
-        self.assertEqual(before, engine_build.fingerprint(("a",)))
-        self.assertNotEqual(before, engine_build.fingerprint(("a", "b")))
-        with tempfile.NamedTemporaryFile() as source:
-            with mock.patch.object(engine_build, "source_files", return_value=[Path(source.name)]):
-                empty = engine_build.fingerprint(())
-                source.write(b"more")
-                source.flush()
-                self.assertNotEqual(empty, engine_build.fingerprint(()))
+    def test_a_changed_source_changes_the_fingerprint(self):
+        with tempfile.NamedTemporaryFile() as source, \
+                mock.patch.object(engine_build, "source_files", return_value=[Path(source.name)]):
+            empty = engine_build.fingerprint()
+            self.assertEqual(empty, engine_build.fingerprint())
+            source.write(b"more")
+            source.flush()
+            self.assertNotEqual(empty, engine_build.fingerprint())
+
+    def test_what_was_set_up_is_not_set_up_again(self):
+        steps = []
+        with tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as patches:
+            for module, name, value in ((engine_build, "BUILD", Path(folder)), (engine_build, "RELEASE", Path(folder)),
+                                        (packages, "install_missing", lambda wanted: steps.append("install")),
+                                        (cgal_headers, "fetch_cgal", lambda: None), (engine_build, "say", lambda line: None),
+                                        (engine_build, "build", lambda everything: steps.append(f"build {everything}"))):
+                patches.enter_context(mock.patch.object(module, name, value))
+            for extra, everything, expected in (((), False, ["install", "build False"]), ((), False, []),
+                                                (("more",), False, ["install", "build False"]), ((), False, []),
+                                                ((), True, ["install", "build True"]), ((), False, []), ((), True, [])):
+                steps.clear()
+                engine_build.set_up(extra, everything)
+                self.assertEqual(steps, expected)
+            (Path(folder) / "setup-stamp.json").write_text("{", encoding="utf-8")
+            engine_build.set_up()
+            self.assertEqual(steps, ["install", "build False"])
+
+    def test_only_one_set_up_at_a_time(self):
+        steps = []
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(engine_build, "BUILD", Path(folder)), \
+                mock.patch.object(engine_build, "say", steps.append):
+            def second():
+                with engine_build.alone():
+                    steps.append("second")
+
+            with engine_build.alone():
+                thread = threading.Thread(target=second)
+                thread.start()
+                thread.join(0.3)
+                steps.append("first")
+            thread.join(10)
+        self.assertEqual(steps, ["waiting for another set-up in this folder", "first", "second"])
 
     def test_sources_of_the_engine_are_watched(self):
         watched = {path.relative_to(ROOT).as_posix() for path in engine_build.source_files()}
