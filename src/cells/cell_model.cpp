@@ -51,24 +51,13 @@ class CellBuilder {
 
     /// One attempt after the other until the books close; the last cannot fail.
     CellModel run() {
-        const double diagonal = final_shape_.box().diagonal();
         if (volumes().empty()) return opaque("no feature has a volume of its own");
         if (attempt(volumes(), 0)) return finish();
         if (replace_offenders() && attempt(volumes(), 0)) return finish();
-        const double fuzzy = std::max(1e-7 * diagonal, 1e-6);
-        note("the volumes are fused with a tolerance of " + std::to_string(fuzzy) + " mm");
-        if (attempt(volumes(), fuzzy)) return finish();
+        if (fused_ && attempt_fuzzy()) return finish();
         for (const FeatureId step : steps_to_start_from())
             if (collapse_before(step) && attempt(volumes(), 0)) return finish();
-        std::vector<FuseArgument> with_final = volumes();
-        add_final_shape(with_final, final_shape_);
-        note("the final shape itself takes part in the fuse");
-        if (attempt(with_final, 0)) return finish();
-        if (leave_out_offenders()) {
-            std::vector<FuseArgument> trusted = volumes();
-            add_final_shape(trusted, final_shape_);
-            if (attempt(trusted, 0)) return finish();
-        }
+        if (fused_ && attempt_with_final_shape()) return finish();
         return opaque("no fuse of the volumes adds up to the final shape");
     }
 
@@ -177,11 +166,29 @@ class CellBuilder {
         return true;
     }
 
+    bool attempt_fuzzy() {
+        const double fuzzy = std::max(1e-7 * final_shape_.box().diagonal(), 1e-6);
+        note("the volumes are fused with a tolerance of " + std::to_string(fuzzy) + " mm");
+        return attempt(volumes(), fuzzy);
+    }
+
+    bool attempt_with_final_shape() {
+        note("the final shape itself takes part in the fuse");
+        std::vector<FuseArgument> arguments = volumes();
+        add_final_shape(arguments, final_shape_);
+        if (attempt(arguments, 0)) return true;
+        if (!leave_out_offenders()) return false;
+        arguments = volumes();
+        add_final_shape(arguments, final_shape_);
+        return attempt(arguments, 0);
+    }
+
     bool attempt(const std::vector<FuseArgument>& arguments, double fuzzy) {
         if (seconds_left() <= 0) return note("out of time"), false;
         context_.check_cancelled();
         FusedComplex complex = fuse(arguments, {fuzzy, seconds_left() / 2}, context_);
-        if (!complex.trouble.empty()) return note("fuse: " + complex.trouble), false;
+        fused_ = complex.trouble.empty();
+        if (!fused_) return note("fuse: " + complex.trouble), false;
         model_ = {};
         model_.cells = std::move(complex.cells);
         model_.faces = std::move(complex.faces);
@@ -338,6 +345,7 @@ class CellBuilder {
     double overlap_ = 0;  // mm^3 that the final shape's solids count more than once
     double start_ = thread_seconds();
     CellModel model_;
+    bool fused_ = false;  // did the last attempt give cells at all? Otherwise variations of it are a waste of time
     std::vector<std::string> notes_;
     std::set<FeatureId> offenders_, untrusted_;
     std::map<FeatureId, std::vector<TopoDS_Shape>> replaced_;  // other volumes than the tree's, all counted as volume 0
