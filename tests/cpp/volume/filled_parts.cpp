@@ -10,6 +10,8 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Wire.hxx>
 #include <cmath>
@@ -62,6 +64,19 @@ TopoDS_Shape tube_part(double radius, double length) {
 }
 
 TopoDS_Shape touching_cylinders() { return glued(cylinder(0, 0, 0, 5, 12), cylinder(10, 0, 0, 5, 12)); }
+
+TopoDS_Shape unglued_boxes() {
+    TopoDS_Compound both;
+    const BRep_Builder builder;
+    builder.MakeCompound(both);
+    builder.Add(both, box_part({0, 0, 0}, {10, 10, 10}));
+    builder.Add(both, box_part({10, 3, 2}, {10, 10, 10}));
+    return both;
+}
+
+TopoDS_Shape slotted_block() {
+    return BRepAlgoAPI_Cut(box_part({0, 0, 0}, {60, 10, 10}), box_part({3, -1, 2}, {0.3, 12, 9})).Shape();
+}
 
 TopoDS_Shape turned(const TopoDS_Shape& shape, double angle, const Vec3& shift) {
     gp_Trsf turn, move;

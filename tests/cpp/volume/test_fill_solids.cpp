@@ -82,7 +82,8 @@ TEST_CASE("parts of all kinds are filled") {
          {"drilled, turned, far away", turned(drilled_part(), 0.777, {1e5, 7e4, -1e5}), 3.0},
          {"two solids", two_solids(), 3.0},
          {"hollow", hollow_part(), 2.5},
-         {"touching", touching_cylinders(), 2.5}}));
+         {"touching", touching_cylinders(), 2.5},
+         {"unglued", unglued_boxes(), 2.5}}));
     INFO(name);
     const Part part = prepare(shape, size);
     const VolumeResult result = fill(part);

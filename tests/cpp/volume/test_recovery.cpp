@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "catch.h"
+#include "filled_parts.h"
+#include "volume/fill_cavity.h"
+#include "volume/local_recovery.h"
+
+using namespace featuremesh;
+using namespace featuremesh::testing;
+
+namespace {
+
+struct Filled {
+    Part part;
+    Cavity cavity;
+    CavityFill fill;
+};
+
+Filled delaunay_fill(const TopoDS_Shape& shape, double size) {
+    Part part = prepare(shape, size);
+    std::vector<std::array<SolidId, 2>> sides;
+    for (std::size_t i = 0; i < part.brep.face_count(); ++i) sides.push_back(part.brep.sides_of(FaceId(i)));
+    Cavity cavity = find_cavity(part.surface, sides);
+    const WantedSize wanted{[size](const Vec3&) { return size; }, size, true};
+    RunContext context;
+    CavityFill fill = fill_cavity(cavity, {}, {}, wanted, context);
+    return {std::move(part), std::move(cavity), std::move(fill)};
+}
+
+/// The cavity with its cut facets replaced by their pieces, added points after its own.
+Cavity cut_cavity(const Cavity& cavity, const FacetSplit& split) {
+    Cavity cut;
+    cut.points = cavity.points;
+    for (const auto& added : split.added) cut.points.push_back(added.point);
+    std::vector<bool> is_cut(cavity.facets.size(), false);
+    for (const auto& piece : split.pieces) {
+        is_cut[piece.facet] = true;
+        cut.facets.push_back({piece.corners, cavity.facets[piece.facet].regions});
+    }
+    for (std::size_t i = 0; i < cavity.facets.size(); ++i)
+        if (!is_cut[i]) cut.facets.push_back(cavity.facets[i]);
+    return cut;
+}
+
+void check_recovered(const Filled& filled, const ConstrainedTriangulation& recovered) {
+    REQUIRE(recovered.failed.empty());
+    const Cavity cut = cut_cavity(filled.cavity, recovered.split);
+    std::vector<Vec3> points = cut.points;
+    points.insert(points.end(), filled.fill.points.begin() + static_cast<std::ptrdiff_t>(filled.cavity.points.size()),
+                  filled.fill.points.end());
+    const Triangulation& t = recovered.triangulation;
+    for (std::size_t i = 0; i < t.tets.size(); ++i)
+        for (int k = 0; k < 4; ++k)
+            if (const int other = t.neighbours[i][k]; other >= 0)
+                CHECK(std::count(t.neighbours[other].begin(), t.neighbours[other].end(), static_cast<int>(i)) == 1);
+    const CavityFill again = flood_cavity(cut, points, t);
+    REQUIRE(again.is_complete());
+    double volume = 0;
+    for (std::size_t i = 0; i < t.tets.size(); ++i)
+        if (again.regions[i] >= 0)
+            volume +=
+                signed_volume(points[t.tets[i][0]], points[t.tets[i][1]], points[t.tets[i][2]], points[t.tets[i][3]]);
+    CHECK(volume == Approx(filled.part.brep.volume_of(SolidId(std::size_t{0}))).epsilon(1e-9));
+}
+
+}  // namespace
+
+TEST_CASE("missing triangles come back by constraint, in the whole cavity and around them alike") {
+    const Filled filled = delaunay_fill(slotted_block(), 2.0);
+    REQUIRE(!filled.fill.places.missing.empty());
+    const std::vector<Vec3> seeds(filled.fill.points.begin() + static_cast<std::ptrdiff_t>(filled.cavity.points.size()),
+                                  filled.fill.points.end());
+    check_recovered(filled, constrained_delaunay(filled.cavity, seeds));
+    const auto local = recover_locally(filled.cavity, filled.fill);
+    REQUIRE(local.has_value());
+    check_recovered(filled, *local);
+}
+
+TEST_CASE("facets that cross others are found, and those that only meet are not") {
+    Cavity cavity;
+    cavity.points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}, {1, 1, -1}, {1, 1, 1}, {5, 5, 1}};
+    cavity.facets = {{{0, 1, 2}, {0, -1}}, {{1, 3, 2}, {0, -1}}};
+    CHECK(crossing_facets(cavity).empty());
+    cavity.facets.push_back({{4, 5, 6}, {0, -1}});
+    CHECK(crossing_facets(cavity) == std::vector<int>{0, 1, 2});
+}
+
+TEST_CASE("halving cuts every facet around an edge and keeps area and turn") {
+    const Filled filled = delaunay_fill(box_part({0, 0, 0}, {6, 6, 6}), 3.0);
+    const std::vector<int> some{0, 5, 9};
+    const FacetSplit split = halve_longest_edges(filled.cavity, some);
+    CHECK(!split.added.empty());
+    const Cavity cut = cut_cavity(filled.cavity, split);
+    CHECK(open_facets(cut).empty());
+    double volume = 0;
+    for (const Facet& f : cut.facets) {
+        const double part =
+            dot(cut.points[f.corners[0]], cross(cut.points[f.corners[1]], cut.points[f.corners[2]])) / 6;
+        volume += f.regions[0] >= 0 ? part : -part;
+    }
+    CHECK(volume == Approx(216.0));
+}
