@@ -60,8 +60,9 @@ struct Chart::Data {
     bool reversed = false, isometric = true;
     double u_min = 0, u_max = 0, v_min = 0, v_max = 0;  ///< of the face's trim
     double u_period = 0, v_period = 0;
-    double radius = 0;                              ///< cylinder
-    double apex = 0, sine = 0, side = 1, turn = 0;  ///< cone: v of the apex, |sin|, which nappe, middle u
+    double radius = 0;  ///< cylinder
+    double apex = 0, sine = 0, side = 1, turn = 0,
+           slant = 0;  ///< cone: v of the apex, |sin|, which nappe, middle u, length
     Stretch u_stretch, v_stretch;
 
     explicit Data(const TopoDS_Face& face) : surface(face, Standard_False) {
@@ -92,6 +93,11 @@ struct Chart::Data {
         sine = std::abs(signed_sine);
         side = mid(v_min, v_max) > apex ? 1 : -1;
         turn = mid(u_min, u_max);
+        // At the apex a triangle of the developed plane may span half the cone and more: there only lengths in space
+        // tell.
+        const double nearest = std::min(std::abs(v_min - apex), std::abs(v_max - apex));
+        isometric = nearest > 1e-3 * (v_max - v_min);
+        slant = std::max(std::abs(v_min - apex), std::abs(v_max - apex));
     }
 
     void make_stretched() {
@@ -190,7 +196,8 @@ Chart::Frame Chart::frame(Vec2 p) const {
         case Kind::cone: {
             // Unit vectors around and along; d(angle) = d(u) sine and the slant length is the radius in the plane.
             const double s = std::hypot(p.x, p.y);
-            if (!(s > 0)) return {to_vec(q), su, sv};
+            // At the apex there is no direction around; what rounding leaves of it may even point backwards.
+            if (s < 1e-9 * d.slant) return {to_vec(q), Vec3{}, sv};
             const Vec3 around = su / (s * d.sine), along = d.side * sv;
             const double c = p.y / s, n = d.side * p.x / s;
             return {to_vec(q), d.side * (c * around + n * along), c * along - n * around};
@@ -202,6 +209,7 @@ Chart::Frame Chart::frame(Vec2 p) const {
 
 bool Chart::is_isometric() const { return data_->isometric; }
 bool Chart::is_plane() const { return data_->kind == Kind::plane; }
+double Chart::cone_sine() const { return data_->kind == Kind::cone ? data_->sine : 0; }
 bool Chart::is_reversed() const { return data_->reversed; }
 
 std::array<double, 2> Chart::in_trim_period(std::array<double, 2> uv) const {

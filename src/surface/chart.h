@@ -45,8 +45,11 @@ class Chart {
     Frame frame(Vec2 p) const;
 
     /// Whether lengths in the plane are those on the surface, within 3 %.
+    /// A cone with its apex is not.
     bool is_isometric() const;
     bool is_plane() const;
+    /// Sine of a cone's half angle, its apex being the chart's origin; 0 for other surfaces.
+    double cone_sine() const;
     /// Whether the face as oriented in the shape has the opposite normal of its surface.
     bool is_reversed() const;
     /// The parameters moved by whole periods into the part of the surface that the face uses.

@@ -126,6 +126,9 @@ int fewest_pieces(const Measure& measure, bool is_closed, bool has_twin) {
     return std::max({1, by_turning, by_closure});
 }
 
+/// Halves go up whatever the rounding errors, so that equal edges get equal chains.
+int rounded(double pieces) { return static_cast<int>(std::floor(pieces + 0.5 + 1e-6)); }
+
 void check_order(const EdgeChain& chain, EdgeId edge) {
     if (std::is_sorted(chain.t.begin(), chain.t.end(), std::less_equal<>())) return;
     throw MeshError("The kept nodes of " + name_of(entity_of(edge)) +
@@ -192,7 +195,7 @@ EdgeChains::EdgeChains(const Brep& brep, const WantedLength& sizing, Mesh& mesh,
             }
             const Measure measure(curve, sizing, base.t[i], base.t[i + 1]);
             const int fewest = fewest_pieces(measure, is_whole && ends[0] == ends[1], is_whole && between[ends] > 1);
-            const int pieces = std::max(fewest, static_cast<int>(std::lround(measure.metric_length())));
+            const int pieces = std::max(fewest, rounded(measure.metric_length()));
             for (int k = 1; k < pieces; ++k) {
                 const double t = measure.at_share(static_cast<double>(k) / pieces);
                 chain.nodes.push_back(mesh.add_node(to_vec(curve.Value(t)), entity_of(edge), {t, 0}));

@@ -47,6 +47,8 @@ class FaceFiller {
         if (!is_lattice_) seeds = front_seeds(boundary_, wanted_, domain_, chart_, sizing_, mesh_, heart_);
         domain_.insert(seeds.points, heart_);
         patch_ = domain_.patch();
+        std::fill_n(patch_.is_fixed.begin() + static_cast<std::ptrdiff_t>(boundary_.points.size()), seeds.fixed_count,
+                    1);
         patch_.wanted = wanted_;
         patch_.wanted.insert(patch_.wanted.end(), seeds.wanted.begin(), seeds.wanted.end());
         for (std::size_t p = 0; p < boundary_.nodes.size(); ++p) patch_.nodes[p] = boundary_.nodes[p].value;

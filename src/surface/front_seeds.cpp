@@ -101,6 +101,8 @@ class Front {
 
     Seeds grow() {
         place_boundary();
+        plant_rings();
+        const std::size_t ring_count = seeds_.size();
         for (const auto& s : boundary_.segments)
             if (!s.is_pole) start_from(s, 1);
         for (const auto& s : boundary_.inner) start_from(s, 1), start_from(s, -1);
@@ -109,6 +111,7 @@ class Front {
             grow_around(i);
         }
         Seeds seeds;
+        seeds.fixed_count = ring_count;
         for (const Seed& s : seeds_) seeds.points.push_back(s.point), seeds.wanted.push_back(s.wanted);
         return seeds;
     }
@@ -129,6 +132,51 @@ class Front {
         for (const auto& s : boundary_.inner) add_piece(s), grid_.add(place(s.b), spacing * wanted(s.b));
         for (const int p : boundary_.lone_points) grid_.add(place(p), spacing * wanted(p));
     }
+
+    /// A ring of nodes around a cone's apex. Angles say nothing there: the fewer triangles meet in the apex, the better
+    /// they look in the developed plane, and the flatter is the tip.
+    void plant_rings() {
+        if (chart_.cone_sine() == 0) return;
+        for (const auto& out : boundary_.segments) {
+            if (!is_apex(out.a)) continue;
+            double sector = 2 * M_PI, from = angle_of(out.b), distance_in = 0;
+            for (const auto& in : boundary_.segments) {
+                if (in.b != out.a) continue;
+                double turn = std::fmod(angle_of(in.a) - from + 4 * M_PI, 2 * M_PI);
+                if (turn > 1e-9 && turn < sector) sector = turn, distance_in = distance(point(in.a), Vec2{});
+            }
+            if (distance_in > 0) plant_ring(from, sector, distance(point(out.b), Vec2{}), distance_in);
+        }
+    }
+
+    void plant_ring(double from, double sector, double first, double last) {
+        constexpr double smallest_corner = 28 * M_PI / 180;
+        const double turn = sector / chart_.cone_sine(), h = wanted_[0];
+        const auto pieces_of = [&](double most) {
+            return std::max(1, static_cast<int>(std::ceil(turn / most - 0.01)));
+        };
+        int pieces = pieces_of(2 * M_PI / 5);
+        if (sector / pieces < smallest_corner) pieces = pieces_of(M_PI / 2);
+        pieces = std::max(
+            pieces, static_cast<int>(std::lround(sector * 0.5 * (first + last) / std::max(h, 0.5 * (first + last)))));
+        for (int k = 1; k < pieces; ++k) {
+            const double share = static_cast<double>(k) / pieces, angle = from + share * sector;
+            const double r = first + share * (last - first);
+            const Vec2 p{r * std::cos(angle), r * std::sin(angle)};
+            void* hint = nullptr;
+            if (!domain_.contains(p, hint)) continue;
+            const Chart::Frame frame = chart_.frame(p);
+            grid_.add(frame.point, spacing * r);
+            seeds_.push_back({p, frame.point, -std::sin(angle) * frame.dx + std::cos(angle) * frame.dy,
+                              sizing_.at(frame.point), hint});
+        }
+    }
+
+    bool is_apex(int p) const {
+        return distance(point(p), Vec2{}) <
+               1e-7 * distance(point(boundary_.segments.front().a), point(boundary_.segments.front().b));
+    }
+    double angle_of(int p) const { return std::atan2(point(p).y, point(p).x); }
 
     /// The apex of the equilateral triangle on a piece.
     void start_from(const BoundarySegment& s, double side) {

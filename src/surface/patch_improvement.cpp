@@ -38,10 +38,8 @@ bool would_fold(const TrianglePatch& patch, int t, int i) {
     const Vec3 &a = patch.place(patch.corners(t)[at(i)]), &b = patch.place(patch.corners(t)[at((i + 1) % 3)]);
     const Vec3 &d = patch.place(patch.corners(t)[at((i + 2) % 3)]), &e = patch.place(patch.corners(n)[at(j)]);
     const Vec3 n1 = area_vector(a, b, e), n2 = area_vector(a, e, d);
-    const double after = dot(n1, n2);
-    if (after > 0) return false;
-    const double scale = length(n1) * length(n2);
-    if (scale == 0) return false;
+    const double after = dot(n1, n2), scale = length(n1) * length(n2);
+    if (after > 0.3 * scale || scale == 0) return false;
     const Vec3 m1 = area_vector(a, b, d), m2 = area_vector(e, d, b);
     const double before_scale = length(m1) * length(m2);
     return before_scale > 0 && after / scale < dot(m1, m2) / before_scale;
@@ -117,8 +115,7 @@ StarMeasure measure_star(const TrianglePatch& patch, int p, const std::vector<in
 bool is_right_way_round(const TrianglePatch& patch, const std::vector<int>& star) {
     return std::all_of(star.begin(), star.end(), [&](int t) {
         const auto& c = patch.corners(t);
-        const Vec2 u = patch.point(c[1]) - patch.point(c[0]), v = patch.point(c[2]) - patch.point(c[0]);
-        return cross(u, v) > 1e-10 * (dot(u, u) + dot(v, v));
+        return is_counterclockwise(patch.point(c[0]), patch.point(c[1]), patch.point(c[2]));
     });
 }
 
@@ -224,36 +221,56 @@ std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry
 
 namespace {
 
-bool is_folded(const TrianglePatch& patch, const PatchGeometry& geometry, int t) {
-    constexpr double least_cosine = 0.25;
-    const auto& c = patch.corners(t);
-    const auto place = [&](int p) {
-        return geometry.is_flat() ? geometry.chart().point(patch.point(p)) : patch.place(p);
-    };
-    const Vec3 a = place(c[0]), b = place(c[1]), d = place(c[2]);
-    if (patch.is_at_pole(t)) return false;
-    const Vec2 centre = (1.0 / 3) * (patch.point(c[0]) + patch.point(c[1]) + patch.point(c[2]));
-    const Chart::Frame frame = geometry.chart().frame(centre);
-    const Vec3 across = cross(frame.dx, frame.dy), normal = area_vector(a, b, d);
-    return dot(across, normal) < least_cosine * length(across) * length(normal);
-}
+/// Places and surface normals by point; what split_folded looks at.
+class FoldProbe {
+  public:
+    FoldProbe(const TrianglePatch& patch, const PatchGeometry& geometry) : patch_(patch), geometry_(geometry) {}
 
-/// The longest side that is not at the boundary; -1 for none.
-int longest_inner_side(const TrianglePatch& patch, int t) {
-    int longest = -1;
-    double most = 0;
-    for (int i = 0; i < 3; ++i) {
-        const auto& c = patch.corners(t);
-        const double l = distance(patch.place(c[at((i + 1) % 3)]), patch.place(c[at((i + 2) % 3)]));
-        if (patch.neighbour(t, i) >= 0 && l > most) most = l, longest = i;
+    bool is_folded(int t) {
+        constexpr double least_cosine = 0.25;
+        if (patch_.is_at_pole(t)) return false;
+        while (places_.size() < patch_.points.size()) add_point(places_.size());
+        const auto& c = patch_.corners(t);
+        const Vec3 normal = area_vector(places_[at(c[0])], places_[at(c[1])], places_[at(c[2])]);
+        const double least = least_cosine * length(normal);
+        return std::any_of(c.begin(), c.end(), [&](int p) {
+            const Vec3& n = normals_[at(p)];
+            return squared_length(n) > 0 && dot(n, normal) < least;
+        });
     }
-    return longest;
-}
 
-/// Splits the triangle's longest inner side in the middle, or the triangle itself when it has none.
-int split_somewhere(TrianglePatch& patch, const PatchGeometry& geometry, int t) {
+    /// The side, not at the boundary, along which the surface turns most; -1 for none.
+    int most_bent_side(int t) const {
+        int most_bent = -1;
+        double most = -1;
+        const auto& c = patch_.corners(t);
+        for (int i = 0; i < 3; ++i) {
+            const int p = c[at((i + 1) % 3)], q = c[at((i + 2) % 3)];
+            const Vec3 &m = normals_[at(p)], &n = normals_[at(q)];
+            const double bend = squared_length(m) > 0 && squared_length(n) > 0 ? 1 - dot(m, n) : 0;
+            if (patch_.neighbour(t, i) >= 0 && bend > most) most = bend, most_bent = i;
+        }
+        return most_bent;
+    }
+
+  private:
+    void add_point(std::size_t p) {
+        const Chart::Frame frame = geometry_.chart().frame(patch_.points[p]);
+        const Vec3 n = cross(frame.dx, frame.dy);
+        const bool is_singular = length(n) <= 1e-6 * length(frame.dx) * length(frame.dy);
+        places_.push_back(frame.point);
+        normals_.push_back(is_singular ? Vec3{} : normalized(n));
+    }
+
+    const TrianglePatch& patch_;
+    const PatchGeometry& geometry_;
+    std::vector<Vec3> places_, normals_;
+};
+
+/// Splits a side in the middle, or the triangle itself when it has none that may be split.
+int split_triangle_or_side(TrianglePatch& patch, const PatchGeometry& geometry, int t, int i) {
     const auto c = patch.corners(t);
-    if (const int i = longest_inner_side(patch, t); i >= 0) {
+    if (i >= 0) {
         const Vec2 middle = 0.5 * (patch.point(c[at((i + 1) % 3)]) + patch.point(c[at((i + 2) % 3)]));
         return patch.split_side(t, i, middle, geometry.place(middle));
     }
@@ -268,12 +285,14 @@ std::size_t split_folded(TrianglePatch& patch, const PatchGeometry& geometry, co
     constexpr int rounds = 6;
     std::size_t splits = 0;
     std::vector<int> star;
+    FoldProbe probe(patch, geometry);
     for (int round = 0; round < rounds; ++round) {
         const std::size_t before = splits, count = patch.triangles.size();
         for (std::size_t t = 0; t < count; ++t) {
             if (t % 1024 == 0) heart.beat();
-            if (patch.is_removed(static_cast<int>(t)) || !is_folded(patch, geometry, static_cast<int>(t))) continue;
-            const int p = split_somewhere(patch, geometry, static_cast<int>(t));
+            if (patch.is_removed(static_cast<int>(t)) || !probe.is_folded(static_cast<int>(t))) continue;
+            const int p =
+                split_triangle_or_side(patch, geometry, static_cast<int>(t), probe.most_bent_side(static_cast<int>(t)));
             ++splits;
             patch.star(p, star);
             flip_from(patch, star);
@@ -333,7 +352,7 @@ class AngleRaiser {
                                     : smallest_angle(patch_.place(c[0]), patch_.place(c[1]), patch_.place(c[2]));
     }
 
-    bool improve(int t) { return turn(t) || move_corners(t) || split(t); }
+    bool improve(int t) { return turn(t) || move_corners(t) || remove_corner(t) || split(t); }
 
   private:
     double angle_of(const std::vector<int>& list) const {
@@ -408,8 +427,57 @@ class AngleRaiser {
         return false;
     }
 
+    bool remove_corner(int t) {
+        const auto corners = patch_.corners(t);
+        return std::any_of(corners.begin(), corners.end(), [&](int p) { return !patch_.is_fixed[at(p)] && remove(p); });
+    }
+
+    /// Takes out an inner node of at most five triangles when the best fan over its ring has a larger smallest angle.
+    bool remove(int p) {
+        patch_.star(p, star_);
+        const int count = static_cast<int>(star_.size());
+        if (count < 3 || count > 5) return false;
+        std::vector<int> ring;
+        for (const int t : star_) ring.push_back(patch_.corners(t)[at((patch_.corner_index(t, p) + 1) % 3)]);
+        double best = angle_of(star_) + 1e-3;
+        int best_apex = -1;
+        for (int apex = 0; apex < count; ++apex)
+            if (const double angle = smallest_in_fan(ring, apex); angle > best) best = angle, best_apex = apex;
+        if (best_apex < 0) return false;
+        for (int k = 1; k + 2 < count; ++k) {
+            const int gone = ring[at((best_apex + k) % count)];
+            patch_.star(p, star_);
+            for (const int t : star_)
+                if (const int i = patch_.corner_index(t, p); patch_.corners(t)[at((i + 1) % 3)] == gone) {
+                    patch_.flip(t, (i + 2) % 3);
+                    break;
+                }
+        }
+        patch_.remove_of_three(p);
+        return true;
+    }
+
+    /// -1 when the fan from the given ring point is not one to one in the chart, or would join a node to itself or
+    /// stretch a side too far.
+    double smallest_in_fan(const std::vector<int>& ring, int apex) const {
+        constexpr double longest = 1.8;
+        const int count = static_cast<int>(ring.size()), a = ring[at(apex)];
+        double smallest = M_PI;
+        for (int k = 1; k + 1 < count; ++k) {
+            const int b = ring[at((apex + k) % count)], c = ring[at((apex + k + 1) % count)];
+            if (patch_.are_one_node(a, b) || patch_.are_one_node(b, c) || patch_.are_one_node(c, a)) return -1;
+            if (!is_counterclockwise(patch_.point(a), patch_.point(b), patch_.point(c))) return -1;
+            const double wanted = patch_.wanted[at(a)];
+            if (k > 1 && distance(patch_.place(a), patch_.place(b)) > longest * wanted) return -1;
+            smallest = std::min(smallest, smallest_angle(patch_.place(a), patch_.place(b), patch_.place(c)));
+        }
+        return smallest;
+    }
+
     /// Splits the longest inner side of a needle or cap when the two new nodes' surroundings gain by it.
     bool split(int t) {
+        constexpr double too_small = 25 * M_PI / 180;
+        if (angle_of(t) > too_small) return false;
         const auto corners = patch_.corners(t);
         int longest = -1;
         double length_of_it = 0;

@@ -14,7 +14,8 @@ namespace featuremesh {
 
 struct Seeds {
     std::vector<Vec2> points;
-    std::vector<double> wanted;  ///< side length at each, mm
+    std::vector<double> wanted;   ///< side length at each, mm
+    std::size_t fixed_count = 0;  ///< so many at the front stay where they are
 };
 
 /// Points of the hexagonal lattice of edge length `size`, anchored at the chart's origin, inside the boundary and not

@@ -8,12 +8,12 @@ namespace featuremesh {
 namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Strictly positive with a margin against rounding.
+}  // namespace
+
 bool is_counterclockwise(Vec2 a, Vec2 b, Vec2 c) {
     const Vec2 u = b - a, v = c - a;
     return cross(u, v) > 1e-10 * (dot(u, u) + dot(v, v));
 }
-}  // namespace
 
 bool TrianglePatch::can_flip(int t, int i) const {
     const int n = neighbour(t, i);

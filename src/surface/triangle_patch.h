@@ -12,6 +12,9 @@
 
 namespace featuremesh {
 
+/// Strictly, with a margin against rounding.
+bool is_counterclockwise(Vec2 a, Vec2 b, Vec2 c);
+
 /// Every triangle is counterclockwise in the chart, so the triangles never overlap on the surface. Lengths and angles
 /// are taken between `places`: points of the surface, or of the chart itself where that is isometric.
 struct TrianglePatch {
