@@ -12,6 +12,13 @@ constexpr double straight = 1e300;
 double step_on_circle(double radius, double sag) {
     return sag >= radius ? std::numbers::pi / 2 : std::min(std::numbers::pi / 2, 2 * std::acos(1 - sag / radius));
 }
+/// Largest distance from the axis of a torus over a range of its tube's angle.
+double widest_circle(double radius, double tube, double first, double last) {
+    double widest = std::max(std::abs(radius + tube * std::cos(first)), std::abs(radius + tube * std::cos(last)));
+    for (double top = std::numbers::pi * std::ceil(first / std::numbers::pi); top <= last; top += std::numbers::pi)
+        widest = std::max(widest, std::abs(radius + tube * std::cos(top)));
+    return std::max(widest, 1e-12);
+}
 }  // namespace
 
 CarrierChart::CarrierChart(const SurfaceCarrier& carrier) : carrier_(carrier) {
@@ -39,7 +46,7 @@ void CarrierChart::scale_for(const UvBox& box) {
             scale_ = {r, r};
             break;
         case SurfaceKind::torus:
-            scale_ = {r + carrier_.second, carrier_.second};
+            scale_ = {widest_circle(r, carrier_.second, box.low[1], box.high[1]), carrier_.second};
             break;
         case SurfaceKind::free_form: {
             constexpr int samples = 12;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "difference/carrier_chart.h"
+#include "difference/triangle_distance.h"
 
 namespace featuremesh {
 namespace {
@@ -38,8 +39,8 @@ class TrimRaster {
         if (chart_.carrier().kind == SurfaceKind::plane && !clip_root_to_domain()) return;
         chart_.scale_for(root_);
         step_ = chart_.step_for_sag(resolution_ / 8);
-        free_form_cell_ =
-            std::max(2 * resolution_, std::hypot(root_.size(0) * chart_.scale()[0], root_.size(1) * chart_.scale()[1]) / 150);
+        free_form_cell_ = std::max(
+            2 * resolution_, std::hypot(root_.size(0) * chart_.scale()[0], root_.size(1) * chart_.scale()[1]) / 150);
         if (!known) return emit(root_);
         shift_into_root();
         widen_margins();
@@ -112,10 +113,12 @@ class TrimRaster {
     }
 
     int samples_of(const CurveCarrier& curve, const ChangedPiece& piece) const {
+        // No chord strays from its curve by more than an eighth of the resolution.
+        const double sampling = std::min(leaf_, 10 * resolution_);
         const SurfaceKind kind = chart_.carrier().kind;
         if (curve.kind == CurveKind::line)
             return kind == SurfaceKind::free_form
-                       ? int(std::clamp(std::ceil(4 * (piece.last - piece.first) / leaf_), 4.0, 400.0))
+                       ? int(std::clamp(std::ceil(4 * (piece.last - piece.first) / sampling), 4.0, 400.0))
                        : 1;
         double size = curve.radius * (piece.last - piece.first), turns = (piece.last - piece.first) / 0.2;
         if (curve.kind == CurveKind::free_form) {
@@ -127,7 +130,7 @@ class TrimRaster {
             }
         }
         const double most = curve.kind == CurveKind::free_form ? 1000 : 10000;
-        return int(std::clamp(std::max(std::ceil(2 * size / leaf_), turns), 2.0, most));
+        return int(std::clamp(std::max(std::ceil(2 * size / sampling), turns), 2.0, most));
     }
 
     // A difference ends at changed pieces, so its extent is theirs, except round a sphere or a torus or on a closed
@@ -136,17 +139,40 @@ class TrimRaster {
         const SurfaceKind kind = chart_.carrier().kind;
         if (kind == SurfaceKind::free_form) return natural_box();
         constexpr double pi = 3.14159265358979323846;
-        if (kind == SurfaceKind::sphere) return UvBox{{0, -pi / 2}, {2 * pi, pi / 2}};
-        if (kind == SurfaceKind::torus) return UvBox{{0, 0}, {2 * pi, 2 * pi}};
+        if (kind == SurfaceKind::sphere) return cut_to_borders(UvBox{{0, -pi / 2}, {2 * pi, pi / 2}});
+        if (kind == SurfaceKind::torus) return cut_to_borders(UvBox{{0, 0}, {2 * pi, 2 * pi}});
         UvBox box;
         for (const Segment& s : segments_) box.add(s.a), box.add(s.b);
-        if (kind != SurfaceKind::plane) std::tie(box.low[0], box.high[0]) = covered_arc();
+        if (kind != SurfaceKind::plane) std::tie(box.low[0], box.high[0]) = covered_arc(0);
         if (box.is_empty()) box.add({0, 0});
         chart_.scale_for(box);
         for (int k = 0; k < 2; ++k)
             if (const double least = 0.25 * leaf_ / chart_.scale()[k]; box.size(k) < least)
                 box.low[k] -= least / 2, box.high[k] += least / 2;
         return box;
+    }
+
+    // Round a closed carrier an arc without borders is wholly inside or wholly outside the difference: ask there.
+    UvBox cut_to_borders(UvBox box) const {
+        for (int k = 0; k < 2; ++k) {
+            const double full = chart_.period(k);
+            if (full == 0 || segments_.empty()) continue;
+            const auto [begin, end] = covered_arc(k);
+            const double free = begin + full - end, slack = std::min(0.25 * free, 0.05 * (end - begin) + 1e-3);
+            if (free < 1e-2 || !is_outside_along(box, k, end + 0.5 * free)) continue;
+            box.low[k] = begin - slack;
+            box.high[k] = end + slack;
+        }
+        return box;
+    }
+
+    bool is_outside_along(const UvBox& box, int k, double at) const {
+        for (const double share : {0.37, 0.13, 0.71}) {
+            Uv uv = box.at(share, share);
+            uv[std::size_t(k)] = at;
+            if (const auto verdict = differs_by_trims(uv)) return !*verdict;
+        }
+        return false;
     }
 
     /// The domain seen along the plane's normal.
@@ -185,11 +211,11 @@ class TrimRaster {
     }
 
     // Where no border is over a whole arc, a line along the axis there meets no border: it is outside the difference.
-    std::tuple<double, double> covered_arc() const {
-        const double full = chart_.period(0);
+    std::tuple<double, double> covered_arc(int k) const {
+        const double full = chart_.period(k);
         std::vector<std::array<double, 2>> arcs;
         for (const Segment& s : segments_) {
-            const double low = std::min(s.a[0], s.b[0]), length = std::abs(s.a[0] - s.b[0]);
+            const double low = std::min(s.a[k], s.b[k]), length = std::abs(s.a[k] - s.b[k]);
             const double start = low - full * std::floor(low / full);
             arcs.push_back({start, start + length});
         }
@@ -380,11 +406,12 @@ class TrimRaster {
         const double sag = resolution_ / 8;
         const auto at = [&](double s, double t) { return chart_.point(cell.at(s, t)); };
         const Vec3 a = at(0, 0), b = at(1, 0), c = at(1, 1), d = at(0, 1);
-        const double strays = std::max({distance(at(0.5, 0.5), (a + c) * 0.5), distance(at(0.5, 0), (a + b) * 0.5),
-                                        distance(at(1, 0.5), (b + c) * 0.5), distance(at(0.5, 1), (c + d) * 0.5),
-                                        distance(at(0, 0.5), (d + a) * 0.5)});
+        const double strays =
+            std::max({squared_distance_to_segment(at(0.5, 0), a, b), squared_distance_to_segment(at(1, 0.5), b, c),
+                      squared_distance_to_segment(at(0.5, 1), c, d), squared_distance_to_segment(at(0, 0.5), d, a),
+                      squared_distance_to_segment(at(0.5, 0.5), a, c)});
         const bool small = std::max(distance(a, c), distance(b, d)) <= free_form_cell_;
-        if ((strays <= sag && small) || depth >= 9) {
+        if ((strays <= sag * sag && small) || depth >= 9) {
             add_triangle(a, b, c);
             add_triangle(a, c, d);
             return;
