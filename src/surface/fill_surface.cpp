@@ -258,7 +258,9 @@ std::string names_of(const Mesh& mesh, const TrianglePairs& crossings) {
 SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kept, RunContext& context) {
     const RunContext::Step step(context, "surface");
     constexpr int attempts = 5;
-    constexpr std::size_t hopeless = 20000;
+    constexpr std::size_t many = 1000, hopeless = 20000;
+    std::size_t crossings_before = 0;
+    int times_grown = 0;
     const Extent before = extent_of(kept);
     WantedLength wanted(sizing);
     std::set<std::string> refined;
@@ -272,7 +274,11 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
             return result;
         }
         const std::string names = names_of(result.mesh, crossings);
-        if (attempt == attempts || crossings.size() > hopeless)
+        // Thin walls part as the mesh gets finer; a shape that crosses itself only gets more crossings.
+        if (attempt > 1) times_grown = crossings.size() > crossings_before ? times_grown + 1 : 0;
+        crossings_before = crossings.size();
+        const bool is_hopeless = crossings.size() > hopeless || (times_grown >= 2 && crossings.size() > many);
+        if (attempt == attempts || is_hopeless)
             throw MeshError("These faces cross each other: " + names +
                             ". The shape intersects itself (Part: Check geometry), or is thinner there than any mesh "
                             "of this size can follow; repair the feature, or ask for a smaller size on these faces.");

@@ -39,7 +39,10 @@ bool would_fold(const TrianglePatch& patch, int t, int i) {
     const Vec3 &d = patch.place(patch.corners(t)[at((i + 2) % 3)]), &e = patch.place(patch.corners(n)[at(j)]);
     const Vec3 n1 = area_vector(a, b, e), n2 = area_vector(a, e, d);
     const double after = dot(n1, n2), scale = length(n1) * length(n2);
-    if (after > 0.3 * scale || scale == 0) return false;
+    // Between two nodes that stay, as around a cone's apex, a fold once made is never mended.
+    const auto& c = patch.corners(t);
+    const bool stays = patch.is_fixed[at(c[at((i + 1) % 3)])] && patch.is_fixed[at(c[at((i + 2) % 3)])];
+    if (after > (stays ? 0.3 : 0.0) * scale || scale == 0) return false;
     const Vec3 m1 = area_vector(a, b, d), m2 = area_vector(e, d, b);
     const double before_scale = length(m1) * length(m2);
     return before_scale > 0 && after / scale < dot(m1, m2) / before_scale;
@@ -221,51 +224,30 @@ std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry
 
 namespace {
 
-/// Places and surface normals by point; what split_folded looks at.
-class FoldProbe {
-  public:
-    FoldProbe(const TrianglePatch& patch, const PatchGeometry& geometry) : patch_(patch), geometry_(geometry) {}
+bool is_folded(const TrianglePatch& patch, const PatchGeometry& geometry, int t) {
+    constexpr double least_cosine = 0.25;
+    if (patch.is_at_pole(t)) return false;
+    const auto& c = patch.corners(t);
+    const auto place = [&](int p) {
+        return geometry.is_flat() ? geometry.chart().point(patch.point(p)) : patch.place(p);
+    };
+    const Vec2 centre = (1.0 / 3) * (patch.point(c[0]) + patch.point(c[1]) + patch.point(c[2]));
+    const Chart::Frame frame = geometry.chart().frame(centre);
+    const Vec3 across = cross(frame.dx, frame.dy), normal = area_vector(place(c[0]), place(c[1]), place(c[2]));
+    return dot(across, normal) < least_cosine * length(across) * length(normal);
+}
 
-    bool is_folded(int t) {
-        constexpr double least_cosine = 0.25;
-        if (patch_.is_at_pole(t)) return false;
-        while (places_.size() < patch_.points.size()) add_point(places_.size());
-        const auto& c = patch_.corners(t);
-        const Vec3 normal = area_vector(places_[at(c[0])], places_[at(c[1])], places_[at(c[2])]);
-        const double least = least_cosine * length(normal);
-        return std::any_of(c.begin(), c.end(), [&](int p) {
-            const Vec3& n = normals_[at(p)];
-            return squared_length(n) > 0 && dot(n, normal) < least;
-        });
+/// The longest side that is not at the boundary; -1 for none.
+int longest_inner_side(const TrianglePatch& patch, int t) {
+    int longest = -1;
+    double most = 0;
+    for (int i = 0; i < 3; ++i) {
+        const auto& c = patch.corners(t);
+        const double l = distance(patch.place(c[at((i + 1) % 3)]), patch.place(c[at((i + 2) % 3)]));
+        if (patch.neighbour(t, i) >= 0 && l > most) most = l, longest = i;
     }
-
-    /// The side, not at the boundary, along which the surface turns most; -1 for none.
-    int most_bent_side(int t) const {
-        int most_bent = -1;
-        double most = -1;
-        const auto& c = patch_.corners(t);
-        for (int i = 0; i < 3; ++i) {
-            const int p = c[at((i + 1) % 3)], q = c[at((i + 2) % 3)];
-            const Vec3 &m = normals_[at(p)], &n = normals_[at(q)];
-            const double bend = squared_length(m) > 0 && squared_length(n) > 0 ? 1 - dot(m, n) : 0;
-            if (patch_.neighbour(t, i) >= 0 && bend > most) most = bend, most_bent = i;
-        }
-        return most_bent;
-    }
-
-  private:
-    void add_point(std::size_t p) {
-        const Chart::Frame frame = geometry_.chart().frame(patch_.points[p]);
-        const Vec3 n = cross(frame.dx, frame.dy);
-        const bool is_singular = length(n) <= 1e-6 * length(frame.dx) * length(frame.dy);
-        places_.push_back(frame.point);
-        normals_.push_back(is_singular ? Vec3{} : normalized(n));
-    }
-
-    const TrianglePatch& patch_;
-    const PatchGeometry& geometry_;
-    std::vector<Vec3> places_, normals_;
-};
+    return longest;
+}
 
 /// Splits a side in the middle, or the triangle itself when it has none that may be split.
 int split_triangle_or_side(TrianglePatch& patch, const PatchGeometry& geometry, int t, int i) {
@@ -285,14 +267,13 @@ std::size_t split_folded(TrianglePatch& patch, const PatchGeometry& geometry, co
     constexpr int rounds = 6;
     std::size_t splits = 0;
     std::vector<int> star;
-    FoldProbe probe(patch, geometry);
     for (int round = 0; round < rounds; ++round) {
         const std::size_t before = splits, count = patch.triangles.size();
         for (std::size_t t = 0; t < count; ++t) {
             if (t % 1024 == 0) heart.beat();
-            if (patch.is_removed(static_cast<int>(t)) || !probe.is_folded(static_cast<int>(t))) continue;
-            const int p =
-                split_triangle_or_side(patch, geometry, static_cast<int>(t), probe.most_bent_side(static_cast<int>(t)));
+            if (patch.is_removed(static_cast<int>(t)) || !is_folded(patch, geometry, static_cast<int>(t))) continue;
+            const int p = split_triangle_or_side(patch, geometry, static_cast<int>(t),
+                                                 longest_inner_side(patch, static_cast<int>(t)));
             ++splits;
             patch.star(p, star);
             flip_from(patch, star);
