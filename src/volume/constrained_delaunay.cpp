@@ -7,6 +7,7 @@
 #include <CGAL/make_conforming_constrained_Delaunay_triangulation_3.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -16,7 +17,34 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
-using VertexBase = CGAL::Conforming_constrained_Delaunay_triangulation_vertex_base_3<Kernel>;
+/// Where two facets meet at a tiny angle the library may add points without end, and offers no way to stop it: its
+/// vertices count themselves, and the one too many throws.
+struct TooManyPoints {};
+class VertexBudget {
+  public:
+    explicit VertexBudget(std::size_t limit) { left_ = limit; }
+    ~VertexBudget() { left_ = std::numeric_limits<std::size_t>::max(); }
+    static void spend() {
+        if (left_ == 0) throw TooManyPoints();
+        --left_;
+    }
+
+  private:
+    static thread_local std::size_t left_;
+};
+thread_local std::size_t VertexBudget::left_ = std::numeric_limits<std::size_t>::max();
+
+template <class Base = CGAL::Triangulation_vertex_base_3<Kernel>>
+struct CountedVertex : Base {
+    template <class TDS>
+    struct Rebind_TDS {
+        using Other = CountedVertex<typename Base::template Rebind_TDS<TDS>::Other>;
+    };
+    using Base::Base;
+    CountedVertex() { VertexBudget::spend(); }
+};
+
+using VertexBase = CGAL::Conforming_constrained_Delaunay_triangulation_vertex_base_3<Kernel, CountedVertex<>>;
 using CellBase = CGAL::Conforming_constrained_Delaunay_triangulation_cell_base_3<
     Kernel, CGAL::Triangulation_cell_base_with_info_3<int, Kernel>>;
 using Constrained = CGAL::Conforming_constrained_Delaunay_triangulation_3<
@@ -164,9 +192,14 @@ ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<co
     std::vector<Point> points;
     append_converted(cavity.points, points);
     append_converted(seeds, points);
+    const VertexBudget budget(2 * points.size() + 5000);
     try {
         const Constrained constrained(points, corners_of(cavity.facets));
         return Reading(constrained, points, cavity).read();
+    } catch (const TooManyPoints&) {
+        ConstrainedTriangulation result;
+        result.is_given_up = true;
+        return result;
     } catch (const CGAL::Constrained_triangulation_insertion_exception& error) {
         ConstrainedTriangulation result;
         for (const auto facet : error.failed_faces()) result.failed.push_back(static_cast<int>(facet));

@@ -14,6 +14,7 @@ namespace featuremesh {
 struct ConstrainedTriangulation {
     FacetSplit split;
     Triangulation triangulation;  ///< of the cavity's points, then those added, then the seeds
+    bool is_given_up = false;     ///< far more points than the facets have would be added; all else is empty then
     std::vector<int> failed;      ///< facets that could not be had; all else is empty then
 };
 

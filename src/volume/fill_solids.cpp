@@ -199,9 +199,11 @@ class Filling {
         std::optional<ConstrainedTriangulation> local;
         if (local_recoveries_++ < most_local_recoveries) local = recover_locally(cavity, fill);
         ConstrainedTriangulation constrained = local ? std::move(*local) : constrained_delaunay(cavity, seeds);
-        if (!constrained.failed.empty()) {
-            log("triangles that constraints did not bring back", constrained.failed.size());
-            apply(halve_longest_edges(cavity, constrained.failed), cavity);
+        if (constrained.is_given_up || !constrained.failed.empty()) {
+            const std::vector<int>& bad = constrained.is_given_up ? fill.places.missing : constrained.failed;
+            log("triangles that constraints did not bring back", bad.size());
+            if (++crossing_rounds_ > most_crossing_rounds) throw_unrecovered();
+            apply(halve_longest_edges(cavity, bad), cavity);
             return;
         }
         log("points that constraints added", constrained.split.added.size());
