@@ -13,7 +13,7 @@ BUILD_PACKAGES = (
     "libocct-visualization-dev",  # holds a header that OCCT's modelling headers include
 )
 RUN_PACKAGES = ("freecad-python3", "python3-numpy", "calculix-ccx")
-PICTURE_PACKAGES = ("python3-vtk9", "python3-matplotlib", "xvfb", "libgl1-mesa-dri")
+PICTURE_PACKAGES = ("python3-vtk9", "python3-matplotlib", "xvfb", "xauth", "libgl1-mesa-dri")
 PEER_PACKAGES = ("gmsh",)
 WINDOW_PACKAGES = ("freecad", "python3-pivy")
 
