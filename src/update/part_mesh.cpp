@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "update/part_mesh.h"
 
+#include <Standard_Failure.hxx>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -79,8 +80,7 @@ struct Filled {
     std::vector<TetId> released;
 };
 
-/// The one operation: fills whatever is not meshed yet.
-Filled fill(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, RunContext& context) {
+Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, RunContext& context) {
     const std::vector<std::array<NodeId, 4>> kept_tets = kept.mesh.tets;
     SurfaceResult surface = fill_surface(brep, sizing, std::move(kept.mesh), context);
     VolumeResult volume = fill_solids(brep, sizing, std::move(surface.mesh), kept.active, options.volume, context);
@@ -89,6 +89,24 @@ Filled fill(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOp
         mesh = curve_to_second_order(brep, std::move(mesh), kept.curved.order == 2 ? &kept.curved : nullptr, context);
     validate(mesh, brep, unproven_nodes(mesh, kept.is_rim, kept_tets.size(), volume.released, kept_tets), context);
     return {std::move(mesh), std::move(surface.report), std::move(volume.report), std::move(volume.released)};
+}
+
+std::string first_line(const char* text) { return std::string(text).substr(0, std::string(text).find('\n')); }
+
+/// The one operation: fills whatever is not meshed yet. What the libraries throw becomes one of our errors.
+Filled fill(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, RunContext& context) {
+    const std::string advice = ". Try another size, or check the shape (Part: Check geometry).";
+    try {
+        return fill_and_check(brep, sizing, std::move(kept), options, context);
+    } catch (const Error&) {
+        throw;
+    } catch (const Standard_Failure& failure) {
+        throw KernelError("The geometry kernel failed while meshing: " + first_line(failure.GetMessageString()) + advice);
+    } catch (const std::bad_alloc&) {
+        throw MeshError("There is not enough memory for this mesh. Choose a larger size.");
+    } catch (const std::exception& failure) {
+        throw MeshError("The part could not be filled: " + first_line(failure.what()) + advice);
+    }
 }
 
 void record(const Filled& filled, const MeshOptions& options, RunContext& context, Report& report) {
@@ -209,7 +227,8 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
             filled = fill(part.brep, sizing, std::move(kept), options, context);
             report.kept = by_motion;
             break;
-        } catch (const MeshError& failure) {
+        } catch (const Error& failure) {
+            context.check_cancelled();
             report.fallbacks.push_back("keeping everything further than " + std::to_string(margin) + " edge lengths from the change failed: " +
                                        failure.what());
         }
