@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <chrono>
+#include <ctime>
 #include <random>
 
 #include "catch.h"
@@ -78,11 +78,11 @@ TEST_CASE("many queries with a small limit are fast") {
     for (int i = 0; i < 100000; ++i) points.push_back({at(random), at(random), at(random)});
     double best = 1e300, sum = 0;
     for (int round = 0; round < 3; ++round) {
-        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t start = std::clock();
         for (const Vec3& p : points) sum += changed.distance(p, 2.0);
-        best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        best = std::min(best, double(std::clock() - start) / CLOCKS_PER_SEC);
     }
-    INFO("seconds for 100 000 queries: " << best);
+    INFO("processor time for 100 000 queries, s: " << best);
     CHECK(sum > 0);
     CHECK(best < 0.5);
 }
