@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 #include <tuple>
 
 namespace featuremesh {
@@ -186,6 +187,12 @@ class Reading {
     ConstrainedTriangulation result_;
 };
 
+ConstrainedTriangulation given_up() {
+    ConstrainedTriangulation result;
+    result.is_given_up = true;
+    return result;
+}
+
 }  // namespace
 
 ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<const Vec3> seeds) {
@@ -196,14 +203,16 @@ ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<co
     try {
         const Constrained constrained(points, corners_of(cavity.facets));
         return Reading(constrained, points, cavity).read();
-    } catch (const TooManyPoints&) {
-        ConstrainedTriangulation result;
-        result.is_given_up = true;
-        return result;
     } catch (const CGAL::Constrained_triangulation_insertion_exception& error) {
         ConstrainedTriangulation result;
         for (const auto facet : error.failed_faces()) result.failed.push_back(static_cast<int>(facet));
         return result;
+    } catch (const TooManyPoints&) {
+        return given_up();
+    } catch (const std::runtime_error&) {  // the library found no place for a point
+        return given_up();
+    } catch (const std::logic_error&) {  // nor for a facet
+        return given_up();
     }
 }
 
