@@ -98,7 +98,7 @@ class Keeper {
                 return i < region.new_edge_of.size() && place_on_edge(place, region.new_edge_of[i], carried(n));
             case 2:
                 return i < region.new_face_of.size() &&
-                       place_on_face(place, region.new_face_of[i], carried(n), place.motion == 0 && is_untouched_[i]);
+                       place_on_face(place, region.new_face_of[i], carried(n), is_untouched(place, i, carried(n)));
             default:
                 return true;   // its solid follows from its tets
         }
@@ -119,7 +119,13 @@ class Keeper {
         return foot.distance <= tolerance();
     }
 
-    // On a face whose boundary is the old one a point that was inside still is.
+    // Where a face's boundary is the old one a point that was inside still is: everywhere, or far from all that changed.
+    bool is_untouched(const Place& place, std::size_t old_face, const Vec3& p) const {
+        if (place.motion == 0 && is_untouched_[old_face]) return true;
+        const Box changed = regions()[std::size_t(place.motion)].changed.box();
+        return !changed.is_empty() && !changed.grown(2 * in_.margin * in_.new_sizing.at(p)).contains(p);
+    }
+
     bool place_on_face(Place& place, FaceId face, const Vec3& p, bool is_untouched) const {
         if (!face.is_valid()) return false;
         place.entity = entity_of(face);

@@ -194,7 +194,7 @@ PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunCo
     record(filled, options, context, result.report);
     record_run(part, context, seconds_since(start), result.report);
     const std::size_t nodes = filled.mesh.node_count(), tets = filled.mesh.tets.size();
-    result.part_mesh = std::make_shared<const PartMesh>(PartMesh{std::move(part), std::move(document), options, std::move(filled.mesh),
+    result.part_mesh = std::make_shared<const PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled.mesh),
                                                                  std::vector<std::int32_t>(nodes, -1), std::vector<std::int32_t>(tets, -1), {}});
     return result;
 }
@@ -204,7 +204,6 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     PartState part = read_part(document, context);
     const SizingField sizing = make_sizing(part.brep, options.sizing, {}, context);
     refuse_too_many(part.brep, sizing, options);
-    const SizingField old_sizing = make_sizing(old.part.brep, old.options.sizing, {}, context);
 
     PartMeshResult result;
     Report& report = result.report;
@@ -218,7 +217,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     std::vector<std::int32_t> node_origin, tet_origin;
     std::optional<Filled> filled;
     for (const double margin : margins) {
-        Kept kept = keep({old.mesh, old.part.brep, part.brep, report.difference, old_sizing, sizing, margin}, context);
+        Kept kept = keep({old.mesh, old.part.brep, part.brep, report.difference, old.sizing, sizing, margin}, context);
         active = kept.active;
         node_origin = kept.node_origin;
         tet_origin = kept.tet_origin;
@@ -244,7 +243,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     record(*filled, options, context, report);
     node_origin = node_origins(old.mesh, filled->mesh, node_origin);
     tet_origin = extended(without(tet_origin, filled->released), filled->mesh.tets.size());
-    auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, std::move(filled->mesh),
+    auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled->mesh),
                                                    std::move(node_origin), std::move(tet_origin), std::move(active)});
     record_kept(*now, report.kept, report);
     record_run(now->part, context, seconds_since(start), report);
@@ -256,8 +255,9 @@ std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOpt
     PartState part = read_part(document, context);
     const std::vector<std::string> broken = broken_invariants(mesh, expectation_of(part.brep), context);
     if (!broken.empty()) throw StateError("The saved mesh does not fit the part: " + broken.front() + ".");
+    const SizingField sizing = make_sizing(part.brep, options.sizing, {}, context);
     const std::size_t nodes = mesh.node_count(), tets = mesh.tets.size();
-    return std::make_shared<const PartMesh>(PartMesh{std::move(part), std::move(document), options, std::move(mesh),
+    return std::make_shared<const PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(mesh),
                                                      std::vector<std::int32_t>(nodes, -1), std::vector<std::int32_t>(tets, -1), {}});
 }
 
