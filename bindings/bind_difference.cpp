@@ -46,17 +46,10 @@ py::dict face_dict(const FaceChange& change) {
     return out;
 }
 
-PartState state_of(const RawDocument& document, RunContext& context) {
-    FeatureTree tree = interpret(document);
-    Brep brep(tree.final_shape);
-    CellModel cells = build_cells(tree, brep, context);
-    return {std::move(tree), std::move(brep), std::move(cells)};
-}
-
 py::dict compare_documents(const py::dict& old_raw, const py::dict& new_raw, double resolution) {
     const RawDocument old_document = raw_document_from(old_raw), new_document = raw_document_from(new_raw);
     const FeatureDifference difference = run_released({}, 1, [&](RunContext& context) {
-        const PartState old_state = state_of(old_document, context), new_state = state_of(new_document, context);
+        const PartState old_state = read_part(old_document, context), new_state = read_part(new_document, context);
         const double fine = resolution > 0 ? resolution : new_state.brep.box().diagonal() / 100;
         return compare(old_state, new_state, fine, context);
     });

@@ -29,7 +29,7 @@ struct Asked {
 
 Asked asked_from(const py::dict& options) {
     static const std::vector<std::string> known{"size",  "min_size", "elements_per_circle", "elements_across_gap", "growth",      "order",
-                                                "local", "threads",  "seed",                "target_dihedral_deg", "keep_margin", "most_tets"};
+                                                "local", "threads",  "target_dihedral_deg", "keep_margin", "most_tets"};
     for (const auto& [key, value] : options)
         if (std::find(known.begin(), known.end(), key.cast<std::string>()) == known.end())
             throw InputError("Unknown mesh option '" + key.cast<std::string>() + "'.");
@@ -64,8 +64,6 @@ py::dict to_dict(const QualityReport& quality) {
     out["below_10"] = quality.below_10;
     out["below_20"] = quality.below_20;
     out["below_25"] = quality.below_25;
-    out["forced_by_cad"] = quality.forced_by_cad;
-    out["min_dihedral_unforced"] = quality.min_dihedral_unforced;
     out["histogram"] = std::vector<std::int64_t>(quality.histogram.begin(), quality.histogram.end());
     return out;
 }

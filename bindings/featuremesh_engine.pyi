@@ -13,7 +13,7 @@
         error: str                          FreeCAD's message when the feature is in error, else ""
     shapes: bytes                           `Part.Compound([...]).exportBinary` of all shapes, an empty compound for a null shape
 
-`options` is a dict with at least size (mm); further min_size, elements_per_circle, elements_across_gap, growth, order (1, 2), threads, seed,
+`options` is a dict with at least size (mm); further min_size, elements_per_circle, elements_across_gap, growth, order (1, 2), threads,
 target_dihedral_deg, keep_margin, local: list of ("Face12", size).
 
 `progress(step: str, share: float) -> bool`: return False to cancel (raises Cancelled).

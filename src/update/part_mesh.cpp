@@ -25,14 +25,6 @@ double peak_memory_mb() {
     return double(usage.ru_maxrss) / 1024;
 }
 
-PartState read_part(const RawDocument& document, RunContext& context) {
-    RunContext::Step step(context, "read");
-    FeatureTree tree = interpret(document);
-    Brep brep(tree.final_shape);
-    CellModel cells = build_cells(tree, brep, context);
-    return {std::move(tree), std::move(brep), std::move(cells)};
-}
-
 void refuse_too_many(const Brep& brep, const SizingField& sizing, const MeshOptions& options) {
     const double tets = estimate_tets(brep, sizing);
     if (tets > options.most_tets)
@@ -183,6 +175,14 @@ std::string reason_for_full_mesh(const PartMesh& old, const MeshOptions& options
 }
 
 }  // namespace
+
+PartState read_part(const RawDocument& document, RunContext& context) {
+    RunContext::Step step(context, "read");
+    FeatureTree tree = interpret(document);
+    Brep brep(tree.final_shape);
+    CellModel cells = build_cells(tree, brep, context);
+    return {std::move(tree), std::move(brep), std::move(cells)};
+}
 
 PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context) {
     const auto start = std::chrono::steady_clock::now();

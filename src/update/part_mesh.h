@@ -30,6 +30,9 @@ struct PartMeshResult {
     Report report;
 };
 
+/// The feature tree, the final shape and the cells of a document. Throws InputError when there is no solid.
+PartState read_part(const RawDocument& document, RunContext& context);
+
 /// Meshes the part from scratch.
 PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context);
 
