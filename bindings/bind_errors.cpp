@@ -2,6 +2,7 @@
 #include <Standard_Failure.hxx>
 
 #include "bindings.h"
+#include "core/activity.h"
 #include "core/errors.h"
 
 namespace featuremesh {
@@ -32,6 +33,8 @@ void define_errors(py::module_& module) {
             kernel((std::string("The geometry kernel failed: ") + e.DynamicType()->Name() + " " + e.GetMessageString()).c_str());
         }
     });
+    module.def("write_activity_of_crash_to", &write_activity_of_crash_to, py::arg("descriptor"),
+               "From now on a crash first writes what its thread was working on (\"surface, Face12\") to the file descriptor.");
 }
 
 }  // namespace featuremesh

@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/activity.h"
+
 namespace featuremesh {
 
 class RunContext {
@@ -21,7 +23,7 @@ class RunContext {
     int threads = 1;
     std::uint64_t seed = 1;
 
-    /// Begins a named step; its seconds are added up until the returned guard ends.
+    /// Begins a named step; its seconds are added up until the returned guard ends. It is the thread's activity, too.
     class Step {
       public:
         Step(RunContext& context, std::string name);
@@ -32,6 +34,7 @@ class RunContext {
       private:
         RunContext& context_;
         std::string name_, outer_;
+        Activity activity_;
         std::chrono::steady_clock::time_point start_;
     };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/activity.h"
 #include "core/errors.h"
 #include "features/deadline.h"
 #include "features/document_view.h"
@@ -234,6 +235,7 @@ class Interpreter {
     }
 
     bool take_instances(int i, int base) {
+        const Activity activity("feature " + feature(i).label);
         std::vector<FeatureVolume> originals;
         for (const RawLink& link : DocumentView::links_of(record(i), "Originals")) {
             const int original = view_.find(link.object);
@@ -250,6 +252,7 @@ class Interpreter {
     }
 
     bool take_difference(int i) {
+        const Activity activity("feature " + feature(i).label);
         const TopoDS_Shape& after = feature(i).after;
         if (after.IsNull()) return note(i, "has no solid, so its effect is unknown"), true;
         const double start = thread_seconds();

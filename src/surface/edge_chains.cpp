@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/activity.h"
 #include "core/errors.h"
 
 namespace featuremesh {
@@ -175,6 +176,7 @@ EdgeChains::EdgeChains(const Brep& brep, const WantedLength& sizing, Mesh& mesh,
     }
     for (std::size_t e = 0; e < brep.edge_count(); ++e) {
         const EdgeId edge(e);
+        const Activity activity(name_of(entity_of(edge)));
         if (e % 64 == 0) context.progress(0.1 * static_cast<double>(e) / static_cast<double>(brep.edge_count()));
         if (brep.is_degenerated(edge) || !is_used(brep, edge)) continue;
         auto ends = brep.ends_of(edge);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "core/activity.h"
 #include "core/errors.h"
 #include "surface/chart.h"
 #include "surface/chart_domain.h"
@@ -79,7 +80,10 @@ class SurfaceFiller {
         std::set<EdgeId> refined;
         for (int round = 0; !open.empty(); ++round) {
             parallel_for(context_, open.size(), 1, [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i) bound(open[i]);
+                for (std::size_t i = begin; i < end; ++i) {
+                    const Activity activity(name_of(entity_of(open[i])));
+                    bound(open[i]);
+                }
             });
             std::set<FaceId> again;
             for (const FaceId f : open) {
@@ -158,6 +162,7 @@ class SurfaceFiller {
         std::atomic<std::size_t> done{0};
         parallel_for(context_, open.size(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
+                const Activity activity(name_of(entity_of(open[i])));
                 FaceJob& job = jobs_[open[i].index()];
                 job.filling = fill_face(brep_, open[i], *job.chart, job.boundary, *job.domain, sizing_, mesh_, heart);
                 job.domain.reset();

@@ -164,7 +164,7 @@ class FeatureMesh:
     def last_part_mesh(self, mesh):
         """The engine's mesh as it is now, from memory or from the saved state. Throws StateError."""
         checksum = state.checksum_of(mesh.SavedState)
-        if self._part_mesh is None or checksum != self._checksum:
+        if checksum != self._checksum or not isinstance(self._part_mesh, engine.load().PartMesh):
             saved = state.load(mesh.SavedState)
             part = versions.part_of(mesh)
             if part is not None and saved.part_name != part.Name:

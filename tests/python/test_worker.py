@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The engine in a process of its own: the same bytes, and a death in it costs nothing but the work it was at."""
+import os
+import signal
+import unittest
+
+import FreeCAD
+from freecad.featuremesh import api, engine, mesh_object, reading, state, worker
+from parts import new_document, plate_with_hole
+
+SIZE = 3.0
+OPTIONS = {"size": SIZE, "threads": 1}
+
+
+def points_of(mesh):
+    return {number: tuple(point) for number, point in mesh.FemMesh.Nodes.items()}
+
+
+class Killer:
+    """Sends a signal to the worker when the work has reached a step."""
+
+    def __init__(self, sent, step="surface"):
+        self.sent, self.step, self.process_id = sent, step, engine.load().process_id
+
+    def __call__(self, step, share):
+        if step == self.step and self.process_id:
+            os.kill(self.process_id, self.sent)
+            self.process_id = None
+        return True
+
+
+class InWorker(unittest.TestCase):
+
+    def setUp(self):
+        engine.run_in_worker()
+        self.addCleanup(engine.run_here)
+        self.document = new_document()
+        self.body = plate_with_hole(self.document)
+
+    def meshed(self):
+        mesh = api.add_mesh(self.body, SIZE)
+        self.document.recompute()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        return mesh
+
+    def edit(self, x=22):
+        self.document.getObject("HoleSketch").setDatum("X", FreeCAD.Units.Quantity("%g mm" % x))
+        self.document.recompute()
+
+
+class SameEitherWay(InWorker):
+
+    def states(self):
+        """The checksums of the saved states of a mesh and of an update, and what FreeCAD got."""
+        mesh = self.meshed()
+        found = [state.checksum_of(mesh.SavedState)]
+        self.edit()
+        found += [state.checksum_of(mesh.SavedState), points_of(mesh), mesh.KeptNodes,
+                  sorted(mesh.FemMesh.getGroupName(group) for group in mesh.FemMesh.Groups)]
+        return found
+
+    def test_same_bytes(self):
+        self.assertTrue(engine.runs_in_worker())
+        there = self.states()
+        self.assertIsNotNone(engine.load().process_id)
+        engine.run_here()
+        self.document = new_document()
+        self.body = plate_with_hole(self.document)
+        self.assertEqual(self.states(), there)
+
+    def test_changing_places_between_mesh_and_update(self):
+        mesh = self.meshed()
+        engine.run_here()
+        self.edit()
+        self.assertGreater(mesh.KeptNodes, 30)
+        engine.run_in_worker()
+        self.edit(24)
+        self.assertGreater(mesh.KeptNodes, 30)
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+
+    def test_looks(self):
+        raw = reading.read_document(self.body)
+        there = engine.load()
+        tree, count = there.read_tree(raw), there.estimate_tets(raw, OPTIONS)
+        engine.run_here()
+        self.assertEqual(engine.load().read_tree(raw), tree)
+        self.assertEqual(engine.load().estimate_tets(raw, OPTIONS), count)
+
+
+class Deaths(InWorker):
+
+    def test_a_crash_in_a_first_mesh(self):
+        raw = reading.read_document(self.body)
+        with self.assertRaisesRegex(worker.WorkerDied, "SIGSEGV.*meshing Body.*surface"):
+            engine.load().mesh_part(raw, OPTIONS, progress=Killer(signal.SIGSEGV))
+        mesh, _ = engine.load().mesh_part(raw, OPTIONS)
+        self.assertGreater(len(mesh.arrays()["tets"]), 1000)
+
+    def test_a_crash_in_an_update_leaves_the_document_and_the_next_one_is_local(self):
+        mesh = self.meshed()
+        mesh.Automatic = False
+        before, saved = points_of(mesh), state.checksum_of(mesh.SavedState)
+        self.edit()
+        with self.assertRaisesRegex(worker.WorkerDied, "updating the mesh of Body"):
+            api.update_mesh(mesh, progress=Killer(signal.SIGSEGV, "cells"))
+        self.assertEqual(points_of(mesh), before)
+        self.assertEqual(state.checksum_of(mesh.SavedState), saved)
+        self.assertIn("crashed (SIGSEGV)", mesh.Status)
+        report = api.update_mesh(mesh)
+        self.assertIsNone(report["fallback"])
+        self.assertGreater(mesh.KeptNodes, 30)
+        self.assertNotEqual(points_of(mesh), before)
+
+    def test_killed_between_two_calls(self):
+        mesh = self.meshed()
+        os.kill(engine.load().process_id, signal.SIGKILL)
+        self.edit()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        self.assertGreater(mesh.KeptNodes, 30)
+
+    def test_killed_by_the_system(self):
+        with self.assertRaisesRegex(worker.WorkerDied, "memory"):
+            engine.load().mesh_part(reading.read_document(self.body), OPTIONS, progress=Killer(signal.SIGKILL))
+
+
+class Cancels(InWorker):
+
+    def test_cancel_of_a_worker_that_does_not_answer(self):
+        mesh = self.meshed()
+        mesh.Automatic = False
+        before = points_of(mesh)
+        self.edit()
+        stop = Killer(signal.SIGSTOP)
+        with self.assertRaises(engine.load().Cancelled):
+            api.update_mesh(mesh, progress=lambda step, share: stop(step, share) and stop.process_id is not None)
+        self.assertEqual(points_of(mesh), before)
+        api.update_mesh(mesh)
+        self.assertGreater(mesh.KeptNodes, 30)
+
+    def test_cancel_of_one_that_does(self):
+        first = engine.load().process_id
+        with self.assertRaises(engine.load().Cancelled):
+            engine.load().mesh_part(reading.read_document(self.body), OPTIONS, progress=lambda step, share: False)
+        self.assertEqual(engine.load().process_id, first)
+
+
+class Errors(InWorker):
+
+    def test_what_the_engine_throws_arrives(self):
+        raw = reading.read_document(self.body)
+        with self.assertRaisesRegex(engine.load().InputError, "nonsense"):
+            engine.load().mesh_part(raw, {"size": SIZE, "nonsense": 1})
+        with self.assertRaises(engine.load().StateError):
+            engine.load().restore_part(raw, OPTIONS, {})
+        with self.assertRaises(TypeError):
+            engine.load().mesh_part(raw)
+
+    def test_without_an_interpreter_it_runs_here(self):
+        usual = worker.interpreters
+        self.addCleanup(setattr, worker, "interpreters", usual)
+        worker.interpreters = lambda: ["/bin/false"]
+        self.assertEqual(engine.load().__name__, "featuremesh_engine")
+        self.assertFalse(engine.runs_in_worker())
