@@ -477,21 +477,15 @@ class AngleRaiser {
         climb(p);
         patch_.star(p, star_);
         if (angle_of(star_) > before + 0.02) return true;
-        undo_split(p);
+        undo_split(t, p);
         return false;
     }
 
-    /// The new node has four triangles: turning one of its sides leaves three, which become one.
-    void undo_split(int p) {
-        patch_.star(p, star_);
-        for (const int t : star_) {
-            const int i = patch_.corner_index(t, p), side = (i + 1) % 3;
-            if (patch_.can_flip(t, side)) {
-                patch_.flip(t, side);
-                patch_.remove_of_three(p);
-                return;
-            }
-        }
+    /// Undoes split_side(t, ...), whether or not the chart would allow the same turn on the way.
+    void undo_split(int t, int p) {
+        const int side_to_apex = 1;  // t is (apex, end of the side, p)
+        patch_.flip(t, side_to_apex);
+        patch_.remove_of_three(p);
     }
 
     TrianglePatch& patch_;

@@ -15,6 +15,7 @@
 #include "volume/flip_facets.h"
 #include "volume/local_recovery.h"
 #include "volume/optimise.h"
+#include "volume/withdraw_points.h"
 
 namespace featuremesh {
 
@@ -45,6 +46,12 @@ std::vector<Ball> seam_balls(const Mesh& mesh, const Cavity& cavity) {
     }
     return balls;
 }
+
+/// A filling from the round before, for a cavity of the same nodes.
+struct KnownFill {
+    std::vector<NodeId> nodes;
+    CavityFill fill;
+};
 
 /// A triangulation from the round before, for a cavity of the same nodes.
 struct KnownTriangulation {
@@ -119,16 +126,24 @@ class Filling {
     bool fill_all() {
         cavities_ = separate_cavities(find_cavity(result_.mesh, sides_, is_released_));
         fills_.assign(cavities_.size(), {});
+        is_finished_.assign(cavities_.size(), 0);
         const bool is_parallel = context_.threads > 1 && cavities_.size() > 1;
         parallel_for(context_, cavities_.size(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) fill(i, !is_parallel);
         });
         known_.clear();
+        finished_.clear();
         return std::all_of(fills_.begin(), fills_.end(), [](const CavityFill& f) { return f.is_complete(); });
     }
 
     void fill(std::size_t i, bool is_main) {
         const Cavity& cavity = cavities_[i];
+        for (KnownFill& known : finished_)
+            if (known.nodes == cavity.nodes) {
+                fills_[i] = std::move(known.fill);
+                is_finished_[i] = 1;
+                return;
+            }
         for (KnownTriangulation& known : known_) {
             if (known.nodes != cavity.nodes) continue;
             std::vector<Vec3> points = cavity.points;
@@ -148,7 +163,9 @@ class Filling {
             CavityFill& fill = fills_[i];
             if (round == 0) result_.report.recovered_triangles += fill.places.missing.size();
             if (!fill.is_complete()) log("triangles are missing", fill.places.missing.size());
-            if (fill.is_complete())
+            if (is_finished_[i])
+                finished_.push_back({cavities_[i].nodes, std::move(fill)});
+            else if (fill.is_complete())
                 known_.push_back(
                     {cavities_[i].nodes, seeds_of(cavities_[i], fill), std::move(fill.triangulation), true});
             else if (!is_changed)
@@ -161,6 +178,7 @@ class Filling {
         if (round >= most_rounds) return false;
         bool is_changed = false;
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
+            if (is_finished_[i]) continue;
             const FacetSplit flips = flip_flat(cavities_[i], fills_[i], result_.mesh);
             if (flips.pieces.empty()) continue;
             is_changed = true;
@@ -207,6 +225,12 @@ class Filling {
             return;
         }
         log("points that constraints added", constrained.split.added.size());
+        if (auto whole = withdraw_points(cavity, constrained, seeds)) {
+            result_.report.recovery_points += constrained.split.added.size();
+            finished_.push_back({cavity.nodes, std::move(*whole)});
+            return;
+        }
+        log("points that stay on the boundary", constrained.split.added.size());
         if (const auto added = apply(constrained.split, cavity)) {
             std::vector<NodeId> nodes = cavity.nodes;
             nodes.insert(nodes.end(), added->begin(), added->end());
@@ -368,6 +392,8 @@ class Filling {
     std::vector<Cavity> cavities_;
     std::vector<CavityFill> fills_;
     std::vector<KnownTriangulation> known_;
+    std::vector<KnownFill> finished_;         ///< by withdrawn points; nothing outside
+    std::vector<std::uint8_t> is_finished_;   ///< by cavity
     std::vector<TetComplex> complexes_;
     int crossing_rounds_ = 0, local_recoveries_ = 0;
     VolumeResult result_;

@@ -21,7 +21,7 @@ struct VolumeOptions {
 
 struct VolumeReport {
     std::size_t new_nodes = 0, new_tets = 0;
-    std::size_t recovered_triangles = 0, recovery_points = 0;   ///< boundary triangles missing at first; points added to get them back
+    std::size_t recovered_triangles = 0, recovery_points = 0;   ///< boundary triangles missing at first; points added to get them back, most of them inside
     std::size_t released_tets = 0;      ///< kept tets that had to go so that the seam holds
     double odt_energy_before = 0, odt_energy_after = 0;         ///< sum of V S / 20 over the new tets (Alliez et al. 2005), mm^5
     std::size_t slivers_before = 0, slivers_left = 0;           ///< new tets below the target

@@ -69,6 +69,18 @@ TEST_CASE("a coarse mesh is still a closed surface") {
     }
 }
 
+TEST_CASE("a strip far thinner than the size gets no nodes but those of its edges") {
+    for (const double width : {0.01, 1e-4}) {
+        const Brep brep(BRepPrimAPI_MakeBox(width, 6, 10).Shape());
+        const Mesh mesh = mesh_surface(brep, 1).mesh;
+        CHECK(findings(brep, mesh).empty());
+        for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+            if (mesh.entities[n].dim < 2) continue;
+            CHECK((mesh.points[n].x == 0 || mesh.points[n].x == width));
+        }
+    }
+}
+
 TEST_CASE("filling stops when it is cancelled") {
     const Brep brep(BRepPrimAPI_MakeBox(10, 20, 30).Shape());
     RunContext context;
