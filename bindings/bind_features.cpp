@@ -94,7 +94,7 @@ py::dict read_tree(const py::dict& raw) {
     FeatureTree tree;
     CellModel cells;
     run_released({}, 1, [&](RunContext& context) {
-        tree = interpret(document);
+        tree = interpret(document, context);
         cells = build_cells(tree, Brep(tree.final_shape), context);
     });
     const OwnedCounts owned = count_owned(tree, cells);
@@ -112,7 +112,8 @@ py::dict read_tree(const py::dict& raw) {
     out["material_volume"] = cells.report.material_volume;
     out["final_volume"] = cells.report.final_volume;
     std::vector<std::string> notes = tree.notes;
-    notes.insert(notes.end(), cells.report.fallbacks.begin(), cells.report.fallbacks.end());
+    for (const auto& lines : {cells.report.fallbacks, cells.report.findings})
+        notes.insert(notes.end(), lines.begin(), lines.end());
     out["notes"] = notes;
     return out;
 }

@@ -157,7 +157,7 @@ double estimate(const py::dict& raw, const py::dict& options) {
     const RawDocument document = raw_document_from(raw);
     const Asked asked = asked_from(options);
     return run_released({}, 1, [&](RunContext& context) {
-        const Brep brep(interpret(document).final_shape);
+        const Brep brep(interpret(document, context).final_shape);
         return estimate_tets(brep, make_sizing(brep, asked.options.sizing, {}, context));
     });
 }

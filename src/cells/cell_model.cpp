@@ -93,8 +93,7 @@ class CellBuilder {
         for (const FeatureId id : offenders_) {
             if (tree_[id].before.IsNull() || tree_[id].after.IsNull() || seconds_left() <= 0) continue;
             ShapeDifference difference =
-                difference_of(tree_[id].before, tree_[id].after, std::min(8.0, seconds_left() / 3));
-            context_.check_cancelled();
+                difference_of(tree_[id].before, tree_[id].after, std::min(8.0, seconds_left() / 3), context_);
             if (!difference.closed) continue;
             auto& solids = replaced_[id];
             solids = std::move(difference.added);
@@ -252,8 +251,8 @@ class CellBuilder {
         model_.report.final_volume = final_volume_ - overlap_;
         if (std::abs(material + overlap_ - final_volume_) <= Tolerances::volume_books * final_volume_) {
             if (overlap_ > Tolerances::volume_books * final_volume_)
-                note("the solids of the final shape overlap by " + std::to_string(overlap_) +
-                     " mm^3; fuse them or mesh them one by one");
+                model_.report.findings = {"the solids of the final shape overlap by " + std::to_string(overlap_) +
+                                          " mm^3; fuse them or mesh them one by one"};
             return true;
         }
         note("the cells' material is " + std::to_string(material) + " mm^3 where the final shape has " +

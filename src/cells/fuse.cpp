@@ -33,7 +33,7 @@ class Builder {
         TopTools_IndexedMapOfShape different;
         for (const FuseArgument& argument : arguments) different.Add(argument.solid);
         if (different.Extent() < 2) return;
-        const Handle(Deadline) deadline = new Deadline(options.seconds, [&context] { return wants_to_stop(context); });
+        const Handle(Deadline) deadline = new Deadline(options.seconds, context);
         used_ = true;
         for (int i = 1; i <= different.Extent(); ++i) builder_.AddArgument(different(i));
         builder_.SetNonDestructive(true);
@@ -44,7 +44,6 @@ class Builder {
         } catch (const Standard_Failure& failure) {
             trouble_ = std::string("the kernel gave up: ") + failure.GetMessageString();
         }
-        context.check_cancelled();
         if (deadline->is_over())
             trouble_ = "it took longer than " + std::to_string(static_cast<int>(options.seconds)) + " s";
         else if (trouble_.empty() && builder_.HasErrors())
@@ -62,15 +61,6 @@ class Builder {
     }
 
   private:
-    static bool wants_to_stop(RunContext& context) {
-        try {
-            context.progress(0.5);
-            return false;
-        } catch (const Cancelled&) {
-            return true;
-        }
-    }
-
     BOPAlgo_Builder builder_;
     bool used_ = false;
     std::string trouble_;
@@ -81,6 +71,7 @@ class Collector {
     Collector(const std::vector<FuseArgument>& arguments, Builder& builder) {
         for (const FuseArgument& argument : arguments) add_argument(argument, builder);
         for (std::size_t c = 0; c < complex_.cells.size(); ++c) add_faces(CellId(c));
+        measure();
         for (const FuseArgument& argument : arguments)
             for (TopExp_Explorer it(argument.solid, TopAbs_FACE); it.More(); it.Next())
                 own_faces(it.Current(), argument.owner, builder);
@@ -114,7 +105,30 @@ class Collector {
                 face.face = TopoDS::Face(it.Current().Oriented(TopAbs_FORWARD));
                 complex_.faces.push_back(std::move(face));
             }
-            complex_.faces[index - 1].cells[orientation == TopAbs_FORWARD ? 0 : 1] = id;
+            uses_.push_back({id, index - 1, orientation == TopAbs_FORWARD});
+        }
+    }
+
+    /// Boxes, volumes and sides; a face's share is integrated once for the cells on both of its sides. The kernel's
+    /// pieces of a solid that was made inside out are inside out as well: they are turned.
+    void measure() {
+        std::vector<Box> boxes;
+        Box whole;
+        for (const CellFace& face : complex_.faces) whole.add(boxes.emplace_back(box_of(face.face)));
+        std::vector<double> shares;
+        for (const CellFace& face : complex_.faces) shares.push_back(flux(face.face, whole.center()));
+        for (const Use& use : uses_) {
+            Cell& cell = complex_.cells[use.cell.index()];
+            cell.volume += use.forward ? shares[use.face] : -shares[use.face];
+            cell.box.add(boxes[use.face]);
+        }
+        for (const Use& use : uses_) {
+            const bool inside_out = complex_.cells[use.cell.index()].volume < 0;
+            complex_.faces[use.face].cells[use.forward != inside_out ? 0 : 1] = use.cell;
+        }
+        for (Cell& cell : complex_.cells) {
+            if (cell.volume < 0) cell.solid.Reverse();
+            cell.volume = std::abs(cell.volume);
         }
     }
 
@@ -125,52 +139,51 @@ class Collector {
                 complex_.faces[index - 1].owners.push_back(owner);
     }
 
+    struct Use {
+        CellId cell;
+        int face = 0;
+        bool forward = true;
+    };
     FusedComplex complex_;
+    std::vector<Use> uses_;
     TopTools_IndexedMapOfShape cell_map_, face_map_;
 };
 
-/// Boxes and volumes; a face's share is integrated once for the cells on both of its sides.
-void measure(FusedComplex& complex) {
-    std::vector<Box> face_boxes;
-    Box whole;
-    for (const CellFace& face : complex.faces) whole.add(face_boxes.emplace_back(box_of(face.face)));
-    const Vec3 apex = whole.center();
-    for (std::size_t f = 0; f < complex.faces.size(); ++f) {
-        const double share = flux(complex.faces[f].face, apex);
-        for (int side : {0, 1}) {
-            const CellId id = complex.faces[f].cells[side];
-            if (!id.is_valid()) continue;
-            Cell& cell = complex.cells[id.index()];
-            cell.volume += side == 0 ? share : -share;
-            cell.box.add(face_boxes[f]);
-        }
+/// Signed volumes of the arguments; those that were made inside out are turned, or the kernel would take all of space
+/// around them for their inside.
+std::vector<double> turn_outwards(std::vector<FuseArgument>& arguments) {
+    std::vector<double> volumes;
+    for (FuseArgument& argument : arguments) {
+        volumes.push_back(flux(argument.solid, box_of(argument.solid).center()));
+        if (volumes.back() < 0) argument.solid.Reverse();
     }
+    return volumes;
 }
 
 /// Every argument is the sum of its cells, or the fuse went wrong there.
-void check_arguments(FusedComplex& complex, const std::vector<FuseArgument>& arguments) {
+void check_arguments(FusedComplex& complex, const std::vector<FuseArgument>& arguments,
+                     const std::vector<double>& volumes) {
     if (complex.cells.size() < 2) return;
     std::map<Owner, double> sums, wanted;
     for (const Cell& cell : complex.cells)
         for (const Owner& owner : cell.owners) sums[owner] += cell.volume;
-    for (const FuseArgument& argument : arguments)
-        if (argument.owner.feature.is_valid())
-            wanted[argument.owner] += std::abs(flux(argument.solid, box_of(argument.solid).center()));
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+        if (arguments[i].owner.feature.is_valid()) wanted[arguments[i].owner] += std::abs(volumes[i]);
     for (const auto& [owner, volume] : wanted)
         if (std::abs(sums[owner] - volume) > 10 * Tolerances::volume_books * volume) complex.offenders.push_back(owner);
 }
 
 }  // namespace
 
-FusedComplex fuse(const std::vector<FuseArgument>& arguments, const FuseOptions& options, RunContext& context) {
-    Builder builder(arguments, options, context);
+FusedComplex fuse(std::vector<FuseArgument> arguments, const FuseOptions& options, RunContext& context) {
     FusedComplex complex;
-    complex.trouble = builder.trouble();
-    if (!complex.trouble.empty()) return complex;
     try {
+        const std::vector<double> volumes = turn_outwards(arguments);
+        Builder builder(arguments, options, context);
+        complex.trouble = builder.trouble();
+        if (!complex.trouble.empty()) return complex;
         complex = Collector(arguments, builder).take();
-        measure(complex);
-        check_arguments(complex, arguments);
+        check_arguments(complex, arguments, volumes);
     } catch (const Standard_Failure& failure) {
         complex = {};
         complex.trouble = std::string("the kernel gave up: ") + failure.GetMessageString();

@@ -29,6 +29,6 @@ struct FusedComplex {
 };
 
 /// Never throws for the kernel's sake: that is told in `trouble`. Throws Cancelled.
-FusedComplex fuse(const std::vector<FuseArgument>& arguments, const FuseOptions& options, RunContext& context);
+FusedComplex fuse(std::vector<FuseArgument> arguments, const FuseOptions& options, RunContext& context);
 
 }  // namespace featuremesh

@@ -4,8 +4,9 @@
 
 #include <Message_ProgressIndicator.hxx>
 #include <ctime>
-#include <functional>
-#include <utility>
+#include <exception>
+
+#include "core/run_context.h"
 
 namespace featuremesh {
 
@@ -17,28 +18,39 @@ inline double thread_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Handed to a kernel algorithm that runs in this thread, says "break" when the processor seconds are over or `stop`
-/// (may be empty) says so. Throws nothing itself: the kernel would not survive it.
+/// Handed to a kernel algorithm that runs in this thread, says "break" when the processor seconds are over or the
+/// caller of `context` wants to stop. Throws nothing into the kernel, which would not survive it.
 class Deadline : public Message_ProgressIndicator {
     DEFINE_STANDARD_RTTI_INLINE(Deadline, Message_ProgressIndicator)
 
   public:
-    explicit Deadline(double seconds, std::function<bool()> stop = {})
-        : end_(thread_seconds() + seconds), stop_(std::move(stop)) {}
+    Deadline(double seconds, RunContext& context) : end_(thread_seconds() + seconds), context_(context) {}
 
     Standard_Boolean UserBreak() override {
-        broken_ = broken_ || thread_seconds() >= end_ || (stop_ && stop_());
+        if (broken_) return true;
+        try {
+            context_.progress(0.5);
+            broken_ = thread_seconds() >= end_;
+        } catch (...) {
+            thrown_ = std::current_exception();
+            broken_ = true;
+        }
         return broken_;
     }
-    /// Has the algorithm been told to end?
-    bool is_over() const { return broken_; }
+    /// To be asked when the algorithm has returned: was it told to end because of its time? Throws what the caller's
+    /// progress function threw, Cancelled as a rule.
+    bool is_over() const {
+        if (thrown_) std::rethrow_exception(thrown_);
+        return broken_;
+    }
 
   protected:
     void Show(const Message_ProgressScope&, const Standard_Boolean) override {}
 
   private:
     double end_;
-    std::function<bool()> stop_;
+    RunContext& context_;
+    std::exception_ptr thrown_;
     bool broken_ = false;
 };
 

@@ -29,7 +29,7 @@ Effect within(Effect context, Effect step) {
 /// Walks from the final object down to the leaves and gives each feature its volumes, once.
 class Interpreter {
   public:
-    explicit Interpreter(const RawDocument& document) : view_(document) {
+    Interpreter(const RawDocument& document, RunContext& context) : view_(document), context_(context) {
         tree_.object = document.final_object;
         for (std::size_t i = 0; i < document.records.size(); ++i) {
             meanings_.push_back(meaning_of(document.records[i]));
@@ -256,7 +256,8 @@ class Interpreter {
         const TopoDS_Shape& after = feature(i).after;
         if (after.IsNull()) return note(i, "has no solid, so its effect is unknown"), true;
         const double start = thread_seconds();
-        const ShapeDifference difference = difference_of(feature(i).before, after, std::min(8.0, seconds_left_));
+        const ShapeDifference difference =
+            difference_of(feature(i).before, after, std::min(8.0, seconds_left_), context_);
         seconds_left_ = std::max(0.5, seconds_left_ - (thread_seconds() - start));
         if (!difference.closed) {
             note(i,
@@ -297,6 +298,7 @@ class Interpreter {
     }
 
     DocumentView view_;
+    RunContext& context_;
     FeatureTree tree_;
     std::vector<TypeMeaning> meanings_;
     std::vector<bool> visited_;
@@ -337,6 +339,11 @@ std::optional<FeatureId> FeatureTree::find(const std::string& name) const {
     return std::nullopt;
 }
 
-FeatureTree interpret(const RawDocument& document) { return Interpreter(document).run(); }
+FeatureTree interpret(const RawDocument& document, RunContext& context) { return Interpreter(document, context).run(); }
+
+FeatureTree interpret(const RawDocument& document) {
+    RunContext context;
+    return interpret(document, context);
+}
 
 }  // namespace featuremesh

@@ -9,6 +9,7 @@
 
 #include "core/geometry.h"
 #include "core/ids.h"
+#include "core/run_context.h"
 #include "features/raw_document.h"
 
 namespace featuremesh {
@@ -61,7 +62,8 @@ struct FeatureTree {
     std::optional<FeatureId> find(const std::string& name) const;
 };
 
-/// Interprets the records. Throws InputError when the final object has no solid.
+/// Interprets the records. Throws InputError when the final object has no solid, and Cancelled.
+FeatureTree interpret(const RawDocument& document, RunContext& context);
 FeatureTree interpret(const RawDocument& document);
 
 }  // namespace featuremesh

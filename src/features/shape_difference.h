@@ -5,6 +5,8 @@
 #include <TopoDS_Shape.hxx>
 #include <vector>
 
+#include "core/run_context.h"
+
 namespace featuremesh {
 
 struct ShapeDifference {
@@ -14,8 +16,9 @@ struct ShapeDifference {
 
 /// Works on the faces only that the two shapes do not share (see same_faces.h): they bound all that was added or
 /// removed, and the rest of the part costs nothing. Where that does not account for the change of volume, whole
-/// booleans. Each attempt may take `seconds` of the processor. Either shape may be null: nothing before, or nothing
-/// left.
-ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& after, double seconds = 8.0);
+/// booleans. All attempts together may take `seconds` of the processor. Either shape may be null: nothing before, or
+/// nothing left. Throws Cancelled.
+ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& after, double seconds,
+                              RunContext& context);
 
 }  // namespace featuremesh

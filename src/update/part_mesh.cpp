@@ -120,7 +120,8 @@ void record_run(const PartState& part, const RunContext& context, double total, 
     report.seconds["engine_total"] = total;
     report.peak_memory_mb = peak_memory_mb();
     report.warnings.insert(report.warnings.end(), part.tree.notes.begin(), part.tree.notes.end());
-    report.warnings.insert(report.warnings.end(), part.cells.report.fallbacks.begin(), part.cells.report.fallbacks.end());
+    for (const auto& lines : {part.cells.report.fallbacks, part.cells.report.findings})
+        report.warnings.insert(report.warnings.end(), lines.begin(), lines.end());
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -178,7 +179,7 @@ std::string reason_for_full_mesh(const PartMesh& old, const MeshOptions& options
 
 PartState read_part(const RawDocument& document, RunContext& context) {
     RunContext::Step step(context, "read");
-    FeatureTree tree = interpret(document);
+    FeatureTree tree = interpret(document, context);
     Brep brep(tree.final_shape);
     CellModel cells = build_cells(tree, brep, context);
     return {std::move(tree), std::move(brep), std::move(cells)};

@@ -101,6 +101,15 @@ TEST_CASE("a fillet is what it adds and removes, also when no face is shared any
     }
 }
 
+TEST_CASE("reading ends when it is not wanted any more") {
+    DocumentMaker maker = plate();
+    maker.add("Fillet", "PartDesign::Fillet", {{"Base", "Hole", "Edge1"}, {"BaseFeature", "Hole", ""}},
+              with_round_edge(plate_shape(), 1));
+    RunContext context;
+    context.on_progress = [](std::string_view, double) { return false; };
+    CHECK_THROWS_AS(interpret(maker.done(), context), Cancelled);
+}
+
 TEST_CASE("a pad without a volume of its own is had from before and after") {
     const TopoDS_Shape pad = box(0, 0, 0, 10, 10, 10), after = fused(pad, box(2, 2, 5, 3, 3, 10));
     DocumentMaker maker;

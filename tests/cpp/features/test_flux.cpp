@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "catch.h"
+#include "core/errors.h"
 #include "documents.h"
 #include "features/same_faces.h"
 #include "features/shape_difference.h"
@@ -64,15 +65,16 @@ TEST_CASE("faces are recognised after a copy, not after a move") {
 TEST_CASE("added and removed parts account for the change of volume") {
     const TopoDS_Shape before = box(0, 0, 0, 20, 10, 10);
     const TopoDS_Shape after = fused(cut(before, cylinder({15, 5, 5}, {0, 0, 1}, 2, 10)), box(2, 2, 8, 4, 4, 6));
-    const ShapeDifference difference = difference_of(before, after);
+    RunContext context;
+    const ShapeDifference difference = difference_of(before, after, 8.0, context);
     CHECK(difference.closed);
     REQUIRE(difference.added.size() == 1);
     REQUIRE(difference.removed.size() == 1);
     CHECK(flux(difference.added[0], {}) == Approx(64));
     CHECK(flux(difference.removed[0], {}) == Approx(20 * pi));
-    CHECK(difference_of(before, before).added.empty());
-    CHECK(difference_of({}, before).added.size() == 1);
-    CHECK(difference_of(before, {}).removed.size() == 1);
+    CHECK(difference_of(before, before, 8.0, context).added.empty());
+    CHECK(difference_of({}, before, 8.0, context).added.size() == 1);
+    CHECK(difference_of(before, {}, 8.0, context).removed.size() == 1);
 }
 
 TEST_CASE("a concave fillet adds, a convex one removes") {
@@ -85,10 +87,20 @@ TEST_CASE("a concave fillet adds, a convex one removes") {
         const bool concave = middle.Distance({10, 5, 10}) < 1e-6, convex = middle.Distance({20, 5, 10}) < 1e-6;
         if (concave || convex) fillet.Add(concave ? 1 : 2, TopoDS::Edge(it.Current()));
     }
-    const ShapeDifference difference = difference_of(step, fillet.Shape());
+    RunContext context;
+    const ShapeDifference difference = difference_of(step, fillet.Shape(), 8.0, context);
     CHECK(difference.closed);
     for (const TopoDS_Shape& solid : difference.added) added += flux(solid, {});
     for (const TopoDS_Shape& solid : difference.removed) removed += flux(solid, {});
     CHECK(added == Approx((1 - pi / 4) * 10));
     CHECK(removed == Approx((1 - pi / 4) * 40));
+}
+
+TEST_CASE("a difference that is not worth its time is left open, and one that is not wanted any more ends") {
+    const TopoDS_Shape before = box(0, 0, 0, 20, 10, 10);
+    const TopoDS_Shape after = cut(before, cylinder({15, 5, 5}, {0, 0, 1}, 2, 10));
+    RunContext context;
+    CHECK_FALSE(difference_of(before, after, 0, context).closed);
+    context.on_progress = [](std::string_view, double) { return false; };
+    CHECK_THROWS_AS(difference_of(before, after, 8.0, context), Cancelled);
 }
