@@ -64,7 +64,17 @@ py::dict to_dict(const QualityReport& quality) {
     out["below_10"] = quality.below_10;
     out["below_20"] = quality.below_20;
     out["below_25"] = quality.below_25;
+    out["forced_by_cad"] = quality.forced_by_cad;
+    out["min_dihedral_unforced"] = quality.min_dihedral_unforced;
     out["histogram"] = std::vector<std::int64_t>(quality.histogram.begin(), quality.histogram.end());
+    return out;
+}
+
+py::dict to_dict(const SizeConformity& lengths) {
+    py::dict out;
+    out["share_within"] = lengths.share_within;
+    out["mean"] = lengths.mean;
+    out["histogram"] = std::vector<std::int64_t>(lengths.histogram.begin(), lengths.histogram.end());
     return out;
 }
 
@@ -116,6 +126,7 @@ py::dict to_dict(const Report& report) {
     out["seconds"] = report.seconds;
     out["peak_memory_mb"] = report.peak_memory_mb;
     out["quality"] = to_dict(report.quality);
+    out["lengths"] = to_dict(report.lengths);
     out["kept"] = kept_dict(report);
     out["difference"] = to_dict(report.difference);
     out["volume"] = to_dict(report.volume);

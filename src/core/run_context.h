@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What long work needs to know of its caller: progress, cancel, threads, seed, log, and where the time went.
+// What long work needs to know of its caller: progress, cancel, threads, log, and where the time went.
 #pragma once
 
 #include <atomic>
 #include <chrono>
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -21,7 +20,6 @@ class RunContext {
     std::function<bool(std::string_view step, double share)> on_progress;
     std::function<void(std::string_view line)> on_log;
     int threads = 1;
-    std::uint64_t seed = 1;
 
     /// Begins a named step; its seconds are added up until the returned guard ends. It is the thread's activity, too.
     class Step {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/second_order.h"
+#include "mesh/sharp_angles.h"
 
 namespace featuremesh {
 namespace {
@@ -84,17 +85,19 @@ class AngleBins {
 
 /// What is summed up over one chunk of tets.
 struct Tally {
-    double largest_cosine = -1, smallest_cosine = 1, largest_unforced_cosine = -1;
+    double largest_cosine = -1, smallest_cosine = 1;
+    double largest_good_cosine = -1;                  ///< of the tets that are not in `small`
+    std::vector<std::pair<TetId, double>> small;      ///< tets below 25 degrees and the cosine of their smallest angle
     double sum_of_min_angles = 0, sum_of_ratios = 0, smallest_ratio = 1;
     double scaled_jacobian = 1;
-    std::int64_t below_10 = 0, below_20 = 0, below_25 = 0, forced = 0;
+    std::int64_t below_10 = 0, below_20 = 0;
     std::array<std::int64_t, 36> histogram{};
 };
 
-Tally tally_of(const Mesh& mesh, const std::vector<bool>& is_forced, std::size_t begin, std::size_t end) {
+Tally tally_of(const Mesh& mesh, std::size_t begin, std::size_t end) {
     static const AngleBins bin_of;
     static const double cos_10 = std::cos(10 / degrees), cos_20 = std::cos(20 / degrees),
-                        cos_25 = std::cos(25 / degrees);
+                        cos_25 = std::cos(QualityReport::small_angle_deg / degrees);
     Tally tally;
     for (std::size_t t = begin; t < end; ++t) {
         const auto& n = mesh.tets[t];
@@ -108,11 +111,10 @@ Tally tally_of(const Mesh& mesh, const std::vector<bool>& is_forced, std::size_t
         tally.smallest_ratio = std::min(tally.smallest_ratio, shape.radius_ratio);
         tally.below_10 += *high > cos_10;
         tally.below_20 += *high > cos_20;
-        tally.below_25 += *high > cos_25;
-        if (is_forced.empty() || !is_forced[t])
-            tally.largest_unforced_cosine = std::max(tally.largest_unforced_cosine, *high);
+        if (*high > cos_25)
+            tally.small.emplace_back(TetId(t), *high);
         else
-            tally.forced += *high > cos_25;
+            tally.largest_good_cosine = std::max(tally.largest_good_cosine, *high);
         if (mesh.order == 2 && has_curved_side(mesh, TetId(t)))
             tally.scaled_jacobian = std::min(tally.scaled_jacobian, min_scaled_jacobian(tet_nodes(mesh, TetId(t))));
     }
@@ -122,15 +124,14 @@ Tally tally_of(const Mesh& mesh, const std::vector<bool>& is_forced, std::size_t
 void add(Tally& sum, const Tally& part) {
     sum.largest_cosine = std::max(sum.largest_cosine, part.largest_cosine);
     sum.smallest_cosine = std::min(sum.smallest_cosine, part.smallest_cosine);
-    sum.largest_unforced_cosine = std::max(sum.largest_unforced_cosine, part.largest_unforced_cosine);
+    sum.largest_good_cosine = std::max(sum.largest_good_cosine, part.largest_good_cosine);
+    sum.small.insert(sum.small.end(), part.small.begin(), part.small.end());
     sum.sum_of_min_angles += part.sum_of_min_angles;
     sum.sum_of_ratios += part.sum_of_ratios;
     sum.smallest_ratio = std::min(sum.smallest_ratio, part.smallest_ratio);
     sum.scaled_jacobian = std::min(sum.scaled_jacobian, part.scaled_jacobian);
     sum.below_10 += part.below_10;
     sum.below_20 += part.below_20;
-    sum.below_25 += part.below_25;
-    sum.forced += part.forced;
     for (std::size_t i = 0; i < sum.histogram.size(); ++i) sum.histogram[i] += part.histogram[i];
 }
 
@@ -138,17 +139,30 @@ QualityReport report_of(const Tally& tally, double count) {
     QualityReport report;
     report.min_dihedral = angle_deg(tally.largest_cosine);
     report.max_dihedral = angle_deg(tally.smallest_cosine);
-    report.min_dihedral_unforced = angle_deg(tally.largest_unforced_cosine);
     report.mean_min_dihedral = tally.sum_of_min_angles / count;
     report.mean_radius_ratio = tally.sum_of_ratios / count;
     report.min_radius_ratio = tally.smallest_ratio;
     report.min_scaled_jacobian = tally.scaled_jacobian;
     report.below_10 = tally.below_10;
     report.below_20 = tally.below_20;
-    report.below_25 = tally.below_25;
-    report.forced_by_cad = tally.forced;
+    report.below_25 = static_cast<std::int64_t>(tally.small.size());
     report.histogram = tally.histogram;
     return report;
+}
+
+/// Tells the small angles that the CAD forces from those it does not.
+void excuse_sharp_angles(const Mesh& mesh, const Tally& tally, QualityReport& report) {
+    double largest_cosine = tally.largest_good_cosine;
+    if (!tally.small.empty()) {
+        const SharpAngles sharp(mesh, QualityReport::small_angle_deg);
+        for (const auto& [tet, cosine] : tally.small) {
+            if (sharp.force(tet))
+                ++report.forced_by_cad;
+            else
+                largest_cosine = std::max(largest_cosine, cosine);
+        }
+    }
+    report.min_dihedral_unforced = angle_deg(largest_cosine);
 }
 
 }  // namespace
@@ -163,22 +177,22 @@ double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
     return shape_of(a, b, c, d).radius_ratio;
 }
 
-QualityReport measure_quality(const Mesh& mesh, std::span<const TetId> forced, RunContext& context) {
+QualityReport measure_quality(const Mesh& mesh, RunContext& context) {
     if (mesh.tets.empty()) return {};
-    std::vector<bool> is_forced(forced.empty() ? 0 : mesh.tets.size(), false);
-    for (TetId t : forced) is_forced[t.index()] = true;
     std::vector<Tally> parts((mesh.tets.size() + grain - 1) / grain);
     parallel_for(context, mesh.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
-        parts[begin / grain] = tally_of(mesh, is_forced, begin, end);
+        parts[begin / grain] = tally_of(mesh, begin, end);
     });
     Tally sum;
     for (const Tally& part : parts) add(sum, part);
-    return report_of(sum, static_cast<double>(mesh.tets.size()));
+    QualityReport report = report_of(sum, static_cast<double>(mesh.tets.size()));
+    excuse_sharp_angles(mesh, sum, report);
+    return report;
 }
 
-QualityReport measure_quality(const Mesh& mesh, std::span<const TetId> forced) {
+QualityReport measure_quality(const Mesh& mesh) {
     RunContext context;
-    return measure_quality(mesh, forced, context);
+    return measure_quality(mesh, context);
 }
 
 }  // namespace featuremesh

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 
 #include "core/run_context.h"
 #include "mesh/mesh.h"
@@ -22,16 +21,18 @@ double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 /// Figures of a whole mesh (corner nodes only).
 struct QualityReport {
+    static constexpr double small_angle_deg = 25;
+
     double min_dihedral = 0, mean_min_dihedral = 0, max_dihedral = 0;  ///< degrees
     double mean_radius_ratio = 0, min_radius_ratio = 0;
     double min_scaled_jacobian = 1;                                    ///< of the 10-node tets with curved sides
     std::int64_t below_10 = 0, below_20 = 0, below_25 = 0;             ///< tets by smallest dihedral angle, degrees
-    std::int64_t forced_by_cad = 0;                                    ///< tets below 25 degrees that a CAD angle forces
-    double min_dihedral_unforced = 0;                                  ///< smallest angle of all the others
+    std::int64_t forced_by_cad = 0;                                    ///< of the tets below 25 degrees, those a sharper CAD angle forces
+    double min_dihedral_unforced = 0;                                  ///< degrees, of all the others
     std::array<std::int64_t, 36> histogram{};                          ///< all dihedral angles in bins of 5 degrees
 };
-/// `forced` are the tets whose small angles the CAD itself forces. The same figures, bit for bit, for any number of threads.
-QualityReport measure_quality(const Mesh& mesh, std::span<const TetId> forced, RunContext& context);
-QualityReport measure_quality(const Mesh& mesh, std::span<const TetId> forced = {});
+/// The same figures, bit for bit, for any number of threads.
+QualityReport measure_quality(const Mesh& mesh, RunContext& context);
+QualityReport measure_quality(const Mesh& mesh);
 
 }  // namespace featuremesh

@@ -101,12 +101,13 @@ Filled fill(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOp
     }
 }
 
-void record(const Filled& filled, const MeshOptions& options, RunContext& context, Report& report) {
+void record(const Filled& filled, const SizingField& sizing, const MeshOptions& options, RunContext& context, Report& report) {
     report.nodes = filled.mesh.node_count();
     report.tets = filled.mesh.tets.size();
     report.order = options.order;
     report.size = options.sizing.size;
-    report.quality = measure_quality(filled.mesh, {}, context);
+    report.quality = measure_quality(filled.mesh, context);
+    report.lengths = measure_size_conformity(filled.mesh, sizing);
     report.surface = filled.surface;
     report.volume = filled.volume;
     report.warnings.insert(report.warnings.end(), filled.surface.warnings.begin(), filled.surface.warnings.end());
@@ -192,7 +193,7 @@ PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunCo
     refuse_too_many(part.brep, sizing, options);
     Filled filled = fill(part.brep, sizing, {}, options, context);
     PartMeshResult result;
-    record(filled, options, context, result.report);
+    record(filled, sizing, options, context, result.report);
     record_run(part, context, seconds_since(start), result.report);
     const std::size_t nodes = filled.mesh.node_count(), tets = filled.mesh.tets.size();
     result.part_mesh = std::make_shared<const PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled.mesh),
@@ -241,7 +242,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
         active.clear(), node_origin.clear(), tet_origin.clear();
         filled = fill(part.brep, sizing, std::move(nothing), options, context);
     }
-    record(*filled, options, context, report);
+    record(*filled, sizing, options, context, report);
     node_origin = node_origins(old.mesh, filled->mesh, node_origin);
     tet_origin = extended(without(tet_origin, filled->released), filled->mesh.tets.size());
     auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled->mesh),

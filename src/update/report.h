@@ -8,6 +8,7 @@
 
 #include "difference/feature_difference.h"
 #include "mesh/quality.h"
+#include "sizing/size_conformity.h"
 #include "surface/fill_surface.h"
 #include "volume/fill_solids.h"
 
@@ -26,6 +27,7 @@ struct Report {
     std::map<std::string, double> seconds;        ///< read, cells, difference, keep, surface, volume, optimise, validate, engine_total
     double peak_memory_mb = 0;
     QualityReport quality;
+    SizeConformity lengths;
     double kept_nodes_share = 0, kept_tets_share = 0;   ///< of the new mesh
     std::vector<KeptByMotion> kept;
     std::size_t active_nodes = 0;

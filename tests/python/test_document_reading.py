@@ -2,7 +2,6 @@
 """What reading.py makes of a document: which objects, in which order, and their volumes in the final shape's frame."""
 import os
 import tempfile
-import time
 import unittest
 
 import FreeCAD
@@ -179,37 +178,6 @@ class Reading(unittest.TestCase):
             part = cut
         part.Shape = Part.makeBox(1, 1, 1)
         self.assertEqual(len(reading.dependencies(part)), 1201)
-
-    def test_costs_little_against_a_recompute(self):
-        document = new_document()
-        body = plate_with_hole(document)
-        pattern_of_holes(document, body)
-        for obj in document.Objects:
-            obj.touch()
-        start = time.perf_counter()
-        document.recompute()
-        recompute = time.perf_counter() - start
-        seconds = []
-        for _ in range(3):
-            start = time.perf_counter()
-            reading.read_document(body)
-            seconds.append(time.perf_counter() - start)
-        self.assertLess(min(seconds), 0.1 * recompute)
-
-
-def pattern_of_holes(document, body):
-    """A second small hole, eight times along x."""
-    from parts import circle
-    sketch = body.newObject("Sketcher::SketchObject", "SmallSketch")
-    circle(sketch, 32, 5, 1)
-    pocket = body.newObject("PartDesign::Pocket", "Small")
-    pocket.Profile, pocket.Type, pocket.Reversed = sketch, "ThroughAll", True
-    document.recompute()
-    pattern = body.newObject("PartDesign::LinearPattern", "Pattern")
-    pattern.Originals, pattern.Direction = [pocket], (sketch, ["H_Axis"])
-    pattern.Length, pattern.Occurrences = 25, 8
-    body.Tip = pattern
-    document.recompute()
 
 
 class Finding(unittest.TestCase):

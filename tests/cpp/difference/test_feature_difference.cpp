@@ -2,7 +2,6 @@
 #include "difference/feature_difference.h"
 
 #include <algorithm>
-#include <ctime>
 
 #include "catch.h"
 #include "core/errors.h"
@@ -79,11 +78,7 @@ TEST_CASE("one moved hole among 150 features") {
     auto after = before;
     after[2].instances = {test::moved(before[2].instances[0], shift({0.5, 0.2, 0}))};
     const PartState was = part_with_cells(before), is = part_with_cells(after);
-    const std::clock_t start = std::clock();
     const FeatureDifference d = diff(was, is, 1.5);
-    const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
-    INFO("processor time " << seconds << " s");
-    CHECK(seconds < 0.5);
     for (const FeatureChange& f : d.features) {
         INFO(f.name);
         CHECK(f.verdict == (f.name == "Hole1"   ? Verdict::moved

@@ -92,33 +92,11 @@ TEST_CASE("the report agrees with angles taken edge by edge") {
     CHECK(report.histogram == histogram);
 }
 
-TEST_CASE("forced tets are counted apart") {
-    const Mesh mesh = random_tets(50, 3);
-    double second = 180, worst = 180;
-    TetId worst_tet;
-    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-        const auto angles = angles_of(mesh, t);
-        const double low = *std::min_element(angles.begin(), angles.end());
-        if (low < worst) {
-            second = worst;
-            worst = low;
-            worst_tet = TetId(t);
-        } else {
-            second = std::min(second, low);
-        }
-    }
-    const std::array<TetId, 1> forced{worst_tet};
-    const QualityReport report = measure_quality(mesh, forced);
-    CHECK(report.min_dihedral == Approx(worst));
-    CHECK(report.min_dihedral_unforced == Approx(second));
-    CHECK(report.forced_by_cad == 1);
-}
-
 TEST_CASE("quality is the same for any number of threads, and after a motion and a scaling") {
     Mesh mesh = box_mesh(16);
     RunContext one, three;
     three.threads = 3;
-    const QualityReport a = measure_quality(mesh, {}, one), b = measure_quality(mesh, {}, three);
+    const QualityReport a = measure_quality(mesh, one), b = measure_quality(mesh, three);
     CHECK(a.mean_radius_ratio == b.mean_radius_ratio);
     CHECK(a.mean_min_dihedral == b.mean_min_dihedral);
     CHECK(a.histogram == b.histogram);

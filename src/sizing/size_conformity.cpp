@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sizing/size_conformity.h"
+
+#include <algorithm>
+
+namespace featuremesh {
+namespace {
+
+constexpr std::size_t most_tets = 2700;
+constexpr int sides[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+
+}  // namespace
+
+SizeConformity measure_size_conformity(const Mesh& mesh, const SizingField& sizing) {
+    SizeConformity conformity;
+    if (mesh.tets.empty()) return conformity;
+    const std::size_t stride = (mesh.tets.size() + most_tets - 1) / most_tets;
+    double sum = 0;
+    std::int64_t within = 0, count = 0;
+    for (std::size_t t = 0; t < mesh.tets.size(); t += stride)
+        for (const auto& [i, j] : sides) {
+            const Vec3 &a = mesh.point(mesh.tets[t][i]), &b = mesh.point(mesh.tets[t][j]);
+            const double ratio = distance(a, b) / sizing.at((a + b) * 0.5);
+            ++conformity.histogram[static_cast<std::size_t>(std::clamp(ratio * 10, 0.0, 19.0))];
+            within += ratio >= 0.7 && ratio <= 1.4;
+            sum += ratio;
+            ++count;
+        }
+    conformity.share_within = static_cast<double>(within) / static_cast<double>(count);
+    conformity.mean = sum / static_cast<double>(count);
+    return conformity;
+}
+
+}  // namespace featuremesh
