@@ -6,6 +6,7 @@ when that is set.
 """
 import gc
 import os
+import signal
 import sys
 import time
 import traceback
@@ -34,7 +35,7 @@ def picture(name):
 
 def panel(kind):
     """The open panel of that class."""
-    return next(obj for obj in gc.get_objects() if type(obj).__name__ == kind)
+    return [obj for obj in gc.get_objects() if type(obj).__name__ == kind][-1]
 
 
 def wait_for(condition, seconds=120):
@@ -44,12 +45,50 @@ def wait_for(condition, seconds=120):
         spin(0.05)
 
 
+def open_dialog():
+    """The one dialog that is open."""
+    dialog, = [w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QDialog) and w.isVisible()]
+    return dialog
+
+
 def points_of(mesh):
     return {number: tuple(point) for number, point in mesh.FemMesh.Nodes.items()}
 
 
+def check_preferences(api, engine, document, body):
+    """What is set on the page of the preferences is obeyed by the next mesh."""
+    from freecad.featuremesh import overlays, preferences
+    from freecad.featuremesh.gui.preferences_page import PreferencesPage
+    page = PreferencesPage()
+    page.loadSettings()
+    assert page.in_worker.isChecked() and page.elements.value() == 30
+    page.form.show()
+    picture("preferences")
+    page.elements.setValue(10)
+    page.order.setCurrentIndex(1)
+    page.automatic.setChecked(False)
+    page.threads.setValue(1)
+    page.in_worker.setChecked(False)
+    page.colours["NewColour"].setProperty("color", QtGui.QColor(0, 255, 0))
+    page.saveSettings()
+    page.form.close()
+    assert not engine.runs_in_worker() and overlays.kept_legend()[1] == (0.0, 1.0, 0.0)
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(body)
+    Gui.runCommand("FeatureMesh_MeshPart")
+    spin()
+    mesh = api.meshes_of(document)[-1]
+    assert (mesh.Size.Value, mesh.Order, mesh.Automatic, mesh.Threads) == (api.default_size(body, 10), "2nd", False, 1)
+    panel("MeshPanel").reject()
+    spin()
+    preferences.forget_all()
+    PreferencesPage().loadSettings()
+    document.removeObject(mesh.Name)
+    Gui.Selection.clearSelection()
+
+
 def drive():
-    from freecad.featuremesh import api, mesh_object
+    from freecad.featuremesh import api, engine, mesh_object
     from freecad.featuremesh.commands import COMMANDS, compare
     from parts import plate_with_hole
     main = Gui.getMainWindow()
@@ -57,6 +96,10 @@ def drive():
     QtGui.QMessageBox.warning = staticmethod(lambda *words: messages.append(words[2]))
     assert set(COMMANDS) <= set(Gui.listCommands())
     Gui.activateWorkbench("FeatureMeshWorkbench")
+    spin()
+    picture("welcome")
+    open_dialog().close()
+    assert engine.runs_in_worker()
     document = FreeCAD.newDocument("Window")
     document.UndoMode = 1
     body = plate_with_hole(document)
@@ -82,9 +125,24 @@ def drive():
     # Cancel leaves everything as it was
     before = points_of(mesh)
     settings.start(True)
+    if PICTURES:
+        wait_for(lambda: settings.running is None or settings.running.step in ("volume", "optimise"))
+        picture("running")
     settings.cancel()
     wait_for(lambda: settings.running is None)
     assert points_of(mesh) == before and mesh.Status == mesh_object.UP_TO_DATE
+
+    # A crash of the engine's process costs the work it was at
+    settings.start(True)
+    while not settings.running.step:
+        time.sleep(0.001)
+    os.kill(engine.load().process_id, signal.SIGSEGV)
+    wait_for(lambda: settings.running is None)
+    assert "SIGSEGV" in settings.result.text() and points_of(mesh) == before, settings.result.text()
+    picture("crash")
+    settings.start(False)
+    wait_for(lambda: settings.running is None)
+    assert mesh.Status == mesh_object.UP_TO_DATE, mesh.Status
     settings.reject()
     spin()
     assert not Gui.Control.activeDialog()
@@ -113,13 +171,15 @@ def drive():
         if kind == "QualityPanel":
             shown.worst.setCurrentRow(0)
             spin()
+            picture("worst")
         shown.reject()
         spin()
 
     # Tables
     Gui.runCommand("FeatureMesh_ShowTree")
     spin()
-    dialog, = [w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QDialog) and w.isVisible()]
+    dialog = open_dialog()
+    picture("tree")
     assert dialog.findChild(QtGui.QTreeWidget).topLevelItemCount() >= 4
     dialog.close()
     saved = os.environ["FEATUREMESH_RESULT"] + ".FCStd"
@@ -157,6 +217,8 @@ def drive():
     document.recompute()
     assert mesh.Status.startswith("failed") and mesh.FemMesh.VolumeCount == count
     picture("failed")
+
+    check_preferences(api, engine, document, body)
 
     # In FreeCAD's FEM workbench
     Gui.activateWorkbench("FemWorkbench")

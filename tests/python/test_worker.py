@@ -106,7 +106,7 @@ class Deaths(InWorker):
         self.assertEqual(points_of(mesh), before)
         self.assertEqual(state.checksum_of(mesh.SavedState), saved)
         self.assertIn("crashed (SIGSEGV)", mesh.Status)
-        report = api.update_mesh(mesh)
+        report = api.update_mesh(mesh, progress=lambda step, share: True)
         self.assertIsNone(report["fallback"])
         self.assertGreater(mesh.KeptNodes, 30)
         self.assertNotEqual(points_of(mesh), before)

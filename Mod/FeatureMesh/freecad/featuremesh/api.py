@@ -17,17 +17,17 @@ from .mesh_object import FeatureMesh, is_feature_mesh, options_of, plain
 DEFAULT_ELEMENTS = 30
 
 
-def add_mesh(part, size=None, order=1, threads=0, name="FeatureMesh"):
+def add_mesh(part, size=None, order=1, threads=0, name="FeatureMesh", automatic=True, elements=DEFAULT_ELEMENTS):
     """Adds a mesh object for `part` to its document; recompute it, or call update_mesh, to mesh.
 
-    `size` in mm, by default a thirtieth of the part's diagonal. Throws UserError for sizes that make no sense.
+    `size` in mm, by default the part's diagonal over `elements`. Throws UserError for sizes that make no sense.
     """
-    size = default_size(part) if size is None else float(size)
+    size = default_size(part, elements) if size is None else float(size)
     check_size(size, part)
     mesh = part.Document.addObject(versions.mesh_object_type(), name)
     FeatureMesh(mesh)
     setattr(mesh, versions.part_property(mesh), part)
-    mesh.Size, mesh.Order, mesh.Threads = size, "2nd" if order == 2 else "1st", threads
+    mesh.Size, mesh.Order, mesh.Threads, mesh.Automatic = size, "2nd" if order == 2 else "1st", threads, automatic
     _join_analysis(mesh, part.Document)
     return mesh
 
@@ -154,9 +154,9 @@ def find_mesh(document, part_name=None):
     return meshes[0]
 
 
-def default_size(part):
-    """A sensible edge length for a part: a thirtieth of its diagonal, rounded to two digits, mm."""
-    size = part.Shape.BoundBox.DiagonalLength / DEFAULT_ELEMENTS
+def default_size(part, elements=DEFAULT_ELEMENTS):
+    """A sensible edge length for a part: its diagonal over `elements`, rounded to two digits, mm."""
+    size = part.Shape.BoundBox.DiagonalLength / elements
     digits = 1 - int(math.floor(math.log10(size))) if size > 0 else 0
     return round(size, digits)
 

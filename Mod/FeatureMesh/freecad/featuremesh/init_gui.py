@@ -1,32 +1,43 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the workbench known when FreeCAD's window starts."""
 
+import os
+
 import FreeCADGui as Gui
 
-from freecad.featuremesh import mesh_object, view_provider
-from freecad.featuremesh.commands import COMMANDS, register
-from freecad.featuremesh.gui import fem_toolbar
-from freecad.featuremesh.gui.running import run_with_indicator
+Gui.addLanguagePath(os.path.join(os.path.dirname(__file__), "translations"))
+Gui.updateLocale()
+
+from freecad.featuremesh import mesh_object, view_provider, worker
+from freecad.featuremesh.commands import COMMANDS, IN_FEM, register
+from freecad.featuremesh.gui import fem_toolbar, preferences_page, running
 
 
 class FeatureMeshWorkbench(Gui.Workbench):
     """Meshes that stay alive."""
 
     MenuText = "FeatureMesh"
-    ToolTip = "FEM meshes that are updated, not thrown away, when the part is edited"
+    ToolTip = preferences_page.translate("FeatureMesh", "FEM meshes that are updated, not thrown away, when the part is edited")
     Icon = view_provider.icon("FeatureMesh")
 
     def Initialize(self):
         self.appendToolbar("FeatureMesh", list(COMMANDS))
         self.appendMenu("FeatureMesh", list(COMMANDS))
 
+    def Activated(self):
+        from freecad.featuremesh.gui import welcome
+        welcome.show_once()
+
     def GetClassName(self):
         return "Gui::PythonWorkbench"
 
 
 mesh_object.on_ready.append(view_provider.attach)
-mesh_object.run_job = run_with_indicator
+mesh_object.run_job = running.run_with_indicator
+worker.while_waiting = running.repaint
+preferences_page.choose_place()
 Gui.addIconPath(view_provider.ICONS)
+Gui.addPreferencePage(preferences_page.PreferencesPage, "FeatureMesh")
 register()
 Gui.addWorkbench(FeatureMeshWorkbench())
-fem_toolbar.install(["FeatureMesh_MeshPart", "FeatureMesh_UpdateNow"])
+fem_toolbar.install(IN_FEM)

@@ -14,8 +14,12 @@ from .errors import StateError, UserError
 from .job import MeshJob
 from .reading import describe, read_document
 
-UP_TO_DATE = "up to date"
-OUT_OF_DATE = "out of date: the part or a setting changed, update by hand or switch Automatic on"
+# Kept in documents as they are; shown in the user's language by status_in_words.
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+NOT_MESHED = QT_TRANSLATE_NOOP("FeatureMesh", "not meshed yet")
+UP_TO_DATE = QT_TRANSLATE_NOOP("FeatureMesh", "up to date")
+OUT_OF_DATE = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: the part or a setting changed, update by hand or switch Automatic on")
+CANCELLED = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: the last update was cancelled")
 
 # (type, name, group, default, read-only, tooltip)
 PROPERTIES = [
@@ -35,7 +39,7 @@ PROPERTIES = [
     ("App::PropertyBool", "Automatic", "Mesh", True, False, "Update the mesh whenever the document is recomputed"),
     ("App::PropertyLinkList", "MeshRegionList", "Mesh", [], False, "Local sizes: FEM mesh refinements"),
     ("App::PropertyLinkList", "MeshGroupList", "Mesh", [], False, "FEM mesh groups"),
-    ("App::PropertyString", "Status", "Result", "not meshed yet", True, "Whether the mesh fits the part, and if not, why"),
+    ("App::PropertyString", "Status", "Result", NOT_MESHED, True, "Whether the mesh fits the part, and if not, why"),
     ("App::PropertyInteger", "NodeCount", "Result", 0, True, "Nodes of the mesh"),
     ("App::PropertyInteger", "TetCount", "Result", 0, True, "Tets of the mesh"),
     ("App::PropertyPercent", "KeptNodes", "Result", 0, True, "Share of the nodes kept bit for bit by the last update"),
@@ -159,7 +163,7 @@ class FeatureMesh:
 
     def fail(self, mesh, error):
         """Says why there is no new mesh; the old one stays."""
-        mesh.Status = "failed: " + one_line(error)
+        mesh.Status = CANCELLED if is_cancelled(error) else "failed: " + one_line(error)
 
     def last_part_mesh(self, mesh):
         """The engine's mesh as it is now, from memory or from the saved state. Throws StateError."""
@@ -330,6 +334,18 @@ def plain(value):
     if isinstance(value, (list, tuple)):
         return [plain(entry) for entry in value]
     return value.tolist() if hasattr(value, "tolist") else value
+
+
+def status_in_words(status):
+    """The Status of a mesh object in the user's language."""
+    if status.startswith("failed: "):
+        return FreeCAD.Qt.translate("FeatureMesh", "failed: %s") % status[len("failed: "):]
+    return FreeCAD.Qt.translate("FeatureMesh", status)
+
+
+def is_cancelled(error):
+    """Did the user end the work? The class of that error is the engine's, which need not be loaded."""
+    return type(error).__name__ == "Cancelled"
 
 
 def one_line(error):

@@ -3,10 +3,10 @@
 
 import numpy as np
 
+from . import preferences
 from .errors import UserError
 from .pictures import tet_quality
 
-KEPT, NEW = (0.36, 0.61, 0.84), (0.95, 0.55, 0.16)
 # Colour from the smallest dihedral angle on (degrees): red is bad, green is good.
 QUALITY_STEPS = ((0, (0.75, 0.10, 0.10)), (10, (0.88, 0.35, 0.13)), (20, (0.97, 0.65, 0.20)), (30, (0.95, 0.85, 0.35)),
                  (40, (0.60, 0.80, 0.40)), (50, (0.25, 0.62, 0.30)))
@@ -24,12 +24,18 @@ def kept_colours(mesh):
     if not len(origin) or not (origin >= 0).any():
         raise UserError("%s was not updated since the document was opened, all its elements are as they were" % mesh.Label)
     numbers = part_mesh.arrays()["tet_numbers"].tolist()
-    return {number: KEPT if kept else NEW for number, kept in zip(numbers, (origin >= 0).tolist())}
+    kept_colour, new_colour, _ = kept_legend()
+    return {number: kept_colour if kept else new_colour for number, kept in zip(numbers, (origin >= 0).tolist())}
 
 
-def active_count(mesh):
-    """How many nodes the last update used as start positions without keeping them."""
-    return len(mesh.Proxy.last_part_mesh(mesh).active_points())
+def kept_legend():
+    """The user's colours for kept elements, new elements, and active nodes."""
+    return tuple(preferences.colour(name) for name in ("KeptColour", "NewColour", "ActiveColour"))
+
+
+def active_points(mesh):
+    """(k,3) mm: where the nodes were that the last update took as start positions without keeping them."""
+    return np.asarray(mesh.Proxy.last_part_mesh(mesh).active_points())
 
 
 def quality_colours(mesh):

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The engine's answers as tables that a person reads."""
 
+import FreeCAD
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
 
 def of_difference(found):
     """The feature difference as text, one line per feature that changed."""
@@ -18,6 +22,26 @@ def rows_of_difference(found):
         rows.append((feature_name(feature), feature["verdict"].replace("_", " "), feature["detail"], volumes,
                      _faces(feature["old_faces"]), _faces(feature["new_faces"])))
     return ("feature", "what happened", "by how much", "volume mm^3", "old faces", "new faces"), rows
+
+
+_VERDICTS = {
+    "same": QT_TRANSLATE_NOOP("FeatureMesh", "same"),
+    "moved": QT_TRANSLATE_NOOP("FeatureMesh", "moved"),
+    "reshaped": QT_TRANSLATE_NOOP("FeatureMesh", "reshaped"),
+    "added": QT_TRANSLATE_NOOP("FeatureMesh", "added"),
+    "removed": QT_TRANSLATE_NOOP("FeatureMesh", "removed"),
+    "suppressed": QT_TRANSLATE_NOOP("FeatureMesh", "suppressed"),
+    "interaction changed": QT_TRANSLATE_NOOP("FeatureMesh", "interaction changed"),
+    "kept": QT_TRANSLATE_NOOP("FeatureMesh", "kept"),
+    "vanished": QT_TRANSLATE_NOOP("FeatureMesh", "vanished"),
+    "appeared": QT_TRANSLATE_NOOP("FeatureMesh", "appeared"),
+    "trimmed differently": QT_TRANSLATE_NOOP("FeatureMesh", "trimmed differently"),
+}
+
+
+def verdict_in_words(verdict):
+    """The engine's verdict on a feature or a face in the user's language."""
+    return FreeCAD.Qt.translate("FeatureMesh", _VERDICTS.get(verdict, verdict))
 
 
 def difference_note(found):

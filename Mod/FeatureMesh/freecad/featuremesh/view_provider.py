@@ -7,6 +7,7 @@ import FreeCADGui as Gui
 
 from . import mesh_object
 
+_MARKED = "FeatureMeshMarkedPoints"
 ICONS = os.path.join(os.path.dirname(__file__), "icons")
 
 
@@ -44,6 +45,45 @@ class ViewFeatureMesh:
     def colour(self, mesh, colours):
         """Colours elements {number: (red, green, blue)}; none: as usual."""
         mesh.ViewObject.ElementColor = colours
+
+    def mark_points(self, mesh, points, colour):
+        """Draws points over everything else; none: takes them away."""
+        self._mark(mesh, [tuple(point) for point in points], colour, ())
+
+    def mark_tets(self, mesh, numbers, colour):
+        """Draws the edges of tets over everything else; none: takes them away."""
+        points, lines = [], []
+        for number in numbers:
+            start = len(points)
+            points += [tuple(mesh.FemMesh.getNodeById(node)) for node in mesh.FemMesh.getElementNodes(number)[:4]]
+            for first, second in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)):
+                lines += [start + first, start + second, -1]
+        self._mark(mesh, points, colour, lines)
+
+    def _mark(self, mesh, points, colour, lines):
+        from pivy import coin
+        root = mesh.ViewObject.RootNode
+        for index in range(root.getNumChildren() - 1, -1, -1):
+            if root.getChild(index).getName() == _MARKED:
+                root.removeChild(index)
+        if not points:
+            return
+        node = coin.SoAnnotation()   # drawn last and not hidden by what is in front
+        node.setName(_MARKED)
+        light, binding, style, base = coin.SoLightModel(), coin.SoMaterialBinding(), coin.SoDrawStyle(), coin.SoBaseColor()
+        light.model = coin.SoLightModel.BASE_COLOR
+        binding.value = coin.SoMaterialBinding.OVERALL   # the mesh's own drawing leaves one colour per element behind
+        style.pointSize, style.lineWidth = 5, 3
+        base.rgb = colour
+        places = coin.SoCoordinate3()
+        places.point.setValues(0, len(points), points)
+        drawn = coin.SoPointSet()
+        if lines:
+            drawn = coin.SoIndexedLineSet()
+            drawn.coordIndex.setValues(0, len(lines), lines)
+        for child in (light, binding, style, base, places, drawn):
+            node.addChild(child)
+        root.addChild(node)
 
     def claimChildren(self):
         mesh = getattr(self, "Object", None)

@@ -113,6 +113,9 @@ class WorkerEngine:
     def start(self):
         """Starts the process that meshes, if it does not run. Throws CannotStart."""
         lane = self._lanes[False]
+        process = lane.process
+        if process is not None and process.is_alive():
+            return   # without waiting for what it does
         with lane.lock:
             lane.running(self.folder)
 
@@ -139,6 +142,8 @@ class WorkerEngine:
         try:
             for mesh in (value for value in args if isinstance(value, WorkerMesh)):
                 self._bring(mesh, lane, progress)
+            if progress is not None:
+                kwargs["progress"] = True
             return self._ask(lane, name, args, kwargs, progress)
         finally:
             lane.lock.release()
@@ -149,7 +154,7 @@ class WorkerEngine:
         if mesh._process is process:
             return
         raw, options = mesh._recipe
-        twin = self._ask(lane, "restore_part", (raw, options, mesh.arrays()), {}, progress)
+        twin = self._ask(lane, "restore_part", (raw, options, mesh.arrays()), {}, progress)   # takes no progress of its own
         mesh._process, mesh._key = twin._process, twin._key
         twin._finalizer.detach()
         weakref.finalize(mesh, process.forget, mesh._key)
@@ -158,8 +163,6 @@ class WorkerEngine:
         process = lane.running(self.folder)
         raws = [value for value in args if isinstance(value, dict) and "records" in value]
         what = _DOING.get(name, "working on %s") % (raws[-1]["final_object"] if raws else "a mesh")
-        if progress is not None:
-            kwargs = dict(kwargs, progress=True)
         try:
             answer, made = process.ask((name, args, kwargs), what, progress)
         except (WorkerDied, Cancelled):

@@ -21,6 +21,8 @@ import sys
 import threading
 from multiprocessing.connection import Connection
 
+_LONGEST = 2000   # characters of a message; a call with wrong arguments would print the whole part
+
 
 class Worker:
     """Answers calls, one at a time; a thread of its own listens, so that a cancel arrives in the middle of one."""
@@ -52,7 +54,7 @@ class Worker:
         try:
             return "done", function(*args, **kwargs)
         except BaseException as error:
-            return "error", type(error).__name__, str(error)
+            return "error", type(error).__name__, str(error)[:_LONGEST]
 
     def _progress(self, step, share):
         self._send(("progress", step, share))

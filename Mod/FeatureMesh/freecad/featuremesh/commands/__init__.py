@@ -15,6 +15,9 @@ COMMANDS = {
     "FeatureMesh_Export": "export_mesh",
 }
 
+# Those that are in the Mesh toolbar and menu of FreeCAD's FEM workbench, too.
+IN_FEM = [name for name in COMMANDS if name != "FeatureMesh_ShowTree"]
+
 
 def register():
     """Makes the commands known to FreeCAD."""

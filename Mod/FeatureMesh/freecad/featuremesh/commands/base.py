@@ -3,10 +3,9 @@
 
 import FreeCAD
 import FreeCADGui as Gui
-from PySide import QtGui
 
-from .. import api, reading
-from ..mesh_object import is_feature_mesh, one_line
+from .. import api, reading, versions
+from ..mesh_object import is_feature_mesh
 from ..view_provider import icon
 
 
@@ -17,8 +16,13 @@ class MeshCommand:
     edits = True   # does it change the document, so that it can be undone?
 
     def GetResources(self):
-        return {"Pixmap": icon(self.name), "MenuText": FreeCAD.Qt.translate("FeatureMesh", self.text),
-                "ToolTip": FreeCAD.Qt.translate("FeatureMesh", self.tooltip)}
+        # FreeCAD itself translates these, with the command's name as context, and again when the language changes.
+        return {"Pixmap": icon(self.name), "MenuText": self.text, "ToolTip": self.tooltip}
+
+    @property
+    def title(self):
+        """The text in the user's language."""
+        return FreeCAD.Qt.translate(self.name, self.text)
 
     def IsActive(self):
         document = FreeCAD.ActiveDocument
@@ -31,7 +35,7 @@ class MeshCommand:
     def Activated(self):
         document = FreeCAD.ActiveDocument
         if self.edits:
-            document.openTransaction(self.text)
+            document.openTransaction(self.title)
         try:
             self.run(document)
             if self.edits:
@@ -39,12 +43,17 @@ class MeshCommand:
         except Exception as error:
             if self.edits:
                 document.abortTransaction()
-            FreeCAD.Console.PrintError("%s: %s\n" % (self.text, one_line(error)))
-            QtGui.QMessageBox.warning(Gui.getMainWindow(), "FeatureMesh", one_line(error))
+            self.failed(document, error)
 
     def run(self, document):
         """The work; errors become a message and leave the document as it was."""
         raise NotImplementedError
+
+    def failed(self, document, error):
+        """Shows what went wrong, after the document was put back as it was."""
+        from ..gui import errors
+        meshes = api.meshes_of(document)
+        errors.show(error, versions.part_of(selected_mesh(document)) if len(meshes) == 1 else None)
 
 
 def selected_mesh(document):

@@ -2,7 +2,7 @@
 import FreeCADGui as Gui
 from PySide import QtGui
 
-from .. import api, tables
+from .. import api
 from .base import MeshCommand, selected_part
 
 
@@ -17,15 +17,11 @@ class Command(MeshCommand):
 
     def run(self, document):
         part = selected_part(document)
-        path, _ = QtGui.QFileDialog.getOpenFileName(Gui.getMainWindow(), self.text, "", "FreeCAD (*.FCStd)")
+        path, _ = QtGui.QFileDialog.getOpenFileName(Gui.getMainWindow(), self.title, "", "FreeCAD (*.FCStd)")
         if path:
             self.show(part, path)
 
     def show(self, part, path):
         """Compares `part` with the part of the document in `path` and shows the table."""
-        from ..gui.tables import show_table
-        found = api.difference_to_file(part, path)
-        header, rows = tables.rows_of_difference(found)
-        entries = [(row, feature["verdict"], tables.face_names(feature["new_faces"]))
-                   for row, feature in zip(rows, found["features"])]
-        return show_table("%s: %s" % (self.text, part.Label), header, entries, tables.difference_note(found), part)
+        from ..gui.tables import show_difference
+        return show_difference(part, api.difference_to_file(part, path))

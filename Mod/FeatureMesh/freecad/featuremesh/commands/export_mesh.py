@@ -16,6 +16,6 @@ class Command(MeshCommand):
 
     def run(self, document):
         mesh = selected_mesh(document)
-        path, kind = QtGui.QFileDialog.getSaveFileName(Gui.getMainWindow(), self.text, mesh.Label + ".vtu", _FILTERS)
+        path, kind = QtGui.QFileDialog.getSaveFileName(Gui.getMainWindow(), self.title, mesh.Label + ".vtu", _FILTERS)
         if path:
             api.export_mesh(mesh, path)

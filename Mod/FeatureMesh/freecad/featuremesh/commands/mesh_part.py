@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import FreeCADGui as Gui
 
-from .. import api
+from .. import api, preferences
 from .base import MeshCommand, selected_part
 
 
@@ -14,5 +14,5 @@ class Command(MeshCommand):
         return bool(document.Objects)
 
     def run(self, document):
-        mesh = api.add_mesh(selected_part(document))
+        mesh = api.add_mesh(selected_part(document), **preferences.for_new_mesh())
         Gui.getDocument(document).setEdit(mesh.Name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-from .. import api, tables
+from .. import api
 from .base import MeshCommand, selected_part
 
 
@@ -13,8 +13,6 @@ class Command(MeshCommand):
         return bool(document.Objects)
 
     def run(self, document):
-        from ..gui.tables import show_table
+        from ..gui.tables import show_tree
         part = selected_part(document)
-        found = api.tree(part)
-        header, rows = tables.rows_of_tree(found)
-        show_table("%s: %s" % (self.text, part.Label), header, [(row, None, None) for row in rows], tables.tree_note(found))
+        show_tree(part, api.tree(part))

@@ -10,3 +10,8 @@ class Command(MeshCommand):
 
     def run(self, document):
         api.update_mesh(selected_mesh(document))
+
+    def failed(self, document, error):
+        mesh = selected_mesh(document)
+        mesh.Proxy.fail(mesh, error)   # putting the document back took this away, too
+        super().failed(document, error)

@@ -4,7 +4,7 @@
 import FreeCADGui as Gui
 from PySide import QtGui
 
-_PLACE = "FEM_MeshGmshFromShape"
+_PLACE = "FEM_MeshGmshFromShape"   # an entry of FEM's Mesh menu in every version
 
 
 def install(commands):
@@ -31,12 +31,22 @@ class _Manipulator:
 def _add_actions(workbench, commands):
     if workbench != "FemWorkbench":
         return
-    bar = Gui.getMainWindow().findChild(QtGui.QToolBar, "Mesh")
-    if bar is None:
-        return
-    present = {action.objectName() for action in bar.actions()}
-    for name in commands:
-        for action in Gui.Command.get(name).getAction():
-            if name not in present:
-                action.setObjectName(name)
-                bar.addAction(action)
+    window = Gui.getMainWindow()
+    bar = window.findChild(QtGui.QToolBar, "Mesh")
+    for place in filter(None, (bar, _mesh_menu(window))):
+        present = {action.objectName() for action in place.actions()}
+        if not present & set(commands):
+            place.addSeparator()
+            for name in commands:
+                for action in Gui.Command.get(name).getAction():
+                    action.setObjectName(name)
+                    place.addAction(action)
+
+
+def _mesh_menu(window):
+    """FEM's menu with its own mesh commands, found by one of them, as menus have no names."""
+    for action in window.menuBar().actions():
+        menu = action.menu()
+        if menu is not None and any(entry.objectName() == _PLACE for entry in menu.actions()):
+            return menu
+    return None

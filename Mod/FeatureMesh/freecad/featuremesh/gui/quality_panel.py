@@ -9,7 +9,8 @@ from .. import overlays
 from ..view_provider import icon
 
 translate = FreeCAD.Qt.translate
-_BIN = 5
+_BIN = 5            # degrees
+_MARK = (0.8, 0.0, 0.8)
 
 
 class QualityPanel:
@@ -30,21 +31,29 @@ class QualityPanel:
         for number, angle, centre in overlays.worst_tets(mesh, 20):
             self.worst.addItem("%d:  %.2f deg" % (number, angle))
             self._places.append((number, centre))
-        self.worst.currentRowChanged.connect(self._look_at)
+        self.worst.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
+        self.worst.itemSelectionChanged.connect(self._show_selected)
         layout.addWidget(self.worst)
         mesh.ViewObject.Proxy.colour(mesh, overlays.quality_colours(mesh))
+        mesh.ViewObject.Visibility = True
 
     def getStandardButtons(self):
         return int(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
         self.mesh.ViewObject.Proxy.colour(self.mesh, {})
+        self.mesh.ViewObject.Proxy.mark_tets(self.mesh, (), None)
         Gui.Control.closeDialog()
         return True
 
-    def _look_at(self, row):
-        number, centre = self._places[row]
-        self.mesh.ViewObject.HighlightedNodes = list(self.mesh.FemMesh.getElementNodes(number))
+    def _show_selected(self):
+        """Draws the selected elements over the part and turns the camera to the last one."""
+        rows = sorted(self.worst.row(item) for item in self.worst.selectedItems())
+        self.mesh.ViewObject.Proxy.mark_tets(self.mesh, [self._places[row][0] for row in rows], _MARK)
+        if self.worst.currentRow() in rows:
+            self._look_at(self._places[self.worst.currentRow()][1])
+
+    def _look_at(self, centre):
         view = Gui.getDocument(self.mesh.Document).activeView()
         if hasattr(view, "getCameraNode"):
             camera = view.getCameraNode()

@@ -4,6 +4,27 @@
 import threading
 
 import FreeCAD
+from PySide import QtCore, QtGui
+
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+_STEPS = {
+    "": QT_TRANSLATE_NOOP("FeatureMesh", "starting"),
+    "waiting": QT_TRANSLATE_NOOP("FeatureMesh", "waiting for other work"),
+    "read": QT_TRANSLATE_NOOP("FeatureMesh", "reading the part"),
+    "cells": QT_TRANSLATE_NOOP("FeatureMesh", "intersecting the features"),
+    "difference": QT_TRANSLATE_NOOP("FeatureMesh", "comparing with the old part"),
+    "keep": QT_TRANSLATE_NOOP("FeatureMesh", "choosing what is kept"),
+    "surface": QT_TRANSLATE_NOOP("FeatureMesh", "meshing the faces"),
+    "volume": QT_TRANSLATE_NOOP("FeatureMesh", "filling the solid"),
+    "optimise": QT_TRANSLATE_NOOP("FeatureMesh", "improving the elements"),
+    "validate": QT_TRANSLATE_NOOP("FeatureMesh", "checking the mesh"),
+}
+
+
+def step_in_words(step):
+    """The engine's step in the user's language."""
+    return FreeCAD.Qt.translate("FeatureMesh", _STEPS.get(step, step))
 
 
 class RunningJob:
@@ -11,7 +32,7 @@ class RunningJob:
 
     def __init__(self, job):
         self.error = None
-        self.step, self.share = "starting", 0.0
+        self.step, self.share = "", 0.0
         self._job = job
         self._cancelled = False
         self._thread = threading.Thread(target=self._run, daemon=True)
@@ -35,6 +56,11 @@ class RunningJob:
     def _progress(self, step, share):
         self.step, self.share = step, share
         return not self._cancelled
+
+
+def repaint():
+    """Lets the window redraw itself while FreeCAD's own thread waits; keys and clicks wait, too."""
+    QtGui.QApplication.processEvents(QtCore.QEventLoop.ExcludeUserInputEvents)
 
 
 def run_with_indicator(job):

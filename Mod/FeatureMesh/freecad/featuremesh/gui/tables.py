@@ -1,46 +1,114 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Windows with a table: the feature tree and the feature difference. A click on a row selects its faces."""
+"""Windows with a tree of rows: the feature tree and the feature difference. A click on a row selects its faces."""
 
+import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-_COLOURS = {"added": "#2e9e3f", "removed": "#c62828", "reshaped": "#c77700", "moved": "#1f6fb2", "interaction_changed": "#7a5aa8",
-            "interaction changed": "#7a5aa8", "suppressed": "#808080"}
+from .. import tables
+from ..view_provider import icon
+
+translate = FreeCAD.Qt.translate
+_COLOURS = {"added": "#2e9e3f", "appeared": "#2e9e3f", "removed": "#c62828", "vanished": "#c62828", "reshaped": "#c77700",
+            "trimmed differently": "#c77700", "moved": "#1f6fb2", "interaction changed": "#8a63b8", "suppressed": "#808080"}
+_ICONS = {"added": "Added", "appeared": "Added", "removed": "Removed", "vanished": "Removed", "reshaped": "Reshaped",
+          "trimmed differently": "Reshaped", "moved": "Moved", "interaction changed": "Interaction", "suppressed": "Suppressed",
+          "same": "Same", "kept": "Same"}
 
 
-def show_table(title, header, rows, note, part=None):
-    """Shows rows of (cells, colour key, face names of `part` or None) in a window of its own."""
-    dialog = QtGui.QDialog(Gui.getMainWindow())
-    dialog.setWindowTitle(title)
-    dialog.resize(820, 460)
-    layout = QtGui.QVBoxLayout(dialog)
-    tree = QtGui.QTreeWidget()
-    tree.setColumnCount(len(header))
-    tree.setHeaderLabels(header)
-    tree.setRootIsDecorated(False)
-    tree.setAlternatingRowColors(True)
-    for cells, key, faces in rows:
-        item = QtGui.QTreeWidgetItem([str(cell) for cell in cells])
-        item.setData(0, QtCore.Qt.UserRole, list(faces or ()))
-        if key in _COLOURS:
-            item.setForeground(1, QtGui.QBrush(QtGui.QColor(_COLOURS[key])))
-        tree.addTopLevelItem(item)
-    for column in range(len(header)):
-        tree.resizeColumnToContents(column)
-    tree.itemSelectionChanged.connect(lambda: _select(tree, part))
-    layout.addWidget(tree)
-    label = QtGui.QLabel(note)
-    label.setWordWrap(True)
-    layout.addWidget(label)
-    dialog.setAttribute(QtCore.Qt.WA_DeleteOnClose)
-    dialog.show()
-    return dialog
+def show_tree(part, found):
+    """Shows the features of `part` as the engine reads them."""
+    _, rows = tables.rows_of_tree(found)
+    header = [translate("FeatureMesh", "feature"), translate("FeatureMesh", "type"), translate("FeatureMesh", "role"),
+              translate("FeatureMesh", "volumes"), "mm³", translate("FeatureMesh", "taken from"),
+              translate("FeatureMesh", "depends on"), translate("FeatureMesh", "remark")]
+    window = _Window("%s: %s" % (translate("FeatureMesh", "Feature tree"), part.Label), header, tables.tree_note(found), part)
+    for row in rows:
+        window.tree.addTopLevelItem(_item(row))
+    return window.shown()
 
 
-def _select(tree, part):
-    if part is None:
-        return
-    Gui.Selection.clearSelection()
-    for item in tree.selectedItems():
-        for name in item.data(0, QtCore.Qt.UserRole) or ():
-            Gui.Selection.addSelection(part, name)
+def show_difference(part, found):
+    """Shows what changed, feature by feature and below them face by face; `part` is the new state."""
+    _, rows = tables.rows_of_difference(found)
+    header = [translate("FeatureMesh", "feature"), translate("FeatureMesh", "what happened"), translate("FeatureMesh", "by how much"),
+              translate("FeatureMesh", "volume mm³"), translate("FeatureMesh", "old faces"), translate("FeatureMesh", "new faces")]
+    title = "%s: %s" % (translate("FeatureMesh", "What changed"), part.Label)
+    window = _Window(title, header, tables.difference_note(found), part)
+    for row, feature in zip(rows, found["features"]):
+        item = _item(row, tables.face_names(feature["new_faces"]), feature["verdict"])
+        for change in _faces_of(feature, found["faces"]):
+            item.addChild(_face_item(change))
+        window.tree.addTopLevelItem(item)
+        if feature["verdict"] != "same" and window.first_changed is None:
+            window.first_changed = item
+    return window.shown()
+
+
+class _Window(QtGui.QDialog):
+
+    def __init__(self, title, header, note, part):
+        super().__init__(Gui.getMainWindow())
+        self._part = part
+        self.first_changed = None
+        self.setWindowTitle(title)
+        self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+        self.resize(1000, 460)
+        self.tree = QtGui.QTreeWidget()
+        self.tree.setColumnCount(len(header))
+        self.tree.setHeaderLabels(header)
+        self.tree.setAlternatingRowColors(True)
+        self.tree.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
+        self.tree.itemSelectionChanged.connect(self._select)
+        label = QtGui.QLabel(note)
+        label.setWordWrap(True)
+        layout = QtGui.QVBoxLayout(self)
+        layout.addWidget(self.tree)
+        layout.addWidget(label)
+
+    def shown(self):
+        """Opens the window and returns it."""
+        for column in range(self.tree.columnCount()):
+            self.tree.resizeColumnToContents(column)
+            self.tree.setColumnWidth(column, min(self.tree.columnWidth(column), 420))
+        if self.first_changed is not None:
+            self.tree.scrollToItem(self.first_changed)
+        self.show()
+        return self
+
+    def _select(self):
+        Gui.Selection.clearSelection()
+        names = [name for item in self.tree.selectedItems() for name in item.data(0, QtCore.Qt.UserRole) or ()]
+        if names:
+            self._part.ViewObject.Visibility = True
+        for name in dict.fromkeys(names):
+            Gui.Selection.addSelection(self._part, name)
+
+
+def _item(cells, faces=(), verdict=None):
+    item = QtGui.QTreeWidgetItem([str(cell) for cell in cells])
+    item.setData(0, QtCore.Qt.UserRole, list(faces))
+    for column, cell in enumerate(cells):
+        if len(str(cell)) > 40:
+            item.setToolTip(column, str(cell))
+    if verdict:
+        item.setText(1, tables.verdict_in_words(verdict))
+        if verdict in _ICONS:
+            item.setIcon(0, QtGui.QIcon(icon("FeatureMesh_Verdict" + _ICONS[verdict])))
+        if verdict in _COLOURS:
+            item.setForeground(1, QtGui.QBrush(QtGui.QColor(_COLOURS[verdict])))
+    return item
+
+
+def _face_item(change):
+    old, new = change["old_face"] or "", change["new_face"] or ""
+    name = old if old == new or not new else new if not old else "%s → %s" % (old, new)
+    areas = " → ".join("%.6g" % area for area, face in ((change["old_area"], old), (change["new_area"], new)) if face)
+    return _item((name, "", translate("FeatureMesh", "area %s mm²") % areas, "", old, new), [new] if new else (), change["verdict"])
+
+
+def _faces_of(feature, changes):
+    """The changes of the feature's faces, those that are no change last."""
+    old, new = set(tables.face_names(feature["old_faces"])), set(tables.face_names(feature["new_faces"]))
+    mine = [change for change in changes if change["old_face"] in old or change["new_face"] in new]
+    return sorted(mine, key=lambda change: change["verdict"] == "kept")

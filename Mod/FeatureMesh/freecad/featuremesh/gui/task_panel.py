@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The panel of a mesh object: sizes, an estimate, mesh and cancel, and what came out."""
 
-import re
 import threading
 
 import FreeCAD
@@ -9,9 +8,10 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import api, versions
-from ..mesh_object import UP_TO_DATE, one_line
+from ..mesh_object import UP_TO_DATE, is_cancelled, one_line, status_in_words
 from ..view_provider import icon
-from .running import RunningJob
+from .errors import select_named
+from .running import RunningJob, step_in_words
 
 translate = FreeCAD.Qt.translate
 _POLL_MS, _ESTIMATE_MS = 50, 400
@@ -49,7 +49,7 @@ class MeshPanel:
         self.min_size = self._length("MinSize")
         self.order = QtGui.QComboBox()
         self.order.addItems([translate("FeatureMesh", "4-node tets"), translate("FeatureMesh", "10-node tets")])
-        self.order.setToolTip(self.mesh.getDocumentationOfProperty("Order"))
+        self.order.setToolTip(self._tooltip("Order"))
         self.order.setCurrentIndex(1 if self.mesh.Order == "2nd" else 0)
         self.order.currentIndexChanged.connect(self._settings_changed)
         self.per_circle = self._number("ElementsPerCircle", 0, 200)
@@ -57,7 +57,7 @@ class MeshPanel:
         self.growth = self._number("Growth", 1.05, 5.0, 0.05)
         self.automatic = QtGui.QCheckBox(translate("FeatureMesh", "Update automatically"))
         self.automatic.setChecked(self.mesh.Automatic)
-        self.automatic.setToolTip(self.mesh.getDocumentationOfProperty("Automatic"))
+        self.automatic.setToolTip(self._tooltip("Automatic"))
         for label, widget in ((translate("FeatureMesh", "Size"), self.size),
                               (translate("FeatureMesh", "Smallest"), self.min_size),
                               (translate("FeatureMesh", "Element"), self.order),
@@ -97,12 +97,16 @@ class MeshPanel:
         buttons.addWidget(self.full_button, 1, 0, 1, 2)
         return buttons
 
+    def _tooltip(self, name):
+        """The property's description in the user's language, as the property editor shows it."""
+        return translate("App::Property", self.mesh.getDocumentationOfProperty(name))
+
     def _length(self, name):
         widget = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
         widget.setProperty("unit", "mm")
         widget.setProperty("minimum", 0.0)
         widget.setProperty("rawValue", getattr(self.mesh, name).Value)
-        widget.setToolTip(self.mesh.getDocumentationOfProperty(name))
+        widget.setToolTip(self._tooltip(name))
         widget.valueChanged.connect(self._settings_changed)
         return widget
 
@@ -112,7 +116,7 @@ class MeshPanel:
         widget.setSingleStep(step)
         widget.setDecimals(2 if step < 1 else 0)
         widget.setValue(getattr(self.mesh, name))
-        widget.setToolTip(self.mesh.getDocumentationOfProperty(name))
+        widget.setToolTip(self._tooltip(name))
         widget.valueChanged.connect(self._settings_changed)
         return widget
 
@@ -168,7 +172,7 @@ class MeshPanel:
 
     def _poll(self):
         self.progress.setValue(round(100 * self.running.share))
-        self.progress.setFormat("%s %%p %%" % self.running.step)
+        self.progress.setFormat("%s: %%p %%" % step_in_words(self.running.step))
         if not self.running.is_done():
             return
         self._timer.stop()
@@ -201,24 +205,19 @@ class MeshPanel:
             self.progress.setFormat("")
 
     def _failed(self, error):
-        if type(error).__name__ == "Cancelled":
+        if is_cancelled(error):
             self.result.setText(translate("FeatureMesh", "Cancelled; the mesh is as it was."))
             return
         self.mesh.Proxy.fail(self.mesh, error)
         self.result.setText('<span style="color:#c62828">%s</span>' % one_line(error).replace("<", "&lt;"))
-        part = versions.part_of(self.mesh)
-        names = re.findall(r"\b(?:Face|Edge|Vertex)\d+\b", str(error))
-        if part is not None and names:
-            Gui.Selection.clearSelection()
-            for name in dict.fromkeys(names):
-                Gui.Selection.addSelection(part, name)
+        select_named(error, versions.part_of(self.mesh))
 
     def _show_result(self):
         mesh = self.mesh
         if not mesh.TetCount:
-            self.result.setText(mesh.Status)
+            self.result.setText(status_in_words(mesh.Status))
             return
-        lines = ["%s: %s" % (translate("FeatureMesh", "Status"), mesh.Status),
+        lines = ["%s: %s" % (translate("FeatureMesh", "Status"), status_in_words(mesh.Status)),
                  translate("FeatureMesh", "%d nodes, %d tets in %.2f s") % (mesh.NodeCount, mesh.TetCount, mesh.Seconds),
                  translate("FeatureMesh", "smallest angle %.1f deg, mean radius ratio %.3f")
                  % (mesh.MinDihedral.Value, mesh.MeanRadiusRatio)]

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How the window shows an error: a message, and the faces, edges or vertices that it names selected in the view."""
+
+import re
+
+import FreeCAD
+import FreeCADGui as Gui
+from PySide import QtGui
+
+from ..mesh_object import is_cancelled, one_line
+
+translate = FreeCAD.Qt.translate
+
+
+def show(error, part=None):
+    """Shows an error of some work on `part`; that the user cancelled needs no answer."""
+    if is_cancelled(error):
+        Gui.getMainWindow().statusBar().showMessage(translate("FeatureMesh", "Cancelled; the mesh is as it was."), 5000)
+        return
+    FreeCAD.Console.PrintError("FeatureMesh: %s\n" % one_line(error))
+    select_named(error, part)
+    QtGui.QMessageBox.warning(Gui.getMainWindow(), "FeatureMesh", one_line(error))
+
+
+def select_named(error, part):
+    """Selects the faces, edges and vertices of `part` that the message names, and shows the part with them."""
+    names = [name for name in dict.fromkeys(re.findall(r"\b(?:Face|Edge|Vertex)\d+\b", str(error))) if _has(part, name)]
+    if not names:
+        return
+    part.ViewObject.Visibility = True
+    Gui.Selection.clearSelection()
+    for name in names:
+        Gui.Selection.addSelection(part, name)
+
+
+def _has(part, name):
+    try:
+        return part is not None and not part.Shape.getElement(name).isNull()
+    except Exception:   # FreeCAD's exception for an unknown element differs between its versions
+        return False

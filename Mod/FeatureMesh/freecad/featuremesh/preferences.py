@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the user prefers, kept by FreeCAD: what a new mesh starts with in the window, where the engine runs, and colours.
+
+Scripts and the launcher's commands do not ask for preferences, so they give the same mesh for everybody.
+"""
+
+import FreeCAD
+
+_GROUP = "User parameter:BaseApp/Preferences/Mod/FeatureMesh"
+# Name -> default; the type of the default is the type of the preference. Colours are 0xRRGGBBAA as FreeCAD keeps them.
+DEFAULTS = {
+    "ElementsAlongDiagonal": 30,
+    "SecondOrder": False,
+    "Threads": 0,
+    "Automatic": True,
+    "InWorker": True,
+    "WelcomeSeen": False,
+}
+COLOURS = {
+    "KeptColour": 0x5B9BD5FF,
+    "ActiveColour": 0xFFE14DFF,
+    "NewColour": 0xF28C28FF,
+}
+
+
+def get(name):
+    """The preference of that name."""
+    default = DEFAULTS[name]
+    group = FreeCAD.ParamGet(_GROUP)
+    return group.GetBool(name, default) if isinstance(default, bool) else group.GetInt(name, default)
+
+
+def put(name, value):
+    """Sets the preference of that name."""
+    group = FreeCAD.ParamGet(_GROUP)
+    if isinstance(DEFAULTS[name], bool):
+        group.SetBool(name, bool(value))
+    else:
+        group.SetInt(name, int(value))
+
+
+def colour(name):
+    """(red, green, blue) from 0 to 1."""
+    packed = FreeCAD.ParamGet(_GROUP).GetUnsigned(name, COLOURS[name])
+    return tuple((packed >> shift & 255) / 255 for shift in (24, 16, 8))
+
+
+def put_colour(name, rgb):
+    """Sets a colour from its red, green and blue, 0 to 1."""
+    red, green, blue = (round(255 * value) for value in rgb)
+    FreeCAD.ParamGet(_GROUP).SetUnsigned(name, red << 24 | green << 16 | blue << 8 | 255)
+
+
+def forget_all():
+    """Everything as it was delivered."""
+    group = FreeCAD.ParamGet(_GROUP)
+    for name, default in DEFAULTS.items():
+        (group.RemBool if isinstance(default, bool) else group.RemInt)(name)
+    for name in COLOURS:
+        group.RemUnsigned(name)
+
+
+def for_new_mesh():
+    """The settings of a new mesh as arguments of api.add_mesh."""
+    return {"elements": get("ElementsAlongDiagonal"), "order": 2 if get("SecondOrder") else 1, "threads": get("Threads"),
+            "automatic": get("Automatic")}
