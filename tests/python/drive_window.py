@@ -35,7 +35,15 @@ def picture(name):
 
 def panel(kind):
     """The open panel of that class."""
-    return [obj for obj in gc.get_objects() if type(obj).__name__ == kind][-1]
+    shown, = [obj for obj in gc.get_objects() if type(obj).__name__ == kind and is_shown(obj.form)]
+    return shown
+
+
+def is_shown(widget):
+    try:
+        return widget.isVisible()
+    except (AttributeError, RuntimeError):   # FreeCAD or Qt has let go of it
+        return False
 
 
 def wait_for(condition, seconds=120):
