@@ -53,6 +53,12 @@ def wait_for(condition, seconds=120):
         spin(0.05)
 
 
+def texts_of(action):
+    """The texts in the menu of an action."""
+    menu = action.menu()
+    return [entry.text() for entry in menu.actions()] if menu is not None else []
+
+
 def open_dialog():
     """The one dialog that is open."""
     dialog, = [w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QDialog) and w.isVisible()]
@@ -232,7 +238,30 @@ def drive():
     Gui.activateWorkbench("FemWorkbench")
     spin()
     texts = [action.text() for action in main.findChild(QtGui.QToolBar, "Mesh").actions()]
-    assert "Mesh a part" in texts, texts
+    assert {"Mesh a part", "Show the quality", "Export the mesh"} <= set(texts), texts
+    menus = [texts_of(action) for action in main.menuBar().actions()]
+    assert any({"FEM mesh group", "Show the quality"} <= set(menu) for menu in menus), menus
+    picture("fem")
+    check_german(main, document, mesh)
+
+
+def check_german(main, document, mesh):
+    """The window speaks the user's language as soon as it is chosen."""
+    from freecad.featuremesh import mesh_object
+    from freecad.featuremesh.gui import welcome
+    Gui.setLocale("de")
+    spin()
+    assert mesh_object.status_in_words(mesh_object.UP_TO_DATE) == "aktuell"
+    texts = [action.text() for action in main.findChild(QtGui.QToolBar, "Mesh").actions()]
+    assert "Bauteil vernetzen" in texts, texts
+    Gui.activateWorkbench("FeatureMeshWorkbench")
+    Gui.activeDocument().setEdit(mesh.Name)
+    spin()
+    wait_for(lambda: "Tetraeder" in panel("MeshPanel").estimate.text() or not mesh.Size.Value)
+    dialog = welcome.show()
+    picture("german")
+    dialog.close()
+    panel("MeshPanel").reject()
 
 
 def main():

@@ -14,6 +14,7 @@ from . import documents, edits, engine, export, reading, versions
 from .errors import UserError
 from .mesh_object import FeatureMesh, is_feature_mesh, options_of, plain
 
+translate = FreeCAD.Qt.translate
 DEFAULT_ELEMENTS = 30
 
 
@@ -55,7 +56,7 @@ def recompute(document):
         part = versions.part_of(mesh)
         for obj in (reading.dependencies(part) if part is not None else []):
             if reading.error_of(obj) and obj not in before:
-                raise UserError("FreeCAD cannot recompute %s: %s" % (reading.describe(obj), reading.error_of(obj)))
+                raise UserError(translate("FeatureMesh", "FreeCAD cannot recompute %s: %s") % (reading.describe(obj), reading.error_of(obj)))
         if mesh.Report != reports[mesh]:
             seconds -= mesh.Seconds
     return max(seconds, 0.0)
@@ -85,7 +86,7 @@ def difference_to_file(part, path):
         try:
             shutil.copyfile(path, copy)
         except OSError as error:
-            raise UserError("cannot read %s: %s" % (path, error)) from error
+            raise UserError(translate("FeatureMesh", "cannot read %s: %s") % (path, error)) from error
         document = documents.open_document(copy)
         try:
             old = reading.find_meshable(document, part.Name if document.getObject(part.Name) else None)
@@ -122,8 +123,8 @@ def add_local_size(mesh, references, size=None):
     part = versions.part_of(mesh)
     foreign = [obj for obj, _ in references if obj is not part]
     if not references or foreign:
-        raise UserError("select faces, edges or vertices of %s%s"
-                        % (reading.describe(part), ", not of " + foreign[0].Name if foreign else ""))
+        raise UserError(translate("FeatureMesh", "select faces, edges or vertices of %s%s")
+                        % (reading.describe(part), translate("FeatureMesh", ", not of %s") % foreign[0].Name if foreign else ""))
     region = ObjectsFem.makeMeshRegion(mesh.Document, mesh, mesh.Size.Value / 2 if size is None else size)
     region.References = references
     return region
@@ -146,10 +147,10 @@ def find_mesh(document, part_name=None):
         part = reading.find_object(document, part_name)
         meshes = [mesh for mesh in meshes if part in (mesh, versions.part_of(mesh))]
     if not meshes:
-        raise UserError("the document %s has no mesh%s; make one with `featuremesh mesh`"
-                        % (document.Label, " of " + part_name if part_name else ""))
+        raise UserError(translate("FeatureMesh", "the document %s has no mesh%s; make one with `featuremesh mesh`")
+                        % (document.Label, translate("FeatureMesh", " of %s") % part_name if part_name else ""))
     if len(meshes) > 1:
-        raise UserError("the document has several meshes, name the part or the mesh with --object: %s"
+        raise UserError(translate("FeatureMesh", "the document has several meshes, select one or name it with --object: %s")
                         % ", ".join(reading.describe(mesh) for mesh in meshes))
     return meshes[0]
 
@@ -172,8 +173,8 @@ def check_size(size, part):
     """Throws UserError for a size that is not positive or larger than the part."""
     diagonal = part.Shape.BoundBox.DiagonalLength
     if not size > 0 or math.isinf(size):
-        raise UserError("the size has to be greater than 0 mm, not %g" % size)
+        raise UserError(translate("FeatureMesh", "the size has to be greater than 0 mm, not %g") % size)
     if size > diagonal:
-        raise UserError("the size %g mm is larger than the part (%g mm across); try %g"
+        raise UserError(translate("FeatureMesh", "the size %g mm is larger than the part (%g mm across); try %g")
                         % (size, diagonal, default_size(part)))
 

@@ -15,6 +15,7 @@ import FreeCAD
 from . import worker
 from .errors import EngineMissing
 
+translate = FreeCAD.Qt.translate
 _NAME = "featuremesh_engine"
 _PACKAGE = os.path.dirname(os.path.abspath(__file__))
 _WORKBENCH = os.path.dirname(os.path.dirname(_PACKAGE))
@@ -53,7 +54,8 @@ def load():
     try:
         _worker.start()
     except worker.CannotStart as error:
-        FreeCAD.Console.PrintWarning("FeatureMesh cannot start its worker process and runs inside FreeCAD: %s\n" % error)
+        FreeCAD.Console.PrintWarning(translate(
+            "FeatureMesh", "FeatureMesh cannot start its worker process and runs inside FreeCAD: %s") % error + "\n")
         run_here()
         return _load_here()
     return _worker
@@ -67,8 +69,8 @@ def folder():
     for place in filter(os.path.isdir, _PLACES):
         if any(name.startswith(_NAME + ".") and name.endswith((".so", ".pyd", ".py")) for name in os.listdir(place)):
             return os.path.abspath(place)
-    raise EngineMissing("FeatureMesh's compiled engine (featuremesh_engine) is not installed; "
-                        "the mesh is shown as it was saved. Any command of `./featuremesh` in a clone builds it.")
+    raise EngineMissing(translate("FeatureMesh", "FeatureMesh's compiled engine (featuremesh_engine) is not installed; "
+                        "the mesh is shown as it was saved. Any command of `./featuremesh` in a clone builds it."))
 
 
 def _load_here():
@@ -79,4 +81,4 @@ def _load_here():
     try:
         return importlib.import_module(_NAME)
     except ImportError as error:
-        raise EngineMissing("FeatureMesh's engine could not be loaded: %s" % error) from error
+        raise EngineMissing(translate("FeatureMesh", "FeatureMesh's engine could not be loaded: %s") % error) from error

@@ -7,11 +7,13 @@ and groups, so these two are written here from the saved state.
 
 import os
 
+import FreeCAD
 import numpy as np
 
 from . import state
 from .errors import UserError
 
+translate = FreeCAD.Qt.translate
 FORMATS = ("vtu", "inp", "unv", "med")
 _VTK_TYPES = {2: 3, 3: 5, 4: 10, 6: 22, 10: 24}
 _VTK_TYPES_OF_SEGMENTS = {2: 3, 3: 21}
@@ -24,9 +26,9 @@ def write(mesh, path, file_format):
     """Writes `mesh` to `path`, whole or not at all. Throws UserError for an unknown format or a mesh object without a mesh."""
     file_format = file_format.lower()
     if file_format not in FORMATS:
-        raise UserError("cannot export to %s, only to %s" % (file_format or path, ", ".join(FORMATS)))
+        raise UserError(translate("FeatureMesh", "cannot export to %s, only to %s") % (file_format or path, ", ".join(FORMATS)))
     if not mesh.FemMesh.VolumeCount:
-        raise UserError("%s has no mesh yet" % mesh.Label)
+        raise UserError(translate("FeatureMesh", "%s has no mesh yet") % mesh.Label)
     temporary = os.path.join(os.path.dirname(os.path.abspath(path)),
                              ".%d.%s.%s" % (os.getpid(), os.path.basename(path), file_format))
     try:
@@ -37,7 +39,7 @@ def write(mesh, path, file_format):
             writer(temporary, state.load(mesh.SavedState).arrays, groups_in(mesh.FemMesh))
         os.replace(temporary, path)
     except OSError as error:
-        raise UserError("cannot write %s: %s" % (path, error)) from error
+        raise UserError(translate("FeatureMesh", "cannot write %s: %s") % (path, error)) from error
     finally:
         if os.path.exists(temporary):
             os.unlink(temporary)

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Hands an engine mesh over to FreeCAD, with its numbers and groups.
 
-The fast way is one UNV file. FreeCAD's reader closes the gaps between numbers, though, and so does FreeCAD when it opens a
-document; a mesh whose numbers have gaps (an updated one) is therefore built node by node, and again after opening.
+Node by node and element by element: FreeCAD's readers of mesh files are slower, and they close the gaps between numbers. So does
+FreeCAD when it opens a document; a mesh whose numbers have gaps (an updated one) is therefore built again after opening.
 """
 
-import os
 import re
-import tempfile
+from collections import deque
 
 import Fem
 import numpy as np
@@ -15,21 +14,13 @@ import numpy as np
 # SMESH wants tets oriented the other way round than Abaqus and VTK; the corners in the order its UNV reader gives them.
 _SMESH_TET = [0, 2, 1, 3, 6, 5, 4, 7, 9, 8]
 _KINDS = {"Solid": "Volume", "Face": "Face", "Edge": "Edge", "Vertex": "Node"}
+# Kind of group -> the stage of `build` in which its elements are made.
+_STAGES = {"Edge": 0, "Face": 1, "Volume": 2}
 
 
 def to_fem_mesh(part_mesh, groups):
     """A Fem.FemMesh with the numbers of `part_mesh` and the groups (name, kind, numbers)."""
-    arrays = part_mesh.arrays()
-    if has_gaps(arrays):
-        return build(arrays, groups)
-    folder = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
-    handle, path = tempfile.mkstemp(".unv", "featuremesh-", folder)
-    os.close(handle)
-    try:
-        part_mesh.write_unv(path, groups)
-        return Fem.read(path)
-    finally:
-        os.unlink(path)
+    return build(part_mesh.arrays(), groups)
 
 
 def has_gaps(arrays):
@@ -40,23 +31,40 @@ def has_gaps(arrays):
 
 
 def build(arrays, groups):
-    """The mesh made node by node, which keeps every number."""
+    """The Fem.FemMesh with these arrays, numbers and groups.
+
+    In three stages, edges, faces and solids with their nodes; each group is made as soon as all its members are there, because
+    FreeCAD looks through all that is there for each group.
+    """
     mesh = Fem.FemMesh()
     numbers = arrays["node_numbers"]
-    for number, (x, y, z) in zip(numbers.tolist(), arrays["points"].tolist()):
-        mesh.addNode(x, y, z, number)
-    for add, elements, mids, order, own in (
-            (mesh.addEdge, "segments", "segment_mids", None, "segment_numbers"),
-            (mesh.addFace, "triangles", "triangle_mids", None, "triangle_numbers"),
-            (mesh.addVolume, "tets", "tet_mids", _SMESH_TET, "tet_numbers")):
+    stage_of_node = np.maximum(arrays["entities"][:, 0], 1) - 1
+    stages = [_stage_of_group(kind, members, numbers, stage_of_node) for _, kind, members in groups]
+    for stage, (add, elements, mids, own) in enumerate((
+            (mesh.addEdge, "segments", "segment_mids", "segment_numbers"),
+            (mesh.addFace, "triangles", "triangle_mids", "triangle_numbers"),
+            (mesh.addVolume, "tets", "tet_mids", "tet_numbers"))):
+        rows = np.flatnonzero(stage_of_node == stage)
+        _for_each(mesh.addNode, *arrays["points"][rows].T.tolist(), numbers[rows].tolist())
         nodes = numbers[_connectivity(arrays[elements], arrays[mids])]
-        if order is not None and len(nodes):
-            nodes = nodes[:, order[:nodes.shape[1]]]
-        for corners, number in zip(nodes.tolist(), arrays[own].tolist()):
-            add(corners, number)
-    for name, kind, members in groups:
-        mesh.addGroupElements(mesh.addGroup(name, kind), np.asarray(members).tolist())
+        if stage == 2 and len(nodes):
+            nodes = nodes[:, _SMESH_TET[:nodes.shape[1]]]
+        _for_each(add, nodes.tolist(), arrays[own].tolist())
+        for (name, kind, members), when in zip(groups, stages):
+            if when == stage:
+                mesh.addGroupElements(mesh.addGroup(name, kind), np.asarray(members).tolist())
     return mesh
+
+
+def _for_each(function, *columns):
+    """Calls the function with each row, without a Python loop's cost."""
+    deque(map(function, *columns), maxlen=0)
+
+
+def _stage_of_group(kind, members, numbers, stage_of_node):
+    if kind != "Node":
+        return _STAGES[kind]
+    return int(stage_of_node[np.isin(numbers, members)].max(initial=0))
 
 
 def reopened(fem_mesh, arrays):

@@ -14,6 +14,7 @@ from .errors import StateError, UserError
 from .job import MeshJob
 from .reading import describe, read_document
 
+translate = FreeCAD.Qt.translate
 # Kept in documents as they are; shown in the user's language by status_in_words.
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 NOT_MESHED = QT_TRANSLATE_NOOP("FeatureMesh", "not meshed yet")
@@ -123,7 +124,7 @@ class FeatureMesh:
         start = time.perf_counter()
         part = versions.part_of(mesh)
         if part is None:
-            raise UserError("%s has no part to mesh, set its property %s"
+            raise UserError(translate("FeatureMesh", "%s has no part to mesh, set its property %s")
                             % (describe(mesh), versions.part_property(mesh)))
         raw = read_document(part)
         read = time.perf_counter()
@@ -312,7 +313,7 @@ def local_sizes(mesh, part):
         size = float(region.CharacteristicLength.Value)
         names, foreign = hand_over.references_to(region, part)
         if foreign:
-            raise UserError("the refinement %s refers to another object than %s; refer to faces of that one"
+            raise UserError(translate("FeatureMesh", "the refinement %s refers to another object than %s; refer to faces of that one")
                             % (describe(region), describe(part)))
         if size > 0:
             sizes += [(name, size) for name in names]

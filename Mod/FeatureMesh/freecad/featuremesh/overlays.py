@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Colours for the elements of a mesh: what the last update kept, and how good the elements are."""
 
+import FreeCAD
 import numpy as np
 
 from . import preferences
 from .errors import UserError
 from .pictures import tet_quality
 
+translate = FreeCAD.Qt.translate
 # Colour from the smallest dihedral angle on (degrees): red is bad, green is good.
 QUALITY_STEPS = ((0, (0.75, 0.10, 0.10)), (10, (0.88, 0.35, 0.13)), (20, (0.97, 0.65, 0.20)), (30, (0.95, 0.85, 0.35)),
                  (40, (0.60, 0.80, 0.40)), (50, (0.25, 0.62, 0.30)))
@@ -22,7 +24,7 @@ def kept_colours(mesh):
     part_mesh = mesh.Proxy.last_part_mesh(mesh)
     origin = np.asarray(part_mesh.tet_origin())
     if not len(origin) or not (origin >= 0).any():
-        raise UserError("%s was not updated since the document was opened, all its elements are as they were" % mesh.Label)
+        raise UserError(translate("FeatureMesh", "%s was not updated since the document was opened, all its elements are as they were") % mesh.Label)
     numbers = part_mesh.arrays()["tet_numbers"].tolist()
     kept_colour, new_colour, _ = kept_legend()
     return {number: kept_colour if kept else new_colour for number, kept in zip(numbers, (origin >= 0).tolist())}

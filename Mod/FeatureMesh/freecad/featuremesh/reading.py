@@ -15,6 +15,7 @@ import Part
 from . import versions
 from .errors import UserError
 
+translate = FreeCAD.Qt.translate
 # A pattern's direction, a sketch's plane: needed for the dependencies, but without any volume of their own.
 _REFERENCE_TYPES = ("Sketcher::", "Spreadsheet::", "App::Line", "App::Plane", "App::Point", "App::Origin",
                     "PartDesign::Plane", "PartDesign::Point", "PartDesign::CoordinateSystem",
@@ -36,7 +37,7 @@ def read_document(part):
     Shapes and frames are given in the frame in which FEM sees `part.Shape`. Throws UserError when it has no shape.
     """
     if not has_shape(part):
-        raise UserError("%s has no shape to mesh" % describe(part))
+        raise UserError(translate("FeatureMesh", "%s has no shape to mesh") % describe(part))
     frames = _frames(part)
     shapes = _ShapeList()
     home = part.Document
@@ -60,9 +61,9 @@ def find_meshable(document, name=None):
             used.update(_used_by(obj))
     final = [obj for obj in candidates if obj not in used]
     if not final:
-        raise UserError("the document %s has no solid to mesh" % document.Label)
+        raise UserError(translate("FeatureMesh", "the document %s has no solid to mesh") % document.Label)
     if len(final) > 1:
-        raise UserError("the document has several solids, name one with --object: %s"
+        raise UserError(translate("FeatureMesh", "the document has several solids, select one or name it with --object: %s")
                         % ", ".join(describe(obj) for obj in final))
     return final[0]
 
@@ -76,9 +77,9 @@ def find_object(document, name):
     if len(labelled) == 1:
         return labelled[0]
     if labelled:
-        raise UserError("%d objects have the label %s, use a name: %s"
+        raise UserError(translate("FeatureMesh", "%d objects have the label %s, use a name: %s")
                         % (len(labelled), name, ", ".join(obj.Name for obj in labelled)))
-    raise UserError("the document has no object %s%s" % (name, close_names(name, [o.Name for o in document.Objects])))
+    raise UserError(translate("FeatureMesh", "the document has no object %s%s") % (name, close_names(name, [o.Name for o in document.Objects])))
 
 
 def close_names(name, known):
@@ -112,7 +113,7 @@ def error_of(obj):
 def refuse_errors(part):
     """Throws UserError when the part itself is in error, with FreeCAD's message."""
     if error_of(part):
-        raise UserError("FreeCAD could not compute %s: %s" % (describe(part), error_of(part)))
+        raise UserError(translate("FeatureMesh", "FreeCAD could not compute %s: %s") % (describe(part), error_of(part)))
 
 
 def dependencies(part):
@@ -382,11 +383,11 @@ def _shape_of(obj):
 
 def _checked_solid(obj):
     if obj.isDerivedFrom("App::Part") or obj.isDerivedFrom("App::DocumentObjectGroup"):
-        raise UserError("%s is a group, name one of its objects: %s"
+        raise UserError(translate("FeatureMesh", "%s is a group, name one of its objects: %s")
                         % (describe(obj), ", ".join(member.Name for member in obj.Group)))
     shape = _shape_of(obj)
     if shape is None or not shape.Solids:
-        raise UserError("%s has no solid%s" % (describe(obj), ": " + error_of(obj) if error_of(obj) else ""))
+        raise UserError(translate("FeatureMesh", "%s has no solid%s") % (describe(obj), ": " + error_of(obj) if error_of(obj) else ""))
     return obj
 
 

@@ -3,6 +3,7 @@
 
 import FreeCAD
 
+translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
@@ -41,7 +42,7 @@ _VERDICTS = {
 
 def verdict_in_words(verdict):
     """The engine's verdict on a feature or a face in the user's language."""
-    return FreeCAD.Qt.translate("FeatureMesh", _VERDICTS.get(verdict, verdict))
+    return translate("FeatureMesh", _VERDICTS.get(verdict, verdict))
 
 
 def difference_note(found):
@@ -50,9 +51,10 @@ def difference_note(found):
     counts = {}
     for face in found["faces"]:
         counts[face["verdict"]] = counts.get(face["verdict"], 0) + 1
-    faces = ", ".join("%d %s" % (counts[verdict], verdict.replace("_", " ")) for verdict in sorted(counts))
-    line = "%d features changed, %d did not; faces: %s" % (changed, len(found["features"]) - changed, faces or "none")
-    return "\n".join([line] + ["note: " + note for note in found.get("notes", [])])
+    faces = ", ".join("%d %s" % (counts[verdict], verdict_in_words(verdict)) for verdict in sorted(counts))
+    line = translate("FeatureMesh", "%d features changed, %d did not; faces: %s") % (
+        changed, len(found["features"]) - changed, faces or translate("FeatureMesh", "none"))
+    return "\n".join([line] + [translate("FeatureMesh", "note: ") + note for note in found.get("notes", [])])
 
 
 def of_tree(found):
@@ -73,9 +75,9 @@ def rows_of_tree(found):
 
 def tree_note(found):
     """The books: cells and material against FreeCAD's volume, and the engine's notes."""
-    line = "%s: %d features, %d cells, %.10g mm^3 of material (FreeCAD: %.10g)" % (
+    line = translate("FeatureMesh", "%s: %d features, %d cells, %.10g mm^3 of material (FreeCAD: %.10g)") % (
         found["object"], len(found["features"]), found["cells"], found["material_volume"], found["final_volume"])
-    return "\n".join([line] + ["note: " + note for note in found.get("notes", [])])
+    return "\n".join([line] + [translate("FeatureMesh", "note: ") + note for note in found.get("notes", [])])
 
 
 def face_names(faces):

@@ -18,6 +18,11 @@ import time
 import weakref
 from multiprocessing import connection as connections
 
+import FreeCAD
+
+translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
 _PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worker_main.py")
 _POLL, GRACE, _START_SECONDS = 0.03, 0.3, 60
 # Called now and then while FreeCAD's own thread waits for an answer; the window's side repaints itself here.
@@ -57,8 +62,15 @@ class CannotStart(RuntimeError):
 
 
 _ERRORS = {cls.__name__: cls for cls in (Error, InputError, KernelError, MeshError, StateError, Cancelled)}
-_DOING = {"mesh_part": "meshing %s", "update_part": "updating the mesh of %s", "restore_part": "reading the saved mesh of %s",
-          "compare": "comparing two states of %s", "read_tree": "reading the features of %s", "estimate_tets": "estimating the mesh of %s"}
+_DOING = {
+    "mesh_part": QT_TRANSLATE_NOOP("FeatureMesh", "meshing %s"),
+    "update_part": QT_TRANSLATE_NOOP("FeatureMesh", "updating the mesh of %s"),
+    "restore_part": QT_TRANSLATE_NOOP("FeatureMesh", "reading the saved mesh of %s"),
+    "compare": QT_TRANSLATE_NOOP("FeatureMesh", "comparing two states of %s"),
+    "read_tree": QT_TRANSLATE_NOOP("FeatureMesh", "reading the features of %s"),
+    "estimate_tets": QT_TRANSLATE_NOOP("FeatureMesh", "estimating the mesh of %s"),
+    "": QT_TRANSLATE_NOOP("FeatureMesh", "working on %s"),
+}
 
 
 class WorkerMesh:
@@ -68,7 +80,6 @@ class WorkerMesh:
         self._contents = contents
         self._process = self._key = None   # where the engine's object is
         self._recipe = None                # (raw, options) it was made from, to make it anew in another process
-        self._engine = None
         self.order, self.corner_count = contents["order"], contents["corner_count"]
 
     def arrays(self):
@@ -88,9 +99,6 @@ class WorkerMesh:
 
     def owners_of_tets(self):
         return self._contents["owners_of_tets"]
-
-    def write_unv(self, path, groups):
-        self._engine.call("PartMesh.write_unv", self, path, groups)
 
 
 class WorkerEngine:
@@ -162,7 +170,7 @@ class WorkerEngine:
     def _ask(self, lane, name, args, kwargs, progress):
         process = lane.running(self.folder)
         raws = [value for value in args if isinstance(value, dict) and "records" in value]
-        what = _DOING.get(name, "working on %s") % (raws[-1]["final_object"] if raws else "a mesh")
+        what = translate("FeatureMesh", _DOING.get(name, _DOING[""])) % (raws[-1]["final_object"] if raws else "a mesh")
         try:
             answer, made = process.ask((name, args, kwargs), what, progress)
         except (WorkerDied, Cancelled):
@@ -171,7 +179,7 @@ class WorkerEngine:
             raise
         options = [value for value in args if isinstance(value, dict)]
         for mesh in made:
-            mesh._recipe, mesh._engine = (raws[-1], options[options.index(raws[-1]) + 1]), self
+            mesh._recipe = raws[-1], options[options.index(raws[-1]) + 1]
         return answer
 
 
@@ -323,11 +331,11 @@ class _Process:
         except OSError:
             where = step
         self.kill()
-        text = "FeatureMesh's worker process %s while %s%s. FreeCAD and the document are as they were. " % (
-            _how_it_ended(code), what, " (%s)" % where if where else "")
-        if code == -signal.SIGKILL:
-            return WorkerDied(text + "Perhaps memory ran out: try a larger size.")
-        return WorkerDied(text + "Check the shape there (Part: Check geometry), or try another size.")
+        text = translate("FeatureMesh", "FeatureMesh's worker process %s while %s%s. FreeCAD and the document are as they were. %s") % (
+            _how_it_ended(code), what, " (%s)" % where if where else "",
+            translate("FeatureMesh", "Perhaps memory ran out: try a larger size.") if code == -signal.SIGKILL else
+            translate("FeatureMesh", "Check the shape there (Part: Check geometry), or try another size."))
+        return WorkerDied(text)
 
     def _close_last_words(self):
         if self._last_words is not None:
@@ -337,12 +345,14 @@ class _Process:
 
 def _how_it_ended(code):
     if code is None or code >= 0:
-        return "ended"
+        return translate("FeatureMesh", "ended")
     try:
         name = signal.Signals(-code).name
     except ValueError:
         name = "signal %d" % -code
-    return "was ended from outside (%s)" % name if code == -signal.SIGKILL else "crashed (%s)" % name
+    if code == -signal.SIGKILL:
+        return translate("FeatureMesh", "was ended from outside (%s)") % name
+    return translate("FeatureMesh", "crashed (%s)") % name
 
 
 def _error(name, text):

@@ -46,13 +46,10 @@ class Worker:
                 self._send(self._answer(*words))
 
     def _answer(self, name, args, kwargs):
-        function = self._engine
-        for part in name.split("."):
-            function = getattr(function, part)
         if "progress" in kwargs:
             kwargs["progress"] = self._progress
         try:
-            return "done", function(*args, **kwargs)
+            return "done", getattr(self._engine, name)(*args, **kwargs)
         except BaseException as error:
             return "error", type(error).__name__, str(error)[:_LONGEST]
 

@@ -7,7 +7,7 @@ from .base import MeshCommand, selected_mesh
 class Command(MeshCommand):
     name = "FeatureMesh_ShowKept"
     text = "Show what was kept"
-    tooltip = "Colours the elements: blue ones were kept by the last update, orange ones are new"
+    tooltip = "Colours the elements: those the last update kept, and new ones"
     edits = False
 
     def run(self, document):

@@ -33,20 +33,20 @@ def _add_actions(workbench, commands):
         return
     window = Gui.getMainWindow()
     bar = window.findChild(QtGui.QToolBar, "Mesh")
-    for place in filter(None, (bar, _mesh_menu(window))):
-        present = {action.objectName() for action in place.actions()}
-        if not present & set(commands):
-            place.addSeparator()
-            for name in commands:
-                for action in Gui.Command.get(name).getAction():
-                    action.setObjectName(name)
-                    place.addAction(action)
-
-
-def _mesh_menu(window):
-    """FEM's menu with its own mesh commands, found by one of them, as menus have no names."""
-    for action in window.menuBar().actions():
+    if bar is not None:
+        _add_to(bar, commands)
+    for action in window.menuBar().actions():   # PySide deletes a menu once its action is let go, so it is used right here
         menu = action.menu()
         if menu is not None and any(entry.objectName() == _PLACE for entry in menu.actions()):
-            return menu
-    return None
+            _add_to(menu, commands)
+
+
+def _add_to(place, commands):
+    present = {action.objectName() for action in place.actions()}
+    if present & set(commands):
+        return
+    place.addSeparator()
+    for name in commands:
+        for action in Gui.Command.get(name).getAction():
+            action.setObjectName(name)
+            place.addAction(action)

@@ -1,0 +1,720 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+  <context>
+    <name>App::Property</name>
+    <message>
+      <source>1st: 4-node tets; 2nd: 10-node tets with their mid-side nodes on the surface</source>
+      <translation>1st: Tetraeder mit 4 Knoten; 2nd: Tetraeder mit 10 Knoten, deren Kantenmittelknoten auf der Oberfläche liegen</translation>
+    </message>
+    <message>
+      <source>By how much neighbouring elements may differ in size at most</source>
+      <translation>Um welchen Faktor sich die Größen benachbarter Elemente höchstens unterscheiden dürfen</translation>
+    </message>
+    <message>
+      <source>Edges along a full circle of any curved face or edge; 0: sizes do not follow curvature</source>
+      <translation>Kanten auf einem vollen Kreis jeder gekrümmten Fläche oder Kante; 0: die Größe folgt der Krümmung nicht</translation>
+    </message>
+    <message>
+      <source>Elements across thin walls and slots; 0: sizes do not follow thickness</source>
+      <translation>Elemente quer durch dünne Wände und Schlitze; 0: die Größe folgt der Dicke nicht</translation>
+    </message>
+    <message>
+      <source>Everything about the last mesh or update, as JSON</source>
+      <translation>Alles über die letzte Vernetzung oder Aktualisierung, als JSON</translation>
+    </message>
+    <message>
+      <source>FEM mesh groups</source>
+      <translation>FEM-Netzgruppen</translation>
+    </message>
+    <message>
+      <source>Local sizes: FEM mesh refinements</source>
+      <translation>Lokale Größen: FEM-Netzverfeinerungen</translation>
+    </message>
+    <message>
+      <source>Mean of three times the inscribed over the circumscribed radius; 1 for regular tets</source>
+      <translation>Mittel aus dreifachem Inkugelradius durch Umkugelradius; 1 für regelmäßige Tetraeder</translation>
+    </message>
+    <message>
+      <source>Nodes of the mesh</source>
+      <translation>Knoten des Netzes</translation>
+    </message>
+    <message>
+      <source>Processor threads to use; 0: all. The mesh is the same for any number</source>
+      <translation>Zu nutzende Prozessor-Threads; 0: alle. Das Netz ist für jede Anzahl dasselbe</translation>
+    </message>
+    <message>
+      <source>Share of the nodes kept bit for bit by the last update</source>
+      <translation>Anteil der Knoten, die die letzte Aktualisierung Bit für Bit behalten hat</translation>
+    </message>
+    <message>
+      <source>Share of the tets kept by the last update</source>
+      <translation>Anteil der Tetraeder, die die letzte Aktualisierung behalten hat</translation>
+    </message>
+    <message>
+      <source>Smallest angle between two faces of a tet</source>
+      <translation>Kleinster Winkel zwischen zwei Seiten eines Tetraeders</translation>
+    </message>
+    <message>
+      <source>Smallest edge length that curvature, thin gaps and growth may ask for; 0: a tenth of Size</source>
+      <translation>Kleinste Kantenlänge, die Krümmung, dünne Stellen und Wachstum verlangen dürfen; 0: ein Zehntel von Size</translation>
+    </message>
+    <message>
+      <source>Tets of the mesh</source>
+      <translation>Tetraeder des Netzes</translation>
+    </message>
+    <message>
+      <source>Time the last mesh or update took</source>
+      <translation>Dauer der letzten Vernetzung oder Aktualisierung</translation>
+    </message>
+    <message>
+      <source>Update the mesh whenever the document is recomputed</source>
+      <translation>Das Netz bei jeder Neuberechnung des Dokuments aktualisieren</translation>
+    </message>
+    <message>
+      <source>Wanted edge length of the tets</source>
+      <translation>Gewünschte Kantenlänge der Tetraeder</translation>
+    </message>
+    <message>
+      <source>What the next update needs</source>
+      <translation>Was die nächste Aktualisierung braucht</translation>
+    </message>
+    <message>
+      <source>Whether the mesh fits the part, and if not, why</source>
+      <translation>Ob das Netz zum Bauteil passt, und wenn nicht, warum</translation>
+    </message>
+  </context>
+  <context>
+    <name>FeatureMesh</name>
+    <message>
+      <source> of %s</source>
+      <translation> von %s</translation>
+    </message>
+    <message>
+      <source>%d features changed, %d did not; faces: %s</source>
+      <translation>%d Features haben sich geändert, %d nicht; Flächen: %s</translation>
+    </message>
+    <message>
+      <source>%d nodes, %d tets in %.2f s</source>
+      <translation>%d Knoten, %d Tetraeder in %.2f s</translation>
+    </message>
+    <message>
+      <source>%d objects have the label %s, use a name: %s</source>
+      <translation>%d Objekte haben die Bezeichnung %s, bitte einen Namen angeben: %s</translation>
+    </message>
+    <message>
+      <source>%s has no mesh yet</source>
+      <translation>%s hat noch kein Netz</translation>
+    </message>
+    <message>
+      <source>%s has no part to mesh, set its property %s</source>
+      <translation>%s hat kein Bauteil, das vernetzt werden kann; bitte die Eigenschaft %s setzen</translation>
+    </message>
+    <message>
+      <source>%s has no shape to mesh</source>
+      <translation>%s hat keine Form, die vernetzt werden kann</translation>
+    </message>
+    <message>
+      <source>%s has no solid%s</source>
+      <translation>%s hat keinen Festkörper%s</translation>
+    </message>
+    <message>
+      <source>%s is a group, name one of its objects: %s</source>
+      <translation>%s ist eine Gruppe, bitte eines ihrer Objekte angeben: %s</translation>
+    </message>
+    <message>
+      <source>%s was not updated since the document was opened, all its elements are as they were</source>
+      <translation>%s wurde seit dem Öffnen des Dokuments nicht aktualisiert, alle Elemente sind, wie sie waren</translation>
+    </message>
+    <message>
+      <source>%s: %d features, %d cells, %.10g mm^3 of material (FreeCAD: %.10g)</source>
+      <translation>%s: %d Features, %d Zellen, %.10g mm^3 Material (FreeCAD: %.10g)</translation>
+    </message>
+    <message>
+      <source>, not of %s</source>
+      <translation>, nicht von %s</translation>
+    </message>
+    <message>
+      <source>10-node tets</source>
+      <translation>10 Knoten</translation>
+    </message>
+    <message>
+      <source>4-node tets</source>
+      <translation>4 Knoten</translation>
+    </message>
+    <message>
+      <source>&lt;b&gt;Show what was kept&lt;/b&gt; colours what stayed and what is new; &lt;b&gt;Show the quality&lt;/b&gt; finds the worst elements.</source>
+      <translation>&lt;b&gt;Zeigen, was blieb&lt;/b&gt; färbt, was geblieben und was neu ist; &lt;b&gt;Qualität zeigen&lt;/b&gt; findet die schlechtesten Elemente.</translation>
+    </message>
+    <message>
+      <source>A crash of the geometry kernel then ends that process only; FreeCAD and the document stay as they are</source>
+      <translation>Ein Absturz des Geometriekerns beendet dann nur diesen Prozess; FreeCAD und das Dokument bleiben, wie sie sind</translation>
+    </message>
+    <message>
+      <source>A mesh that follows your part</source>
+      <translation>Ein Netz, das dem Bauteil folgt</translation>
+    </message>
+    <message>
+      <source>Across gaps</source>
+      <translation>In Wänden</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translation>Abbrechen</translation>
+    </message>
+    <message>
+      <source>Cancelled; the mesh is as it was.</source>
+      <translation>Abgebrochen; das Netz ist, wie es war.</translation>
+    </message>
+    <message>
+      <source>Check the shape there (Part: Check geometry), or try another size.</source>
+      <translation>Bitte die Form dort prüfen (Part: Geometrie überprüfen) oder eine andere Größe versuchen.</translation>
+    </message>
+    <message>
+      <source>Colours</source>
+      <translation>Farben</translation>
+    </message>
+    <message>
+      <source>Edit the part: move a hole, change a thickness. The mesh follows, and only around the edit; loads and supports stay where they are.</source>
+      <translation>Das Bauteil ändern: eine Bohrung verschieben, eine Dicke anpassen. Das Netz folgt, und nur rund um die Änderung; Lasten und Lager bleiben, wo sie sind.</translation>
+    </message>
+    <message>
+      <source>Element</source>
+      <translation>Tetraeder</translation>
+    </message>
+    <message>
+      <source>Elements along the diagonal</source>
+      <translation>Elemente entlang der Diagonale</translation>
+    </message>
+    <message>
+      <source>FEM meshes that are updated, not thrown away, when the part is edited</source>
+      <translation>FEM-Netze, die bei Änderungen am Bauteil aktualisiert statt weggeworfen werden</translation>
+    </message>
+    <message>
+      <source>Feature tree</source>
+      <translation>Feature-Baum</translation>
+    </message>
+    <message>
+      <source>FeatureMesh cannot start its worker process and runs inside FreeCAD: %s</source>
+      <translation>FeatureMesh kann seinen Arbeitsprozess nicht starten und läuft in FreeCAD selbst: %s</translation>
+    </message>
+    <message>
+      <source>FeatureMesh's compiled engine (featuremesh_engine) is not installed; the mesh is shown as it was saved. Any command of `./featuremesh` in a clone builds it.</source>
+      <translation>Das übersetzte Rechenprogramm von FeatureMesh (featuremesh_engine) ist nicht installiert; das Netz wird gezeigt, wie es gespeichert wurde. Jeder Befehl von `./featuremesh` in einem Klon baut es.</translation>
+    </message>
+    <message>
+      <source>FeatureMesh's engine could not be loaded: %s</source>
+      <translation>Das Rechenprogramm von FeatureMesh konnte nicht geladen werden: %s</translation>
+    </message>
+    <message>
+      <source>FeatureMesh's worker process %s while %s%s. FreeCAD and the document are as they were. %s</source>
+      <translation>Der Arbeitsprozess von FeatureMesh %s; er war beim %s%s. FreeCAD und das Dokument sind, wie sie waren. %s</translation>
+    </message>
+    <message>
+      <source>FreeCAD cannot recompute %s: %s</source>
+      <translation>FreeCAD kann %s nicht neu berechnen: %s</translation>
+    </message>
+    <message>
+      <source>FreeCAD could not compute %s: %s</source>
+      <translation>FreeCAD konnte %s nicht berechnen: %s</translation>
+    </message>
+    <message>
+      <source>From scratch</source>
+      <translation>Von Grund auf</translation>
+    </message>
+    <message>
+      <source>Growth</source>
+      <translation>Wachstum</translation>
+    </message>
+    <message>
+      <source>How many elements have which smallest dihedral angle (degrees)</source>
+      <translation>Wie viele Elemente welchen kleinsten Flächenwinkel haben (Grad)</translation>
+    </message>
+    <message>
+      <source>Kept elements</source>
+      <translation>Behaltene Elemente</translation>
+    </message>
+    <message>
+      <source>Kept in %s</source>
+      <translation>Behalten in %s</translation>
+    </message>
+    <message>
+      <source>Mesh</source>
+      <translation>Vernetzen</translation>
+    </message>
+    <message>
+      <source>Mesh in a process of its own</source>
+      <translation>In einem eigenen Prozess vernetzen</translation>
+    </message>
+    <message>
+      <source>Meshes the part, or updates its mesh where it changed</source>
+      <translation>Vernetzt das Bauteil oder aktualisiert sein Netz, wo es sich geändert hat</translation>
+    </message>
+    <message>
+      <source>New elements</source>
+      <translation>Neue Elemente</translation>
+    </message>
+    <message>
+      <source>New meshes</source>
+      <translation>Neue Netze</translation>
+    </message>
+    <message>
+      <source>Nodes kept as start positions</source>
+      <translation>Als Startlage behaltene Knoten</translation>
+    </message>
+    <message>
+      <source>Open a part, select its body and press &lt;b&gt;Mesh a part&lt;/b&gt;. Choose a size; the panel tells how many elements it gives. Press &lt;b&gt;Mesh&lt;/b&gt;.</source>
+      <translation>Ein Bauteil öffnen, seinen Körper auswählen und &lt;b&gt;Bauteil vernetzen&lt;/b&gt; drücken. Eine Größe wählen; das Fenster sagt, wie viele Elemente sie ergibt. &lt;b&gt;Vernetzen&lt;/b&gt; drücken.</translation>
+    </message>
+    <message>
+      <source>Part</source>
+      <translation>Bauteil</translation>
+    </message>
+    <message>
+      <source>Per circle</source>
+      <translation>Je Kreis</translation>
+    </message>
+    <message>
+      <source>Perhaps memory ran out: try a larger size.</source>
+      <translation>Vielleicht ging der Speicher aus: bitte eine größere Elementgröße versuchen.</translation>
+    </message>
+    <message>
+      <source>Processor threads of a new mesh; the mesh is the same for any number</source>
+      <translation>Prozessor-Threads eines neuen Netzes; das Netz ist für jede Anzahl dasselbe</translation>
+    </message>
+    <message>
+      <source>Quality of %s</source>
+      <translation>Qualität von %s</translation>
+    </message>
+    <message>
+      <source>Select a face and press &lt;b&gt;Add a local size&lt;/b&gt; where the mesh shall be finer. All of this is in FEM's Mesh menu, too.</source>
+      <translation>Eine Fläche auswählen und &lt;b&gt;Lokale Größe hinzufügen&lt;/b&gt; drücken, wo das Netz feiner werden soll. All das steht auch im Menü Netz von FEM.</translation>
+    </message>
+    <message>
+      <source>Size</source>
+      <translation>Größe</translation>
+    </message>
+    <message>
+      <source>Smallest</source>
+      <translation>Kleinste</translation>
+    </message>
+    <message>
+      <source>Smallest angle %.2f deg,
+mean radius ratio %.3f</source>
+      <translation>Kleinster Winkel %.2f Grad,
+mittleres Radienverhältnis %.3f</translation>
+    </message>
+    <message>
+      <source>Status</source>
+      <translation>Zustand</translation>
+    </message>
+    <message>
+      <source>The mesh follows every recompute of the document</source>
+      <translation>Das Netz folgt jeder Neuberechnung des Dokuments</translation>
+    </message>
+    <message>
+      <source>The size of a new mesh is the diagonal of the part divided by this number</source>
+      <translation>Die Größe eines neuen Netzes ist die Diagonale des Bauteils geteilt durch diese Zahl</translation>
+    </message>
+    <message>
+      <source>The worst elements, click to see:</source>
+      <translation>Die schlechtesten Elemente, zum Ansehen anklicken:</translation>
+    </message>
+    <message>
+      <source>Threads</source>
+      <translation>Threads</translation>
+    </message>
+    <message>
+      <source>Throws the mesh away and meshes the whole part</source>
+      <translation>Wirft das Netz weg und vernetzt das ganze Bauteil</translation>
+    </message>
+    <message>
+      <source>Update</source>
+      <translation>Aktualisieren</translation>
+    </message>
+    <message>
+      <source>Update automatically</source>
+      <translation>Automatisch aktualisieren</translation>
+    </message>
+    <message>
+      <source>Welcome to FeatureMesh</source>
+      <translation>Willkommen bei FeatureMesh</translation>
+    </message>
+    <message>
+      <source>What changed</source>
+      <translation>Was sich geändert hat</translation>
+    </message>
+    <message>
+      <source>Work</source>
+      <translation>Arbeitsweise</translation>
+    </message>
+    <message>
+      <source>about %s tets</source>
+      <translation>etwa %s Tetraeder</translation>
+    </message>
+    <message>
+      <source>active: %d nodes kept as start positions, free to move</source>
+      <translation>aktiv: %d Knoten als Startlage behalten, beweglich</translation>
+    </message>
+    <message>
+      <source>added</source>
+      <translation>hinzugekommen</translation>
+    </message>
+    <message>
+      <source>all</source>
+      <translation>alle</translation>
+    </message>
+    <message>
+      <source>appeared</source>
+      <translation>neu</translation>
+    </message>
+    <message>
+      <source>area %s mm²</source>
+      <translation>Flächeninhalt %s mm²</translation>
+    </message>
+    <message>
+      <source>by how much</source>
+      <translation>um wie viel</translation>
+    </message>
+    <message>
+      <source>cannot export to %s, only to %s</source>
+      <translation>Ausgabe als %s ist nicht möglich, nur als %s</translation>
+    </message>
+    <message>
+      <source>cannot read %s: %s</source>
+      <translation>%s kann nicht gelesen werden: %s</translation>
+    </message>
+    <message>
+      <source>cannot write %s: %s</source>
+      <translation>%s kann nicht geschrieben werden: %s</translation>
+    </message>
+    <message>
+      <source>checking the mesh</source>
+      <translation>Netz prüfen</translation>
+    </message>
+    <message>
+      <source>choosing what is kept</source>
+      <translation>Auswählen, was bleibt</translation>
+    </message>
+    <message>
+      <source>comparing two states of %s</source>
+      <translation>Vergleichen zweier Stände von %s</translation>
+    </message>
+    <message>
+      <source>comparing with the old part</source>
+      <translation>Vergleichen mit dem alten Bauteil</translation>
+    </message>
+    <message>
+      <source>crashed (%s)</source>
+      <translation>ist abgestürzt (%s)</translation>
+    </message>
+    <message>
+      <source>depends on</source>
+      <translation>hängt ab von</translation>
+    </message>
+    <message>
+      <source>ended</source>
+      <translation>hat geendet</translation>
+    </message>
+    <message>
+      <source>estimating the mesh of %s</source>
+      <translation>Schätzen des Netzes von %s</translation>
+    </message>
+    <message>
+      <source>failed: %s</source>
+      <translation>fehlgeschlagen: %s</translation>
+    </message>
+    <message>
+      <source>feature</source>
+      <translation>Feature</translation>
+    </message>
+    <message>
+      <source>filling the solid</source>
+      <translation>Festkörper füllen</translation>
+    </message>
+    <message>
+      <source>improving the elements</source>
+      <translation>Elemente verbessern</translation>
+    </message>
+    <message>
+      <source>interaction changed</source>
+      <translation>anders berührt</translation>
+    </message>
+    <message>
+      <source>intersecting the features</source>
+      <translation>Features verschneiden</translation>
+    </message>
+    <message>
+      <source>kept</source>
+      <translation>geblieben</translation>
+    </message>
+    <message>
+      <source>kept by the last update: %d %% of the nodes, %d %% of the tets</source>
+      <translation>von der letzten Aktualisierung behalten: %d %% der Knoten, %d %% der Tetraeder</translation>
+    </message>
+    <message>
+      <source>kept: %d tets (%.1f %%)</source>
+      <translation>behalten: %d Tetraeder (%.1f %%)</translation>
+    </message>
+    <message>
+      <source>meshing %s</source>
+      <translation>Vernetzen von %s</translation>
+    </message>
+    <message>
+      <source>meshing the faces</source>
+      <translation>Flächen vernetzen</translation>
+    </message>
+    <message>
+      <source>moved</source>
+      <translation>verschoben</translation>
+    </message>
+    <message>
+      <source>new faces</source>
+      <translation>neue Flächen</translation>
+    </message>
+    <message>
+      <source>new: %d tets</source>
+      <translation>neu: %d Tetraeder</translation>
+    </message>
+    <message>
+      <source>none</source>
+      <translation>keine</translation>
+    </message>
+    <message>
+      <source>not meshed yet</source>
+      <translation>noch nicht vernetzt</translation>
+    </message>
+    <message>
+      <source>note: </source>
+      <translation>Hinweis: </translation>
+    </message>
+    <message>
+      <source>old faces</source>
+      <translation>alte Flächen</translation>
+    </message>
+    <message>
+      <source>out of date: the last update was cancelled</source>
+      <translation>veraltet: die letzte Aktualisierung wurde abgebrochen</translation>
+    </message>
+    <message>
+      <source>out of date: the part or a setting changed, update by hand or switch Automatic on</source>
+      <translation>veraltet: das Bauteil oder eine Einstellung hat sich geändert; von Hand aktualisieren oder Automatic einschalten</translation>
+    </message>
+    <message>
+      <source>reading the features of %s</source>
+      <translation>Lesen der Features von %s</translation>
+    </message>
+    <message>
+      <source>reading the part</source>
+      <translation>Bauteil lesen</translation>
+    </message>
+    <message>
+      <source>reading the saved mesh of %s</source>
+      <translation>Lesen des gespeicherten Netzes von %s</translation>
+    </message>
+    <message>
+      <source>remark</source>
+      <translation>Bemerkung</translation>
+    </message>
+    <message>
+      <source>removed</source>
+      <translation>entfernt</translation>
+    </message>
+    <message>
+      <source>reshaped</source>
+      <translation>umgeformt</translation>
+    </message>
+    <message>
+      <source>role</source>
+      <translation>Rolle</translation>
+    </message>
+    <message>
+      <source>same</source>
+      <translation>gleich</translation>
+    </message>
+    <message>
+      <source>select faces, edges or vertices of %s%s</source>
+      <translation>bitte Flächen, Kanten oder Punkte von %s auswählen%s</translation>
+    </message>
+    <message>
+      <source>smallest angle %.1f deg, mean radius ratio %.3f</source>
+      <translation>kleinster Winkel %.1f Grad, mittleres Radienverhältnis %.3f</translation>
+    </message>
+    <message>
+      <source>starting</source>
+      <translation>Starten</translation>
+    </message>
+    <message>
+      <source>suppressed</source>
+      <translation>unterdrückt</translation>
+    </message>
+    <message>
+      <source>taken from</source>
+      <translation>entnommen aus</translation>
+    </message>
+    <message>
+      <source>the document %s has no mesh%s; make one with `featuremesh mesh`</source>
+      <translation>das Dokument %s hat kein Netz%s; bitte eines anlegen (`featuremesh mesh`)</translation>
+    </message>
+    <message>
+      <source>the document %s has no solid to mesh</source>
+      <translation>das Dokument %s hat keinen Festkörper, der vernetzt werden kann</translation>
+    </message>
+    <message>
+      <source>the document has no object %s%s</source>
+      <translation>das Dokument hat kein Objekt %s%s</translation>
+    </message>
+    <message>
+      <source>the document has several meshes, select one or name it with --object: %s</source>
+      <translation>das Dokument hat mehrere Netze, bitte eines auswählen oder mit --object angeben: %s</translation>
+    </message>
+    <message>
+      <source>the document has several solids, select one or name it with --object: %s</source>
+      <translation>das Dokument hat mehrere Festkörper, bitte einen auswählen oder mit --object angeben: %s</translation>
+    </message>
+    <message>
+      <source>the refinement %s refers to another object than %s; refer to faces of that one</source>
+      <translation>die Verfeinerung %s verweist auf ein anderes Objekt als %s; bitte auf dessen Flächen verweisen</translation>
+    </message>
+    <message>
+      <source>the size %g mm is larger than the part (%g mm across); try %g</source>
+      <translation>die Größe %g mm ist größer als das Bauteil (%g mm Diagonale); Vorschlag: %g</translation>
+    </message>
+    <message>
+      <source>the size has to be greater than 0 mm, not %g</source>
+      <translation>die Größe muss größer als 0 mm sein, nicht %g</translation>
+    </message>
+    <message>
+      <source>trimmed differently</source>
+      <translation>anders beschnitten</translation>
+    </message>
+    <message>
+      <source>type</source>
+      <translation>Typ</translation>
+    </message>
+    <message>
+      <source>up to date</source>
+      <translation>aktuell</translation>
+    </message>
+    <message>
+      <source>updating the mesh of %s</source>
+      <translation>Aktualisieren des Netzes von %s</translation>
+    </message>
+    <message>
+      <source>vanished</source>
+      <translation>verschwunden</translation>
+    </message>
+    <message>
+      <source>volume mm³</source>
+      <translation>Volumen mm³</translation>
+    </message>
+    <message>
+      <source>volumes</source>
+      <translation>Volumen</translation>
+    </message>
+    <message>
+      <source>waiting for other work</source>
+      <translation>Warten auf andere Arbeit</translation>
+    </message>
+    <message>
+      <source>was ended from outside (%s)</source>
+      <translation>wurde von außen beendet (%s)</translation>
+    </message>
+    <message>
+      <source>what happened</source>
+      <translation>was geschah</translation>
+    </message>
+    <message>
+      <source>working on %s</source>
+      <translation>Arbeiten an %s</translation>
+    </message>
+  </context>
+  <context>
+    <name>FeatureMesh_AddLocalSize</name>
+    <message>
+      <source>Add a local size</source>
+      <translation>Lokale Größe hinzufügen</translation>
+    </message>
+    <message>
+      <source>Gives the selected faces, edges or vertices half the mesh size, to be changed in FEM's refinement panel</source>
+      <translation>Gibt den ausgewählten Flächen, Kanten oder Punkten die halbe Netzgröße, änderbar im Fenster der FEM-Netzverfeinerung</translation>
+    </message>
+  </context>
+  <context>
+    <name>FeatureMesh_Compare</name>
+    <message>
+      <source>Compare with a document</source>
+      <translation>Mit einem Dokument vergleichen</translation>
+    </message>
+    <message>
+      <source>Tells feature by feature what changed between a saved document and the selected part</source>
+      <translation>Sagt Feature für Feature, was sich zwischen einem gespeicherten Dokument und dem ausgewählten Bauteil geändert hat</translation>
+    </message>
+  </context>
+  <context>
+    <name>FeatureMesh_Export</name>
+    <message>
+      <source>Export the mesh</source>
+      <translation>Netz exportieren</translation>
+    </message>
+    <message>
+      <source>Writes the mesh with its groups as VTK, Abaqus, UNV or MED</source>
+      <translation>Schreibt das Netz mit seinen Gruppen als VTK, Abaqus, UNV oder MED</translation>
+    </message>
+  </context>
+  <context>
+    <name>FeatureMesh_MeshPart</name>
+    <message>
+      <source>Adds a mesh that follows the selected part (or the only one) and opens its settings</source>
+      <translation>Legt ein Netz an, das dem ausgewählten (oder einzigen) Bauteil folgt, und öffnet seine Einstellungen</translation>
+    </message>
+    <message>
+      <source>Mesh a part</source>
+      <translation>Bauteil vernetzen</translation>
+    </message>
+  </context>
+  <context>
+    <name>FeatureMesh_ShowKept</name>
+    <message>
+      <source>Colours the elements: those the last update kept, and new ones</source>
+      <translation>Färbt die Elemente: was die letzte Aktualisierung behalten hat und was neu ist</translation>
+    </message>
+    <message>
+      <source>Show what was kept</source>
+      <translation>Zeigen, was blieb</translation>
+    </message>
+  </context>
+  <context>
+    <name>FeatureMesh_ShowQuality</name>
+    <message>
+      <source>Colours the elements by their smallest angle, with a histogram and the worst elements</source>
+      <translation>Färbt die Elemente nach ihrem kleinsten Winkel, mit Histogramm und den schlechtesten Elementen</translation>
+    </message>
+    <message>
+      <source>Show the quality</source>
+      <translation>Qualität zeigen</translation>
+    </message>
+  </context>
+  <context>
+    <name>FeatureMesh_ShowTree</name>
+    <message>
+      <source>Lists the features of the selected part as the mesher understands them</source>
+      <translation>Listet die Features des ausgewählten Bauteils, wie der Vernetzer sie versteht</translation>
+    </message>
+    <message>
+      <source>Show the feature tree</source>
+      <translation>Feature-Baum zeigen</translation>
+    </message>
+  </context>
+  <context>
+    <name>FeatureMesh_UpdateNow</name>
+    <message>
+      <source>Brings the mesh up to date with its part, only where the part changed</source>
+      <translation>Bringt das Netz auf den Stand des Bauteils, nur wo sich das Bauteil geändert hat</translation>
+    </message>
+    <message>
+      <source>Update the mesh</source>
+      <translation>Netz aktualisieren</translation>
+    </message>
+  </context>
+</TS>

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Brings the translations up to date with the workbench: new texts come into the .ts files, old ones go, lrelease makes the .qm files.
+
+    /usr/bin/python3 resources/translations/update_translations.py      # needs Debian's qttools5-dev-tools
+
+Texts that still lack a translation are listed; write them into the .ts file (or with Qt Linguist) and run this again.
+"""
+import ast
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+WORKBENCH = Path(__file__).resolve().parents[2] / "Mod" / "FeatureMesh" / "freecad" / "featuremesh"
+FOLDER = WORKBENCH / "translations"
+LRELEASE = ("/usr/lib/qt5/bin/lrelease", "lrelease")
+
+
+def texts_in_workbench():
+    """{(context, text)} of everything the workbench shows, as its sources say it."""
+    found = set()
+    for path in sorted(WORKBENCH.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call):
+                found |= marked(node)
+            elif isinstance(node, ast.ClassDef) and path.parent.name == "commands":
+                found |= of_command(node)
+            elif isinstance(node, ast.Assign) and getattr(node.targets[0], "id", "") == "PROPERTIES":
+                found |= {("App::Property", text(row.elts[5])) for row in node.value.elts}
+    return found
+
+
+def marked(call):
+    """What translate(context, text) and QT_TRANSLATE_NOOP(context, text) mark."""
+    name = getattr(call.func, "attr", getattr(call.func, "id", ""))
+    words = [text(argument) for argument in call.args[:2]]
+    return {tuple(words)} if name in ("translate", "QT_TRANSLATE_NOOP") and len(words) == 2 and all(words) else set()
+
+
+def of_command(cls):
+    """FreeCAD translates a command's texts with the command's name as context."""
+    values = {node.targets[0].id: text(node.value) for node in cls.body
+              if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name)}
+    return {(values["name"], values[key]) for key in ("text", "tooltip")} if values.get("name") else set()
+
+
+def text(node):
+    """The string that a node of the syntax tree is, or None."""
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None
+
+
+def read(path):
+    """{(context, text): translation} of a .ts file."""
+    if not path.exists():
+        return {}
+    return {(context.findtext("name"), message.findtext("source")): message.findtext("translation") or ""
+            for context in ElementTree.parse(path).getroot().iter("context") for message in context.iter("message")}
+
+
+def write(path, language, translations):
+    """Writes a .ts file, sorted, so that a change shows as one."""
+    root = ElementTree.Element("TS", version="2.1", language=language, sourcelanguage="en")
+    for name in sorted({context for context, _ in translations}):
+        context = ElementTree.SubElement(root, "context")
+        ElementTree.SubElement(context, "name").text = name
+        for source in sorted(source for where, source in translations if where == name):
+            message = ElementTree.SubElement(context, "message")
+            ElementTree.SubElement(message, "source").text = source
+            translation = ElementTree.SubElement(message, "translation")
+            translation.text = translations[name, source]
+            if not translation.text:
+                translation.set("type", "unfinished")
+    ElementTree.indent(root)
+    body = ElementTree.tostring(root, encoding="unicode")
+    path.write_text('<?xml version="1.0" encoding="utf-8"?>\n<!DOCTYPE TS>\n' + body + "\n", encoding="utf-8")
+
+
+def main():
+    texts = texts_in_workbench()
+    lacking = 0
+    for path in sorted(FOLDER.glob("FeatureMesh_*.ts")):
+        known = read(path)
+        translations = {key: known.get(key, "") for key in texts}
+        write(path, re.search(r"_(\w+)\.ts$", path.name).group(1), translations)
+        for (context, source), translation in sorted(translations.items()):
+            if not translation:
+                lacking += 1
+                print(f"{path.name}: [{context}] {source}")
+        program = next((name for name in LRELEASE if Path(name).exists()), LRELEASE[-1])
+        subprocess.run([program, "-silent", str(path), "-qm", str(path.with_suffix(".qm"))], check=True)
+    return 1 if lacking else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
