@@ -37,7 +37,7 @@ void add_final_shape(std::vector<FuseArgument>& arguments, const Brep& final_sha
 
 double volume_of(const Brep& shape) {
     double volume = 0;
-    for (std::size_t s = 0; s < shape.solid_count(); ++s) volume += flux(shape.solid(SolidId(s)), shape.box().center());
+    for (std::size_t s = 0; s < shape.solid_count(); ++s) volume += shape.volume_of(SolidId(s));
     return volume;
 }
 
@@ -218,7 +218,7 @@ class CellBuilder {
         overlap_ = 0;
         for (std::size_t c = 0; c < model_.cells.size(); ++c) {
             Cell& cell = model_.cells[c];
-            context_.check_cancelled();
+            context_.progress(0.7);
             if (known[c]) {
                 cell.material = *known[c];
                 continue;
@@ -272,7 +272,7 @@ class CellBuilder {
 
     CellModel finish() {
         cross_check();
-        match_final_faces(model_, final_shape_);
+        match_final_faces(model_, final_shape_, context_);
         own_the_rest();
         for (std::size_t f = 0; f < tree_.features.size(); ++f)
             if (!tree_.features[f].error.empty()) distrust(FeatureId(f));
@@ -319,7 +319,7 @@ class CellBuilder {
         }
         own_everything();
         model_.report.material_volume = model_.report.final_volume = final_volume_;
-        match_final_faces(model_, final_shape_);
+        match_final_faces(model_, final_shape_, context_);
         model_.report.fallbacks = std::move(notes_);
         model_.report.untrusted.assign(untrusted_.begin(), untrusted_.end());
         return std::move(model_);

@@ -15,7 +15,8 @@ constexpr double same_normal = 0.999;  // cosine
 
 class Matcher {
   public:
-    Matcher(CellModel& model, const Brep& final_shape) : model_(model), final_shape_(final_shape) {
+    Matcher(CellModel& model, const Brep& final_shape, RunContext& context)
+        : model_(model), final_shape_(final_shape), context_(context) {
         for (std::size_t f = 0; f < final_shape.face_count(); ++f)
             final_faces_.emplace_back(final_shape.face(FaceId(f)));
         model.owners_of_final_face.assign(final_shape.face_count(), {});
@@ -56,6 +57,7 @@ class Matcher {
     }
 
     void match(std::size_t index) {
+        context_.progress(0.9);
         CellFace& face = model_.faces[index];
         face.final_face = final_shape_.find(face.face);
         if (!face.final_face.is_valid()) {
@@ -71,6 +73,7 @@ class Matcher {
 
     /// The final face may be smaller than the cell faces on it: look from its side.
     void find_owners(FaceId id, bool on_boundary) {
+        context_.progress(0.9);
         const auto& p = final_faces_[id.index()].inner_point();
         if (!p) return;
         const Vec3 normal = outward(id, *p);
@@ -87,11 +90,14 @@ class Matcher {
 
     CellModel& model_;
     const Brep& final_shape_;
+    RunContext& context_;
     std::vector<FaceProbe> final_faces_;
 };
 
 }  // namespace
 
-void match_final_faces(CellModel& model, const Brep& final_shape) { Matcher(model, final_shape).run(); }
+void match_final_faces(CellModel& model, const Brep& final_shape, RunContext& context) {
+    Matcher(model, final_shape, context).run();
+}
 
 }  // namespace featuremesh

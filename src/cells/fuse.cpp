@@ -68,7 +68,7 @@ class Builder {
 
 class Collector {
   public:
-    Collector(const std::vector<FuseArgument>& arguments, Builder& builder) {
+    Collector(const std::vector<FuseArgument>& arguments, Builder& builder, RunContext& context) : context_(context) {
         for (const FuseArgument& argument : arguments) add_argument(argument, builder);
         for (std::size_t c = 0; c < complex_.cells.size(); ++c) add_faces(CellId(c));
         measure();
@@ -116,7 +116,10 @@ class Collector {
         Box whole;
         for (const CellFace& face : complex_.faces) whole.add(boxes.emplace_back(box_of(face.face)));
         std::vector<double> shares;
-        for (const CellFace& face : complex_.faces) shares.push_back(flux(face.face, whole.center()));
+        for (const CellFace& face : complex_.faces) {
+            context_.progress(0.6);
+            shares.push_back(flux(face.face, whole.center()));
+        }
         for (const Use& use : uses_) {
             Cell& cell = complex_.cells[use.cell.index()];
             cell.volume += use.forward ? shares[use.face] : -shares[use.face];
@@ -144,6 +147,7 @@ class Collector {
         int face = 0;
         bool forward = true;
     };
+    RunContext& context_;
     FusedComplex complex_;
     std::vector<Use> uses_;
     TopTools_IndexedMapOfShape cell_map_, face_map_;
@@ -151,9 +155,10 @@ class Collector {
 
 /// Signed volumes of the arguments; those that were made inside out are turned, or the kernel would take all of space
 /// around them for their inside.
-std::vector<double> turn_outwards(std::vector<FuseArgument>& arguments) {
+std::vector<double> turn_outwards(std::vector<FuseArgument>& arguments, RunContext& context) {
     std::vector<double> volumes;
     for (FuseArgument& argument : arguments) {
+        context.progress(0.1);
         volumes.push_back(flux(argument.solid, box_of(argument.solid).center()));
         if (volumes.back() < 0) argument.solid.Reverse();
     }
@@ -178,11 +183,11 @@ void check_arguments(FusedComplex& complex, const std::vector<FuseArgument>& arg
 FusedComplex fuse(std::vector<FuseArgument> arguments, const FuseOptions& options, RunContext& context) {
     FusedComplex complex;
     try {
-        const std::vector<double> volumes = turn_outwards(arguments);
+        const std::vector<double> volumes = turn_outwards(arguments, context);
         Builder builder(arguments, options, context);
         complex.trouble = builder.trouble();
         if (!complex.trouble.empty()) return complex;
-        complex = Collector(arguments, builder).take();
+        complex = Collector(arguments, builder, context).take();
         check_arguments(complex, arguments, volumes);
     } catch (const Standard_Failure& failure) {
         complex = {};

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "features/brep.h"
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
-#include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
 #include <BRepTools.hxx>
 #include <Bnd_Box.hxx>
-#include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -19,6 +18,8 @@
 #include <algorithm>
 
 #include "core/errors.h"
+#include "features/flux.h"
+#include "features/occt_geometry.h"
 
 namespace featuremesh {
 
@@ -57,19 +58,19 @@ void add_once(std::vector<T>& list, T item) {
     if (std::find(list.begin(), list.end(), item) == list.end()) list.push_back(item);
 }
 
-Box box_of(const TopoDS_Shape& shape) {
+/// Tight but for free-form faces, where the kernel would search for the extremes for seconds.
+Box tight_box_of(const std::vector<TopoDS_Face>& faces) {
     Bnd_Box bounds;
-    BRepBndLib::AddOptimal(shape, bounds, false, false);
+    for (const TopoDS_Face& face : faces) {
+        if (BRepAdaptor_Surface(face, false).GetType() <= GeomAbs_Torus)
+            BRepBndLib::AddOptimal(face, bounds, false, false);
+        else
+            BRepBndLib::Add(face, bounds, false);
+    }
     Box box;
     if (bounds.IsVoid()) return box;
     bounds.Get(box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z);
     return box;
-}
-
-double volume(const TopoDS_Shape& shape) {
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(shape, properties);
-    return properties.Mass();
 }
 
 }  // namespace
@@ -117,12 +118,12 @@ Brep::Brep(const TopoDS_Shape& shape) {
             if (uses[e] == 1 && !BRep_Tool::Degenerated(data->edge[e]))
                 throw InputError("The shell of " + name_of(entity_of(SolidId(s))) + " is open at " + name_of(entity_of(EdgeId(e))) +
                                  ". Close the gap (Part: Check geometry, then sew or rebuild the feature there).");
-        data->volumes.push_back(volume(data->solid[s]));
+        data->volumes.push_back(flux(data->solid[s], box_of(data->solid[s]).center()));
         if (!(data->volumes.back() > 0))
             throw InputError(name_of(entity_of(SolidId(s))) + " has no positive volume. Its faces point inwards or cross each other; check the "
                              "feature that made it (Part: Check geometry).");
     }
-    data->box = box_of(shape);
+    data->box = tight_box_of(data->face);
     data_ = std::move(data);
 }
 

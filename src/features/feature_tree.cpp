@@ -140,6 +140,7 @@ class Interpreter {
     void evaluate(int i, Effect context) {
         if (visited_[i]) return;
         visited_[i] = true;
+        context_.progress(0.5);
         switch (meanings_[i].kind) {
             case Kind::container:
                 return evaluate_container(i, context);
