@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "difference/feature_motion.h"
+#include "difference/feature_pieces.h"
 #include "difference/numbers_in_words.h"
 
 namespace featuremesh {
@@ -37,13 +37,6 @@ class Volumes {
   private:
     const PartState& state_;
     std::vector<double> from_cells_;
-};
-
-/// How the volumes of one feature correspond: instances by geometry, not by number.
-struct InstanceMatch {
-    std::vector<int> new_of;           ///< by old volume; -1 for none
-    std::vector<RigidMotion> motions;  ///< by old volume
-    std::size_t same = 0, moved = 0, added = 0, removed = 0;
 };
 
 std::string changed_parameters(const Feature& was, const Feature& is) {
@@ -144,12 +137,11 @@ class FeatureComparison {
     }
 
     void compare_volumes(FeatureChange& change, const Feature& was, const Feature& is, std::size_t n) {
-        std::vector<VolumeOutline> old_outlines, new_outlines;
-        for (const FeatureVolume& v : was.volumes) old_outlines.push_back(outline_of(v.shape));
-        for (const FeatureVolume& v : is.volumes) new_outlines.push_back(outline_of(v.shape));
-        const InstanceMatch match = match_instances(was, is, old_outlines, new_outlines);
-        register_motions(was, match, new_outlines);
-        const std::size_t count = was.volumes.size();
+        const std::vector<FeaturePiece> old_pieces = pieces_of(was), new_pieces = pieces_of(is);
+        const PieceMatch match =
+            match_pieces(old_pieces, new_pieces, compose(is.frame, was.frame.inverse()), sameness_);
+        register_motions(was, match, old_pieces, new_pieces);
+        const std::size_t count = old_pieces.size();
         const bool complete = match.added == 0 && match.removed == 0;
         if (complete && match.same == count) {
             change.new_volume = change.old_volume;
@@ -162,49 +154,25 @@ class FeatureComparison {
             change.detail = describe(change.motion);
             return;
         }
-        change.new_volume = new_volumes_(n);
+        change.new_volume = complete ? change.old_volume : new_volumes_(n);
         change.verdict = Verdict::reshaped;
-        change.detail = words_for(change, was, is, match);
+        change.detail = changed_parameters(was, is);
+        if (old_pieces.size() > 1 || new_pieces.size() > 1)
+            change.detail += (change.detail.empty() ? "" : "; ") +
+                             in_words(match, old_pieces, new_pieces, old_.brep.box(), new_.brep.box());
+        if (change.detail.empty())
+            change.detail = "volume " + in_words(change.old_volume) + " -> " + in_words(change.new_volume) + " mm^3";
     }
 
-    InstanceMatch match_instances(const Feature& was, const Feature& is, const std::vector<VolumeOutline>& old_outlines,
-                                  const std::vector<VolumeOutline>& new_outlines) const {
-        InstanceMatch match;
-        match.new_of.assign(was.volumes.size(), -1);
-        match.motions.resize(was.volumes.size());
-        std::vector<char> taken(is.volumes.size(), 0);
-        const auto pair_up = [&](bool may_move) {
-            for (std::size_t i = 0; i < was.volumes.size(); ++i)
-                for (std::size_t j = 0; j < is.volumes.size() && match.new_of[i] < 0; ++j) {
-                    if (taken[j] || was.volumes[i].effect != is.volumes[j].effect) continue;
-                    const auto motion = fit(was, is, old_outlines[i], new_outlines[j], may_move);
-                    if (!motion) continue;
-                    match.new_of[i] = int(j), match.motions[i] = *motion, taken[j] = 1;
-                    ++(may_move ? match.moved : match.same);
-                }
-        };
-        pair_up(false);
-        pair_up(true);
-        match.removed = was.volumes.size() - match.same - match.moved;
-        match.added = is.volumes.size() - match.same - match.moved;
-        return match;
-    }
-
-    std::optional<RigidMotion> fit(const Feature& was, const Feature& is, const VolumeOutline& from,
-                                   const VolumeOutline& to, bool may_move) const {
-        if (may_move) return motion_between(from, to, compose(is.frame, was.frame.inverse()), sameness_);
-        return is_image(from, to, RigidMotion{}, sameness_) ? std::optional(RigidMotion{}) : std::nullopt;
-    }
-
-    bool one_motion(const InstanceMatch& match) const {
+    bool one_motion(const PieceMatch& match) const {
         return std::all_of(match.motions.begin(), match.motions.end(),
                            [&](const RigidMotion& m) { return same_motion(m, match.motions[0], sameness_); });
     }
 
-    void register_motions(const Feature& was, const InstanceMatch& match,
-                          const std::vector<VolumeOutline>& new_outlines) {
+    void register_motions(const Feature& was, const PieceMatch& match, const std::vector<FeaturePiece>& old_pieces,
+                          const std::vector<FeaturePiece>& new_pieces) {
         if (match.same > 0 || match.added > 0 || match.removed > 0) something_stayed_ = true;
-        for (std::size_t i = 0; i < was.volumes.size(); ++i) {
+        for (std::size_t i = 0; i < old_pieces.size(); ++i) {
             if (match.new_of[i] < 0 || match.motions[i].is_identity()) continue;
             auto group = std::find_if(result_.moved.begin(), result_.moved.end(), [&](const MovedFeatures& m) {
                 return same_motion(m.motion, match.motions[i], sameness_);
@@ -212,25 +180,9 @@ class FeatureComparison {
             if (group == result_.moved.end())
                 group = result_.moved.insert(group, MovedFeatures{match.motions[i], {}, {}, {}});
             if (group->features.empty() || group->features.back() != was.name) group->features.push_back(was.name);
-            if (was.volumes[i].effect == Effect::adds) group->additive_volumes.push_back(was.volumes[i].shape);
-            group->new_place.add(new_outlines[std::size_t(match.new_of[i])].box());
+            if (old_pieces[i].effect == Effect::adds) group->additive_volumes.push_back(old_pieces[i].shape);
+            group->new_place.add(new_pieces[std::size_t(match.new_of[i])].box);
         }
-    }
-
-    std::string words_for(const FeatureChange& change, const Feature& was, const Feature& is,
-                          const InstanceMatch& match) const {
-        std::string words = changed_parameters(was, is);
-        if (was.volumes.size() > 1 || is.volumes.size() > 1) {
-            const auto count = [&](std::size_t k, const char* what) {
-                if (k > 0) words += (words.empty() ? "" : ", ") + std::to_string(k) + " " + what;
-            };
-            count(match.same, "instances same");
-            count(match.moved, "moved");
-            count(match.added, "added");
-            count(match.removed, "removed");
-        }
-        if (!words.empty()) return words;
-        return "volume " + in_words(change.old_volume) + " -> " + in_words(change.new_volume) + " mm^3";
     }
 
     const PartState& old_;

@@ -80,7 +80,8 @@ RigidMotion turn(const Vec3& centre, const Vec3& axis, double angle) {
 
 TopoDS_Shape evaluate(const std::vector<Primitive>& features) {
     TopoDS_Shape shape;
-    for (const Primitive& f : features) {
+    for (std::size_t i = 0; i < features.size(); ++i) {
+        const Primitive& f = features[i];
         if (shape.IsNull()) {
             shape = f.instances[0];
             continue;
@@ -88,6 +89,8 @@ TopoDS_Shape evaluate(const std::vector<Primitive>& features) {
         TopTools_ListOfShape arguments, tools;
         arguments.Append(shape);
         for (const TopoDS_Shape& s : f.instances) tools.Append(s);
+        for (; i + 1 < features.size() && features[i + 1].effect == f.effect; ++i)
+            for (const TopoDS_Shape& s : features[i + 1].instances) tools.Append(s);
         BRepAlgoAPI_Fuse fuse;
         BRepAlgoAPI_Cut cut;
         BRepAlgoAPI_BooleanOperation& operation =
@@ -153,13 +156,15 @@ std::vector<Primitive> many_features(int count) {
     const int columns = 15;
     const int rows = (count + columns - 1) / columns;
     f.push_back({"Plate", Effect::adds, {box({0, 0, 0}, {columns * 10.0, rows * 10.0, 5})}, {}});
+    std::vector<Primitive> holes;
     for (int i = 0; i + 1 < count; ++i) {
         const Vec3 at{10.0 * (i % columns) + 5, 10.0 * (i / columns) + 5, 0};
         if (i % 3 == 0)
             f.push_back({"Boss" + std::to_string(i), Effect::adds, {box(at + Vec3{-2, -2, 5}, {4, 4, 6})}, {}});
         else
-            f.push_back({"Hole" + std::to_string(i), Effect::removes, {cylinder(at, {0, 0, 1}, 2.5, 5)}, {}});
+            holes.push_back({"Hole" + std::to_string(i), Effect::removes, {cylinder(at, {0, 0, 1}, 2.5, 5)}, {}});
     }
+    f.insert(f.end(), holes.begin(), holes.end());
     return f;
 }
 

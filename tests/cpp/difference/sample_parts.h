@@ -32,7 +32,7 @@ RigidMotion shift(const Vec3& by);
 /// About an axis through `centre`.
 RigidMotion turn(const Vec3& centre, const Vec3& axis, double angle);
 
-/// The features applied in order.
+/// The features applied in order; neighbours with the same effect at once.
 TopoDS_Shape evaluate(const std::vector<Primitive>& features);
 /// With an empty cellular model.
 PartState part(const std::vector<Primitive>& features);
@@ -40,7 +40,7 @@ PartState part_with_cells(const std::vector<Primitive>& features);
 
 /// 120 x 80 x 15 mm plate with a boss, a bore, a rib and six holes; the first hole at `hole`.
 std::vector<Primitive> bracket(const Vec3& hole);
-/// A plate with `count` features: bosses and holes by turns.
+/// A plate with `count` features: a third of them bosses, then holes.
 std::vector<Primitive> many_features(int count);
 
 }  // namespace featuremesh::test

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <ctime>
 #include <random>
 
 #include "catch.h"
@@ -70,19 +69,16 @@ TEST_CASE("outside its domain everything counts as changed") {
     CHECK(changed.distance({5, 5, 5}, 3) == 3);
 }
 
-TEST_CASE("many queries with a small limit are fast") {
+TEST_CASE("a limit cuts the distance off and changes nothing else") {
     std::mt19937 random(11);
-    const ChangedBoundary changed(random_triangles(5000, 1.5, random));
+    const ChangedBoundary changed(random_triangles(1000, 1.5, random));
     std::uniform_real_distribution<double> at(0, 100);
-    std::vector<Vec3> points;
-    for (int i = 0; i < 100000; ++i) points.push_back({at(random), at(random), at(random)});
-    double best = 1e300, sum = 0;
-    for (int round = 0; round < 3; ++round) {
-        const std::clock_t start = std::clock();
-        for (const Vec3& p : points) sum += changed.distance(p, 2.0);
-        best = std::min(best, double(std::clock() - start) / CLOCKS_PER_SEC);
+    int near = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 p{at(random), at(random), at(random)};
+        const double whole = changed.distance(p, 1e9);
+        near += whole < 2;
+        CHECK(changed.distance(p, 2.0) == std::min(whole, 2.0));
     }
-    INFO("processor time for 100 000 queries, s: " << best);
-    CHECK(sum > 0);
-    CHECK(best < 0.5);
+    CHECK(near > 10);
 }

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "difference/feature_difference.h"
 
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
 #include <algorithm>
+#include <gp_Ax2.hxx>
 
 #include "catch.h"
 #include "core/errors.h"
@@ -21,6 +25,14 @@ const FeatureChange& change_of(const FeatureDifference& d, const std::string& na
         if (f.name == name) return f;
     FAIL("no feature " << name);
     return d.features.front();
+}
+
+TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes) {
+    TopoDS_Compound compound;
+    BRep_Builder builder;
+    builder.MakeCompound(compound);
+    for (const TopoDS_Shape& shape : shapes) builder.Add(compound, shape);
+    return compound;
 }
 
 int count(const FeatureDifference& d, FaceVerdict verdict) {
@@ -76,7 +88,8 @@ TEST_CASE("a moved hole") {
 TEST_CASE("one moved hole among 150 features") {
     const auto before = many_features(150);
     auto after = before;
-    after[2].instances = {test::moved(before[2].instances[0], shift({0.5, 0.2, 0}))};
+    const auto hole = std::find_if(after.begin(), after.end(), [](const Primitive& f) { return f.name == "Hole1"; });
+    hole->instances = {test::moved(hole->instances[0], shift({0.5, 0.2, 0}))};
     const PartState was = part_with_cells(before), is = part_with_cells(after);
     const FeatureDifference d = diff(was, is, 1.5);
     for (const FeatureChange& f : d.features) {
@@ -167,9 +180,96 @@ TEST_CASE("pattern instances are matched by geometry") {
     after[1].parameters = {{"Occurrences", 4}};
     const FeatureDifference d = diff(part(before), part(after));
     CHECK(change_of(d, "Pattern").verdict == Verdict::reshaped);
-    CHECK(change_of(d, "Pattern").detail == "Occurrences 3 -> 4, 3 instances same, 1 added");
+    CHECK(change_of(d, "Pattern").detail == "Occurrences 3 -> 4; 1 hole added at (25, 10, 5)");
     CHECK(d.regions.size() == 1);
     CHECK(d.regions[0].changed.distance({40, 10, 5}, 50) > 8);
+}
+
+TEST_CASE("an instance added in the middle shifts the rest") {
+    const auto hole = [](double x) { return cylinder({x, 10, -1}, {0, 0, 1}, 3, 12); };
+    std::vector<Primitive> before{{"Plate", Effect::adds, {box({0, 0, 0}, {100, 20, 10})}, {}},
+                                  {"Pattern", Effect::removes, {hole(10), hole(40), hole(70)}, {}}};
+    auto after = before;
+    after[1].instances = {hole(10), hole(30), hole(50), hole(70)};
+    const FeatureDifference d = diff(part(before), part(after));
+    CHECK(change_of(d, "Pattern").verdict == Verdict::reshaped);
+    CHECK(change_of(d, "Pattern").detail ==
+          "1 of 3 holes moved by (-10, 0, 0) mm from (40, 10, 5) to (30, 10, 5); 1 hole added at (50, 10, 5)");
+    REQUIRE(d.regions.size() == 2);
+    CHECK(d.regions[1].motion == shift({-10, 0, 0}));
+}
+
+TEST_CASE("of several holes of one sketch those that moved, grew, came and went are named") {
+    const auto hole = [](double x, double radius) { return cylinder({x, 10, -40}, {0, 0, 1}, radius, 80); };
+    std::vector<Primitive> before{
+        {"Plate", Effect::adds, {box({0, 0, 0}, {100, 20, 10})}, {}},
+        {"Holes", Effect::removes, {together({hole(10, 3), hole(40, 3), hole(70, 3), hole(90, 2)})}, {}}};
+    auto after = before;
+    after[1].instances = {together({hole(15, 3), hole(40, 3), hole(70, 4), hole(55, 2.5)})};
+    const FeatureDifference d = diff(part(before), part(after));
+    const FeatureChange& change = change_of(d, "Holes");
+    CHECK(change.verdict == Verdict::reshaped);
+    CHECK(change.detail ==
+          "1 of 4 holes moved by (5, 0, 0) mm from (10, 10, 5) to (15, 10, 5); 1 of 4 holes reshaped at "
+          "(70, 10, 5) (radius 3 -> 4 mm); 1 hole added at (55, 10, 5); 1 of 4 holes removed at (90, 10, 5)");
+}
+
+TEST_CASE("a mirrored instance moves with its original, and is no moved original itself") {
+    const TopoDS_Shape corner =
+        evaluate({{"A", Effect::adds, {box({10, 2, 10}, {8, 3, 2})}, {}},
+                  {"B", Effect::adds, {box({10, 2, 10}, {2, 3, 5}), box({10, 2, 10}, {3, 6, 2})}, {}}});
+    gp_Trsf mirror;
+    mirror.SetMirror(gp_Ax2(gp_Pnt(30, 0, 0), gp_Dir(1, 0, 0)));
+    const TopoDS_Shape image = BRepBuilderAPI_Transform(corner, mirror, true).Shape();
+    const std::vector<Primitive> before{{"Plate", Effect::adds, {box({0, 0, 0}, {100, 20, 10})}, {}},
+                                        {"Corner", Effect::adds, {corner}, {}},
+                                        {"Mirrored", Effect::adds, {image}, {}}};
+    auto moved_image = before, swapped = before;
+    moved_image[2].instances = {test::moved(image, shift({6, 0, 0}))};
+    swapped[1].instances = {image};
+    swapped[2].instances = {corner};
+    const FeatureDifference d = diff(part(before), part(moved_image));
+    CHECK(change_of(d, "Mirrored").verdict == Verdict::moved);
+    CHECK(change_of(d, "Corner").verdict == Verdict::same);
+    REQUIRE(d.regions.size() == 2);
+    CHECK(d.regions[1].volumes.size() == 1);
+    const FeatureDifference other = diff(part(before), part(swapped));
+    CHECK(change_of(other, "Corner").verdict == Verdict::reshaped);
+    CHECK(other.regions.size() == 1);
+    CHECK(other.regions[0].changed.is_empty());
+}
+
+TEST_CASE("a new label and another order of features change nothing") {
+    std::vector<Primitive> before = bracket({12, 12, 0});
+    auto after = before;
+    std::swap(after[4], after[7]);
+    std::swap(after[3], after[8]);
+    PartState renamed = part(after);
+    for (Feature& feature : renamed.tree.features) feature.label = "My " + feature.name;
+    const FeatureDifference d = diff(part(before), renamed);
+    CHECK(d.is_empty());
+    CHECK(d.features.size() == before.size());
+    CHECK(change_of(d, "Rib").label == "My Rib");
+}
+
+TEST_CASE("a feature replaced by another of the same shape keeps the boundary") {
+    auto before = bracket({12, 12, 0}), after = before;
+    after[4].name = "Pocket";
+    const FeatureDifference d = diff(part(before), part(after));
+    CHECK(change_of(d, "Hole0").verdict == Verdict::removed);
+    CHECK(change_of(d, "Pocket").verdict == Verdict::added);
+    CHECK(d.regions[0].changed.is_empty());
+    CHECK(count(d, FaceVerdict::kept) == int(d.faces.size()));
+}
+
+TEST_CASE("a hole beside a rib changes the rib's interaction, not the rib") {
+    auto before = bracket({12, 12, 0}), after = before;
+    after.push_back({"Notch", Effect::removes, {box({40, 35, 25}, {5, 10, 5})}, {}});
+    const FeatureDifference d = diff(part_with_cells(before), part_with_cells(after));
+    CHECK(change_of(d, "Rib").verdict == Verdict::interaction_changed);
+    CHECK(change_of(d, "Rib").detail.find("meet") != std::string::npos);
+    CHECK(change_of(d, "Boss").verdict == Verdict::same);
+    CHECK(change_of(d, "Notch").verdict == Verdict::added);
 }
 
 TEST_CASE("unrelated parts are noted") {

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "difference/feature_pieces.h"
+
+#include <TopExp_Explorer.hxx>
+#include <algorithm>
+#include <optional>
+
+#include "difference/numbers_in_words.h"
+
+namespace featuremesh {
+
+std::vector<FeaturePiece> pieces_of(const Feature& feature) {
+    std::vector<FeaturePiece> pieces;
+    for (const FeatureVolume& volume : feature.volumes)
+        for (TopExp_Explorer it(volume.shape, TopAbs_SOLID); it.More(); it.Next()) {
+            FeaturePiece piece{it.Current(), volume.effect, outline_of(it.Current()), {}};
+            piece.box = piece.outline.box();
+            pieces.push_back(std::move(piece));
+        }
+    return pieces;
+}
+
+PieceMatch match_pieces(const std::vector<FeaturePiece>& was, const std::vector<FeaturePiece>& is,
+                        const RigidMotion& hint, const Sameness& sameness) {
+    PieceMatch match;
+    match.new_of.assign(was.size(), -1);
+    match.motions.resize(was.size());
+    std::vector<char> taken(is.size(), 0);
+    const auto pair_up = [&](std::size_t& count, const auto& motion_of) {
+        for (std::size_t i = 0; i < was.size(); ++i)
+            for (std::size_t j = 0; j < is.size() && match.new_of[i] < 0; ++j) {
+                if (taken[j] || was[i].effect != is[j].effect) continue;
+                const std::optional<RigidMotion> motion = motion_of(was[i], is[j]);
+                if (!motion) continue;
+                match.new_of[i] = int(j), match.motions[i] = *motion, taken[j] = 1;
+                ++count;
+            }
+    };
+    const auto by = [&](const RigidMotion& motion) {
+        return [&](const FeaturePiece& from, const FeaturePiece& to) {
+            // Corners of boxes turn with them, so only a shift lets the boxes decide.
+            const bool shifted = motion.rotation == RigidMotion{}.rotation;
+            const bool apart = shifted && distance(motion.apply(from.box.center()), to.box.center()) > sameness.length;
+            const bool fits = !apart && is_image(from.outline, to.outline, motion, sameness);
+            return fits ? std::optional(motion) : std::nullopt;
+        };
+    };
+    pair_up(match.same, by(RigidMotion{}));
+    if (!hint.is_identity()) pair_up(match.moved, by(hint));
+    pair_up(match.moved, [&](const FeaturePiece& from, const FeaturePiece& to) {
+        return motion_between(from.outline, to.outline, hint, sameness);
+    });
+    match.removed = was.size() - match.same - match.moved;
+    match.added = is.size() - match.same - match.moved;
+    return match;
+}
+
+namespace {
+constexpr std::size_t most_places = 3;
+
+std::string place_of(const FeaturePiece& piece, const Box& part) {
+    const Box &a = piece.box, &b = part;
+    const Box seen{{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y), std::max(a.low.z, b.low.z)},
+                   {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y), std::min(a.high.z, b.high.z)}};
+    const Vec3 p = (a.overlaps(b) ? seen : a).center();
+    return std::string("(")
+        .append(in_words(p.x))
+        .append(", ")
+        .append(in_words(p.y))
+        .append(", ")
+        .append(in_words(p.z))
+        .append(")");
+}
+
+/// The one radius that all cylinders of a piece share; 0 when there is none.
+double radius_of(const FeaturePiece& piece) {
+    double radius = 0;
+    for (const SurfaceCarrier& face : piece.outline.faces) {
+        if (face.kind != SurfaceKind::cylinder) continue;
+        if (radius != 0 && std::abs(face.radius - radius) > 1e-9 * radius) return 0;
+        radius = face.radius;
+    }
+    return radius;
+}
+
+class PieceWords {
+  public:
+    PieceWords(const PieceMatch& match, const std::vector<FeaturePiece>& was, const std::vector<FeaturePiece>& is,
+               const Box& old_part, const Box& new_part)
+        : match_(match), was_(was), is_(is), old_part_(old_part), new_part_(new_part), partner_(was.size(), -1) {
+        std::vector<char> taken(is.size(), 0);
+        for (const int j : match.new_of)
+            if (j >= 0) taken[std::size_t(j)] = 1;
+        for (std::size_t i = 0; i < was.size(); ++i)
+            if (match.new_of[i] < 0) find_reshaped(i, taken);
+        for (std::size_t j = 0; j < is.size(); ++j)
+            if (!taken[j]) added_.push_back(j);
+    }
+
+    std::string text() const {
+        std::string words = moved();
+        add(words, list("reshaped", reshaped_.size(), [&](std::size_t k) { return reshaped(k); }));
+        add(words, list("added", added_.size(), [&](std::size_t k) { return at(is_[added_[k]], new_part_); }));
+        add(words, list("removed", removed_.size(), [&](std::size_t k) { return at(was_[removed_[k]], old_part_); }));
+        return words;
+    }
+
+  private:
+    /// What has no image may have been reshaped where it was: then the boxes overlap.
+    void find_reshaped(std::size_t i, std::vector<char>& taken) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t j = 0; j < is_.size(); ++j) {
+            const double d = distance(was_[i].box.center(), is_[j].box.center());
+            if (taken[j] || was_[i].effect != is_[j].effect || !was_[i].box.overlaps(is_[j].box) || d >= nearest)
+                continue;
+            partner_[i] = int(j);
+            nearest = d;
+        }
+        if (partner_[i] < 0) return removed_.push_back(i);
+        taken[std::size_t(partner_[i])] = 1;
+        reshaped_.push_back(i);
+    }
+
+    std::string noun(std::size_t count) const {
+        const auto& pieces = was_.empty() ? is_ : was_;
+        const bool holes = std::all_of(pieces.begin(), pieces.end(), [](const FeaturePiece& piece) {
+            return piece.effect == Effect::removes && radius_of(piece) > 0;
+        });
+        return std::string(holes ? "hole" : "piece") + (count == 1 ? "" : "s");
+    }
+
+    static std::string at(const FeaturePiece& piece, const Box& part) {
+        return std::string("at ").append(place_of(piece, part));
+    }
+
+    static void add(std::string& words, const std::string& more) {
+        if (!more.empty()) words += (words.empty() ? "" : "; ") + more;
+    }
+
+    /// "1 of 6 holes moved by (5, 0, 0) mm to (15, 40, 7.5)"
+    template <class Place>
+    std::string list(const std::string& what, std::size_t count, const Place& place) const {
+        if (count == 0) return "";
+        std::string words = std::to_string(count);
+        if (what != "added" && was_.size() > 1) words += " of " + std::to_string(was_.size());
+        words.append(" ")
+            .append(noun(was_.size() > 1 && what != "added" ? was_.size() : count))
+            .append(" ")
+            .append(what);
+        for (std::size_t k = 0; k < std::min(count, most_places); ++k)
+            words.append(k == 0 ? " " : ", ").append(place(k));
+        if (count > most_places) words += " and " + std::to_string(count - most_places) + " more";
+        return words;
+    }
+
+    std::string moved() const {
+        std::vector<std::size_t> pieces;
+        for (std::size_t i = 0; i < was_.size(); ++i)
+            if (match_.new_of[i] >= 0 && !match_.motions[i].is_identity()) pieces.push_back(i);
+        return list("moved", pieces.size(), [&](std::size_t k) {
+            const std::string motion = describe(match_.motions[pieces[k]]);
+            const std::string start = "moved ";
+            return (motion.starts_with(start) ? motion.substr(start.size()) : motion) + " from " +
+                   place_of(was_[pieces[k]], old_part_) + " to " +
+                   place_of(is_[std::size_t(match_.new_of[pieces[k]])], new_part_);
+        });
+    }
+
+    std::string reshaped(std::size_t k) const {
+        const FeaturePiece &from = was_[reshaped_[k]], &to = is_[std::size_t(partner_[reshaped_[k]])];
+        std::string words = at(to, new_part_);
+        const double old_radius = radius_of(from), new_radius = radius_of(to);
+        if (old_radius == 0 || new_radius == 0 || std::abs(old_radius - new_radius) < 1e-9 * old_radius) return words;
+        return words.append(" (radius ")
+            .append(in_words(old_radius))
+            .append(" -> ")
+            .append(in_words(new_radius))
+            .append(" mm)");
+    }
+
+    const PieceMatch& match_;
+    const std::vector<FeaturePiece>& was_;
+    const std::vector<FeaturePiece>& is_;
+    const Box& old_part_;
+    const Box& new_part_;
+    std::vector<int> partner_;
+    std::vector<std::size_t> reshaped_, removed_, added_;
+};
+}  // namespace
+
+std::string in_words(const PieceMatch& match, const std::vector<FeaturePiece>& was, const std::vector<FeaturePiece>& is,
+                     const Box& old_part, const Box& new_part) {
+    return PieceWords(match, was, is, old_part, new_part).text();
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pieces of a feature (the holes of one sketch, the instances of a pattern), matched by geometry, not by number.
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+#include <string>
+#include <vector>
+
+#include "difference/feature_motion.h"
+#include "features/feature_tree.h"
+
+namespace featuremesh {
+
+/// One solid of one volume.
+struct FeaturePiece {
+    TopoDS_Shape shape;
+    Effect effect = Effect::adds;
+    VolumeOutline outline;
+    Box box;  ///< of the outline's points
+};
+std::vector<FeaturePiece> pieces_of(const Feature& feature);
+
+struct PieceMatch {
+    std::vector<int> new_of;           ///< by old piece; -1 for none
+    std::vector<RigidMotion> motions;  ///< by old piece
+    std::size_t same = 0, moved = 0, added = 0, removed = 0;
+};
+/// Those that stayed first, then those that moved, tried with `hint` before any other motion.
+PieceMatch match_pieces(const std::vector<FeaturePiece>& was, const std::vector<FeaturePiece>& is,
+                        const RigidMotion& hint, const Sameness& sameness);
+
+/// "1 of 6 holes moved by (5, 0, 0) mm to (105, 70, 7.5)"; empty when nothing happened. Positions are the middles of
+/// what of a piece is within the box of its part.
+std::string in_words(const PieceMatch& match, const std::vector<FeaturePiece>& was, const std::vector<FeaturePiece>& is,
+                     const Box& old_part, const Box& new_part);
+
+}  // namespace featuremesh
