@@ -5,6 +5,7 @@ import shutil
 import tempfile
 import unittest
 import zipfile
+from xml.etree import ElementTree
 
 import FreeCAD
 from freecad.featuremesh import documents
@@ -100,3 +101,32 @@ class Files(unittest.TestCase):
         with zipfile.ZipFile(target) as archive:
             self.assertEqual(archive.read("GuiDocument.xml"), view)
             self.assertEqual(archive.read("DiffuseColor"), b"\x01\x02")
+
+    def test_a_new_mesh_is_shown_in_place_of_its_part(self):
+        view = (b'<Document><ViewProviderData Count="1"><ViewProvider name="Body"><Properties Count="1"><Property name="Visibility">'
+                b'<Bool value="true"/></Property></Properties></ViewProvider></ViewProviderData></Document>')
+        found = self.saved_view(view, add_mesh=True)
+        self.assertEqual(found, {"Body": "false", "FeatureMesh": "true"})
+
+    def test_a_document_that_shows_nothing_shows_its_parts(self):
+        found = self.saved_view(None, add_mesh=False)
+        self.assertEqual(found, {"Body": "true", "Hole": "true"})
+
+    def saved_view(self, view, add_mesh):
+        """{object: is it shown} in a document saved from a plate with this view."""
+        from freecad.featuremesh import api
+        document = new_document()
+        body = plate_with_hole(document)
+        source, target = os.path.join(self.folder, "source.FCStd"), os.path.join(self.folder, "target.FCStd")
+        document.saveAs(source)
+        if view:
+            with zipfile.ZipFile(source, "a") as archive:
+                archive.writestr("GuiDocument.xml", view)
+        if add_mesh:
+            api.add_mesh(body, 20.0)
+        documents.save_document(document, target)
+        FreeCAD.closeDocument(document.Name)
+        with zipfile.ZipFile(target) as archive:
+            root = ElementTree.fromstring(archive.read("GuiDocument.xml"))
+        self.assertEqual(root.find("ViewProviderData").get("Count"), str(len(root.findall(".//ViewProvider"))))
+        return {provider.get("name"): provider.find(".//Bool").get("value") for provider in root.iter("ViewProvider")}

@@ -4,9 +4,11 @@
 import os
 import re
 import zipfile
+from xml.etree import ElementTree
 
 import FreeCAD
 
+from . import reading, versions
 from .errors import UserError
 
 
@@ -38,7 +40,7 @@ def open_document(path):
 def save_document(document, path):
     """Saves a copy to `path`, whole or not at all.
 
-    What the document shows (colours, views) is taken from its file; where that has none, the meshes are shown.
+    What the document shows (colours, views) is taken from its file; where that has none, the meshes are shown, or the parts.
     """
     folder = os.path.dirname(os.path.abspath(path))
     if not os.path.isdir(folder):
@@ -47,7 +49,7 @@ def save_document(document, path):
     try:
         document.saveCopy(temporary)
         if not FreeCAD.GuiUp:
-            _add_view(document, temporary)
+            add_view(document, temporary)
         with zipfile.ZipFile(temporary) as archive:
             if "Document.xml" not in archive.namelist():
                 raise OSError("FreeCAD wrote no document")
@@ -63,8 +65,11 @@ def save_document(document, path):
             os.unlink(temporary)
 
 
-def _add_view(document, path):
-    """FreeCAD without a window leaves out what a document shows, and opens such a document with everything hidden."""
+def add_view(document, path):
+    """Adds to the document in the file `path` what it shows, where that is missing.
+
+    FreeCAD without a window leaves it out, and opens such a document with everything hidden.
+    """
     with zipfile.ZipFile(path, "a", zipfile.ZIP_DEFLATED) as new:
         if "GuiDocument.xml" in new.namelist():
             return
@@ -72,27 +77,56 @@ def _add_view(document, path):
         if source and os.path.isfile(source) and zipfile.is_zipfile(source):
             with zipfile.ZipFile(source) as old:
                 if "GuiDocument.xml" in old.namelist():
-                    _copy_view(old, new)
+                    _copy_view(old, new, document)
                     return
-        new.writestr("GuiDocument.xml", _plain_view([obj.Name for obj in document.Objects
-                                                     if obj.isDerivedFrom("Fem::FemMeshObject")]))
+        new.writestr("GuiDocument.xml", _plain_view(_shown(document)))
 
 
-def _copy_view(old, new):
+def _shown(document):
+    """Names of what a person wants to see first: the meshes, or without one the finished parts; loads and supports."""
+    shown = [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemMeshObject")]
+    if not shown:
+        shown = reading.final_solids(document)
+        shown += [part.Tip for part in shown if getattr(part, "Tip", None) is not None]   # a body is drawn through its tip
+    shown += [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemAnalysis") or obj.isDerivedFrom("Fem::Constraint")]
+    return [obj.Name for obj in shown]
+
+
+def _copy_view(old, new, document):
     view = old.read("GuiDocument.xml")
     wanted = [name for name in re.findall(r'file="([^"]+)"', view.decode("utf-8", "replace")) if name]
     if any(name in new.namelist() for name in wanted):
         return  # a file of the model took the name; colours are worth less than a document that opens
-    new.writestr("GuiDocument.xml", view)
+    new.writestr("GuiDocument.xml", _with_new_meshes(view, document))
     for name in dict.fromkeys(wanted + ["thumbnails/Thumbnail.png"]):
         if name in old.namelist():
             new.writestr(name, old.read(name))
 
 
+def _with_new_meshes(view, document):
+    """The view, in which meshes that it does not know are shown and their parts hidden, as two things in one place flicker."""
+    known = set(re.findall(r'<ViewProvider name="([^"]+)"', view.decode("utf-8", "replace")))
+    fresh = [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemMeshObject") and obj.Name not in known]
+    if not fresh:
+        return view
+    root = ElementTree.fromstring(view)
+    providers = root.find("ViewProviderData")
+    for obj in fresh:
+        part = versions.part_of(obj)
+        for value in root.findall("ViewProviderData/ViewProvider[@name='%s']/Properties/Property[@name='Visibility']/Bool"
+                                  % (part.Name if part is not None else "")):
+            value.set("value", "false")
+        providers.append(ElementTree.fromstring(_provider(obj.Name)))
+    providers.set("Count", str(len(providers)))
+    return ElementTree.tostring(root, encoding="utf-8", xml_declaration=True)
+
+
+def _provider(name):
+    return ('<ViewProvider name="%s" expanded="0"><Properties Count="1"><Property name="Visibility" type="App::PropertyBool">'
+            '<Bool value="true"/></Property></Properties></ViewProvider>' % name)
+
+
 def _plain_view(visible):
     """A view in which only these objects are shown."""
-    providers = "".join(
-        '<ViewProvider name="%s" expanded="0"><Properties Count="1"><Property name="Visibility" type="App::PropertyBool">'
-        '<Bool value="true"/></Property></Properties></ViewProvider>' % name for name in visible)
     return ('<?xml version="1.0" encoding="utf-8"?>\n<Document SchemaVersion="1"><ViewProviderData Count="%d">%s'
-            '</ViewProviderData><Camera settings=""/></Document>\n' % (len(visible), providers))
+            '</ViewProviderData><Camera settings=""/></Document>\n' % (len(visible), "".join(map(_provider, visible))))

@@ -171,8 +171,7 @@ class EntityGroups:
         for name, numbers in self._elements.items():
             kind = re.sub(r"\d+$", "", name)
             groups.append((name, _KINDS[kind], numbers))
-            if kind != "Solid":
-                groups.append((name + "_Nodes", "Node", self.nodes(name)))
+            groups.append((name + "_Nodes", "Node", self.nodes(name)))
         return groups
 
     def _collect(self, kind, elements, mids, owners, numbers):

@@ -10,7 +10,7 @@ import FreeCAD
 import Fem
 
 from . import engine, hand_over, history, references, state, versions
-from .errors import StateError, UserError
+from .errors import EngineMissing, StateError, UserError
 from .job import MeshJob
 from .reading import describe, read_document
 
@@ -87,6 +87,7 @@ class FeatureMesh:
     def onDocumentRestored(self, mesh):
         self._forget()
         self._get_ready(mesh)
+        self._miss_the_engine(mesh)
         self._shown = state.checksum_of(mesh.SavedState)
         if self._shown:
             self._restore_numbers(mesh)
@@ -221,6 +222,13 @@ class FeatureMesh:
             return self.last_part_mesh(mesh), None
         except (StateError, engine.load().StateError) as error:
             return None, one_line(error)
+
+    def _miss_the_engine(self, mesh):
+        """Says when a document is opened that its mesh can only be looked at."""
+        try:
+            engine.folder()
+        except EngineMissing as error:
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, error))
 
     def _restore_numbers(self, mesh):
         """FreeCAD closes the gaps between numbers when it opens a document; the saved state knows the true ones."""

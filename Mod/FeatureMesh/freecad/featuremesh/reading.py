@@ -52,6 +52,17 @@ def find_meshable(document, name=None):
     """
     if name:
         return _checked_solid(find_object(document, name))
+    final = final_solids(document)
+    if not final:
+        raise UserError(translate("FeatureMesh", "the document %s has no solid to mesh") % document.Label)
+    if len(final) > 1:
+        raise UserError(translate("FeatureMesh", "the document has several solids, select one or name it with --object: %s")
+                        % ", ".join(describe(obj) for obj in final))
+    return final[0]
+
+
+def final_solids(document):
+    """The objects with a solid that no other one uses."""
     candidates = [obj for obj in document.Objects if _is_candidate(obj)]
     used = set()
     for obj in candidates:
@@ -59,13 +70,7 @@ def find_meshable(document, name=None):
     for obj in document.Objects:
         if obj.TypeId == "PartDesign::Body" or _is_feature_of_body(obj):
             used.update(_used_by(obj))
-    final = [obj for obj in candidates if obj not in used]
-    if not final:
-        raise UserError(translate("FeatureMesh", "the document %s has no solid to mesh") % document.Label)
-    if len(final) > 1:
-        raise UserError(translate("FeatureMesh", "the document has several solids, select one or name it with --object: %s")
-                        % ", ".join(describe(obj) for obj in final))
-    return final[0]
+    return [obj for obj in candidates if obj not in used]
 
 
 def find_object(document, name):

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What happens around a mesh object: no engine, copies, renamed and deleted parts."""
+import os
+import shutil
+import tempfile
+import unittest
+
+import FreeCAD
+from freecad.featuremesh import api, engine, mesh_object, state, versions
+from freecad.featuremesh.errors import EngineMissing, UserError
+from parts import new_document, plate_with_hole
+
+SIZE = 3.0
+
+
+def points_of(mesh):
+    return {number: tuple(point) for number, point in mesh.FemMesh.Nodes.items()}
+
+
+class InDocument(unittest.TestCase):
+
+    def setUp(self):
+        self.document = new_document()
+        self.body = plate_with_hole(self.document)
+        self.mesh = api.add_mesh(self.body, SIZE)
+        self.document.recompute()
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+
+    def edit(self, x=22):
+        self.document.getObject("HoleSketch").setDatum("X", FreeCAD.Units.Quantity("%g mm" % x))
+        self.document.recompute()
+
+    def save_and_reopen(self):
+        folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, folder)
+        path = os.path.join(folder, "part.FCStd")
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        self.mesh = self.document.getObject("FeatureMesh")
+        self.body = self.document.getObject("Body")
+
+
+class WithoutEngine(InDocument):
+
+    def take_engine_away(self):
+        def missing():
+            raise EngineMissing("the engine is not installed")
+        for name in ("load", "folder"):
+            self.addCleanup(setattr, engine, name, getattr(engine, name))
+            setattr(engine, name, missing)
+
+    def test_the_mesh_is_shown_and_nothing_is_lost(self):
+        self.edit()   # an updated mesh has gaps between its numbers
+        before, checksum, report = points_of(self.mesh), state.checksum_of(self.mesh.SavedState), self.mesh.Report
+        load, folder = engine.load, engine.folder
+        self.take_engine_away()
+        self.save_and_reopen()
+        self.assertEqual(points_of(self.mesh), before)
+        self.edit(24)
+        self.assertEqual(self.mesh.Status, "failed: the engine is not installed")
+        self.assertEqual(points_of(self.mesh), before)
+        self.save_and_reopen()
+        self.assertEqual((points_of(self.mesh), self.mesh.Report), (before, report))
+        self.assertEqual(state.checksum_of(self.mesh.SavedState), checksum)
+        engine.load, engine.folder = load, folder
+        self.mesh.touch()
+        self.document.recompute()
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        self.assertGreater(self.mesh.KeptNodes, 30)
+
+    def test_the_message_says_what_is_missing(self):
+        usual, places = engine._NAME, engine._PLACES
+        self.addCleanup(setattr, engine, "_NAME", usual)
+        engine._NAME = "featuremesh_engine_that_is_missing"
+        with self.assertRaisesRegex(EngineMissing, "not installed.*shown as it was saved"):
+            engine.load()
+        self.assertEqual(engine._PLACES, places)
+
+
+class Copies(InDocument):
+
+    def test_a_copy_of_the_mesh_lives_on_its_own(self):
+        before = points_of(self.mesh)
+        copy = self.document.copyObject(self.mesh, False)
+        self.document.recompute()
+        self.assertTrue(mesh_object.is_feature_mesh(copy))
+        self.assertIs(versions.part_of(copy), self.body)
+        self.assertEqual(points_of(copy), before)
+        copy.Automatic = False
+        self.edit()
+        self.assertEqual(copy.Status, mesh_object.OUT_OF_DATE)
+        self.assertEqual(points_of(copy), before)
+        self.assertNotEqual(points_of(self.mesh), before)
+        api.update_mesh(copy)
+        self.assertGreater(copy.KeptNodes, 30)
+        self.assertEqual(points_of(copy), points_of(self.mesh))
+        self.document.removeObject(self.mesh.Name)
+        self.assertEqual(copy.TetCount, copy.FemMesh.VolumeCount)
+
+    def test_a_copy_with_its_part_in_another_document(self):
+        other = FreeCAD.newDocument("Other")
+        self.addCleanup(FreeCAD.closeDocument, other.Name)
+        copy = other.copyObject(self.mesh, True)
+        self.assertTrue(mesh_object.is_feature_mesh(copy))
+        self.assertIs(versions.part_of(copy).Document, other)
+        self.assertEqual(points_of(copy), points_of(self.mesh))
+        other.getObject("HoleSketch").setDatum("X", FreeCAD.Units.Quantity("22 mm"))
+        other.recompute()
+        self.assertEqual(copy.Status, mesh_object.UP_TO_DATE)
+        self.assertGreater(copy.KeptNodes, 30)
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+
+
+class Parts(InDocument):
+
+    def test_another_label_changes_nothing(self):
+        self.body.Label, self.mesh.Label = "Träger", "Netz"
+        self.document.getObject("Hole").Label = "Bohrung"
+        self.edit()
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        self.assertGreater(self.mesh.KeptNodes, 30)
+        self.save_and_reopen()
+        self.edit(24)
+        self.assertGreater(self.mesh.KeptNodes, 30)
+
+    def test_deletion_of_the_part_leaves_the_mesh(self):
+        before = points_of(self.mesh)
+        self.body.removeObjectsFromDocument()
+        self.document.removeObject(self.body.Name)
+        self.document.recompute()
+        self.assertEqual(points_of(self.mesh), before)
+        with self.assertRaisesRegex(UserError, "no part to mesh"):
+            api.update_mesh(self.mesh)
+        self.assertEqual(points_of(self.mesh), before)
+        self.save_and_reopen()
+        self.assertEqual(points_of(self.mesh), before)
+
+    def test_undo_of_the_deletion(self):
+        self.document.UndoMode = 1
+        before = points_of(self.mesh)
+        self.document.openTransaction("Delete")
+        self.document.removeObject(self.mesh.Name)
+        self.document.commitTransaction()
+        self.document.undo()
+        self.mesh = self.document.getObject("FeatureMesh")
+        self.assertEqual(points_of(self.mesh), before)
+        self.edit()
+        self.assertGreater(self.mesh.KeptNodes, 30)
