@@ -68,6 +68,7 @@ def add_diff(subparsers):
     diff = command(subparsers, "diff", commands.diff, "tell what changed between two documents, feature by feature")
     diff.add_argument("old", metavar="OLD.FCStd", help="the document before")
     diff.add_argument("new", metavar="NEW.FCStd", help="the document after")
+    diff.add_argument("--picture", metavar="OUT.png", help="draw both, with kept, vanished and appeared faces in colours")
     add_object(diff)
     add_print_json(diff)
 

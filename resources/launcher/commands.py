@@ -30,7 +30,10 @@ def update(given):
 
 def diff(given):
     old, new = existing_file(given.old), existing_file(given.new)
-    return finish(task(given, old=old, new=new, object=given.object, json=given.json), given.json)
+    picture = written_file(given.picture) if given.picture else None
+    if picture:
+        set_up(packages.PICTURE_PACKAGES)
+    return finish(task(given, old=old, new=new, object=given.object, json=given.json, picture=picture), given.json)
 
 
 def tree(given):

@@ -58,18 +58,20 @@ PieceMatch match_pieces(const std::vector<FeaturePiece>& was, const std::vector<
 namespace {
 constexpr std::size_t most_places = 3;
 
+/// "(105, 70, 7.5)"; a direction in which the piece goes through all of the part says nothing: "x 105, y 70".
 std::string place_of(const FeaturePiece& piece, const Box& part) {
-    const Box &a = piece.box, &b = part;
-    const Box seen{{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y), std::max(a.low.z, b.low.z)},
-                   {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y), std::min(a.high.z, b.high.z)}};
-    const Vec3 p = (a.overlaps(b) ? seen : a).center();
-    return std::string("(")
-        .append(in_words(p.x))
-        .append(", ")
-        .append(in_words(p.y))
-        .append(", ")
-        .append(in_words(p.z))
-        .append(")");
+    const Vec3 centre = piece.box.center();
+    std::string all, some;
+    int through = 0;
+    for (int i = 0; i < 3; ++i) {
+        const std::string number = in_words(centre[i]);
+        all.append(i == 0 ? "" : ", ").append(number);
+        if (piece.box.low[i] <= part.low[i] && piece.box.high[i] >= part.high[i])
+            ++through;
+        else
+            some.append(some.empty() ? "" : ", ").append(1, "xyz"[i]).append(" ").append(number);
+    }
+    return through == 0 || through == 3 ? std::string("(").append(all).append(")") : some;
 }
 
 /// The one radius that all cylinders of a piece share; 0 when there is none.

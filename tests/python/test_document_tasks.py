@@ -115,6 +115,16 @@ class Tasks(unittest.TestCase):
         self.assertIn(verdicts["Plate"], ("same", "interaction changed"))  # the hole trims it elsewhere
         json.dumps(diff["data"])
 
+    def test_picture_of_a_difference(self):
+        self.mesh()
+        self.done(command="update", part=self.part, out=self.path("new.FCStd"), set=["HoleSketch.X=24"])
+        answer = self.done(command="diff", old=self.part, new=self.path("new.FCStd"), picture=self.path("diff.png"))
+        self.assertIn("diff.png", answer["message"])
+        from matplotlib import image
+        red, green, blue = (image.imread(self.path("diff.png"))[:, :, channel] for channel in range(3))
+        self.assertGreater(((red > green + 0.3) & (red > blue + 0.3)).sum(), 200)  # the old wall
+        self.assertGreater(((green > red + 0.2) & (green > blue + 0.1)).sum(), 200)  # the new wall
+
     def test_export(self):
         self.mesh()
         for name in ("vtu", "inp", "unv", "med"):

@@ -180,7 +180,7 @@ TEST_CASE("pattern instances are matched by geometry") {
     after[1].parameters = {{"Occurrences", 4}};
     const FeatureDifference d = diff(part(before), part(after));
     CHECK(change_of(d, "Pattern").verdict == Verdict::reshaped);
-    CHECK(change_of(d, "Pattern").detail == "Occurrences 3 -> 4; 1 hole added at (25, 10, 5)");
+    CHECK(change_of(d, "Pattern").detail == "Occurrences 3 -> 4; 1 hole added at x 25, y 10");
     CHECK(d.regions.size() == 1);
     CHECK(d.regions[0].changed.distance({40, 10, 5}, 50) > 8);
 }
@@ -194,7 +194,7 @@ TEST_CASE("an instance added in the middle shifts the rest") {
     const FeatureDifference d = diff(part(before), part(after));
     CHECK(change_of(d, "Pattern").verdict == Verdict::reshaped);
     CHECK(change_of(d, "Pattern").detail ==
-          "1 of 3 holes moved by (-10, 0, 0) mm from (40, 10, 5) to (30, 10, 5); 1 hole added at (50, 10, 5)");
+          "1 of 3 holes moved by (-10, 0, 0) mm from x 40, y 10 to x 30, y 10; 1 hole added at x 50, y 10");
     REQUIRE(d.regions.size() == 2);
     CHECK(d.regions[1].motion == shift({-10, 0, 0}));
 }
@@ -210,8 +210,9 @@ TEST_CASE("of several holes of one sketch those that moved, grew, came and went 
     const FeatureChange& change = change_of(d, "Holes");
     CHECK(change.verdict == Verdict::reshaped);
     CHECK(change.detail ==
-          "1 of 4 holes moved by (5, 0, 0) mm from (10, 10, 5) to (15, 10, 5); 1 of 4 holes reshaped at "
-          "(70, 10, 5) (radius 3 -> 4 mm); 1 hole added at (55, 10, 5); 1 of 4 holes removed at (90, 10, 5)");
+          "1 of 4 holes moved by (5, 0, 0) mm from x 10, y 10 to x 15, y 10; 1 of 4 holes reshaped at x 70, y 10 "
+          "(radius 3 "
+          "-> 4 mm); 1 hole added at x 55, y 10; 1 of 4 holes removed at x 90, y 10");
 }
 
 TEST_CASE("a mirrored instance moves with its original, and is no moved original itself") {

@@ -73,6 +73,12 @@ def difference(old_part, new_part, resolution=0.0):
     return engine.load().compare(reading.read_document(old_part), reading.read_document(new_part), resolution)
 
 
+def draw_difference(old_part, new_part, found, path):
+    """Writes a picture of the difference `found` of two objects: kept, vanished and appeared faces in colours."""
+    from . import difference_picture
+    difference_picture.write(path, reading.outline_of(old_part), reading.outline_of(new_part), found["faces"])
+
+
 def tree(part):
     """The feature tree of `part` as the engine understands it (see featuremesh_engine.read_tree)."""
     return engine.load().read_tree(reading.read_document(part))

@@ -124,6 +124,37 @@ class Scene:
             actor.GetProperty().SetEdgeColor(*_rgb(EDGE_COLOUR))
             actor.GetProperty().SetLineWidth(0.5)
 
+    def add_surface(self, triangles, colour, opacity=1.0):
+        """(k,3,3) triangles of one colour; glass when the opacity is below 1."""
+        corners = np.arange(3 * len(triangles)).reshape(-1, 3)
+        actor = self._add(_polygons(np.asarray(triangles).reshape(-1, 3), corners))
+        _material(actor, opacity)
+        actor.GetProperty().SetColor(*_rgb(colour))
+        if opacity < 1:
+            self._window.SetAlphaBitPlanes(1)
+            self._window.SetMultiSamples(0)
+            self._renderer.SetUseDepthPeeling(1)
+            self._renderer.SetMaximumNumberOfPeels(12)
+            self._renderer.SetOcclusionRatio(0.0)
+            self._renderer.UseFXAAOn()
+
+    def add_lines(self, polylines):
+        """Lines through (n,3) points."""
+        from vtkmodules.vtkCommonCore import vtkIdList
+        data = _polygons(np.concatenate([np.zeros((0, 3)), *polylines]), np.zeros((0, 3), dtype=np.int64))
+        data.AllocateEstimate(len(polylines), 2)
+        start = 0
+        for line in polylines:
+            corners = vtkIdList()
+            for index in range(start, start + len(line)):
+                corners.InsertNextId(index)
+            data.InsertNextCell(4, corners)  # VTK_POLY_LINE
+            start += len(line)
+        actor = self._add(data)
+        actor.GetProperty().SetColor(*_rgb(OUTLINE_COLOUR))
+        actor.GetProperty().SetLineWidth(1.4)
+        actor.GetProperty().LightingOff()
+
     def add_field(self, points, triangles, values, limits):
         """Triangles coloured smoothly by a value per point."""
         from matplotlib import colormaps
@@ -246,8 +277,8 @@ def trim(pictures, border=12):
     return [picture[top:rows[-1] + border, left:columns[-1] + border] for picture in pictures]
 
 
-def write_panels(path, panels, kinds=(), bar=None, active=False, width=13.0):
-    """Pictures side by side with titles, a legend of element classes, or a bar (label, low, high) of a field's colours."""
+def write_panels(path, panels, kinds=(), bar=None, active=False, width=13.0, legend=()):
+    """Pictures side by side with titles, a legend of element classes or of (colour, label), or a bar (label, low, high)."""
     pyplot = _pyplot()
     panels = list(zip((title for title, _ in panels), trim([picture for _, picture in panels])))
     height = width / len(panels) * panels[0][1].shape[0] / panels[0][1].shape[1]
@@ -257,8 +288,9 @@ def write_panels(path, panels, kinds=(), bar=None, active=False, width=13.0):
         axis.set_title(title, fontsize=12, color="#20262d", loc="left")
         axis.set_axis_off()
     figure.subplots_adjust(left=0.005, right=0.995, top=1 - 0.36 / (height + 0.8), bottom=0.42 / (height + 0.8), wspace=0.01)
-    if kinds:
-        figure.legend(handles=_legend(pyplot, kinds, active), loc="lower center", ncol=5, frameon=False, fontsize=11)
+    entries = [(COLOURS[kind], LABELS[kind] + " tets") for kind in kinds] + list(legend)
+    if entries:
+        figure.legend(handles=_legend(pyplot, entries, active), loc="lower center", ncol=5, frameon=False, fontsize=11)
     if bar:
         label, low, high = bar
         colours = pyplot.cm.ScalarMappable(pyplot.Normalize(low, high), "turbo")
@@ -299,9 +331,9 @@ def _pyplot():
     return pyplot
 
 
-def _legend(pyplot, kinds, active):
-    handles = [pyplot.Rectangle((0, 0), 1, 1, facecolor=COLOURS[kind], edgecolor=EDGE_COLOUR, label=LABELS[kind] + " tets")
-               for kind in kinds]
+def _legend(pyplot, entries, active):
+    handles = [pyplot.Rectangle((0, 0), 1, 1, facecolor=colour, edgecolor=EDGE_COLOUR, label=label)
+               for colour, label in entries]
     if active:
         handles.append(pyplot.Line2D([], [], marker="o", linestyle="", color=ACTIVE_COLOUR, label="active nodes"))
     return handles

@@ -10,6 +10,7 @@ import tempfile
 from collections import deque
 
 import FreeCAD
+import numpy
 import Part
 
 from . import versions
@@ -43,6 +44,20 @@ def read_document(part):
     home = part.Document
     records = [_record(obj, frames[obj], shapes, home) for obj in _in_dependency_order(part, frames)]
     return {"final_object": key_of(part, home), "records": records, "shapes": shapes.to_bytes()}
+
+
+def outline_of(part):
+    """Triangles by face and polylines by edge of the object's shape, mm, for pictures."""
+    shape = _shape_of(part)
+    fine = shape.BoundBox.DiagonalLength / 1000
+    faces = []
+    for face in shape.Faces:
+        points, triangles = face.tessellate(fine)
+        corners = [[tuple(points[i]) for i in triangle] for triangle in triangles]
+        faces.append(numpy.array(corners).reshape(-1, 3, 3))
+    edges = [numpy.array([tuple(p) for p in edge.discretize(Deflection=fine)])
+             for edge in shape.Edges if not edge.Degenerated]
+    return {"faces": faces, "edges": edges}
 
 
 def find_meshable(document, name=None):

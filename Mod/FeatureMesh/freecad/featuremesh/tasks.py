@@ -59,7 +59,11 @@ def diff(task):
     old = reading.find_meshable(documents.open_document(task["old"]), task.get("object"))
     new = reading.find_meshable(documents.open_document(task["new"]), task.get("object"))
     found = plain(api.difference(old, new))
-    return tables.of_difference(found), found
+    message = tables.of_difference(found)
+    if task.get("picture"):
+        api.draw_difference(old, new, found, task["picture"])
+        message += "\nwrote " + task["picture"]
+    return message, found
 
 
 def tree(task):
