@@ -392,8 +392,8 @@ class Filling {
     std::vector<Cavity> cavities_;
     std::vector<CavityFill> fills_;
     std::vector<KnownTriangulation> known_;
-    std::vector<KnownFill> finished_;         ///< by withdrawn points; nothing outside
-    std::vector<std::uint8_t> is_finished_;   ///< by cavity
+    std::vector<KnownFill> finished_;        ///< by withdrawn points; nothing outside
+    std::vector<std::uint8_t> is_finished_;  ///< by cavity
     std::vector<TetComplex> complexes_;
     int crossing_rounds_ = 0, local_recoveries_ = 0;
     VolumeResult result_;

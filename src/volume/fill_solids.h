@@ -15,29 +15,32 @@
 namespace featuremesh {
 
 struct VolumeOptions {
-    double target_dihedral_deg = 30;    ///< sliver removal works on tets below it (and above 180 minus it)
-    int odt_sweeps = 3;                 ///< over the nodes that gain
+    double target_dihedral_deg = 30;  ///< sliver removal works on tets below it (and above 180 minus it)
+    int odt_sweeps = 3;               ///< over the nodes that gain
 };
 
 struct VolumeReport {
     std::size_t new_nodes = 0, new_tets = 0;
-    std::size_t recovered_triangles = 0, recovery_points = 0;   ///< boundary triangles missing at first; points added to get them back, most of them inside
-    std::size_t released_tets = 0;      ///< kept tets that had to go so that the seam holds
-    double odt_energy_before = 0, odt_energy_after = 0;         ///< sum of V S / 20 over the new tets (Alliez et al. 2005), mm^5
-    std::size_t slivers_before = 0, slivers_left = 0;           ///< new tets below the target
+    std::size_t recovered_triangles = 0,
+                recovery_points =
+                    0;  ///< boundary triangles missing at first; points added to get them back, most of them inside
+    std::size_t released_tets = 0;  ///< kept tets that had to go so that the seam holds
+    double odt_energy_before = 0,
+           odt_energy_after = 0;                       ///< sum of V S / 20 over the new tets (Alliez et al. 2005), mm^5
+    std::size_t slivers_before = 0, slivers_left = 0;  ///< new tets below the target
     std::vector<std::string> warnings;
 };
 
 struct VolumeResult {
     Mesh mesh;
     VolumeReport report;
-    std::vector<TetId> released;        ///< kept tets (as counted in the input) that were given up
+    std::vector<TetId> released;  ///< kept tets (as counted in the input) that were given up
 };
 
-/// Takes a 4-node mesh whose surface is complete and whose tets (if any) are kept; gives it back with every solid full. Kept nodes keep
-/// their bits and places in the arrays; kept tets stay in front in their order but for the released ones. `active` are start positions for inner nodes
-/// that survived without being kept. The same bytes for any number of threads.
-/// Throws MeshError that names the faces where the boundary could not be recovered.
+/// Takes a 4-node mesh whose surface is complete and whose tets (if any) are kept; gives it back with every solid full.
+/// Kept nodes keep their bits and places in the arrays; kept tets stay in front in their order but for the released
+/// ones. `active` are start positions for inner nodes that survived without being kept. The same bytes for any number
+/// of threads. Throws MeshError that names the faces where the boundary could not be recovered.
 VolumeResult fill_solids(const Brep& brep, const SizingField& sizing, Mesh surface, std::span<const Vec3> active,
                          const VolumeOptions& options, RunContext& context);
 

@@ -10,8 +10,9 @@
 
 namespace featuremesh {
 
-/// The polygon `outline` (indices of points, counterclockwise seen against `normal`) as triangles that turn alike, best ears first. Corners may lie on
-/// a line with their neighbours. Appends to `triangles`; false where no triangle with area is left to cut off.
+/// The polygon `outline` (indices of points, counterclockwise seen against `normal`) as triangles that turn alike, best
+/// ears first. Corners may lie on a line with their neighbours. Appends to `triangles`; false where no triangle with
+/// area is left to cut off.
 bool cut_polygon(std::span<const Vec3> points, std::vector<int> outline, const Vec3& normal,
                  std::vector<std::array<int, 3>>& triangles);
 

@@ -178,7 +178,8 @@ class Withdrawal {
         std::map<Pair, const Patch*> patch_at;
         std::map<Pair, Pair> turn_of;
         for (const Patch& patch : patches)
-            for (const Pair& uv : patch.fan) patch_at[pair_of(uv[0], uv[1])] = &patch, turn_of[pair_of(uv[0], uv[1])] = uv;
+            for (const Pair& uv : patch.fan)
+                patch_at[pair_of(uv[0], uv[1])] = &patch, turn_of[pair_of(uv[0], uv[1])] = uv;
         std::map<int, int> sector_of;
         std::vector<Sector> sectors;
         for (const int seed : star) {

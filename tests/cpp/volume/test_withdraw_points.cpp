@@ -57,11 +57,12 @@ TEST_CASE("a point on an edge goes into every region round it") {
     // Two tets' worth of space on either side of the inner triangle 0 1 2, whose edge 0 1 is cut by the added point.
     Cavity cavity;
     cavity.points = {{0, 0, 0}, {2, 0, 0}, {1, 2, 0}, {1, 0.5, 2}, {1, 0.5, -2}};
-    cavity.facets = {{{0, 1, 2}, {1, 0}}, {{0, 1, 3}, {0, -1}}, {{1, 2, 3}, {0, -1}}, {{2, 0, 3}, {0, -1}},
+    cavity.facets = {{{0, 1, 2}, {1, 0}},  {{0, 1, 3}, {0, -1}}, {{1, 2, 3}, {0, -1}}, {{2, 0, 3}, {0, -1}},
                      {{1, 0, 4}, {1, -1}}, {{2, 1, 4}, {1, -1}}, {{0, 2, 4}, {1, -1}}};
     ConstrainedTriangulation recovered;
     recovered.split.added = {{{1, 0, 0}, {0, 1}, -1}};
-    recovered.split.pieces = {{{0, 5, 2}, 0}, {{5, 1, 2}, 0}, {{0, 5, 3}, 1}, {{5, 1, 3}, 1}, {{5, 0, 4}, 4}, {{1, 5, 4}, 4}};
+    recovered.split.pieces = {{{0, 5, 2}, 0}, {{5, 1, 2}, 0}, {{0, 5, 3}, 1},
+                              {{5, 1, 3}, 1}, {{5, 0, 4}, 4}, {{1, 5, 4}, 4}};
     recovered.triangulation.tets = {{0, 5, 2, 3}, {5, 1, 2, 3}, {0, 2, 5, 4}, {5, 2, 1, 4}};
     recovered.triangulation.neighbours = {{1, -1, -1, 2}, {-1, 0, -1, 3}, {3, -1, -1, 0}, {-1, -1, 2, 1}};
     const auto fill = withdraw_points(cavity, recovered, {});
