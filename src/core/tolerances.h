@@ -12,6 +12,10 @@ struct Tolerances {
     double on_entity() const { return 1e-8 > 1e-15 * diagonal ? 1e-8 : 1e-15 * diagonal; }
     /// Two CAD points, curves or surfaces are the same when no further apart than this.
     double same_geometry() const { return 1e-7 > 1e-9 * diagonal ? 1e-7 : 1e-9 * diagonal; }
+    /// Two vertices of a solid nearer than this share a node: elements between them would have no volume to speak of.
+    double negligible() const { return 9e-7 * diagonal; }
+    /// A tet of less volume than this, mm^3, is as good as flat.
+    double least_volume() const { return 1.1e-12 * diagonal * diagonal * diagonal; }
     /// The volumes of the material cells add up to the final shape's within this share.
     static constexpr double volume_books = 1e-6;
     /// A direction cosine this far from 1 is another direction.

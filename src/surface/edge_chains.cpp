@@ -107,15 +107,18 @@ bool is_used(const Brep& brep, EdgeId edge) {
     });
 }
 
-std::vector<NodeId> vertex_nodes(const Brep& brep, Mesh& mesh) {
+std::vector<NodeId> vertex_nodes(const Brep& brep, const MergedEntities& merged, Mesh& mesh) {
     std::vector<NodeId> nodes(brep.vertex_count());
+    const auto shared = [&](std::size_t v) -> NodeId& { return nodes[merged.vertex_of[v].index()]; };
     for (std::size_t n = 0; n < mesh.node_count(); ++n)
-        if (mesh.entities[n].dim == 0) nodes[static_cast<std::size_t>(mesh.entities[n].index)] = NodeId(n);
+        if (mesh.entities[n].dim == 0) shared(static_cast<std::size_t>(mesh.entities[n].index)) = NodeId(n);
     for (std::size_t v = 0; v < nodes.size(); ++v) {
         const VertexId vertex(v);
         const auto edges = brep.edges_of(vertex);
-        if (!nodes[v].is_valid() && std::any_of(edges.begin(), edges.end(), [&](EdgeId e) { return is_used(brep, e); }))
-            nodes[v] = mesh.add_node(brep.point_of(vertex), entity_of(vertex));
+        if (!shared(v).is_valid() &&
+            std::any_of(edges.begin(), edges.end(), [&](EdgeId e) { return is_used(brep, e); }))
+            shared(v) = mesh.add_node(brep.point_of(merged.vertex_of[v]), entity_of(merged.vertex_of[v]));
+        nodes[v] = shared(v);
     }
     return nodes;
 }
@@ -165,20 +168,32 @@ EdgeChain kept_chain(const BRepAdaptor_Curve& curve, EdgeId edge, const std::arr
 
 }  // namespace
 
-EdgeChains::EdgeChains(const Brep& brep, const WantedLength& sizing, Mesh& mesh, RunContext& context)
-    : chains_(brep.edge_count()), vertex_nodes_(vertex_nodes(brep, mesh)) {
+EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const WantedLength& sizing, Mesh& mesh,
+                       RunContext& context)
+    : merged_(merged), projector_(brep), chains_(brep.edge_count()), vertex_nodes_(vertex_nodes(brep, merged, mesh)) {
     const KeptOnEdges kept = kept_on_edges(brep, mesh);
-    std::map<std::array<VertexId, 2>, int> between;
+    std::map<std::array<NodeId, 2>, int> between;
+    const auto shared_ends = [&](EdgeId edge) {
+        const auto [first, last] = brep.ends_of(edge);
+        const auto node = [&](VertexId v) { return v.is_valid() ? node_of(v) : NodeId(); };
+        return std::array<NodeId, 2>{std::min(node(first), node(last)), std::max(node(first), node(last))};
+    };
     for (std::size_t e = 0; e < brep.edge_count(); ++e) {
-        auto ends = brep.ends_of(EdgeId(e));
-        if (ends[1] < ends[0]) std::swap(ends[0], ends[1]);
-        ++between[ends];
+        if (merged.edge_of[e] != EdgeId(e) || merged.is_point[e]) continue;
+        ++between[shared_ends(EdgeId(e))];
     }
     for (std::size_t e = 0; e < brep.edge_count(); ++e) {
         const EdgeId edge(e);
         const Activity activity(name_of(entity_of(edge)));
         if (e % 64 == 0) context.progress(0.1 * static_cast<double>(e) / static_cast<double>(brep.edge_count()));
-        if (brep.is_degenerated(edge) || !is_used(brep, edge)) continue;
+        if (brep.is_degenerated(edge) || is_point(edge) || !is_used(brep, edge)) continue;
+        if (merged.edge_of[e] != edge) {
+            if (!kept.nodes[e].empty() || !kept.segments[e].empty())
+                throw MeshError("Kept nodes of " + name_of(entity_of(edge)) +
+                                " belong to an edge in the same place. Mesh the part from scratch.");
+            follow_owner(brep, edge, mesh);
+            continue;
+        }
         auto ends = brep.ends_of(edge);
         if (!ends[0].is_valid() || !ends[1].is_valid())
             throw MeshError(name_of(entity_of(edge)) +
@@ -186,7 +201,7 @@ EdgeChains::EdgeChains(const Brep& brep, const WantedLength& sizing, Mesh& mesh,
         const BRepAdaptor_Curve curve(brep.edge(edge));
         const EdgeChain base =
             kept_chain(curve, edge, {node_of(ends[0]), node_of(ends[1])}, kept.nodes[e], kept.segments[e], mesh);
-        if (ends[1] < ends[0]) std::swap(ends[0], ends[1]);
+        const auto nodes = shared_ends(edge);
         EdgeChain& chain = chains_[e];
         const bool is_whole = base.is_kept.size() == 1;
         for (std::size_t i = 0; i < base.is_kept.size(); ++i) {
@@ -196,7 +211,7 @@ EdgeChains::EdgeChains(const Brep& brep, const WantedLength& sizing, Mesh& mesh,
                 continue;
             }
             const Measure measure(curve, sizing, base.t[i], base.t[i + 1]);
-            const int fewest = fewest_pieces(measure, is_whole && ends[0] == ends[1], is_whole && between[ends] > 1);
+            const int fewest = fewest_pieces(measure, is_whole && nodes[0] == nodes[1], is_whole && between[nodes] > 1);
             const int pieces = std::max(fewest, rounded(measure.metric_length()));
             for (int k = 1; k < pieces; ++k) {
                 const double t = measure.at_share(static_cast<double>(k) / pieces);
@@ -207,6 +222,37 @@ EdgeChains::EdgeChains(const Brep& brep, const WantedLength& sizing, Mesh& mesh,
         }
         chain.nodes.push_back(base.nodes.back()), chain.t.push_back(base.t.back());
     }
+}
+
+void EdgeChains::follow_owner(const Brep& brep, EdgeId edge, const Mesh& mesh) {
+    const EdgeChain& owner = chains_[merged_.edge_of[edge.index()].index()];
+    const BRepAdaptor_Curve curve(brep.edge(edge));
+    EdgeChain& chain = chains_[edge.index()];
+    chain = owner;
+    if (chain.nodes.empty()) return;
+    if (chain.nodes.front() != node_of(brep.ends_of(edge)[0])) std::reverse(chain.nodes.begin(), chain.nodes.end());
+    std::fill(chain.is_kept.begin(), chain.is_kept.end(), 1);
+    for (std::size_t i = 0; i < chain.nodes.size(); ++i)
+        chain.t[i] = projector_.nearest(edge, mesh.point(chain.nodes[i])).t;
+    chain.t.front() = curve.FirstParameter(), chain.t.back() = curve.LastParameter();
+    if (!std::is_sorted(chain.t.begin(), chain.t.end(), std::less_equal<>()))
+        throw MeshError(name_of(entity_of(edge)) + " and " + name_of(entity_of(merged_.edge_of[edge.index()])) +
+                        " are in the same place but run differently. Check the feature that made them (Part: Check "
+                        "geometry).");
+}
+
+EdgeChains::Piece EdgeChains::owner_of(const Piece& piece) const {
+    const EdgeId owner = merged_.edge_of[piece.edge.index()];
+    const EdgeChain& chain = chains_[piece.edge.index()];
+    const bool is_turned = chain.nodes.front() != chains_[owner.index()].nodes.front();
+    return {owner, is_turned ? chain.piece_count() - 1 - piece.index : piece.index};
+}
+
+std::vector<EdgeId> EdgeChains::sharers_of(EdgeId edge) const {
+    std::vector<EdgeId> sharers;
+    for (std::size_t e = edge.index(); e < chains_.size(); ++e)
+        if (merged_.edge_of[e] == edge) sharers.emplace_back(e);
+    return sharers;
 }
 
 bool EdgeChains::halve(const Brep& brep, EdgeId edge, std::size_t piece, Mesh& mesh) {
@@ -222,6 +268,8 @@ bool EdgeChains::halve(const Brep& brep, EdgeId edge, std::size_t piece, Mesh& m
     chain.nodes.insert(chain.nodes.begin() + at, mesh.add_node(p, entity_of(edge), {t, 0}));
     chain.t.insert(chain.t.begin() + at, t);
     chain.is_kept.insert(chain.is_kept.begin() + at, 0);
+    for (const EdgeId sharer : sharers_of(edge))
+        if (sharer != edge) follow_owner(brep, sharer, mesh);
     return true;
 }
 

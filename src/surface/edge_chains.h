@@ -7,12 +7,14 @@
 #include "core/run_context.h"
 #include "features/brep.h"
 #include "mesh/mesh.h"
+#include "surface/merged_entities.h"
+#include "surface/projection.h"
 #include "surface/wanted_length.h"
 
 namespace featuremesh {
 
 /// The nodes of one CAD edge by growing edge parameter, vertices included. Empty for an edge that no solid's face uses
-/// and for a pole.
+/// and for a pole, and for an edge that is a point. Edges that are one chain have the same nodes.
 struct EdgeChain {
     std::vector<NodeId> nodes;
     std::vector<double> t;
@@ -27,10 +29,22 @@ class EdgeChains {
     /// Keeps the mesh's nodes and segments on edges and fills the gaps by the sizing field along the arc length: equal
     /// shares, at least one piece, a curve at least one per quarter turn, two edges between the same two vertices never
     /// the same chain. New nodes are appended to `mesh`.
-    EdgeChains(const Brep& brep, const WantedLength& sizing, Mesh& mesh, RunContext& context);
+    EdgeChains(const Brep& brep, const MergedEntities& merged, const WantedLength& sizing, Mesh& mesh,
+               RunContext& context);
 
     const EdgeChain& operator[](EdgeId edge) const { return chains_[edge.index()]; }
     NodeId node_of(VertexId vertex) const { return vertex_nodes_[vertex.index()]; }
+
+    /// A piece of an edge that shares its chain, as a piece of the edge that has the chain.
+    struct Piece {
+        EdgeId edge;
+        std::size_t index;
+        auto operator<=>(const Piece&) const = default;
+    };
+    Piece owner_of(const Piece& piece) const;
+    bool is_point(EdgeId edge) const { return merged_.is_point[edge.index()] != 0; }
+    /// The edges of one chain, of which this one has it.
+    std::vector<EdgeId> sharers_of(EdgeId edge) const;
 
     /// Halves a piece, unless it is kept or too short to be halved; says whether it did.
     bool halve(const Brep& brep, EdgeId edge, std::size_t piece, Mesh& mesh);
@@ -38,6 +52,11 @@ class EdgeChains {
     void add_segments(Mesh& mesh) const;
 
   private:
+    /// The owner's nodes, with their places on this edge.
+    void follow_owner(const Brep& brep, EdgeId edge, const Mesh& mesh);
+
+    const MergedEntities& merged_;
+    Projector projector_;
     std::vector<EdgeChain> chains_;
     std::vector<NodeId> vertex_nodes_;
 };

@@ -55,6 +55,7 @@ class BoundaryBuilder {
             if (curve.IsNull()) fail(name_of(entity_of(brep_.find(edge))) + " has no curve in the face's parameters");
             Use use;
             use.edge = brep_.find(edge);
+            if (chains_.is_point(use.edge)) continue;
             use.is_pole = brep_.is_degenerated(use.edge);
             use.is_inner = edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED;
             sample(use, *curve, first, last);

@@ -32,14 +32,16 @@ struct FaceJob {
 
 class SurfaceFiller {
   public:
-    SurfaceFiller(const Brep& brep, const WantedLength& sizing, Mesh kept, RunContext& context)
+    SurfaceFiller(const Brep& brep, const MergedEntities& merged, const WantedLength& sizing, Mesh kept,
+                  RunContext& context)
         : brep_(brep),
+          merged_(merged),
           sizing_(sizing),
           mesh_(std::move(kept)),
           context_(context),
           first_new_node_(mesh_.node_count()),
           first_new_triangle_(mesh_.triangles.size()),
-          chains_(brep, sizing, mesh_, context),
+          chains_(brep, merged, sizing, mesh_, context),
           jobs_(brep.face_count()) {}
 
     SurfaceResult fill() {
@@ -57,7 +59,7 @@ class SurfaceFiller {
   private:
     bool is_used(FaceId face) const {
         const auto sides = brep_.sides_of(face);
-        return sides[0].is_valid() || sides[1].is_valid();
+        return (sides[0].is_valid() || sides[1].is_valid()) && !merged_.is_flat[face.index()];
     }
 
     void sort_kept() {
@@ -122,20 +124,22 @@ class SurfaceFiller {
     /// Halves the curved pieces that cross; false when there is nothing to halve.
     bool refine(FaceId face, std::set<EdgeId>& refined, std::set<FaceId>& again) {
         const FaceJob& job = jobs_[face.index()];
-        std::set<std::pair<EdgeId, std::size_t>, std::greater<>>
+        std::set<EdgeChains::Piece, std::greater<>>
             pieces;  // the last first, so that halving does not renumber the others
         for (const Crossing& c : job.domain->crossings())
             for (const std::size_t s : {c.first, c.second}) {
                 const BoundarySegment& segment = job.boundary.segments[s];
-                if (segment.edge.is_valid() && !segment.is_pole) pieces.insert({segment.edge, segment.piece});
+                if (segment.edge.is_valid() && !segment.is_pole)
+                    pieces.insert(chains_.owner_of({segment.edge, segment.piece}));
             }
         bool halved = false;
         for (const auto& [edge, piece] : pieces) {
             if (!chains_.halve(brep_, edge, piece, mesh_)) continue;
             halved = true;
             refined.insert(edge);
-            for (const FaceId f : brep_.faces_of(edge))
-                if (is_used(f)) again.insert(f);
+            for (const EdgeId sharer : chains_.sharers_of(edge))
+                for (const FaceId f : brep_.faces_of(sharer))
+                    if (is_used(f)) again.insert(f);
         }
         return halved;
     }
@@ -195,6 +199,7 @@ class SurfaceFiller {
     }
 
     const Brep& brep_;
+    const MergedEntities& merged_;
     const WantedLength& sizing_;
     Mesh mesh_;
     RunContext& context_;
@@ -267,12 +272,15 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
     std::size_t crossings_before = 0;
     int times_grown = 0;
     const Extent before = extent_of(kept);
+    const MergedEntities merged(brep);
     WantedLength wanted(sizing);
     std::set<std::string> refined;
     for (int attempt = 1;; ++attempt) {
-        SurfaceResult result = SurfaceFiller(brep, wanted, std::move(kept), context).fill();
+        SurfaceResult result = SurfaceFiller(brep, merged, wanted, std::move(kept), context).fill();
         const TrianglePairs crossings = crossing_triangles(brep, result.mesh, before.triangles, context);
         if (crossings.empty()) {
+            const std::vector<std::string> notes = merged.warnings();
+            result.report.warnings.insert(result.report.warnings.end(), notes.begin(), notes.end());
             for (const std::string& names : refined)
                 result.report.warnings.push_back(
                     "The mesh is finer than asked where these faces are near each other: " + names + ".");

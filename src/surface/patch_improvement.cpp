@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace featuremesh {
 
@@ -458,16 +459,20 @@ class AngleRaiser {
     /// Splits the longest inner side of a needle or cap when the two new nodes' surroundings gain by it.
     bool split(int t) {
         constexpr double too_small = 25 * M_PI / 180;
+        // Beside an edge this much shorter than wanted the angles stay small, and what is added has hardly an area.
+        constexpr double too_short = 1e-3;
         if (angle_of(t) > too_small) return false;
         const auto corners = patch_.corners(t);
         int longest = -1;
-        double length_of_it = 0;
+        double length_of_it = 0, shortest = std::numeric_limits<double>::infinity();
         for (int i = 0; i < 3; ++i) {
             const double l = distance(patch_.place(corners[at((i + 1) % 3)]), patch_.place(corners[at((i + 2) % 3)]));
             if (l > length_of_it) length_of_it = l, longest = i;
+            shortest = std::min(shortest, l);
         }
         const int n = patch_.neighbour(t, longest);
-        if (n < 0 || !patch_.is_fixed[at(corners[at((longest + 1) % 3)])] ||
+        if (n < 0 || shortest < too_short * patch_.wanted[at(corners[at(longest)])] ||
+            !patch_.is_fixed[at(corners[at((longest + 1) % 3)])] ||
             !patch_.is_fixed[at(corners[at((longest + 2) % 3)])])
             return false;
         const double before = std::min(angle_of(t), angle_of(n));

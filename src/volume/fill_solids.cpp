@@ -15,6 +15,7 @@
 #include "volume/flip_facets.h"
 #include "volume/local_recovery.h"
 #include "volume/optimise.h"
+#include "volume/thicken.h"
 #include "volume/withdraw_points.h"
 
 namespace featuremesh {
@@ -78,11 +79,11 @@ bool has_inverted_tet(const CavityFill& fill) {
     return false;
 }
 
-/// No more volume than the rounding of a determinant.
+/// What the validation of a mesh refuses.
 bool is_flat(const TetComplex& complex, const std::array<int, 4>& tet) {
     const Vec3 &a = complex.points[tet[0]], u = complex.points[tet[1]] - a, v = complex.points[tet[2]] - a,
                w = complex.points[tet[3]] - a;
-    return !(dot(cross(u, v), w) > 1e-14 * length(u) * length(v) * length(w));
+    return !(dot(cross(u, v), w) > 1.01e-6 * length(u) * length(v) * length(w));
 }
 
 bool has_flat_tet(const TetComplex& complex) {
@@ -301,8 +302,9 @@ class Filling {
             result_.report.odt_energy_after += odt.energy_after;
             result_.report.slivers_before += slivers.before;
             result_.report.slivers_left += slivers.left;
-            if (has_flat_tet(complexes_[i])) leave_out_flat_tets(cavities_[i], complexes_[i]);
-            require_positive(cavities_[i], complexes_[i]);
+            const bool is_thick = thicken(complexes_[i], least_volume(), context_).empty();
+            if (!is_thick && has_flat_tet(complexes_[i])) leave_out_flat_tets(cavities_[i], complexes_[i]);
+            if (!is_thick) require_thick(cavities_[i], complexes_[i]);
         }
     }
 
@@ -333,15 +335,33 @@ class Filling {
         apply(flips, cavity);
     }
 
-    void require_positive(const Cavity& cavity, const TetComplex& complex) const {
+    /// Elements that the sizes themselves ask for are not too small.
+    double least_volume() const {
+        const double asked = 1e-3 * sizing_.smallest() * sizing_.smallest() * sizing_.smallest();
+        return std::min(brep_.tolerances().least_volume(), asked);
+    }
+
+    void require_thick(const Cavity& cavity, const TetComplex& complex) const {
+        std::set<Entity> near;
+        std::size_t count = 0;
         for (const auto& tet : complex.tets) {
-            if (tet[0] < 0 || !is_flat(complex, tet)) continue;
-            std::string nearest = "inside the solid";
+            if (tet[0] < 0) continue;
+            const Vec3 &a = complex.points[tet[0]], &b = complex.points[tet[1]], &c = complex.points[tet[2]],
+                       &d = complex.points[tet[3]];
+            if (!is_flat(complex, tet) && signed_volume(a, b, c, d) >= least_volume()) continue;
+            ++count;
             for (const int corner : tet)
                 if (corner < static_cast<int>(cavity.nodes.size()))
-                    nearest = "at " + name_of(result_.mesh.entities[cavity.nodes[corner].index()]);
-            throw MeshError("a tet without volume remains " + nearest + "; mesh finer there, or try another size");
+                    near.insert(result_.mesh.entities[cavity.nodes[corner].index()]);
         }
+        if (count == 0) return;
+        std::string names;
+        int listed = 0;
+        for (const Entity& entity : near)
+            if (listed++ < 4) names += (names.empty() ? "" : ", ") + name_of(entity);
+        throw MeshError(std::to_string(count) + " tets without a volume to speak of remain " +
+                        (names.empty() ? "inside the solid" : "at " + names) +
+                        "; mesh finer there, or take out what is much smaller than the rest of the part");
     }
 
     void drop_released() {

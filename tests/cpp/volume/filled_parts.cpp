@@ -78,6 +78,14 @@ TopoDS_Shape slotted_block() {
     return BRepAlgoAPI_Cut(box_part({0, 0, 0}, {60, 10, 10}), box_part({3, -1, 2}, {0.3, 12, 9})).Shape();
 }
 
+TopoDS_Shape cut_corner(double width) {
+    BRepBuilderAPI_MakePolygon outline;
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {30.0, 0.0}, {30.0, 20 - width}, {30 - width, 20.0}, {0.0, 20.0}})
+        outline.Add(gp_Pnt(x, y, 0));
+    outline.Close();
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 10)).Shape();
+}
+
 TopoDS_Shape turned(const TopoDS_Shape& shape, double angle, const Vec3& shift) {
     gp_Trsf turn, move;
     turn.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(0.3, 0.5, 0.8)), angle);

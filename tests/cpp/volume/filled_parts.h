@@ -31,6 +31,8 @@ TopoDS_Shape touching_cylinders();
 TopoDS_Shape unglued_boxes();
 /// A long block with a slot 0.3 wide at one end.
 TopoDS_Shape slotted_block();
+/// A block 30 x 20 x 10 with a chamfer of this width along a vertical edge.
+TopoDS_Shape cut_corner(double width);
 TopoDS_Shape turned(const TopoDS_Shape& shape, double angle, const Vec3& shift);
 
 struct Part {

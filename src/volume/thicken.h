@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The last resort for tets that hardly have a volume.
+#pragma once
+
+#include <vector>
+
+#include "core/run_context.h"
+#include "volume/tet_complex.h"
+
+namespace featuremesh {
+
+/// How far a tet is from being too thin: below 1 when its volume is less than `least_volume` (mm^3), or its height
+/// about a millionth of its other lengths; not positive without volume.
+double thickness(const TetComplex& complex, const std::array<int, 4>& tet, double least_volume);
+
+/// Tets of a thickness below 1 get rid of it by moves and collapses of free vertices and removals of edges, whatever
+/// that does to angles. Gives those that are left, ascending.
+std::vector<int> thicken(TetComplex& complex, double least_volume, RunContext& context);
+
+}  // namespace featuremesh

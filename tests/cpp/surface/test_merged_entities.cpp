@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/merged_entities.h"
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
+#include <algorithm>
+
+#include "catch.h"
+#include "surface_checks.h"
+
+using namespace featuremesh;
+using namespace featuremesh::testing;
+
+namespace {
+
+TopoDS_Shape prism(const std::vector<std::array<double, 2>>& outline, double height) {
+    BRepBuilderAPI_MakePolygon polygon;
+    for (const auto& [x, y] : outline) polygon.Add(gp_Pnt(x, y, 0));
+    polygon.Close();
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(polygon.Wire()).Face(), gp_Vec(0, 0, height)).Shape();
+}
+
+/// A block with a corner cut off so little that nobody sees it.
+TopoDS_Shape block_with_sliver() { return prism({{0, 0}, {30, 0}, {30, 20 - 1e-5}, {30 - 1e-5, 20}, {0, 20}}, 10); }
+
+/// Two columns that touch along an edge, as one solid with two edges in that place.
+TopoDS_Shape touching_columns() {
+    return prism({{0, 0}, {10, 0}, {10, 10}, {20, 10}, {20, 20}, {10, 20}, {10, 10}, {0, 10}}, 15);
+}
+
+}  // namespace
+
+TEST_CASE("a sliver of a face and the edges across it get no elements of their own") {
+    const Brep brep(block_with_sliver());
+    const MergedEntities merged(brep);
+    CHECK(std::count(merged.is_flat.begin(), merged.is_flat.end(), 1) == 1);
+    CHECK(std::count(merged.is_point.begin(), merged.is_point.end(), 1) == 2);
+    CHECK(merged.warnings().size() == 3);
+    const Mesh mesh = mesh_surface(brep, 3).mesh;
+    CHECK(smallest_angle(mesh) > 25);
+    CHECK(euler_characteristic(mesh) == 2);
+    CHECK(area(mesh) == Approx(2 * (30 * 20 + 30 * 10 + 20 * 10)).epsilon(1e-5));
+}
+
+TEST_CASE("edges of one solid in the same place are one chain") {
+    const Brep brep(touching_columns());
+    const MergedEntities merged(brep);
+    int shared = 0;
+    for (std::size_t e = 0; e < brep.edge_count(); ++e) shared += merged.edge_of[e] != EdgeId(e);
+    CHECK(shared == 1);
+    CHECK(std::count(merged.is_flat.begin(), merged.is_flat.end(), 1) == 0);
+    const Mesh mesh = mesh_surface(brep, 2).mesh;
+    std::vector<Vec3> points = mesh.points;
+    const auto less = [](const Vec3& a, const Vec3& b) {
+        return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
+    };
+    std::sort(points.begin(), points.end(), less);
+    CHECK(std::adjacent_find(points.begin(), points.end()) == points.end());
+    CHECK(area(mesh) == Approx(4 * 100 + 80 * 15));
+}
+
+TEST_CASE("nothing is merged in a plain shape, with seams and closed edges") {
+    for (const NamedShape& s : named_shapes()) {
+        INFO(s.name);
+        CHECK(MergedEntities(Brep(s.shape)).warnings().empty());
+    }
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catch.h"
+#include "core/errors.h"
+#include "core/tolerances.h"
+#include "filled_parts.h"
+#include "hard_shapes.h"
+#include "surface/mid_side_nodes.h"
+
+using namespace featuremesh;
+using namespace featuremesh::testing;
+
+namespace {
+
+/// Coarse chords of thin curved walls are off by more than a mesh for analysis would be.
+std::string hard_findings(const Brep& brep, const Mesh& mesh) {
+    Expectation expected = expectation_of(brep);
+    expected.volume_tolerance = 0.3;
+    std::string lines;
+    for (const std::string& line : broken_invariants(mesh, expected)) lines += line + "\n";
+    int tiny = 0;
+    for (const auto& t : mesh.tets)
+        tiny += signed_volume(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3])) <
+                1e-12 * std::pow(brep.box().diagonal(), 3);
+    if (tiny > 0) lines += std::to_string(tiny) + " tets have no volume to speak of\n";
+    return lines;
+}
+
+void check_meshed(const HardShape& hard, const TopoDS_Shape& shape, double size, bool is_curved) {
+    INFO(hard.name << ", size " << size);
+    try {
+        const Part part = prepare(shape, size * hard.scale);
+        Mesh mesh = fill(part).mesh;
+        CHECK(hard_findings(part.brep, mesh) == "");
+        if (!is_curved) return;
+        RunContext context;
+        mesh = curve_to_second_order(part.brep, std::move(mesh), nullptr, context);
+        CHECK(hard_findings(part.brep, mesh) == "");
+    } catch (const Error& error) {
+        FAIL_CHECK(error.what());
+    }
+}
+
+}  // namespace
+
+TEST_CASE("hard shapes are meshed coarsely") {
+    for (const HardShape& hard : hard_shapes()) check_meshed(hard, hard.shape, 10, hard.name != "plate with 400 holes");
+}
+
+TEST_CASE("hard shapes are meshed at three sizes, straight and turned, with 4-node and 10-node tets", "[.hard]") {
+    for (const HardShape& hard : hard_shapes())
+        for (const double size : {10.0, 4.0, 2.0})
+            for (const double angle : {0.0, 0.651})
+                check_meshed(hard, turned(hard.shape, angle, {0, 0, 0}), size, true);
+}

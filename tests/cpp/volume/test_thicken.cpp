@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/thicken.h"
+
+#include "box_of_tets.h"
+#include "catch.h"
+#include "core/errors.h"
+#include "core/tolerances.h"
+#include "filled_parts.h"
+
+using namespace featuremesh;
+using namespace featuremesh::testing;
+
+TEST_CASE("thin tets inside get a volume again, and the outside stays") {
+    for (const double left : {1e-3, 1e-6, 1e-10}) {
+        TetComplex box = box_of_tets(4, 0.1, 5);
+        const int vertex = 2 + 5 * 2 + 25 * 2;
+        const Tet& tet = box.tets[box.tet_of_vertex[vertex]];
+        const auto& face = opposite_face[corner_of(tet, vertex)];
+        const Vec3 middle =
+            (1.0 / 3) * (box.points[tet[face[0]]] + box.points[tet[face[1]]] + box.points[tet[face[2]]]);
+        box.points[vertex] = middle + left * (box.points[vertex] - middle);
+        const TetComplex before = box;
+        REQUIRE(thickness(box, box.tets[box.tet_of_vertex[vertex]], 1e-3) < 1);
+        RunContext context;
+        CHECK(thicken(box, 1e-3, context).empty());
+        CHECK(find_flaws(box).empty());
+        CHECK(outside_of(box) == outside_of(before));
+        CHECK(are_fixed_kept(before, box));
+        CHECK(total_volume(box) == Approx(64));
+    }
+}
+
+TEST_CASE("a complex without thin tets is left as it is") {
+    TetComplex box = box_of_tets(3, 0.1, 7);
+    const TetComplex before = box;
+    RunContext context;
+    CHECK(thicken(box, 1e-6, context).empty());
+    CHECK(are_same_bytes(box, before));
+}
+
+TEST_CASE("no tet of a part with an edge of a hundred-thousandth of it is without volume") {
+    for (const double chamfer : {5e-4, 2e-3}) {
+        const Part part = prepare(cut_corner(chamfer), 2);
+        const Mesh mesh = fill(part).mesh;
+        CHECK(findings(part.brep, mesh).empty());
+        for (const auto& t : mesh.tets)
+            CHECK(signed_volume(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3])) >
+                  part.brep.tolerances().least_volume());
+    }
+}
