@@ -69,6 +69,20 @@ def points_of(mesh):
     return {number: tuple(point) for number, point in mesh.FemMesh.Nodes.items()}
 
 
+def check_errors(body):
+    """An error shows its message and selects the faces it names, if the part has them; a cancel shows nothing."""
+    from freecad.featuremesh import worker
+    from freecad.featuremesh.gui import errors
+    errors.show(RuntimeError("Face2 and Face4711 cross"), body)
+    assert messages[-1] == "Face2 and Face4711 cross"
+    selected, = Gui.Selection.getSelectionEx()
+    assert (selected.Object, selected.SubElementNames) == (body, ("Face2",)), selected.SubElementNames
+    count = len(messages)
+    errors.show(worker.Cancelled("cancelled"), body)
+    assert len(messages) == count
+    Gui.Selection.clearSelection()
+
+
 def check_preferences(api, engine, document, body):
     """What is set on the page of the preferences is obeyed by the next mesh."""
     from freecad.featuremesh import overlays, preferences
@@ -95,7 +109,7 @@ def check_preferences(api, engine, document, body):
     assert (mesh.Size.Value, mesh.Order, mesh.Automatic, mesh.Threads) == (api.default_size(body, 10), "2nd", False, 1)
     panel("MeshPanel").reject()
     spin()
-    preferences.forget_all()
+    FreeCAD.ParamGet(preferences.GROUP).Clear()
     PreferencesPage().loadSettings()
     document.removeObject(mesh.Name)
     Gui.Selection.clearSelection()
@@ -232,6 +246,7 @@ def drive():
     assert mesh.Status.startswith("failed") and mesh.FemMesh.VolumeCount == count
     picture("failed")
 
+    check_errors(body)
     check_preferences(api, engine, document, body)
 
     # In FreeCAD's FEM workbench

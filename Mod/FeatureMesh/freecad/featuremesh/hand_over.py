@@ -11,9 +11,12 @@ from collections import deque
 import Fem
 import numpy as np
 
+from .waiting import let_the_window_live
+
 # SMESH wants tets oriented the other way round than Abaqus and VTK; the corners in the order its UNV reader gives them.
 _SMESH_TET = [0, 2, 1, 3, 6, 5, 4, 7, 9, 8]
 _KINDS = {"Solid": "Volume", "Face": "Face", "Edge": "Edge", "Vertex": "Node"}
+_CHUNK = 20000   # rows between two looks at the window
 # Kind of group -> the stage of `build` in which its elements are made.
 _STAGES = {"Edge": 0, "Face": 1, "Volume": 2}
 
@@ -58,7 +61,9 @@ def build(arrays, groups):
 
 def _for_each(function, *columns):
     """Calls the function with each row, without a Python loop's cost."""
-    deque(map(function, *columns), maxlen=0)
+    for start in range(0, len(columns[0]), _CHUNK):
+        deque(map(function, *(column[start:start + _CHUNK] for column in columns)), maxlen=0)
+        let_the_window_live()
 
 
 def _stage_of_group(kind, members, numbers, stage_of_node):

@@ -8,7 +8,7 @@ import FreeCADGui as Gui
 Gui.addLanguagePath(os.path.join(os.path.dirname(__file__), "translations"))
 Gui.updateLocale()
 
-from freecad.featuremesh import mesh_object, view_provider, worker
+from freecad.featuremesh import mesh_object, view_provider, waiting
 from freecad.featuremesh.commands import COMMANDS, IN_FEM, register
 from freecad.featuremesh.gui import fem_toolbar, preferences_page, running
 
@@ -34,7 +34,7 @@ class FeatureMeshWorkbench(Gui.Workbench):
 
 mesh_object.on_ready.append(view_provider.attach)
 mesh_object.run_job = running.run_with_indicator
-worker.while_waiting = running.repaint
+waiting.repaint = running.repaint
 preferences_page.choose_place()
 Gui.addIconPath(view_provider.ICONS)
 Gui.addPreferencePage(preferences_page.PreferencesPage, "FeatureMesh")

@@ -6,7 +6,7 @@ Scripts and the launcher's commands do not ask for preferences, so they give the
 
 import FreeCAD
 
-_GROUP = "User parameter:BaseApp/Preferences/Mod/FeatureMesh"
+GROUP = "User parameter:BaseApp/Preferences/Mod/FeatureMesh"
 # Name -> default; the type of the default is the type of the preference. Colours are 0xRRGGBBAA as FreeCAD keeps them.
 DEFAULTS = {
     "ElementsAlongDiagonal": 30,
@@ -26,13 +26,13 @@ COLOURS = {
 def get(name):
     """The preference of that name."""
     default = DEFAULTS[name]
-    group = FreeCAD.ParamGet(_GROUP)
+    group = FreeCAD.ParamGet(GROUP)
     return group.GetBool(name, default) if isinstance(default, bool) else group.GetInt(name, default)
 
 
 def put(name, value):
     """Sets the preference of that name."""
-    group = FreeCAD.ParamGet(_GROUP)
+    group = FreeCAD.ParamGet(GROUP)
     if isinstance(DEFAULTS[name], bool):
         group.SetBool(name, bool(value))
     else:
@@ -41,23 +41,14 @@ def put(name, value):
 
 def colour(name):
     """(red, green, blue) from 0 to 1."""
-    packed = FreeCAD.ParamGet(_GROUP).GetUnsigned(name, COLOURS[name])
+    packed = FreeCAD.ParamGet(GROUP).GetUnsigned(name, COLOURS[name])
     return tuple((packed >> shift & 255) / 255 for shift in (24, 16, 8))
 
 
 def put_colour(name, rgb):
     """Sets a colour from its red, green and blue, 0 to 1."""
     red, green, blue = (round(255 * value) for value in rgb)
-    FreeCAD.ParamGet(_GROUP).SetUnsigned(name, red << 24 | green << 16 | blue << 8 | 255)
-
-
-def forget_all():
-    """Everything as it was delivered."""
-    group = FreeCAD.ParamGet(_GROUP)
-    for name, default in DEFAULTS.items():
-        (group.RemBool if isinstance(default, bool) else group.RemInt)(name)
-    for name in COLOURS:
-        group.RemUnsigned(name)
+    FreeCAD.ParamGet(GROUP).SetUnsigned(name, red << 24 | green << 16 | blue << 8 | 255)
 
 
 def for_new_mesh():

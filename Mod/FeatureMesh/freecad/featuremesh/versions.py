@@ -34,6 +34,11 @@ def parent_frame(part):
     return part.getGlobalPlacement().multiply(part.Placement.inverse())
 
 
+def number_of(enumerator):
+    """A Qt enumerator as the number that FreeCAD's task panels ask for: PySide 2 converts by int(), PySide 6 has `value`."""
+    return int(getattr(enumerator, "value", enumerator))
+
+
 def follows_faces():
     """Does FreeCAD itself move references when faces get other numbers? Since 1.0."""
     return version() >= (1, 0)

@@ -20,13 +20,13 @@ from multiprocessing import connection as connections
 
 import FreeCAD
 
+from .waiting import let_the_window_live
+
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 _PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worker_main.py")
 _POLL, GRACE, _START_SECONDS = 0.03, 0.3, 60
-# Called now and then while FreeCAD's own thread waits for an answer; the window's side repaints itself here.
-while_waiting = None
 
 
 class Error(RuntimeError):
@@ -146,7 +146,7 @@ class WorkerEngine:
         while not lane.lock.acquire(timeout=_POLL):
             if progress is not None and not progress("waiting", 0.0):
                 raise Cancelled("cancelled")
-            _let_the_window_live()
+            let_the_window_live()
         try:
             for mesh in (value for value in args if isinstance(value, WorkerMesh)):
                 self._bring(mesh, lane, progress)
@@ -285,7 +285,7 @@ class _Process:
                     if kind == "error":
                         raise _error(*words)
                     step, share = words
-                _let_the_window_live()
+                let_the_window_live()
                 if cancelled_at is None and progress is not None and not progress(step, share):
                     cancelled_at = time.monotonic()
                     self._connection.send_bytes(b"cancel")
@@ -362,8 +362,3 @@ def _error(name, text):
     if isinstance(known, type) and issubclass(known, Exception):
         return known(text)
     return Error("%s: %s" % (name, text))
-
-
-def _let_the_window_live():
-    if while_waiting is not None and threading.current_thread() is threading.main_thread():
-        while_waiting()

@@ -5,7 +5,7 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import overlays
+from .. import overlays, versions
 from ..view_provider import icon
 
 translate = FreeCAD.Qt.translate
@@ -38,7 +38,7 @@ class QualityPanel:
         mesh.ViewObject.Visibility = True
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Close)
+        return versions.number_of(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
         self.mesh.ViewObject.Proxy.colour(self.mesh, {})

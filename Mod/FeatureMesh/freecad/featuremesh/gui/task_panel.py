@@ -123,7 +123,7 @@ class MeshPanel:
     # What FreeCAD calls
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Close)
+        return versions.number_of(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
         """Close: a running job ends first, and nothing of it remains."""
@@ -176,6 +176,7 @@ class MeshPanel:
         if not self.running.is_done():
             return
         self._timer.stop()
+        self.progress.setFormat(translate("FeatureMesh", "handing over to FreeCAD"))
         error, self.running = self.running.error, None
         try:
             if error is not None:

@@ -433,6 +433,10 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>Festkörper füllen</translation>
     </message>
     <message>
+      <source>handing over to FreeCAD</source>
+      <translation>an FreeCAD übergeben</translation>
+    </message>
+    <message>
       <source>improving the elements</source>
       <translation>Elemente verbessern</translation>
     </message>
