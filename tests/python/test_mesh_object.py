@@ -8,7 +8,7 @@ import unittest
 
 import FreeCAD
 import ObjectsFem
-from freecad.featuremesh import api, engine, mesh_object, versions
+from freecad.featuremesh import api, engine, mesh_object, overlays, versions
 from freecad.featuremesh.errors import UserError
 from parts import new_document, plate_with_hole
 
@@ -171,6 +171,16 @@ class MeshObject(unittest.TestCase):
         self.document.redo()
         self.assertEqual(points_of(self.mesh), after)
         self.assert_on_the_part()
+
+    def test_colours_of_what_was_kept_and_of_quality(self):
+        with self.assertRaisesRegex(UserError, "not updated"):
+            api.show_kept(self.mesh)
+        self.edit()
+        colours = api.show_kept(self.mesh)
+        self.assertEqual(set(colours), set(self.mesh.FemMesh.Volumes))
+        kept = sum(colour == overlays.kept_legend()[0] for colour in colours.values())
+        self.assertAlmostEqual(100 * kept / len(colours), self.mesh.KeptTets, delta=1)
+        self.assertEqual(set(api.show_quality(self.mesh)), set(self.mesh.FemMesh.Volumes))
 
     def test_second_order(self):
         self.mesh.Order = "2nd"

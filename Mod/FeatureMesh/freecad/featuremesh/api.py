@@ -10,7 +10,7 @@ import time
 import FreeCAD
 import ObjectsFem
 
-from . import documents, edits, engine, export, reading, versions
+from . import documents, edits, engine, export, overlays, reading, versions
 from .errors import UserError
 from .mesh_object import FeatureMesh, is_feature_mesh, options_of, plain
 
@@ -108,12 +108,15 @@ def estimate_tets(mesh):
     return estimated_tets(*estimate_input(mesh))
 
 
-def estimate_input(mesh, **settings):
-    """What estimated_tets needs of a mesh object, with other engine options than the object's where given."""
+def estimate_input(mesh, raw=None, **settings):
+    """What estimated_tets needs of a mesh object, with other engine options than the object's where given.
+
+    `raw` is the part as it was read before, when it is known to be the same still.
+    """
     part = versions.part_of(mesh)
     options = options_of(mesh, part)
     options.update((name, value) for name, value in settings.items() if value is not None)
-    return reading.read_document(part), options
+    return raw or reading.read_document(part), options
 
 
 def estimated_tets(raw, options):
@@ -134,6 +137,24 @@ def add_local_size(mesh, references, size=None):
     region = ObjectsFem.makeMeshRegion(mesh.Document, mesh, mesh.Size.Value / 2 if size is None else size)
     region.References = references
     return region
+
+
+def show_kept(mesh):
+    """Colours the elements in the window, if there is one: those the last update kept, and new ones. Returns {tet number: colour}.
+
+    Throws UserError when there was no update since the document was opened.
+    """
+    return _coloured(mesh, overlays.kept_colours(mesh))
+
+
+def show_quality(mesh):
+    """Colours the elements in the window, if there is one, by their smallest angle. Returns {tet number: colour}."""
+    return _coloured(mesh, overlays.quality_colours(mesh))
+
+
+def show_plain(mesh):
+    """Takes colours away again."""
+    _coloured(mesh, {})
 
 
 def export_mesh(mesh, path, file_format=None):
@@ -166,6 +187,13 @@ def default_size(part, elements=DEFAULT_ELEMENTS):
     size = part.Shape.BoundBox.DiagonalLength / elements
     digits = 1 - int(math.floor(math.log10(size))) if size > 0 else 0
     return round(size, digits)
+
+
+def _coloured(mesh, colours):
+    if mesh.ViewObject is not None:
+        mesh.ViewObject.Proxy.colour(mesh, colours)
+        mesh.ViewObject.Visibility = True
+    return colours
 
 
 def _join_analysis(mesh, document):

@@ -5,7 +5,7 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtGui
 
-from .. import overlays, versions
+from .. import api, overlays, versions
 from ..view_provider import icon
 
 translate = FreeCAD.Qt.translate
@@ -16,7 +16,7 @@ class KeptPanel:
 
     def __init__(self, mesh):
         self.mesh = mesh
-        colours = overlays.kept_colours(mesh)
+        colours = api.show_kept(mesh)
         active = overlays.active_points(mesh)
         kept_colour, new_colour, active_colour = overlays.kept_legend()
         kept = sum(colour == kept_colour for colour in colours.values())
@@ -33,15 +33,13 @@ class KeptPanel:
             label.setWordWrap(True)
             layout.addWidget(label, row, 1)
         layout.setColumnStretch(1, 1)
-        mesh.ViewObject.Proxy.colour(mesh, colours)
         mesh.ViewObject.Proxy.mark_points(mesh, active, active_colour)
-        mesh.ViewObject.Visibility = True
 
     def getStandardButtons(self):
         return versions.number_of(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
-        self.mesh.ViewObject.Proxy.colour(self.mesh, {})
+        api.show_plain(self.mesh)
         self.mesh.ViewObject.Proxy.mark_points(self.mesh, (), None)
         Gui.Control.closeDialog()
         return True

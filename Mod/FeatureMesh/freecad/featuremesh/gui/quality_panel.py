@@ -5,7 +5,7 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import overlays, versions
+from .. import api, overlays, versions
 from ..view_provider import icon
 
 translate = FreeCAD.Qt.translate
@@ -34,14 +34,13 @@ class QualityPanel:
         self.worst.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
         self.worst.itemSelectionChanged.connect(self._show_selected)
         layout.addWidget(self.worst)
-        mesh.ViewObject.Proxy.colour(mesh, overlays.quality_colours(mesh))
-        mesh.ViewObject.Visibility = True
+        api.show_quality(mesh)
 
     def getStandardButtons(self):
         return versions.number_of(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
-        self.mesh.ViewObject.Proxy.colour(self.mesh, {})
+        api.show_plain(self.mesh)
         self.mesh.ViewObject.Proxy.mark_tets(self.mesh, (), None)
         Gui.Control.closeDialog()
         return True

@@ -25,6 +25,7 @@ class MeshPanel:
         self.running = None
         self.job = None
         self._estimate = None
+        self._raw = None   # the part as it was read for the last estimate; it stays the same while the panel is open
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(mesh.Label)
         self.form.setWindowIcon(QtGui.QIcon(icon("FeatureMesh")))
@@ -239,13 +240,14 @@ class MeshPanel:
             self._estimate_timer.start(_ESTIMATE_MS)
             return
         try:
-            raw, options = api.estimate_input(self.mesh, size=self.size.property("rawValue"),
+            raw, options = api.estimate_input(self.mesh, self._raw, size=self.size.property("rawValue"),
                                               min_size=self.min_size.property("rawValue") or None,
                                               elements_per_circle=self.per_circle.value(),
                                               elements_across_gap=self.across_gap.value(), growth=self.growth.value())
         except Exception as error:
             self.estimate.setText(one_line(error))
             return
+        self._raw = raw
         self._estimate = _Estimate(raw, options)
         self._wait_for_estimate()
 
