@@ -4,6 +4,7 @@
 import threading
 
 import FreeCAD
+import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 
@@ -68,13 +69,16 @@ def run_with_indicator(job):
     running = RunningJob(job)
     indicator = FreeCAD.Base.ProgressIndicator()
     indicator.start("FeatureMesh", 0)
+    status = Gui.getMainWindow().statusBar()
     try:
         while not running.is_done(0.1):
+            status.showMessage("FeatureMesh: %s, %d %%" % (step_in_words(running.step), 100 * running.share))
             try:
                 indicator.next(True)
             except RuntimeError:
                 running.cancel()
     finally:
         indicator.stop()
+        status.clearMessage()
     if running.error is not None:
         raise running.error

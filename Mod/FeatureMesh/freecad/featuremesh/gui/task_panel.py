@@ -148,7 +148,7 @@ class MeshPanel:
         changed = {name: value for name, value in wanted.items()
                    if getattr(getattr(self.mesh, name), "Value", getattr(self.mesh, name)) != value}
         if changed:
-            self.mesh.Document.openTransaction("Mesh settings")
+            self.mesh.Document.openTransaction(translate("FeatureMesh", "Mesh settings"))
             for name, value in changed.items():
                 setattr(self.mesh, name, value)
             self.mesh.Document.commitTransaction()
@@ -182,7 +182,7 @@ class MeshPanel:
         try:
             if error is not None:
                 raise error
-            self.mesh.Document.openTransaction("Mesh %s" % self.mesh.Label)
+            self.mesh.Document.openTransaction(translate("FeatureMesh", "Mesh of %s") % self.mesh.Label)
             self.mesh.Proxy.finish(self.mesh, self.job)
             self.mesh.Document.commitTransaction()
             self.mesh.purgeTouched()

@@ -247,6 +247,14 @@
       <translation>In einem eigenen Prozess vernetzen</translation>
     </message>
     <message>
+      <source>Mesh of %s</source>
+      <translation>Netz von %s</translation>
+    </message>
+    <message>
+      <source>Mesh settings</source>
+      <translation>Netzeinstellungen</translation>
+    </message>
+    <message>
       <source>Meshes the part, or updates its mesh where it changed</source>
       <translation>Vernetzt das Bauteil oder aktualisiert sein Netz, wo es sich geändert hat</translation>
     </message>
