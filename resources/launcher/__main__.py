@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`featuremesh COMMAND ...`: sets up what is missing, then runs. Exit code 0 for success, 2 for the user's error, 1 for ours."""
+"""`featuremesh COMMAND ...`: sets up what is missing, then runs. Exit code 0 for success, 2 for the user's error, 1 for ours, 3 where
+something cannot be had on this machine."""
 import sys
 
 from arguments import parse
-from layout import Failure, UserError
+from layout import Failure, Unavailable, UserError
 
 
 def main():
@@ -16,6 +17,9 @@ def main():
     except Failure as error:
         print(f"featuremesh {given.command}: {error}", file=sys.stderr)
         return 1
+    except Unavailable as error:
+        print(f"featuremesh {given.command}: {error}", file=sys.stderr)
+        return 3
     except KeyboardInterrupt:
         print(f"\nfeaturemesh {given.command}: cancelled", file=sys.stderr)
         return 1

@@ -65,7 +65,7 @@ def alone():
 
 def build(everything):
     say("building " + ("the engine and the tests" if everything else "the engine"))
-    run_logged(["cmake", "--preset", "release", f"-DPython_EXECUTABLE={PYTHON}", f"-DPython3_EXECUTABLE={PYTHON}",
+    run_logged(["cmake", "--preset", "release", "-B", RELEASE, f"-DPython_EXECUTABLE={PYTHON}", f"-DPython3_EXECUTABLE={PYTHON}",
                 f"-DPYTHON_EXECUTABLE={PYTHON}", f"-DFEATUREMESH_CGAL_DIR={CGAL / 'usr'}"], "configuring the build", cwd=ROOT)
     target = [] if everything else ["--target", ENGINE_TARGET]
     run_logged(["cmake", "--build", RELEASE, "-j", str(compilers_at_once()), *target], "building", cwd=ROOT)

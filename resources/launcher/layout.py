@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where things are in the checkout, and the launcher's two ways to fail."""
+"""Where things are in the checkout, and the launcher's ways to fail."""
 import os
 from pathlib import Path
 
@@ -20,3 +20,7 @@ class UserError(Exception):
 
 class Failure(Exception):
     """Something of ours, or of the machine, went wrong: exit code 1."""
+
+
+class Unavailable(Exception):
+    """What was asked for cannot be had on this machine or now, such as another Debian release: exit code 3."""

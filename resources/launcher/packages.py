@@ -16,6 +16,7 @@ RUN_PACKAGES = ("freecad-python3", "python3-numpy", "calculix-ccx")
 PICTURE_PACKAGES = ("python3-vtk9", "python3-matplotlib", "xvfb", "xauth", "libgl1-mesa-dri")
 PEER_PACKAGES = ("gmsh",)
 WINDOW_PACKAGES = ("freecad", "python3-pivy")
+NOT_EVERYWHERE = ("calculix-ccx",)  # not in Debian 13; what needs it is skipped there
 
 REASONS = (
     (BUILD_PACKAGES, "to build the engine"),
@@ -47,8 +48,14 @@ def install_missing(packages):
             say(f"installing with apt-get {reason}: {' '.join(of_group)}")
     prefix = root_prefix(names)
     environment = ["env", "DEBIAN_FRONTEND=noninteractive"]
-    if any_unknown_to_apt(names):
+    if unknown_to_apt(names):
         run_logged([*prefix, "apt-get", "-q", "update"], "apt-get update")
+        absent = [name for name in unknown_to_apt(names) if name in NOT_EVERYWHERE]
+        if absent:
+            say(f"this Debian has no {' '.join(absent)}; what needs it is skipped")
+            names = [name for name in names if name not in absent]
+    if not names:
+        return
     install = [*prefix, *environment, "apt-get", "-q", "-y", "install", "--no-install-recommends"]
     try:
         run_logged([*install, *names], "installing packages")
@@ -67,7 +74,14 @@ def root_prefix(names):
     raise Failure("these packages are missing: " + " ".join(names) + "; run this as root, or install sudo")
 
 
-def any_unknown_to_apt(names):
-    shown = subprocess.run(["apt-cache", "policy", *names], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
-    known = shown.count("Candidate:") - shown.count("Candidate: (none)")
-    return known < len(names)
+def unknown_to_apt(names):
+    """Those of the packages that apt cannot install from the lists it has."""
+    shown = subprocess.run(["apt-cache", "policy", *names], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+                           env={**os.environ, "LC_ALL": "C.UTF-8"}).stdout
+    known, name = set(), None
+    for line in shown.splitlines():
+        if line and not line[0].isspace():
+            name = line.rstrip(":")
+        elif line.strip().startswith("Candidate:") and "(none)" not in line:
+            known.add(name)
+    return [name for name in names if name not in known]

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The launcher as a user meets it, and the set-up's parts that need neither root nor a network. Runs in plain Python."""
 import contextlib
+import datetime
 import io
 import json
 import os
@@ -20,9 +21,10 @@ sys.path.insert(0, str(ROOT / "resources" / "launcher"))
 import addon  # noqa: E402
 import cgal_headers  # noqa: E402
 import engine_build  # noqa: E402
+import freecad_roots  # noqa: E402
 import freecad_task  # noqa: E402
 import packages  # noqa: E402
-from layout import RELEASE, Failure, UserError  # noqa: E402
+from layout import RELEASE, Failure, Unavailable, UserError  # noqa: E402
 
 
 def run(*words):
@@ -41,7 +43,8 @@ class CommandLine(unittest.TestCase):
         for words in ((), ("mesh",), ("mesh", "no_such.FCStd"), ("mesh", __file__, "--size", "0"), ("mesh", __file__, "--size", "-1"),
                       ("mesh", __file__, "--size", "nan"), ("mesh", __file__, "--order", "3"), ("mesh", __file__, "--threads", "0"),
                       ("update", "no_such.FCStd", "--set", "A.B=1"), ("diff", __file__), ("export", __file__, "out.vtu"),
-                      ("mesh", __file__, "--out", "no/such/folder/out.FCStd"), ("demo", "--out", __file__), ("nothing",)):
+                      ("mesh", __file__, "--out", "no/such/folder/out.FCStd"), ("demo", "--out", __file__),
+                      ("test", "--freecad", "0.12"), ("nothing",)):
             with self.subTest(words=words):
                 done = run(*words)
                 self.assertEqual(done.returncode, 2)
@@ -82,6 +85,7 @@ class FreecadTask(unittest.TestCase):
     def test_freecad_gets_a_utf8_locale_and_the_engine(self):
         environment = freecad_task.freecad_environment()
         self.assertEqual(environment["LC_ALL"], "C.UTF-8")
+        self.assertEqual(environment["FEATUREMESH_ENGINE"], str(RELEASE / "bindings"))
         self.assertTrue(environment["PYTHONPATH"].startswith(str(RELEASE / "bindings")))
 
 
@@ -167,6 +171,45 @@ Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
             self.assertEqual(cgal_headers.version_of(Path(folder)), (6, 2))
 
 
+class OtherReleases(unittest.TestCase):
+    """Roots of other Debian releases, short of making one."""
+
+    def test_a_root_is_fresh_for_some_days(self):
+        now = datetime.datetime(2026, 5, 20, 12)
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            self.assertFalse(freecad_roots.is_fresh(root, now))
+            for made, fresh in (("2026-05-20T11:00:00", True), ("2026-05-14T11:00:00", True), ("2026-05-13T11:00:00", False),
+                                ("2026-05-20T13:00:00", False), ("yesterday", False)):
+                (root / freecad_roots.NOTE).write_text(json.dumps({"made": made}), encoding="utf-8")
+                self.assertEqual(freecad_roots.is_fresh(root, now), fresh, made)
+            (root / freecad_roots.NOTE).write_text("{", encoding="utf-8")
+            self.assertFalse(freecad_roots.is_fresh(root, now))
+
+    def test_the_machines_way_to_its_mirror_is_taken_along(self):
+        dump = ('APT "";\nAcquire "";\nAcquire::http "";\nAcquire::http::Proxy "http://proxy.example:8080";\n'
+                'Acquire::Check-Valid-Until "false";\nAcquire::IndexTargets::deb::Packages::MetaKey "x";\nDir::Cache "var/cache/apt";\n')
+        with mock.patch.object(freecad_roots.subprocess, "run", return_value=mock.Mock(stdout=dump)):
+            self.assertEqual(freecad_roots.machine_settings(), ['Acquire::http::Proxy "http://proxy.example:8080";\n',
+                                                                'Acquire::Check-Valid-Until "false";\n'])
+            self.assertEqual(freecad_roots.debootstrap_proxies(), ["http_proxy=http://proxy.example:8080"])
+
+    def test_the_roots_packages_come_signed_from_the_machines_mirror(self):
+        source = {"uri": "http://mirror.example/debian", "signed_by": "", "check_valid_until": ""}
+        self.assertEqual(freecad_roots.sources_list("trixie", source), "deb http://mirror.example/debian trixie main\n")
+        self.assertEqual(freecad_roots.sources_list("trixie", {**source, "check_valid_until": "no"}),
+                         "deb [check-valid-until=no] http://mirror.example/debian trixie main\n")
+
+    def test_where_there_can_be_no_root_it_is_said_so(self):
+        with mock.patch.object(packages, "install_missing", side_effect=Failure("no network")):
+            with self.assertRaisesRegex(Unavailable, "no network"):
+                freecad_roots.run_in_root("1.1", ["true"])
+        with mock.patch.object(packages, "install_missing"), mock.patch.object(packages, "root_prefix", return_value=[]), \
+                mock.patch.object(freecad_roots, "run_logged", side_effect=Failure("unshare failed: not permitted")):
+            with self.assertRaisesRegex(Unavailable, "not permitted"):
+                freecad_roots.run_in_root("1.0", ["true"])
+
+
 class AddOn(unittest.TestCase):
     def setUp(self):
         temporary = tempfile.TemporaryDirectory()
@@ -202,6 +245,14 @@ class AddOn(unittest.TestCase):
 class SetUp(unittest.TestCase):
     def test_installed_packages_are_not_missing(self):
         self.assertEqual(packages.missing(["dpkg", "no-such-package-anywhere", "apt"]), ["no-such-package-anywhere"])
+
+    def test_a_package_that_this_debian_lacks_is_left_out_only_where_that_is_known(self):
+        policy = "cmake:\n  Installed: (none)\n  Candidate: 3.25\ncalculix-ccx:\n  Candidate: (none)\n"
+        with mock.patch.object(packages, "missing", lambda names: list(names)), mock.patch.object(packages, "root_prefix", return_value=[]), \
+                mock.patch.object(packages.subprocess, "run", return_value=mock.Mock(stdout=policy)), \
+                mock.patch.object(packages, "say"), mock.patch.object(packages, "run_logged") as commands:
+            packages.install_missing(("cmake", "calculix-ccx", "unheard-of"))
+        self.assertEqual(commands.call_args.args[0][-2:], ["cmake", "unheard-of"])
 
     def test_every_package_has_a_reason(self):
         groups = (packages.BUILD_PACKAGES, packages.RUN_PACKAGES, packages.PICTURE_PACKAGES, packages.PEER_PACKAGES, packages.WINDOW_PACKAGES)

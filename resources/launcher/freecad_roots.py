@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Roots of other Debian releases, in which the tests run with the FreeCAD and the libraries of that release.
+
+A root comes from the mirror that the machine's apt uses, with apt's own settings for reaching it, its signature checked. It is kept
+outside the checkout for some days; the checkout is mounted into it for the time of a run, in a mount namespace that ends with the run.
+"""
+import contextlib
+import datetime
+import fcntl
+import json
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import packages
+from cgal_headers import DEFAULT_KEYRING, SYSTEM_SOURCES, debian_source, is_snapshot
+from layout import ROOT, Failure, Unavailable
+from setup_log import run_logged, say
+
+RELEASE_OF = {"1.0": "trixie", "1.1": "testing"}
+CACHE = Path(os.environ.get("FEATUREMESH_CACHE", "/var/cache/featuremesh"))
+FRESH_DAYS = 7
+ROOT_PACKAGES = ("debootstrap",)
+NOTE = "featuremesh-root.json"
+CHECKOUT = "/featuremesh"
+CERTIFICATES = "etc/ssl/certs/ca-certificates.crt"
+# Mounts live in the namespace of this shell and end with it; so do its processes.
+MOUNT_AND_RUN = """
+set -e
+root=$1 checkout=$2 ccache=$3; shift 3
+mount -t proc proc "$root/proc"
+mount --rbind /dev "$root/dev"
+mount --rbind /sys "$root/sys"
+mount --bind "$checkout" "$root/featuremesh"
+mount --bind "$ccache" "$root/var/cache/ccache"
+exec chroot "$root" "$@"
+"""
+# Settings by which apt reaches a mirror and trusts it; those about where it keeps its own files stay behind.
+TAKEN_ALONG = ("Acquire::http", "Acquire::https", "Acquire::Check-", "Acquire::Retries", "Acquire::ForceIPv")
+
+
+def run_in_root(version, command):
+    """Runs a command of the checkout in the root with that FreeCAD; gives its exit code. Throws Unavailable when there can be no root."""
+    name = RELEASE_OF[version]
+    prefix = prepare_machine()
+    root = CACHE / name
+    ccache = CACHE / ("ccache-" + name)
+    with alone(prefix):
+        if not is_fresh(root):
+            make_root(name, root, prefix)
+        run_logged([*prefix, "mkdir", "-p", ccache, root / CHECKOUT.lstrip("/"), root / "var/cache/ccache"], "preparing the root")
+    environment = ["env", "-i", "PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin", "HOME=/root", "LC_ALL=C.UTF-8",
+                   "CCACHE_DIR=/var/cache/ccache", f"FEATUREMESH_BUILD={CHECKOUT}/build/freecad-{version}", *proxies()]
+    try:
+        return subprocess.run([*prefix, "unshare", "--mount", "--pid", "--fork", "--kill-child", "sh", "-c", MOUNT_AND_RUN, "sh",
+                               root, ROOT, ccache, *environment, *command], stdin=subprocess.DEVNULL).returncode
+    finally:
+        give_back(prefix)
+
+
+def prepare_machine():
+    """Installs debootstrap and sees whether mounts are allowed; gives the words to become root."""
+    try:
+        packages.install_missing(ROOT_PACKAGES)
+        prefix = packages.root_prefix(ROOT_PACKAGES)
+        run_logged([*prefix, "unshare", "--mount", "--pid", "--fork", "mount", "--make-rprivate", "/"], "mounting in a namespace")
+        run_logged([*prefix, "mkdir", "-p", CACHE], "making the cache folder")
+    except Failure as failure:
+        raise Unavailable(f"a root of another Debian release cannot be made here: {failure}") from None
+    return prefix
+
+
+@contextlib.contextmanager
+def alone(prefix):
+    """One at a time makes or renews roots."""
+    lock_file = CACHE / "lock"
+    run_logged([*prefix, "sh", "-c", f"touch '{lock_file}' && chmod a+rw '{lock_file}'"], "locking the cache folder")
+    with open(lock_file, "w", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def is_fresh(root, now=None):
+    """Was this root made by us, to its end, within the last days?"""
+    try:
+        made = datetime.datetime.fromisoformat(json.loads((root / NOTE).read_text(encoding="utf-8"))["made"])
+    except (OSError, ValueError, KeyError):
+        return False
+    return datetime.timedelta(0) <= (now or datetime.datetime.now()) - made < datetime.timedelta(days=FRESH_DAYS)
+
+
+def make_root(name, root, prefix):
+    """Makes the root anew beside its place and moves it there when it is whole."""
+    say(f"making a root of Debian {name} in {root} (about 3 GB with its packages, kept for {FRESH_DAYS} days)")
+    fresh = root.with_name(root.name + ".new")
+    try:
+        source = debian_source(SYSTEM_SOURCES)
+        for old in (fresh, root):
+            run_logged([*prefix, "rm", "-rf", "--one-file-system", old], "removing an old root")
+        keyring = source["signed_by"] or DEFAULT_KEYRING
+        run_logged([*prefix, "env", *debootstrap_proxies(), "debootstrap", "--variant=minbase", "--force-check-gpg", f"--keyring={keyring}",
+                    name, fresh, source["uri"], *debootstrap_script(name)], f"debootstrap of Debian {name} from {source['uri']}")
+    except Failure as failure:
+        raise Unavailable(f"no root of Debian {name}: {failure}") from None
+    write(prefix, fresh / "etc/apt/sources.list", sources_list(name, source))
+    write(prefix, fresh / "etc/apt/apt.conf.d/99machine", "".join(machine_settings()))
+    if Path("/", CERTIFICATES).is_file():
+        write(prefix, fresh / CERTIFICATES, Path("/", CERTIFICATES).read_text(encoding="utf-8"))
+    write(prefix, fresh / NOTE, json.dumps({"made": datetime.datetime.now().isoformat(), "release": name}))
+    run_logged([*prefix, "mv", fresh, root], "moving the new root to its place")
+
+
+def debootstrap_script(name):
+    """A debootstrap older than the release has no script of its name; all releases of today share one."""
+    scripts = Path("/usr/share/debootstrap/scripts")
+    return [] if (scripts / name).exists() else [str(scripts / "sid")]
+
+
+def sources_list(name, source):
+    options = []
+    if is_snapshot(source):
+        options.append("check-valid-until=no")
+    return f"deb {'[' + ' '.join(options) + '] ' if options else ''}{source['uri']} {name} main\n"
+
+
+def machine_settings():
+    """Lines of the machine's apt settings that tell how mirrors are reached and when their lists are too old."""
+    shown = subprocess.run(["apt-config", "dump"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=True).stdout
+    return [line + "\n" for line in shown.splitlines() if line.startswith(TAKEN_ALONG) and not line.endswith(' "";')]
+
+
+def debootstrap_proxies():
+    """Debootstrap knows nothing of apt's settings: the same proxy as environment variables."""
+    found = []
+    for line in machine_settings():
+        setting, value = line.rstrip(";\n").split(" ", 1)
+        if setting.lower() in ("acquire::http::proxy", "acquire::https::proxy") and value.strip('"') not in ("", "DIRECT"):
+            found.append(setting.split("::")[1].lower() + "_proxy=" + value.strip('"'))
+    return found
+
+
+def proxies():
+    """The user's proxy variables, which an emptied environment would lose."""
+    return [f"{name}={value}" for name, value in sorted(os.environ.items()) if name.lower() in ("http_proxy", "https_proxy", "no_proxy")]
+
+
+def write(prefix, path, text):
+    """Writes a file that only root may write."""
+    run_logged([*prefix, "mkdir", "-p", path.parent], "preparing the root")
+    done = subprocess.run([*prefix, "tee", path], input=text, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    if done.returncode:
+        raise Failure(f"{path} could not be written: {done.stderr.strip()}")
+
+
+def give_back(prefix):
+    """What the run built belongs to the checkout's owner again."""
+    owner = ROOT.stat()
+    if prefix and (ROOT / "build").exists():
+        run_logged([*prefix, "chown", "-R", f"{owner.st_uid}:{owner.st_gid}", ROOT / "build"], "giving the build folder back")
