@@ -18,19 +18,20 @@ void define_errors(py::module_& module) {
         try {
             if (thrown) std::rethrow_exception(thrown);
         } catch (const InputError& e) {
-            input(e.what());
+            PyErr_SetString(input.ptr(), e.what());
         } catch (const KernelError& e) {
-            kernel(e.what());
+            PyErr_SetString(kernel.ptr(), e.what());
         } catch (const MeshError& e) {
-            mesh(e.what());
+            PyErr_SetString(mesh.ptr(), e.what());
         } catch (const StateError& e) {
-            state(e.what());
+            PyErr_SetString(state.ptr(), e.what());
         } catch (const Cancelled& e) {
-            cancelled(e.what());
+            PyErr_SetString(cancelled.ptr(), e.what());
         } catch (const Error& e) {
-            error(e.what());
+            PyErr_SetString(error.ptr(), e.what());
         } catch (const Standard_Failure& e) {
-            kernel((std::string("The geometry kernel failed: ") + e.DynamicType()->Name() + " " + e.GetMessageString()).c_str());
+            const std::string message = std::string("The geometry kernel failed: ") + e.DynamicType()->Name() + " " + e.GetMessageString();
+            PyErr_SetString(kernel.ptr(), message.c_str());
         }
     });
     module.def("write_activity_of_crash_to", &write_activity_of_crash_to, py::arg("descriptor"),
