@@ -7,9 +7,9 @@ from analysis import add_analysis
 
 def make():
     document, body = draw.new_document("block_and_cylinder")
-    block = body.newObject("PartDesign::AdditiveBox", "Block")
+    block = draw.add_feature(body, "AdditiveBox", "Block")
     block.Length, block.Width, block.Height = 80, 50, 20
-    cylinder = body.newObject("PartDesign::AdditiveCylinder", "Cylinder")
+    cylinder = draw.add_feature(body, "AdditiveCylinder", "Cylinder")
     cylinder.Radius, cylinder.Height = 12, 40
     cylinder.Placement = App.Placement(App.Vector(25, 25, 20), App.Rotation())
     document.recompute()

@@ -26,7 +26,7 @@ def make():
         draw.draw_circle(holes, f"Hole{number}", x, y, 4)
     last = draw.pocket_through(body, "Holes", holes)
     document.recompute()
-    fillet = body.newObject("PartDesign::Fillet", "Fillet")
+    fillet = draw.add_feature(body, "Fillet", "Fillet")
     fillet.Base = (last, draw.edges_where(last.Shape, is_boss_foot))
     fillet.Radius = 3
     document.recompute()

@@ -84,8 +84,15 @@ def place(sketch, prefix, geometry, point, x, y):
             sketch.addConstraint(Sketcher.Constraint("PointOnObject", geometry, point, axis_line))
 
 
+def add_feature(body, kind, name):
+    """A feature that leaves its faces as its operation made them, whatever the running FreeCAD does by default."""
+    feature = body.newObject("PartDesign::" + kind, name)
+    feature.Refine = False
+    return feature
+
+
 def pad(body, name, sketch, length):
-    feature = body.newObject("PartDesign::Pad", name)
+    feature = add_feature(body, "Pad", name)
     feature.Profile = sketch
     feature.Length = length
     return feature
@@ -93,7 +100,7 @@ def pad(body, name, sketch, length):
 
 def pocket_through(body, name, sketch, upwards=True):
     """A pocket through all; upwards for a sketch that lies under the material."""
-    feature = body.newObject("PartDesign::Pocket", name)
+    feature = add_feature(body, "Pocket", name)
     feature.Profile = sketch
     feature.Type = "ThroughAll"
     feature.Reversed = upwards

@@ -23,7 +23,7 @@ def draw_wrench():
     slot = draw.add_sketch(body, "SlotSketch")
     draw.draw_rectangle(slot, "Slot", 15, 4, 12, 4)
     first_slot = draw.pocket_through(body, "Slot", slot)
-    slots = body.newObject("PartDesign::LinearPattern", "Slots")
+    slots = draw.add_feature(body, "LinearPattern", "Slots")
     slots.Originals = [first_slot]
     slots.Direction = (slot, ["H_Axis"])
     slots.Length, slots.Occurrences = 90, 4

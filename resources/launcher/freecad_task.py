@@ -49,9 +49,10 @@ def run_script(script, variables, lines_to=None):
 
 
 def freecad_environment(**variables):
-    """FreeCAD needs a UTF-8 locale, and the engine's Python module on its path."""
-    path = [str(RELEASE / "bindings"), os.environ.get("PYTHONPATH", "")]
-    return {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, path)), "LC_ALL": "C.UTF-8", **variables}
+    """FreeCAD needs a UTF-8 locale; the workbench is told where the engine is, and plain Python finds it on its path."""
+    engine = str(RELEASE / "bindings")
+    path = os.pathsep.join(filter(None, [engine, os.environ.get("PYTHONPATH", "")]))
+    return {**os.environ, "FEATUREMESH_ENGINE": engine, "PYTHONPATH": path, "LC_ALL": "C.UTF-8", **variables}
 
 
 def freecadcmd():

@@ -19,7 +19,7 @@ translate = FreeCAD.Qt.translate
 _NAME = "featuremesh_engine"
 _PACKAGE = os.path.dirname(os.path.abspath(__file__))
 _WORKBENCH = os.path.dirname(os.path.dirname(_PACKAGE))
-# FreeCAD with a window ignores PYTHONPATH. Installed, the engine lies beside this package or in the workbench's folder; in a
+# FreeCAD with a window, and since 1.0 every FreeCAD, ignores PYTHONPATH. Installed, the engine lies beside this package or in the workbench's folder; in a
 # clone, where the launcher builds it.
 _PLACES = (os.environ.get("FEATUREMESH_ENGINE", ""), _PACKAGE, _WORKBENCH,
            os.path.join(_WORKBENCH, "..", "..", "build", "release", "bindings"))

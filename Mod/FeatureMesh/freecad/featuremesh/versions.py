@@ -31,7 +31,10 @@ def parent_frame(part):
     """
     if version() < (1, 0):
         return FreeCAD.Placement()
-    return part.getGlobalPlacement().multiply(part.Placement.inverse())
+    if hasattr(part, "getGlobalPlacement"):
+        return part.getGlobalPlacement().multiply(part.Placement.inverse())
+    parent = part.getParentGeoFeatureGroup()  # a link, whose global placement 1.0 does not tell
+    return parent.getGlobalPlacement() if parent is not None else FreeCAD.Placement()
 
 
 def number_of(enumerator):
