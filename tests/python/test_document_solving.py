@@ -143,3 +143,24 @@ class Solving(unittest.TestCase):
         self.assertEqual(groups["Steel_Volumes"] | groups["Aluminium_Volumes"], set(mesh.FemMesh.Volumes))
         _, text = self.solve(analysis)
         self.assertEqual(text.upper().count("*SOLID SECTION"), 2)
+
+    def test_materials_of_the_objects_that_the_part_is_made_of(self):
+        """As users of boolean fragments refer to them; only solids that lie wholly in one of theirs count."""
+        from BOPTools import SplitFeatures
+        left, right = (self.document.addObject("Part::Box", name) for name in ("Left", "Right"))
+        left.Length = right.Length = 20
+        right.Placement.Base.x = 20
+        fragments = SplitFeatures.makeBooleanFragments("Fragments")
+        fragments.Objects, fragments.Mode = [left, right], "CompSolid"
+        self.document.recompute()
+        names = sorted(("Solid1", "Solid2"), key=lambda n: fragments.Shape.Solids[int(n[5:]) - 1].CenterOfMass.x)
+        analysis = analysis_of(self.document, fragments, [("Steel", STEEL, [(left, "Solid1")]), ("Aluminium", ALUMINIUM, [(right, "")])])
+        mesh = api.add_mesh(fragments, 4.0)
+        self.document.recompute()
+        groups = {mesh.FemMesh.getGroupName(g): set(mesh.FemMesh.getGroupElements(g)) for g in mesh.FemMesh.Groups}
+        self.assertEqual(groups["Steel_Volumes"], groups[names[0]])
+        self.assertEqual(groups["Aluminium_Volumes"], groups[names[1]])
+        self.document.getObject("Aluminium").References = [(left, "Solid1")]
+        mesh.Proxy.renew_analysis_groups(mesh)
+        self.assertNotIn("Steel_Volumes", {mesh.FemMesh.getGroupName(g) for g in mesh.FemMesh.Groups})
+        self.assertIn(analysis, mesh.InList)

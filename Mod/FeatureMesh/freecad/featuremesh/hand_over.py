@@ -11,6 +11,7 @@ from collections import deque
 import Fem
 import numpy as np
 
+from .materials import material_groups
 from .waiting import let_the_window_live
 
 # SMESH wants tets oriented the other way round than Abaqus and VTK; the corners in the order its UNV reader gives them.
@@ -117,7 +118,7 @@ def analysis_groups(mesh, part, entities):
         if nodes is not None:
             groups.append((member.Name + "_Nodes", "Node", nodes))
     if len(materials) > 1:
-        groups += _material_groups(materials, part, entities)
+        groups += material_groups(materials, part, entities)
     return groups
 
 
@@ -169,6 +170,16 @@ class EntityGroups:
     def all_elements(self):
         """Numbers of all tets."""
         return self._arrays["tet_numbers"]
+
+    def solids(self):
+        """Names of the solids that have tets."""
+        return [name for name in self._elements if name.startswith("Solid")]
+
+    def points_inside(self, name, count):
+        """At most `count` points inside that solid, spread over it: centroids of tets, (n,3) mm."""
+        rows = self._rows[name]
+        chosen = self._arrays["tets"][rows[np.linspace(0, len(rows) - 1, min(count, len(rows))).astype(int)]]
+        return self._arrays["points"][chosen].mean(axis=1)
 
     def of_all_entities(self):
         """(name, kind, numbers) for every edge, face and solid, and their nodes where constraints may sit."""
@@ -227,30 +238,6 @@ def _groups_of_references(name, group, part, entities):
     result = [entry for entry in result if len(entry[2])]
     result.append((name + "_Nodes", "Node", _union([entities.nodes(sub) for sub in names])))
     return result
-
-
-def _material_groups(materials, part, entities):
-    """One volume group per material, but only if together they cover every tet once: else FreeCAD searches itself."""
-    claimed, groups, rest = [], [], None
-    for material in materials:
-        names, foreign = references_to(material, part)
-        if foreign:
-            return []
-        if not getattr(material, "References", None):
-            if rest is not None:
-                return []
-            rest = material
-            continue
-        numbers = _union([entities.elements(name) for name in names])
-        claimed.append(numbers)
-        groups.append((material.Name + "_Volumes", "Volume", numbers))
-    everything = np.sort(entities.all_elements())
-    if rest is not None:
-        left = np.setdiff1d(everything, _union(claimed))
-        groups.append((rest.Name + "_Volumes", "Volume", left))
-        claimed.append(left)
-    covered = np.sort(np.concatenate(claimed)) if claimed else everything[:0]
-    return groups if np.array_equal(covered, everything) else []
 
 
 def _is_material(member):

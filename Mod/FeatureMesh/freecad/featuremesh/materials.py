@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which tets each material of an analysis gets, so that FreeCAD need not search for them (which takes it minutes).
+
+A material may refer to solids of the meshed part, or, as users of boolean fragments do, to those of the objects that it is made of.
+"""
+
+import FreeCAD
+import numpy as np
+
+from . import versions
+
+_POINTS_PER_SOLID = 8
+
+
+def material_groups(materials, part, entities):
+    """One volume group per material, but only if together they cover every tet once: else none, and FreeCAD searches itself."""
+    claimed, groups, rest = [], [], None
+    for material in materials:
+        if not material.References:
+            if rest is not None:
+                return []
+            rest = material
+            continue
+        names = _solids_of(material, part, entities)
+        if names is None:
+            return []
+        numbers = _numbers(names, entities)
+        claimed.append(numbers)
+        groups.append((material.Name + "_Volumes", "Volume", numbers))
+    everything = np.sort(entities.all_elements())
+    if rest is not None:
+        left = np.setdiff1d(everything, np.concatenate(claimed)) if claimed else everything
+        groups.append((rest.Name + "_Volumes", "Volume", left))
+        claimed.append(left)
+    covered = np.sort(np.concatenate(claimed)) if claimed else everything[:0]
+    return groups if np.array_equal(covered, everything) else []
+
+
+def _solids_of(material, part, entities):
+    """Names of the part's solids that a material refers to; None when it refers to something else, too."""
+    names = set()
+    for target, subs in material.References:
+        for sub in ((subs,) if isinstance(subs, str) else subs) or ("",):
+            found = [sub] if target is part and sub.startswith("Solid") else _solids_within(target, sub, entities)
+            if not found:
+                return None
+            names.update(found)
+    return sorted(names)
+
+
+def _solids_within(target, sub, entities):
+    """Names of the mesh's solids that lie wholly in a solid of any object, or in all its solids for ""."""
+    if sub and not sub.startswith("Solid"):
+        return []
+    solids = target.Shape.Solids
+    if sub:
+        solids = solids[int(sub[len("Solid"):]) - 1:][:1]
+    into_target = versions.parent_frame(target).inverse()
+    found = []
+    for name in entities.solids():
+        points = [into_target.multVec(FreeCAD.Vector(*point)) for point in entities.points_inside(name, _POINTS_PER_SOLID)]
+        if any(all(solid.isInside(point, 1e-7, True) for point in points) for solid in solids):
+            found.append(name)
+    return found
+
+
+def _numbers(names, entities):
+    return np.concatenate([entities.elements(name) for name in names])
