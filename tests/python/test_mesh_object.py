@@ -10,7 +10,7 @@ import FreeCAD
 import ObjectsFem
 from freecad.featuremesh import api, engine, mesh_object, overlays, versions
 from freecad.featuremesh.errors import UserError
-from parts import new_document, plate_with_hole
+from parts import new_document, plate_with_hole, rectangle
 
 SIZE = 3.0
 
@@ -316,6 +316,56 @@ class FacesThatGetOtherNumbers(unittest.TestCase):
         self.assertAlmostEqual(face.CenterOfMass.z, 10)
         self.assertGreater(len(groups_of(self.mesh)[region.References[0][1][0] + "_Nodes"][1]), 400)
 
+    def test_edges_and_vertices_stay_where_they_are(self):
+        """Numbers of edges shift even where those of faces do not."""
+        held = []
+        for kind, members in (("Edge", self.body.Shape.Edges), ("Vertex", self.body.Shape.Vertexes)):
+            for number, member in enumerate(members, 1):
+                fixed = ObjectsFem.makeConstraintFixed(self.document, "%s%d" % (kind, number))
+                fixed.References = [(self.body, "%s%d" % (kind, number))]
+                self.analysis.addObject(fixed)
+                held.append((fixed, member.BoundBox.Center))
+        self.mesh.touch()
+        self.document.recompute()
+        self.body.Tip = self.document.getObject("Hole")
+        self.document.recompute()
+        shifted = 0
+        for fixed, place in held:
+            (_, (name,)), = fixed.References
+            self.assertLess((self.body.Shape.getElement(name).BoundBox.Center - place).Length, 1e-6, fixed.Name)
+            shifted += name != fixed.Name
+        self.assertGreater(shifted, 0, "this edit was meant to shift the numbers of edges")
+
+    def test_an_edge_that_is_gone_is_reported(self):
+        self.body.Tip = self.document.getObject("Hole")
+        self.document.recompute()
+        number = next(n for n, edge in enumerate(self.body.Shape.Edges, 1) if edge.Closed)
+        self.constraints[0].References = [(self.body, "Edge%d" % number)]
+        self.mesh.touch()
+        self.document.recompute()
+        self.body.Tip = self.document.getObject("Plate")
+        self.document.recompute()
+        warnings = json.loads(self.mesh.Report)["warnings"]
+        self.assertTrue(any("Fixed1 refers to Edge%d" % number in line for line in warnings), warnings)
+
+    def test_a_number_that_means_a_new_face_is_reported(self):
+        """The hole's face goes, and a slot's face gets its number."""
+        self.body.Tip = self.document.getObject("Hole")
+        self.document.recompute()
+        number, = [n for n, face in enumerate(self.body.Shape.Faces, 1) if face.Surface.TypeId == "Part::GeomCylinder"]
+        self.constraints[0].References = [(self.body, "Face%d" % number)]
+        self.mesh.touch()
+        self.document.recompute()
+        sketch = self.body.newObject("Sketcher::SketchObject", "SlotSketch")
+        rectangle(sketch, 40, 10, 5, 20)
+        hole = self.document.getObject("Hole")
+        hole.Profile = sketch
+        self.document.recompute()
+        self.assertGreaterEqual(len(self.body.Shape.Faces), number)
+        warnings = json.loads(self.mesh.Report)["warnings"]
+        self.assertTrue(any("Fixed1 refers to Face%d, which is gone" % number in line for line in warnings), warnings)
+
+    @unittest.skipIf(versions.follows_faces(), "FreeCAD itself moves what was chosen by hand")
     def test_a_reference_changed_by_hand_is_left_alone(self):
         self.constraints[0].References = [(self.body, "Face6")]
         self.body.Tip = self.document.getObject("Hole")

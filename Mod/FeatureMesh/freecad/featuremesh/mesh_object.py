@@ -12,7 +12,7 @@ import Fem
 from . import engine, hand_over, history, references, state, versions
 from .errors import EngineMissing, StateError, UserError
 from .job import MeshJob
-from .reading import describe, read_document
+from .reading import describe, read_document, shape_of_record
 
 translate = FreeCAD.Qt.translate
 # Kept in documents as they are; shown in the user's language by status_in_words.
@@ -252,12 +252,13 @@ class FeatureMesh:
         return members + list(mesh.MeshGroupList)
 
     def _follow(self, objects, mesh, faces):
-        """On versions that know faces by number, moves references with their faces. Returns what was done."""
-        if versions.follows_faces() or not self._references:
+        """Moves references with their faces where FreeCAD does not or could not. Returns what was done."""
+        part, raw = versions.part_of(mesh), self._raw
+        if not (references.are_lost(objects, part) if versions.follows_faces() else self._references):
             return []
         self._following = True
         try:
-            return references.follow(objects, versions.part_of(mesh), self._references, faces())
+            return references.follow(objects, part, self._references, faces(), lambda: shape_of_record(raw))
         finally:
             self._following = False
 

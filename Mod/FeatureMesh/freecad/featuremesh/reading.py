@@ -5,6 +5,7 @@ Nothing is interpreted here: what a record means is decided by the engine. Two t
 here: which objects the part depends on, and in which frame each of them lies.
 """
 
+import contextlib
 import os
 import tempfile
 from collections import deque
@@ -38,7 +39,7 @@ def read_document(part):
     Shapes and frames are given in the frame in which FEM sees `part.Shape`. Throws UserError when it has no shape.
     """
     if not has_shape(part):
-        raise UserError(translate("FeatureMesh", "%s has no shape to mesh") % describe(part))
+        raise UserError(translate("FeatureMesh", "%s has no shape to mesh") % describe(part) + _what_leaves_nothing(part))
     frames = _frames(part)
     shapes = _ShapeList()
     home = part.Document
@@ -58,6 +59,12 @@ def outline_of(part):
     edges = [numpy.array([tuple(p) for p in edge.discretize(Deflection=fine)])
              for edge in shape.Edges if not edge.Degenerated]
     return {"faces": faces, "edges": edges}
+
+
+def shape_of_record(raw):
+    """The final object's shape as read_document recorded it."""
+    index = next(record["shape"] for record in raw["records"] if record["name"] == raw["final_object"])
+    return _shapes_from_bytes(raw["shapes"])[index]
 
 
 def find_meshable(document, name=None):
@@ -86,6 +93,18 @@ def final_solids(document):
         if obj.TypeId == "PartDesign::Body" or _is_feature_of_body(obj):
             used.update(_used_by(obj))
     return [obj for obj in candidates if obj not in used]
+
+
+def _what_leaves_nothing(part):
+    """", ... leaves nothing of it" with the first feature that has no shape though one before it had; since 1.0 that is no error."""
+    before = False
+    for obj in dependencies(part):
+        if obj is part or not obj.isDerivedFrom("PartDesign::Feature"):
+            continue
+        if before and not has_shape(obj):
+            return translate("FeatureMesh", ": %s leaves nothing of it") % describe(obj)
+        before = before or has_shape(obj)
+    return ""
 
 
 def find_object(document, name):
@@ -308,16 +327,32 @@ class _ShapeList:
 
     def to_bytes(self):
         """One compound in FreeCAD's binary form, which leaves out the triangulations of a view."""
-        compound = Part.Compound(self._shapes)
-        folder = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
-        handle, path = tempfile.mkstemp(".bin", "featuremesh-", folder)
-        os.close(handle)
-        try:
-            compound.exportBinary(path)
+        with _file_in_memory() as path:
+            Part.Compound(self._shapes).exportBinary(path)
             with open(path, "rb") as stream:
                 return stream.read()
-        finally:
-            os.unlink(path)
+
+
+def _shapes_from_bytes(data):
+    """The shapes that _ShapeList.to_bytes put together."""
+    compound = Part.Shape()
+    with _file_in_memory() as path:
+        with open(path, "wb") as stream:
+            stream.write(bytes(data))
+        compound.importBinary(path)
+    return compound.SubShapes
+
+
+@contextlib.contextmanager
+def _file_in_memory():
+    """Path of a file for as long as it is needed, without a disk where there is another place."""
+    folder = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
+    handle, path = tempfile.mkstemp(".bin", "featuremesh-", folder)
+    os.close(handle)
+    try:
+        yield path
+    finally:
+        os.unlink(path)
 
 
 def _parameters(obj):

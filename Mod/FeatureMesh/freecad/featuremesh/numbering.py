@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the faces, edges, vertices and solids of a part are called after an edit.
+
+Faces come from the feature difference. An edge is known by the faces that meet in it, a vertex likewise, a solid by the faces around
+it; where these leave a choice, the one that has not moved is meant.
+"""
+
+import re
+from collections import defaultdict
+
+_MEMBERS = {"Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
+_SAME_PLACE = 1e-6  # of the part's diagonal
+
+
+class Numbering:
+    """Names before the edit and after it; `faces` is the face changes of the feature difference."""
+
+    def __init__(self, faces, old_shape, new_shape):
+        """`old_shape` is a function: it costs time, and is called only for a name that is not a face's."""
+        self._became = defaultdict(set)
+        for change in faces:
+            if change["old_face"] and change["new_face"]:
+                self._became[change["old_face"]].add(change["new_face"])
+        self._old_shape, self._new_shape = old_shape, new_shape
+        self._around = {}  # kind -> (members before, their faces, members after, their faces)
+
+    def now(self, name):
+        """Sorted names of what the sub-element became; empty when it is gone or cannot be told."""
+        kind, number = re.match(r"([A-Za-z]+)(\d+)$", name).groups()
+        if kind == "Face":
+            return sorted(self._became.get(name, ()), key=lambda face: int(face[len("Face"):]))
+        olds, old_faces, news, new_faces = self._both(kind)
+        index = int(number) - 1
+        if index >= len(olds):
+            return []
+        images = [self._became.get(face, set()) for face in old_faces[index]]
+        found = _best_overlap(images, new_faces) if kind == "Solid" else \
+            [i for i, around in enumerate(new_faces) if len(around) == len(images) and all(image & around for image in images)]
+        if len(found) != 1:
+            tolerance = _SAME_PLACE * self._new_shape.BoundBox.DiagonalLength
+            found = [i for i in found or range(len(news)) if _same_place(olds[index], news[i], tolerance)]
+        return ["%s%d" % (kind, found[0] + 1)] if len(found) == 1 else []
+
+    def _both(self, kind):
+        if callable(self._old_shape):
+            self._old_shape = self._old_shape()
+        if kind not in self._around:
+            self._around[kind] = _around(self._old_shape, _MEMBERS[kind]) + _around(self._new_shape, _MEMBERS[kind])
+        return self._around[kind]
+
+
+def _around(shape, members):
+    """The edges, vertices or solids of a shape, and for each the names of the faces that it belongs to or that belong to it."""
+    all_of_kind = getattr(shape, members)
+    around = [set() for _ in all_of_kind]
+    names = defaultdict(list)
+    for number, face in enumerate(shape.Faces, 1):
+        names[face.hashCode()].append((face, "Face%d" % number))
+    if members == "Solids":
+        for index, solid in enumerate(all_of_kind):
+            around[index] = {_name(face, names) for face in solid.Faces}
+        return all_of_kind, around
+    known = defaultdict(list)
+    for index, member in enumerate(all_of_kind):
+        known[member.hashCode()].append((member, index))
+    for number, face in enumerate(shape.Faces, 1):
+        for member in getattr(face, members):
+            around[_name(member, known)].add("Face%d" % number)
+    return all_of_kind, around
+
+
+def _name(member, known):
+    return next(name for other, name in known[member.hashCode()] if other.isSame(member))
+
+
+def _best_overlap(images, candidates):
+    """The candidates (sets of faces) that share most faces with the images."""
+    image = set().union(*images) if images else set()
+    shared = [len(image & around) for around in candidates]
+    return [i for i, count in enumerate(shared) if count and count == max(shared)]
+
+
+def _same_place(old, new, tolerance):
+    if old.ShapeType == "Vertex":
+        return (old.Point - new.Point).Length <= tolerance
+    return (old.CenterOfMass - new.CenterOfMass).Length <= tolerance and abs(old.Length - new.Length) <= tolerance
