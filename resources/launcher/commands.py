@@ -2,6 +2,7 @@
 """What each command does: set-up, then one task in FreeCAD or one program."""
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -15,6 +16,7 @@ from layout import RELEASE, ROOT, WORKBENCH, Failure, UserError
 from setup_log import say
 
 CLOSING_LINES = 30
+TABLE_LINE = re.compile(r"\d+: (?=\| )")
 
 
 def mesh(given):
@@ -70,9 +72,13 @@ def test(given):
         return test_elsewhere(given)
     set_up(packages.PICTURE_PACKAGES, everything=True)
     say("running the tests")
-    only = ["-R", given.only] if given.only else []
-    process = subprocess.Popen(["ctest", "--test-dir", str(RELEASE), "--output-on-failure", "--no-tests=error", *only],
-                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
+    options = ["-R", given.only] if given.only else []
+    environment = dict(os.environ)
+    if given.long:
+        options.append("--verbose")
+        environment["FEATUREMESH_LONG"] = "1"
+    process = subprocess.Popen(["ctest", "--test-dir", str(RELEASE), "--output-on-failure", "--no-tests=error", *options],
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", env=environment)
     log_file = RELEASE / "ctest.log"
     lines = []
     with open(log_file, "w", encoding="utf-8") as log:
@@ -81,6 +87,8 @@ def test(given):
             lines.append(line)
             if "Test  #" in line or "Test #" in line:
                 print(line, end="", flush=True)
+            elif TABLE_LINE.match(line):
+                print(TABLE_LINE.sub("", line), end="", flush=True)
     code = process.wait()
     print_closing_lines(lines, failed=code != 0)
     if code:
@@ -93,8 +101,8 @@ def test_elsewhere(given):
     if given.freecad not in freecad_roots.RELEASE_OF:
         raise UserError(f"--freecad {given.freecad}: there are roots for {' and '.join(freecad_roots.RELEASE_OF)}; without this option "
                         "this machine's FreeCAD is tested")
-    only = ["--only", given.only] if given.only else []
-    return freecad_roots.run_in_root(given.freecad, [f"{freecad_roots.CHECKOUT}/featuremesh", "test", *only])
+    options = [*(["--only", given.only] if given.only else []), *(["--long"] if given.long else [])]
+    return freecad_roots.run_in_root(given.freecad, [f"{freecad_roots.CHECKOUT}/featuremesh", "test", *options])
 
 
 def print_closing_lines(lines, failed):
