@@ -13,17 +13,17 @@ def make():
     collar.Radius1, collar.Radius2, collar.Height = 42, 32, 14
     collar.Placement.Base = App.Vector(0, 0, 14)
     solid = document.addObject("Part::MultiFuse", "Solid")
-    solid.Shapes = [disk, collar, hub]
+    solid.Shapes, solid.Refine = [disk, collar, hub], False
     bore = add_cylinder(document, "Bore", 24, 50)
     bored = document.addObject("Part::Cut", "Bored")
-    bored.Base, bored.Tool = solid, bore
+    bored.Base, bored.Tool, bored.Refine = solid, bore, False
     bolt = add_cylinder(document, "Bolt", 5, 14)
     bolt.Placement.Base = App.Vector(50, 0, 0)
     document.recompute()
     circle = Draft.make_polar_array(bolt, number=6, angle=360, center=App.Vector(0, 0, 0), use_link=False)
     circle.Label = "BoltCircle"
     flange = document.addObject("Part::Cut", "Flange")
-    flange.Base, flange.Tool = bored, circle
+    flange.Base, flange.Tool, flange.Refine = bored, circle, False
     document.recompute()
     add_analysis(document, flange, fixed_at=[(56, 10, 0)], force_at=(28, 0, 50), force_newton=20000)
     document.recompute()

@@ -57,7 +57,9 @@ class Builder {
         const TopTools_ListOfShape& modified = builder_.Modified(shape);
         if (modified.IsEmpty() && builder_.IsDeleted(shape)) return {};
         if (modified.IsEmpty()) return {shape};
-        return {modified.begin(), modified.end()};
+        std::vector<TopoDS_Shape> shapes;
+        for (const TopoDS_Shape& image : modified) shapes.push_back(image);  // OCCT's iterators make no range of C++20
+        return shapes;
     }
 
   private:

@@ -53,7 +53,7 @@ class Edits(unittest.TestCase):
 
     def test_named_constraint(self):
         self.set("HoleSketch.X=35")
-        self.assertAlmostEqual(self.body.Shape.CenterOfMass.x, (60 * 40 * 30 - 113.0973355 * 35) / (2400 - 113.0973355), 5)
+        self.assertAlmostEqual(self.body.Shape.Solids[0].CenterOfMass.x, (60 * 40 * 30 - 113.0973355 * 35) / (2400 - 113.0973355), 5)
 
     def test_constraint_by_number(self):
         self.set("HoleSketch.Constraint1=7")

@@ -21,6 +21,11 @@ def part_of(document):
     return document.getObject("Body") or document.getObject("Flange")
 
 
+def names_of(document):
+    """Without origins, which each FreeCAD makes in its own way."""
+    return [obj.Name for obj in document.Objects if not obj.TypeId.startswith("App::")]
+
+
 class Examples(unittest.TestCase):
     def setUp(self):
         self.documents = []
@@ -43,7 +48,7 @@ class Examples(unittest.TestCase):
                 made, stored = part_of(self.made(name)), part_of(self.stored(name))
                 self.assertAlmostEqual(made.Shape.Volume, stored.Shape.Volume, delta=1e-9 * made.Shape.Volume)
                 self.assertEqual(len(made.Shape.Faces), len(stored.Shape.Faces))
-                self.assertEqual([o.Name for o in made.Document.Objects], [o.Name for o in stored.Document.Objects])
+                self.assertEqual(names_of(made.Document), names_of(stored.Document))
 
     def test_every_example_is_one_valid_solid_with_an_analysis(self):
         for name in MAKERS:

@@ -4,7 +4,7 @@
 A few in each run, all of them when FEATUREMESH_LONG is set. The examples are those of the running FreeCAD. Left out are shells and
 beams, and constraint_centrif, one of whose rings is held by nothing.
 """
-import importlib
+import importlib.util
 import math
 import shutil
 import unittest
@@ -14,6 +14,7 @@ from freecad.featuremesh import api, mesh_object, versions
 from parts import new_document
 
 WITHIN = 0.02
+LATER_NAMES = {"thermomech_bimetall": "thermomech_bimetal"}
 # Tets of an even mesh have 1.7 times the number of regular ones of the same edge length in the same volume.
 OURS_PER_REGULAR = 0.85
 EULER_OVER_LOAD = math.pi ** 2 * 210000 * (1.5 * 1 ** 3 / 12) / (4 * 8 ** 2) / 21
@@ -40,6 +41,11 @@ EXAMPLES = [
 ]
 
 
+def example_here(example):
+    """The name of that example in the running FreeCAD, None when it has it no more."""
+    return next((name for name in (example, LATER_NAMES.get(example)) if name and importlib.util.find_spec("femexamples." + name)), None)
+
+
 @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
 class FemExamples(unittest.TestCase):
 
@@ -47,8 +53,12 @@ class FemExamples(unittest.TestCase):
         rows = []
         for example, measure, always, truth in EXAMPLES:
             if always or LONG:
+                example = example_here(example)
+                if example is None:
+                    continue
                 with self.subTest(example):
                     rows.append(self.compare(example, measure, truth))
+        self.assertGreater(len(rows), 4)
         print_table("FreeCAD's FEM examples", ("example", "compared", "its tets", "our tets", "its figure", "ours", "off, %"), rows)
 
     def compare(self, example, measure, truth):
