@@ -15,7 +15,7 @@ from pathlib import Path
 
 import packages
 from cgal_headers import DEFAULT_KEYRING, SYSTEM_SOURCES, debian_source, is_snapshot
-from layout import ROOT, Failure, Unavailable
+from layout import ROOT, SETUP_LOG, Failure, Unavailable
 from setup_log import run_logged, say
 
 RELEASE_OF = {"1.0": "trixie", "1.1": "testing"}
@@ -36,27 +36,39 @@ mount --bind "$checkout" "$root/featuremesh"
 mount --bind "$ccache" "$root/var/cache/ccache"
 exec chroot "$root" "$@"
 """
+# The packages are part of a root, so that a mirror that fails in the middle is known as such.
+INSTALL = f"""
+mkdir -p {CHECKOUT}/build
+{{ apt-get -q update && apt-get -q -y install --no-install-recommends python3; }} >> {CHECKOUT}/build/setup.log 2>&1 || exit 1
+exec /usr/bin/python3 -B -c "import sys; sys.path.insert(0, '{CHECKOUT}/resources/launcher')
+import packages
+packages.install_missing(packages.BUILD_PACKAGES + packages.RUN_PACKAGES + packages.PICTURE_PACKAGES)"
+"""
 # Settings by which apt reaches a mirror and trusts it; those about where it keeps its own files stay behind.
 TAKEN_ALONG = ("Acquire::http", "Acquire::https", "Acquire::Check-", "Acquire::Retries", "Acquire::ForceIPv")
 
 
 def run_in_root(version, command):
     """Runs a command of the checkout in the root with that FreeCAD; gives its exit code. Throws Unavailable when there can be no root."""
-    name = RELEASE_OF[version]
     prefix = prepare_machine()
-    root = CACHE / name
-    ccache = CACHE / ("ccache-" + name)
+    root = CACHE / RELEASE_OF[version]
     with alone(prefix):
         if not is_fresh(root):
-            make_root(name, root, prefix)
-        run_logged([*prefix, "mkdir", "-p", ccache, root / CHECKOUT.lstrip("/"), root / "var/cache/ccache"], "preparing the root")
-    environment = ["env", "-i", "PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin", "HOME=/root", "LC_ALL=C.UTF-8",
-                   "CCACHE_DIR=/var/cache/ccache", f"FEATUREMESH_BUILD={CHECKOUT}/build/freecad-{version}", *proxies()]
+            make_root(RELEASE_OF[version], root, prefix)
     try:
-        return subprocess.run([*prefix, "unshare", "--mount", "--pid", "--fork", "--kill-child", "sh", "-c", MOUNT_AND_RUN, "sh",
-                               root, ROOT, ccache, *environment, *command], stdin=subprocess.DEVNULL).returncode
+        return run_mounted(prefix, root, [f"FEATUREMESH_BUILD={CHECKOUT}/build/freecad-{version}"], command)
     finally:
         give_back(prefix)
+
+
+def run_mounted(prefix, root, variables, command):
+    """Runs a command in a root with the checkout at CHECKOUT and the release's compiler cache; gives its exit code."""
+    ccache = CACHE / ("ccache-" + root.name.split(".")[0])
+    run_logged([*prefix, "mkdir", "-p", ccache, root / CHECKOUT.lstrip("/"), root / "var/cache/ccache"], "preparing the root")
+    environment = ["env", "-i", "PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin", "HOME=/root", "LC_ALL=C.UTF-8",
+                   "CCACHE_DIR=/var/cache/ccache", *proxies(), *variables]
+    return subprocess.run([*prefix, "unshare", "--mount", "--pid", "--fork", "--kill-child", "sh", "-c", MOUNT_AND_RUN, "sh",
+                           root, ROOT, ccache, *environment, *command], stdin=subprocess.DEVNULL).returncode
 
 
 def prepare_machine():
@@ -107,6 +119,8 @@ def make_root(name, root, prefix):
     write(prefix, fresh / "etc/apt/apt.conf.d/99machine", "".join(machine_settings()))
     if Path("/", CERTIFICATES).is_file():
         write(prefix, fresh / CERTIFICATES, Path("/", CERTIFICATES).read_text(encoding="utf-8"))
+    if run_mounted(prefix, fresh, [], ["sh", "-c", INSTALL]):
+        raise Unavailable(f"no root of Debian {name}: its packages could not be installed, see {SETUP_LOG}")
     write(prefix, fresh / NOTE, json.dumps({"made": datetime.datetime.now().isoformat(), "release": name}))
     run_logged([*prefix, "mv", fresh, root], "moving the new root to its place")
 
