@@ -143,6 +143,10 @@
       <translation>4 Knoten</translation>
     </message>
     <message>
+      <source>: %s leaves nothing of it</source>
+      <translation>: %s lässt nichts davon übrig</translation>
+    </message>
+    <message>
       <source>&lt;b&gt;Show what was kept&lt;/b&gt; colours what stayed and what is new; &lt;b&gt;Show the quality&lt;/b&gt; finds the worst elements.</source>
       <translation>&lt;b&gt;Zeigen, was blieb&lt;/b&gt; färbt, was geblieben und was neu ist; &lt;b&gt;Qualität zeigen&lt;/b&gt; findet die schlechtesten Elemente.</translation>
     </message>
