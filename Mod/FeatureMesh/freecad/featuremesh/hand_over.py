@@ -43,7 +43,9 @@ def build(arrays, groups):
     mesh = Fem.FemMesh()
     numbers = arrays["node_numbers"]
     stage_of_node = np.maximum(arrays["entities"][:, 0], 1) - 1
-    stages = [_stage_of_group(kind, members, numbers, stage_of_node) for _, kind, members in groups]
+    stage_of_number = np.zeros(int(numbers.max(initial=0)) + 1, dtype=np.int8)
+    stage_of_number[numbers] = stage_of_node
+    stages = [int(stage_of_number[members].max(initial=0)) if kind == "Node" else _STAGES[kind] for _, kind, members in groups]
     for stage, (add, elements, mids, own) in enumerate((
             (mesh.addEdge, "segments", "segment_mids", "segment_numbers"),
             (mesh.addFace, "triangles", "triangle_mids", "triangle_numbers"),
@@ -65,12 +67,6 @@ def _for_each(function, *columns):
     for start in range(0, len(columns[0]), _CHUNK):
         deque(map(function, *(column[start:start + _CHUNK] for column in columns)), maxlen=0)
         let_the_window_live()
-
-
-def _stage_of_group(kind, members, numbers, stage_of_node):
-    if kind != "Node":
-        return _STAGES[kind]
-    return int(stage_of_node[np.isin(numbers, members)].max(initial=0))
 
 
 def reopened(fem_mesh, arrays):
