@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bindings.h"
 #include "core/errors.h"
+#include "update/field_transfer.h"
 
 namespace featuremesh {
 
@@ -141,11 +142,13 @@ py::tuple answer(const PartMeshResult& result) {
     return py::make_tuple(std::const_pointer_cast<PartMesh>(result.part_mesh), to_dict(result.report));
 }
 
-py::tuple mesh_document(const py::dict& raw, const py::dict& options, const Progress& progress) {
+py::tuple mesh_document(const py::dict& raw, const py::dict& options, const Progress& progress, std::pair<Number, Number> next_numbers) {
     RawDocument document = raw_document_from(raw);
     const Asked asked = asked_from(options);
+    const NextNumbers next{next_numbers.first, next_numbers.second};
+    if (next.node < 1 || next.element < 1) throw InputError("Numbers of nodes and elements start at 1.");
     return answer(run_released(progress, asked.threads,
-                               [&](RunContext& context) { return mesh_part(std::move(document), asked.options, context); }));
+                               [&](RunContext& context) { return mesh_part(std::move(document), asked.options, context, next); }));
 }
 
 py::tuple update_document(const PartMesh& old, const py::dict& raw, const py::dict& options, const Progress& progress) {
@@ -155,6 +158,14 @@ py::tuple update_document(const PartMesh& old, const py::dict& raw, const py::di
                                [&](RunContext& context) { return update_part(old, std::move(document), asked.options, context); }));
 }
 
+py::tuple adopt_document(const py::dict& raw, const py::dict& options, const py::dict& arrays, const Progress& progress) {
+    RawDocument document = raw_document_from(raw);
+    const Asked asked = asked_from(options);
+    const Mesh foreign = mesh_from(arrays);
+    return answer(run_released(progress, asked.threads,
+                               [&](RunContext& context) { return adopt_part(std::move(document), asked.options, foreign, context); }));
+}
+
 std::shared_ptr<PartMesh> restore_document(const py::dict& raw, const py::dict& options, const py::dict& arrays) {
     RawDocument document = raw_document_from(raw);
     const Asked asked = asked_from(options);
@@ -162,6 +173,23 @@ std::shared_ptr<PartMesh> restore_document(const py::dict& raw, const py::dict& 
     return std::const_pointer_cast<PartMesh>(run_released({}, asked.threads, [&](RunContext& context) {
         return restore_part(std::move(document), asked.options, std::move(mesh), context);
     }));
+}
+
+using Table = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+py::tuple transfer_values(const py::dict& old_arrays, const py::dict& new_arrays, const Table& values, double same_place, int threads) {
+    const Mesh old_mesh = mesh_from(old_arrays), new_mesh = mesh_from(new_arrays);
+    const bool fits = (values.ndim() == 1 || values.ndim() == 2) && std::size_t(values.shape(0)) == old_mesh.node_count();
+    if (!fits) throw InputError("Values are (n,) or (n,k) with a row per node of the old mesh.");
+    const std::span<const double> rows(values.data(), std::size_t(values.size()));
+    const TransferredField field = run_released({}, threads, [&](RunContext& context) {
+        return transfer_field(old_mesh, new_mesh, rows, same_place, context);
+    });
+    std::vector<py::ssize_t> shape{py::ssize_t(new_mesh.node_count())};
+    if (values.ndim() == 2) shape.push_back(values.shape(1));
+    py::array_t<std::uint8_t> sources(py::ssize_t(field.sources.size()));
+    for (std::size_t n = 0; n < field.sources.size(); ++n) sources.mutable_at(py::ssize_t(n)) = std::uint8_t(field.sources[n]);
+    return py::make_tuple(py::array_t<double>(shape, field.values.data()), py::array_t<double>(shape, field.errors.data()), sources);
 }
 
 double estimate(const py::dict& raw, const py::dict& options) {
@@ -177,11 +205,16 @@ double estimate(const py::dict& raw, const py::dict& options) {
 
 void define_update(py::module_& module) {
     module.def("mesh_part", &mesh_document, py::arg("raw"), py::arg("options"), py::arg("progress") = py::none(),
-               "Meshes the part from scratch; (PartMesh, report).");
+               py::arg("next_numbers") = std::pair<Number, Number>{1, 1},
+               "Meshes the part from scratch, with node and element numbers from `next_numbers` on; (PartMesh, report).");
     module.def("update_part", &update_document, py::arg("old"), py::arg("raw"), py::arg("options"), py::arg("progress") = py::none(),
                "Meshes the new state of the part, keeping what did not change; (PartMesh, report). The old PartMesh stays as it is.");
+    module.def("adopt_part", &adopt_document, py::arg("raw"), py::arg("options"), py::arg("arrays"), py::arg("progress") = py::none(),
+               "Makes another maker's mesh of the part ours, keeping what fits; (PartMesh, report).");
     module.def("restore_part", &restore_document, py::arg("raw"), py::arg("options"), py::arg("arrays"),
                "The PartMesh whose arrays were saved. Raises StateError when they do not fit the part.");
+    module.def("transfer_field", &transfer_values, py::arg("old_arrays"), py::arg("new_arrays"), py::arg("values"), py::arg("same_place") = 0.0,
+               py::arg("threads") = 1, "Nodal values carried from one mesh to another; (values, error estimates, sources).");
     module.def("estimate_tets", &estimate, py::arg("raw"), py::arg("options"), "About how many tets the options ask for.");
 }
 

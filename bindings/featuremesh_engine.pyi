@@ -47,9 +47,16 @@ class PartMesh:
     def write_unv(self, path: str, groups: list[tuple[str, str, np.ndarray]]) -> None:
         """The mesh as FreeCAD reads it with numbers and groups; a group is (name, "Node"|"Edge"|"Face"|"Volume", numbers)."""
 
-def mesh_part(raw: dict, options: dict, progress: Progress = None) -> tuple[PartMesh, dict[str, Any]]: ...
+def mesh_part(raw: dict, options: dict, progress: Progress = None, next_numbers: tuple[int, int] = (1, 1)) -> tuple[PartMesh, dict[str, Any]]:
+    """Nodes and elements are numbered from `next_numbers` on: those before were given to others in the document's history."""
 def update_part(old: PartMesh, raw: dict, options: dict, progress: Progress = None) -> tuple[PartMesh, dict[str, Any]]: ...
+def adopt_part(raw: dict, options: dict, arrays: dict[str, np.ndarray], progress: Progress = None) -> tuple[PartMesh, dict[str, Any]]:
+    """Makes another maker's mesh of the part ours. `arrays` as PartMesh.arrays gives them; of CAD entities they need to know nothing."""
 def restore_part(raw: dict, options: dict, arrays: dict[str, np.ndarray]) -> PartMesh: ...
+def transfer_field(old_arrays: dict[str, np.ndarray], new_arrays: dict[str, np.ndarray], values: np.ndarray, same_place: float = 0.0,
+                   threads: int = 1) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Nodal values (n,) or (n,k) of the old mesh's nodes on the new one's: values, error estimates of the same shape, and by node where the value is from:
+    0 the same node, 1 within an old element, 2 the nearest point of the old boundary."""
 def read_tree(raw: dict) -> dict[str, Any]:
     """{"object", "features": [{"name", "label", "type", "role", "suppressed", "error", "depends_on", "volume_source",
     "volumes": [{"effect", "volume", "instance"}], "owns_cells", "owns_faces"}], "cells", "material_volume", "final_volume", "notes"}"""

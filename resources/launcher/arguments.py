@@ -24,7 +24,7 @@ def parse(words):
     parser = Parser(prog=PROGRAM, description=DESCRIPTION, usage=f"{PROGRAM} [-h] COMMAND ...",
                     formatter_class=one_line_each)
     subparsers = parser.add_subparsers(prog=PROGRAM, dest="command", metavar="COMMAND ...", required=True, parser_class=Parser)
-    for add in (add_demo, add_test, add_mesh, add_update, add_diff, add_tree, add_export, add_gui, add_bench,
+    for add in (add_demo, add_test, add_mesh, add_adopt, add_update, add_transfer, add_renumber, add_diff, add_tree, add_export, add_gui, add_bench,
                 add_install, add_uninstall):
         add(subparsers)
     return parser.parse_args(words)
@@ -63,6 +63,32 @@ def add_update(subparsers):
                         help="an edit: a property, Sketch.CONSTRAINT, Spreadsheet.ALIAS or Object.Placement.Base.x; may be repeated")
     update.add_argument("--full", action="store_true", help="mesh the edited part from scratch instead, for comparison")
     add_run(update)
+
+
+def add_adopt(subparsers):
+    adopt = command(subparsers, "adopt", commands.adopt, "make a mesh of Gmsh or another mesher in the document one that updates locally")
+    add_part(adopt)
+    adopt.add_argument("--mesh", required=True, metavar="NAME", help="the FEM mesh object to adopt; it stays in the document")
+    adopt.add_argument("--size", type=float, metavar="H", help="edge length for what is meshed anew (default: that of the mesh)")
+    add_run(adopt)
+
+
+def add_renumber(subparsers):
+    renumber = command(subparsers, "renumber", commands.renumber, "number a mesh's nodes and elements anew, from 1 without gaps")
+    add_part(renumber)
+    renumber.add_argument("--out", metavar="OUT.FCStd", help="the document to write (default: the document itself)")
+    renumber.add_argument("--json", metavar="REPORT.json", help="write the report to this file")
+
+
+def add_transfer(subparsers):
+    transfer = command(subparsers, "transfer", commands.transfer, "carry a solved result over to the updated mesh, with an estimate of the error")
+    transfer.add_argument("part", metavar="OLD.FCStd", help="the document with the result")
+    transfer.add_argument("new", metavar="NEW.FCStd", nargs="?",
+                          help="the document with the updated mesh (default: OLD itself, whose mesh was updated after it was solved)")
+    transfer.add_argument("--result", metavar="NAME", help="the result object (default: the only one)")
+    add_object(transfer)
+    transfer.add_argument("--out", metavar="OUT.FCStd", help="the document to write (default: NEW)")
+    transfer.add_argument("--json", metavar="REPORT.json", help="write the report to this file")
 
 
 def add_diff(subparsers):

@@ -25,9 +25,26 @@ def mesh(given):
                        out=written_file(given.out), json=written_file(given.json)))
 
 
+def adopt(given):
+    part = existing_file(given.part)
+    return finish(task(given, part=part, mesh=given.mesh, object=given.object, size=given.size, threads=given.threads,
+                       out=written_file(given.out), json=written_file(given.json)))
+
+
 def update(given):
     part = existing_file(given.part)
     return finish(task(given, part=part, object=given.object, set=given.set, full=given.full, threads=given.threads,
+                       out=written_file(given.out), json=written_file(given.json)))
+
+
+def renumber(given):
+    part = existing_file(given.part)
+    return finish(task(given, part=part, object=given.object, out=written_file(given.out), json=written_file(given.json)))
+
+
+def transfer(given):
+    part = existing_file(given.part)
+    return finish(task(given, part=part, new=existing_file(given.new) if given.new else None, result=given.result, object=given.object,
                        out=written_file(given.out), json=written_file(given.json)))
 
 

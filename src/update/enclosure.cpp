@@ -26,6 +26,19 @@ Box box_of(const std::vector<std::array<Vec3, 3>>& triangles) {
     return box;
 }
 
+/// Height at which the vertical through (x, y) meets the triangle; false where it passes by.
+bool crossing(const Vec3& a, const Vec3& b, const Vec3& c, double x, double y, double& z) {
+    const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+    if (area == 0) return false;
+    const double u = ((x - a.x) * (c.y - a.y) - (c.x - a.x) * (y - a.y)) / area;
+    const double v = ((b.x - a.x) * (y - a.y) - (x - a.x) * (b.y - a.y)) / area;
+    if (u < 0 || v < 0 || u + v > 1) return false;
+    z = a.z + u * (b.z - a.z) + v * (c.z - a.z);
+    return true;
+}
+
+}  // namespace
+
 std::vector<std::array<Vec3, 3>> triangulate(const TopoDS_Shape& shape) {
     const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape, true, false).Shape();   // the original stays without a triangulation
     BRepMesh_IncrementalMesh mesher(copy, 0.01, true, 0.3, false);
@@ -43,19 +56,6 @@ std::vector<std::array<Vec3, 3>> triangulate(const TopoDS_Shape& shape) {
     }
     return triangles;
 }
-
-/// Height at which the vertical through (x, y) meets the triangle; false where it passes by.
-bool crossing(const Vec3& a, const Vec3& b, const Vec3& c, double x, double y, double& z) {
-    const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-    if (area == 0) return false;
-    const double u = ((x - a.x) * (c.y - a.y) - (c.x - a.x) * (y - a.y)) / area;
-    const double v = ((b.x - a.x) * (y - a.y) - (x - a.x) * (b.y - a.y)) / area;
-    if (u < 0 || v < 0 || u + v > 1) return false;
-    z = a.z + u * (b.z - a.z) + v * (c.z - a.z);
-    return true;
-}
-
-}  // namespace
 
 Enclosure::Enclosure(const std::vector<TopoDS_Shape>& volumes) {
     std::vector<std::array<Vec3, 3>> all;

@@ -11,6 +11,9 @@
 
 namespace featuremesh {
 
+/// A triangulation of the shape's faces, coarse where they are flat; the shape itself stays without one.
+std::vector<std::array<Vec3, 3>> triangulate(const TopoDS_Shape& shape);
+
 /// The inside of some volumes, by their triangulation: quick, and wrong only within the triangulation's deflection of the boundary.
 class Enclosure {
   public:

@@ -13,6 +13,7 @@
 #include "core/errors.h"
 #include "mesh/validation.h"
 #include "surface/mid_side_nodes.h"
+#include "update/foreign_fit.h"
 #include "update/keep.h"
 
 namespace featuremesh {
@@ -83,6 +84,13 @@ Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, co
     return {std::move(mesh), std::move(surface.report), std::move(volume.report), std::move(volume.released)};
 }
 
+Kept nothing_kept(NextNumbers next) {
+    Kept nothing;
+    nothing.mesh.next_node_number = next.node;
+    nothing.mesh.next_element_number = next.element;
+    return nothing;
+}
+
 std::string first_line(const char* text) { return std::string(text).substr(0, std::string(text).find('\n')); }
 
 /// The one operation: fills whatever is not meshed yet. What the libraries throw becomes one of our errors.
@@ -123,6 +131,12 @@ void record_run(const PartState& part, const RunContext& context, double total, 
     report.warnings.insert(report.warnings.end(), part.tree.notes.begin(), part.tree.notes.end());
     for (const auto& lines : {part.cells.report.fallbacks, part.cells.report.findings})
         report.warnings.insert(report.warnings.end(), lines.begin(), lines.end());
+}
+
+std::string listed(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += (text.empty() ? "" : ", ") + line;
+    return text;
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -186,12 +200,12 @@ PartState read_part(const RawDocument& document, RunContext& context) {
     return {std::move(tree), std::move(brep), std::move(cells)};
 }
 
-PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context) {
+PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context, NextNumbers next) {
     const auto start = std::chrono::steady_clock::now();
     PartState part = read_part(document, context);
     const SizingField sizing = make_sizing(part.brep, options.sizing, {}, context);
     refuse_too_many(part.brep, sizing, options);
-    Filled filled = fill(part.brep, sizing, {}, options, context);
+    Filled filled = fill(part.brep, sizing, nothing_kept(next), options, context);
     PartMeshResult result;
     record(filled, sizing, options, context, result.report);
     record_run(part, context, seconds_since(start), result.report);
@@ -224,6 +238,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
         node_origin = kept.node_origin;
         tet_origin = kept.tet_origin;
         const std::vector<KeptByMotion> by_motion = kept.by_motion;
+        if (node_origin.empty()) report.fallbacks.push_back("full mesh: no element of the old mesh is clear of what changed");
         try {
             filled = fill(part.brep, sizing, std::move(kept), options, context);
             report.kept = by_motion;
@@ -236,17 +251,59 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     }
     if (!filled) {
         if (!margins.empty()) report.fallbacks.push_back("full mesh: nothing could be kept");
-        Kept nothing;
-        nothing.mesh.next_node_number = old.mesh.next_node_number;
-        nothing.mesh.next_element_number = old.mesh.next_element_number;
         active.clear(), node_origin.clear(), tet_origin.clear();
-        filled = fill(part.brep, sizing, std::move(nothing), options, context);
+        filled = fill(part.brep, sizing, nothing_kept({old.mesh.next_node_number, old.mesh.next_element_number}), options, context);
     }
     record(*filled, sizing, options, context, report);
     node_origin = node_origins(old.mesh, filled->mesh, node_origin);
     tet_origin = extended(without(tet_origin, filled->released), filled->mesh.tets.size());
     auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled->mesh),
                                                    std::move(node_origin), std::move(tet_origin), std::move(active)});
+    record_kept(*now, report.kept, report);
+    record_run(now->part, context, seconds_since(start), report);
+    result.part_mesh = std::move(now);
+    return result;
+}
+
+PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, const Mesh& foreign, RunContext& context) {
+    const auto start = std::chrono::steady_clock::now();
+    if (options.order != foreign.order) throw InputError("An adopted mesh keeps its element order.");
+    PartState part = read_part(document, context);
+    const SizingField sizing = make_sizing(part.brep, options.sizing, {}, context);
+    refuse_too_many(part.brep, sizing, options);
+    PartMeshResult result;
+    Report& report = result.report;
+    std::vector<std::int32_t> node_origin, tet_origin;
+    std::optional<Filled> filled;
+    for (const int more_layers : {0, 2}) {
+        ForeignFit fit = fit_to_shape(part.brep, foreign, more_layers, context);
+        node_origin = fit.kept.node_origin;
+        tet_origin = fit.kept.tet_origin;
+        const std::vector<KeptByMotion> by_motion = fit.kept.by_motion;
+        if (more_layers == 0 && fit.released_tets > 0)
+            report.fallbacks.push_back(std::to_string(fit.released_tets) + " of " + std::to_string(foreign.tets.size()) +
+                                       " elements do not fit the part and were made anew: " + listed(fit.reasons));
+        if (more_layers == 0 && fit.moved_mids > 0)
+            report.fallbacks.push_back(std::to_string(fit.moved_mids) + " mid-side nodes were off the surface and are new, on it");
+        try {
+            filled = fill(part.brep, sizing, std::move(fit.kept), options, context);
+            report.kept = by_motion;
+            break;
+        } catch (const Error& failure) {
+            context.check_cancelled();
+            report.fallbacks.push_back(std::string("keeping all that fits failed: ") + failure.what());
+        }
+    }
+    if (!filled) {
+        report.fallbacks.push_back("full mesh: nothing could be kept");
+        node_origin.clear(), tet_origin.clear();
+        filled = fill(part.brep, sizing, nothing_kept({foreign.next_node_number, foreign.next_element_number}), options, context);
+    }
+    record(*filled, sizing, options, context, report);
+    node_origin = node_origins(foreign, filled->mesh, node_origin);
+    tet_origin = extended(without(tet_origin, filled->released), filled->mesh.tets.size());
+    auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled->mesh),
+                                                   std::move(node_origin), std::move(tet_origin), {}});
     record_kept(*now, report.kept, report);
     record_run(now->part, context, seconds_since(start), report);
     result.part_mesh = std::move(now);

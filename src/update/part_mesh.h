@@ -33,11 +33,21 @@ struct PartMeshResult {
 /// The feature tree, the final shape and the cells of a document. Throws InputError when there is no solid.
 PartState read_part(const RawDocument& document, RunContext& context);
 
-/// Meshes the part from scratch.
-PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context);
+/// The first numbers that a document's history has not given away yet.
+struct NextNumbers {
+    Number node = 1, element = 1;
+};
+
+/// Meshes the part from scratch, with numbers from `next` on.
+PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context, NextNumbers next = {});
 
 /// Meshes the new state of the part, keeping what did not change. The old state stays as it is.
 PartMeshResult update_part(const PartMesh& old, RawDocument document, const MeshOptions& options, RunContext& context);
+
+/// Makes another maker's mesh of the part ours: what fits the part's shape stays bit for bit with its numbers, the rest is filled anew and
+/// reported. Of `foreign` the nodes, tets, numbers and counters count; its triangles and segments only give theirs their numbers. options.order is its
+/// order. Throws InputError when nothing of it fits.
+PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, const Mesh& foreign, RunContext& context);
 
 /// Rebuilds the state of a part whose mesh was saved. Throws StateError when mesh and part do not fit.
 std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& options, Mesh mesh, RunContext& context);

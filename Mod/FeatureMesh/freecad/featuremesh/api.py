@@ -10,15 +10,16 @@ import time
 import FreeCAD
 import ObjectsFem
 
-from . import documents, edits, engine, export, overlays, reading, versions
-from .errors import UserError
+from . import adopt, documents, edits, engine, export, overlays, reading, transfer, versions
+from .errors import StateError, UserError
 from .mesh_object import FeatureMesh, is_feature_mesh, options_of, plain
 
 translate = FreeCAD.Qt.translate
 DEFAULT_ELEMENTS = 30
 
 
-def add_mesh(part, size=None, order=1, threads=0, name="FeatureMesh", automatic=True, elements=DEFAULT_ELEMENTS):
+def add_mesh(part, size=None, order=1, threads=0, name="FeatureMesh", automatic=True, elements=DEFAULT_ELEMENTS,
+             join_analysis=True):
     """Adds a mesh object for `part` to its document; recompute it, or call update_mesh, to mesh.
 
     `size` in mm, by default the part's diagonal over `elements`. Throws UserError for sizes that make no sense.
@@ -29,7 +30,8 @@ def add_mesh(part, size=None, order=1, threads=0, name="FeatureMesh", automatic=
     FeatureMesh(mesh)
     setattr(mesh, versions.part_property(mesh), part)
     mesh.Size, mesh.Order, mesh.Threads, mesh.Automatic = size, "2nd" if order == 2 else "1st", threads, automatic
-    _join_analysis(mesh, part.Document)
+    if join_analysis:
+        _join_analysis(mesh, part.Document)
     return mesh
 
 
@@ -38,6 +40,49 @@ def update_mesh(mesh, full=False, progress=None):
     report = mesh.Proxy.update(mesh, full, progress)
     mesh.purgeTouched()
     return report
+
+
+def adopt_mesh(foreign, part=None, size=None, progress=None):
+    """Makes the mesh of another FEM mesh object (Gmsh, Netgen, imported) a mesh object of ours that updates locally.
+
+    `part` is by default the one the mesh was made of, `size` (mm) the edge length most of the mesh has. What fits the part keeps its
+    bits and numbers. Analyses get the new object in place of the old one, which stays in the document. Returns the mesh object and
+    the report. Throws UserError.
+    """
+    if is_feature_mesh(foreign):
+        raise UserError("%s is FeatureMesh's own already" % reading.describe(foreign))
+    if not foreign.isDerivedFrom("Fem::FemMeshObject"):
+        raise UserError("%s is no FEM mesh" % reading.describe(foreign))
+    part = part or adopt.part_of(foreign) or reading.find_meshable(foreign.Document)
+    others = [mesh for mesh in meshes_of(foreign.Document) if versions.part_of(mesh) is part]
+    if others:
+        raise UserError("%s has a mesh already: %s; delete one of the two" % (reading.describe(part), reading.describe(others[0])))
+    arrays = adopt.arrays_of(foreign)
+    order = 2 if len(arrays["tet_mids"]) else 1
+    mesh = add_mesh(part, adopt.typical_size(arrays) if size is None else size, order, join_analysis=False)
+    try:
+        mesh.MeshRegionList = [region for region in getattr(foreign, "MeshRegionList", []) if not getattr(region, "Suppressed", False)]
+        report = mesh.Proxy.adopt(mesh, arrays, progress)
+    except Exception:
+        mesh.Document.removeObject(mesh.Name)
+        raise
+    for analysis in [obj for obj in foreign.InList if obj.isDerivedFrom("Fem::FemAnalysis")]:
+        analysis.removeObject(foreign)
+        analysis.addObject(mesh)
+    mesh.Proxy.renew_analysis_groups(mesh)
+    mesh.purgeTouched()
+    return mesh, report
+
+
+def renumber_mesh(mesh):
+    """Numbers nodes and elements anew, from 1 without gaps; updates never do. Groups follow, results solved before do not.
+
+    Returns the largest node and element numbers before. Throws UserError when the mesh has no usable state.
+    """
+    try:
+        return mesh.Proxy.renumber(mesh)
+    except (StateError, engine.load().StateError) as error:
+        raise UserError("%s cannot be renumbered: %s" % (reading.describe(mesh), error)) from error
 
 
 def recompute(document):
@@ -160,6 +205,25 @@ def show_plain(mesh):
 def export_mesh(mesh, path, file_format=None):
     """Writes the mesh with its groups as vtu, inp, unv or med (by default what the file's name says)."""
     export.write(mesh, path, file_format or os.path.splitext(path)[1].lstrip("."))
+
+
+def transfer_field(old, new, values):
+    """Carries nodal values, (n,) or (n,k) with a row per node, from one mesh to another: exact where the node was kept.
+
+    `old` and `new` are mesh objects or arrays as PartMesh.arrays gives them; rows follow arrays["node_numbers"]. For the mesh before an
+    update keep `mesh.Proxy.arrays(mesh)`. Returns a dict: values, errors (an estimate in the field's unit), sources (0 the same
+    node, 1 interpolated in an old element, 2 outside: from the nearest point of the old boundary) and figures.
+    """
+    arrays = [mesh if isinstance(mesh, dict) else mesh.Proxy.arrays(mesh) for mesh in (old, new)]
+    return transfer.field(*arrays, values)
+
+
+def transfer_result(result, mesh, name=None):
+    """Adds a result object with the fields of `result`, which may be of another document, on the mesh object `mesh`.
+
+    Returns it and a report with the estimated error of each field.
+    """
+    return transfer.result(result, mesh, name)
 
 
 def meshes_of(document):

@@ -45,24 +45,55 @@ def save_document(document, path):
     folder = os.path.dirname(os.path.abspath(path))
     if not os.path.isdir(folder):
         raise UserError("cannot write %s: there is no folder %s" % (path, folder))
+    _sweep(folder, os.path.basename(path))
     temporary = os.path.join(folder, ".%s.%d.FCStd" % (os.path.basename(path), os.getpid()))
     try:
         document.saveCopy(temporary)
         if not FreeCAD.GuiUp:
             add_view(document, temporary)
-        with zipfile.ZipFile(temporary) as archive:
-            if "Document.xml" not in archive.namelist():
-                raise OSError("FreeCAD wrote no document")
-        with open(temporary, "rb") as stream:
-            os.fsync(stream.fileno())
+        _refuse_half_written(temporary)
+        _to_disk(temporary)
         os.replace(temporary, path)
+        _to_disk(folder)
     except Exception as error:
         if isinstance(error, (OSError, zipfile.BadZipFile, RuntimeError)):
             raise UserError("cannot write %s: %s" % (path, error)) from error
         raise
     finally:
-        if os.path.exists(temporary):
-            os.unlink(temporary)
+        _remove([name for name in os.listdir(folder) if name.startswith(os.path.basename(temporary))], folder)
+
+
+def _refuse_half_written(path):
+    """FreeCAD says nothing when the disk is full: every member is read back, with its checksum."""
+    with zipfile.ZipFile(path) as archive:
+        if "Document.xml" not in archive.namelist():
+            raise OSError("FreeCAD wrote no document")
+        damaged = archive.testzip()
+    if damaged:
+        raise OSError("%s did not arrive on the disk whole; is it full?" % damaged)
+
+
+def _to_disk(path):
+    handle = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def _sweep(folder, name):
+    """Removes what a process that was killed while it saved this document left behind."""
+    ours = re.compile(r"\.%s\.(\d+)\.FCStd(\.[0-9a-f-]{36})?" % re.escape(name))   # FreeCAD itself writes NAME.UUID first
+    left = [(other, ours.fullmatch(other)) for other in os.listdir(folder)]
+    _remove([other for other, found in left if found and not os.path.exists("/proc/" + found.group(1))], folder)
+
+
+def _remove(names, folder):
+    for name in names:
+        try:
+            os.unlink(os.path.join(folder, name))
+        except OSError:
+            pass  # another user's: it does no harm
 
 
 def add_view(document, path):

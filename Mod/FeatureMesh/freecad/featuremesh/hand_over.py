@@ -15,7 +15,7 @@ from .materials import material_groups
 from .waiting import let_the_window_live
 
 # SMESH wants tets oriented the other way round than Abaqus and VTK; the corners in the order its UNV reader gives them.
-_SMESH_TET = [0, 2, 1, 3, 6, 5, 4, 7, 9, 8]
+SMESH_TET = [0, 2, 1, 3, 6, 5, 4, 7, 9, 8]
 _KINDS = {"Solid": "Volume", "Face": "Face", "Edge": "Edge", "Vertex": "Node"}
 _CHUNK = 20000   # rows between two looks at the window
 # Kind of group -> the stage of `build` in which its elements are made.
@@ -54,7 +54,7 @@ def build(arrays, groups):
         _for_each(mesh.addNode, *arrays["points"][rows].T.tolist(), numbers[rows].tolist())
         nodes = numbers[_connectivity(arrays[elements], arrays[mids])]
         if stage == 2 and len(nodes):
-            nodes = nodes[:, _SMESH_TET[:nodes.shape[1]]]
+            nodes = nodes[:, SMESH_TET[:nodes.shape[1]]]
         _for_each(add, nodes.tolist(), arrays[own].tolist())
         for (name, kind, members), when in zip(groups, stages):
             if when == stage:

@@ -20,12 +20,14 @@ class MeshJob:
         self.part_mesh = None
         self.report = None
         self.seconds = {}
+        self.next_numbers = (1, 1)   # of nodes and elements, for a mesh from scratch
 
     def run(self, progress=None):
         """Meshes or updates. `progress(step, share)` returns False to cancel, which raises the engine's Cancelled."""
         start = time.perf_counter()
         if self.old is None:
-            self.part_mesh, self.report = engine.load().mesh_part(self.raw, self.options, progress)
+            self.part_mesh, self.report = engine.load().mesh_part(
+                self.raw, self.options, progress=progress, next_numbers=self.next_numbers)
         else:
             self.part_mesh, self.report = engine.load().update_part(self.old, self.raw, self.options, progress)
         self.seconds["engine"] = time.perf_counter() - start

@@ -8,8 +8,9 @@ import time
 
 import FreeCAD
 import Fem
+import numpy as np
 
-from . import engine, hand_over, history, references, state, versions
+from . import adopt, engine, hand_over, history, references, state, versions
 from .errors import EngineMissing, StateError, UserError
 from .job import MeshJob
 from .reading import describe, read_document, shape_of_record
@@ -120,6 +121,31 @@ class FeatureMesh:
             self.fail(mesh, error)
             raise
 
+    def renumber(self, mesh):
+        """Gives nodes and elements the numbers 1, 2, 3 ... without changing anything else. Returns the largest numbers before. Throws StateError."""
+        part_mesh = self.last_part_mesh(mesh)
+        saved = state.load(mesh.SavedState)
+        before = saved.arrays["counters"][2:4] - 1
+        arrays = renumbered(part_mesh.arrays())
+        job = MeshJob(saved.raw, saved.options, None, None, [])
+        job.part_mesh = engine.load().restore_part(saved.raw, saved.options, arrays)
+        self._show(mesh, job.part_mesh)
+        self._store(mesh, job)
+        return tuple(before.tolist())
+
+    def adopt(self, mesh, arrays, progress=None):
+        """Takes over the mesh of another FEM mesh object, read by adopt.arrays_of, and meshes anew what of it does not fit. Returns the report."""
+        try:
+            start = time.perf_counter()
+            part = versions.part_of(mesh)
+            job = adopt.AdoptJob(read_document(part), options_of(mesh, part), arrays)
+            job.seconds = {"document": time.perf_counter() - start, "restore": 0.0}
+            job.run(progress)
+            return self.finish(mesh, job)
+        except Exception as error:
+            self.fail(mesh, error)
+            raise
+
     def prepare(self, mesh, full=False):
         """Reads what the engine needs from the document. Throws UserError."""
         start = time.perf_counter()
@@ -136,6 +162,8 @@ class FeatureMesh:
             moved = self._follow(mesh.MeshRegionList, mesh,
                                  lambda: engine.load().compare(self._raw, raw)["faces"])
         job = MeshJob(raw, options_of(mesh, part), old, problem, moved)
+        if old is None:
+            job.next_numbers = _next_numbers(mesh, state_is_sound=problem is None)
         job.seconds = {"document": read - start + time.perf_counter() - restored, "restore": restored - read}
         return job
 
@@ -152,9 +180,10 @@ class FeatureMesh:
         report["warnings"] = report.get("warnings", []) + moved
         for line in moved:
             FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, line))
-        self._show(mesh, job.part_mesh)
+        fem_mesh = self._fem_mesh(mesh, job.part_mesh)
         handed_over = time.perf_counter()
-        self._store(mesh, job)
+        self._store(mesh, job)   # first, so that a full disk leaves the old mesh with its old state
+        mesh.FemMesh = fem_mesh
         job.seconds.update(hand_over=handed_over - start, state=time.perf_counter() - handed_over)
         job.seconds["total"] = sum(job.seconds.values())
         del job.seconds["engine"]
@@ -242,8 +271,10 @@ class FeatureMesh:
             mesh.purgeTouched()
 
     def _show(self, mesh, part_mesh):
-        groups = hand_over.groups_of(part_mesh, mesh, versions.part_of(mesh))
-        mesh.FemMesh = hand_over.to_fem_mesh(part_mesh, groups)
+        mesh.FemMesh = self._fem_mesh(mesh, part_mesh)
+
+    def _fem_mesh(self, mesh, part_mesh):
+        return hand_over.to_fem_mesh(part_mesh, hand_over.groups_of(part_mesh, mesh, versions.part_of(mesh)))
 
     def _dependents(self, mesh):
         """Constraints and materials of the analyses with this mesh, and its group objects."""
@@ -264,12 +295,19 @@ class FeatureMesh:
 
     def _store(self, mesh, job):
         objects = self._dependents(mesh) + list(mesh.MeshRegionList)
-        self._references = references.references_of(objects, versions.part_of(mesh))
-        saved = state.State(job.raw, job.options, job.part_mesh.arrays(), self._references)
-        with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
-            path = os.path.join(folder, mesh.Name + ".npz")
-            self._checksum = self._shown = state.save(path, saved)
-            mesh.SavedState = path
+        refers = references.references_of(objects, versions.part_of(mesh))
+        saved = state.State(job.raw, job.options, job.part_mesh.arrays(), refers)
+        try:
+            with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
+                path = os.path.join(folder, mesh.Name + ".npz")
+                checksum = state.save(path, saved)
+                mesh.SavedState = path
+            if state.checksum_of(mesh.SavedState) != checksum:
+                raise OSError("the copy in %s is not whole" % os.path.dirname(mesh.SavedState))
+        except (OSError, RuntimeError) as error:
+            raise UserError("the new mesh's state cannot be stored (%s), the old mesh stays; is the disk full?" % one_line(error)) from error
+        self._references = refers
+        self._checksum = self._shown = checksum
         self._part_mesh, self._raw = job.part_mesh, job.raw
 
     def _forget(self):
@@ -297,6 +335,16 @@ class FeatureMesh:
                     setattr(mesh, name, default)
             if read_only:
                 mesh.setEditorMode(name, 2 if name in ("Report", "SavedState") else 1)
+
+
+def _next_numbers(mesh, state_is_sound):
+    """What a mesh from scratch has to number on from, so that no number is ever given to another node or element."""
+    known = (mesh.SavedState and state.next_numbers_of(mesh.SavedState)) or (1, 1)
+    fem_mesh = mesh.FemMesh
+    if state_is_sound or not fem_mesh.NodeCount:
+        return known
+    elements = [max(numbers) for numbers in (fem_mesh.Edges, fem_mesh.Faces, fem_mesh.Volumes) if numbers]
+    return max(known[0], 1 + max(fem_mesh.Nodes)), max(known[1], 1 + max(elements, default=0))
 
 
 def is_feature_mesh(obj):
@@ -327,6 +375,17 @@ def local_sizes(mesh, part):
         if size > 0:
             sizes += [(name, size) for name in names]
     return sizes
+
+
+def renumbered(arrays):
+    """The same mesh with numbers without gaps, in the order in which nodes and elements lie in the arrays."""
+    new, first = dict(arrays), 1
+    new["node_numbers"] = np.arange(1, len(arrays["node_numbers"]) + 1)
+    for name in ("segment_numbers", "triangle_numbers", "tet_numbers"):
+        new[name] = np.arange(first, first + len(arrays[name]))
+        first += len(arrays[name])
+    new["counters"] = np.array([*arrays["counters"][:2], len(new["node_numbers"]) + 1, first], dtype=np.int64)
+    return new
 
 
 def add_fallback(report, text):

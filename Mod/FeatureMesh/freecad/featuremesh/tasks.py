@@ -7,6 +7,7 @@ import sys
 
 from . import api, documents, engine, reading, tables, versions
 from .errors import UserError
+from .transfer import find_result
 from .mesh_object import add_fallback, one_line, plain
 
 
@@ -31,6 +32,18 @@ def mesh(task):
     report["seconds"]["recompute"] = 0.0
     out = _save(document, task, report)
     return "%s has %s%s; saved as %s" % (obj.Name, _size_in_words(report), _fallback_in_words(report), out), report
+
+
+def adopt(task):
+    """Makes another maker's mesh in a document ours and saves it."""
+    document = documents.open_document(task["part"])
+    foreign = reading.find_object(document, task["mesh"])
+    part = reading.find_meshable(document, task["object"]) if task.get("object") else None
+    obj, report = api.adopt_mesh(foreign, part, task.get("size"), _progress)
+    report["seconds"]["recompute"] = 0.0
+    out = _save(document, task, report)
+    return ("%s is %s with %s, %.1f %% of the nodes kept%s; saved as %s"
+            % (obj.Name, foreign.Name, _size_in_words(report), 100 * report["kept"]["nodes_share"], _fallback_in_words(report), out)), report
 
 
 def update(task):
@@ -82,7 +95,35 @@ def export(task):
     return "wrote %s (%d nodes, %d tets, %d groups)" % (task["out"], data["nodes"], data["tets"], data["groups"]), data
 
 
-COMMANDS = {"mesh": mesh, "update": update, "diff": diff, "tree": tree, "export": export}
+def renumber(task):
+    """Numbers a mesh anew and saves it."""
+    document = documents.open_document(task["part"])
+    obj = api.find_mesh(document, task.get("object"))
+    nodes, elements = api.renumber_mesh(obj)
+    counters = obj.Proxy.arrays(obj)["counters"]
+    report = {"before": {"node": nodes, "element": elements}, "after": {"node": int(counters[2]) - 1, "element": int(counters[3]) - 1}}
+    out = _save(document, task, report)
+    return "%s has node numbers up to %d (before: %d) and element numbers up to %d (%d); saved as %s" % (
+        obj.Name, counters[2] - 1, nodes, counters[3] - 1, elements, out), report
+
+
+def transfer(task):
+    """Puts the result of one document, or of the same before its edit, on the mesh of another and saves that one."""
+    new_file = task.get("new") or task["part"]
+    document = documents.open_document(new_file)
+    source = documents.open_document(task["part"]) if new_file != task["part"] else document
+    result = find_result(source, task.get("result"))
+    obj = api.find_mesh(document, task.get("object"))
+    made, report = api.transfer_result(result, obj)
+    out = _save(document, dict(task, part=new_file), report)
+    figures = max(report["fields"].values(), key=lambda f: f["largest_error"] / (f["largest_value"] or 1.0))
+    return ("%s has %s of %s: %d nodes the same, %d interpolated, %d outside the old mesh; estimated error at most %.2g %% of the field (%s); "
+            "saved as %s" % (made.Name, ", ".join(report["fields"]), result.Name, figures["same"], figures["interpolated"], figures["outside"],
+                             100 * figures["largest_error"] / (figures["largest_value"] or 1.0),
+                             next(n for n, f in report["fields"].items() if f is figures), out)), report
+
+
+COMMANDS = {"renumber": renumber, "transfer": transfer, "mesh": mesh, "adopt": adopt, "update": update, "diff": diff, "tree": tree, "export": export}
 
 
 def is_users_fault(error):

@@ -65,6 +65,7 @@ _ERRORS = {cls.__name__: cls for cls in (Error, InputError, KernelError, MeshErr
 _DOING = {
     "mesh_part": QT_TRANSLATE_NOOP("FeatureMesh", "meshing %s"),
     "update_part": QT_TRANSLATE_NOOP("FeatureMesh", "updating the mesh of %s"),
+    "adopt_part": QT_TRANSLATE_NOOP("FeatureMesh", "adopting a mesh of %s"),
     "restore_part": QT_TRANSLATE_NOOP("FeatureMesh", "reading the saved mesh of %s"),
     "compare": QT_TRANSLATE_NOOP("FeatureMesh", "comparing two states of %s"),
     "read_tree": QT_TRANSLATE_NOOP("FeatureMesh", "reading the features of %s"),

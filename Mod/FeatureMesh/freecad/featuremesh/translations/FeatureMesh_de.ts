@@ -373,6 +373,10 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>hinzugekommen</translation>
     </message>
     <message>
+      <source>adopting a mesh of %s</source>
+      <translation>Übernehmen eines Netzes von %s</translation>
+    </message>
+    <message>
       <source>all</source>
       <translation>alle</translation>
     </message>

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "update/entity_finder.h"
+
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+
+#include "features/occt_geometry.h"
+
+namespace featuremesh {
+
+namespace {
+
+template <class Id>
+std::vector<Id> sorted_once(std::vector<Id> list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    return list;
+}
+
+}  // namespace
+
+bool is_used(const Brep& brep, FaceId face) {
+    const auto sides = brep.sides_of(face);
+    return sides[0].is_valid() || sides[1].is_valid();
+}
+
+std::vector<EdgeId> edges_at(const Brep& brep, Entity entity) {
+    if (entity.dim == 1) return {EdgeId(entity.index)};
+    if (entity.dim != 0) return {};
+    const auto edges = brep.edges_of(VertexId(entity.index));
+    return sorted_once(std::vector<EdgeId>(edges.begin(), edges.end()));
+}
+
+std::vector<FaceId> faces_at(const Brep& brep, Entity entity) {
+    if (entity.dim == 2) return {FaceId(entity.index)};
+    std::vector<FaceId> faces;
+    for (const EdgeId edge : edges_at(brep, entity))
+        for (const FaceId face : brep.faces_of(edge))
+            if (is_used(brep, face)) faces.push_back(face);
+    return sorted_once(std::move(faces));
+}
+
+EntityFinder::EntityFinder(const Brep& brep, double tolerance)
+    : brep_(brep), tolerance_(tolerance), projector_(brep), edge_boxes_(brep.edge_count()), face_boxes_(brep.face_count()) {
+    for (std::size_t f = 0; f < brep.face_count(); ++f)
+        if (is_used(brep, FaceId(f))) face_boxes_[f] = box_of(brep.face(FaceId(f))).grown(tolerance);
+    for (std::size_t e = 0; e < brep.edge_count(); ++e)
+        if (!brep.is_degenerated(EdgeId(e)) && !faces_at(brep, entity_of(EdgeId(e))).empty())
+            edge_boxes_[e] = box_of(brep.edge(EdgeId(e))).grown(tolerance);
+}
+
+PointPlace EntityFinder::find(const Vec3& p) const {
+    PointPlace place;
+    if (find_vertex(p, place) || find_edge(p, place) || find_face(p, place)) return place;
+    return {};
+}
+
+bool EntityFinder::find_vertex(const Vec3& p, PointPlace& place) const {
+    double nearest = tolerance_;
+    for (std::size_t v = 0; v < brep_.vertex_count(); ++v) {
+        const double d = distance(brep_.point_of(VertexId(v)), p);
+        if (d > nearest || faces_at(brep_, entity_of(VertexId(v))).empty()) continue;
+        nearest = d;
+        place = {entity_of(VertexId(v)), {0, 0}};
+    }
+    return place.entity.dim == 0;
+}
+
+bool EntityFinder::find_edge(const Vec3& p, PointPlace& place) const {
+    double nearest = tolerance_;
+    for (std::size_t e = 0; e < edge_boxes_.size(); ++e) {
+        if (!edge_boxes_[e].contains(p)) continue;
+        const OnEdge foot = projector_.nearest(EdgeId(e), p);
+        if (foot.distance > nearest) continue;
+        nearest = foot.distance;
+        place = {entity_of(EdgeId(e)), {foot.t, 0}};
+    }
+    return place.entity.dim == 1;
+}
+
+bool EntityFinder::find_face(const Vec3& p, PointPlace& place) const {
+    double nearest = tolerance_;
+    for (std::size_t f = 0; f < face_boxes_.size(); ++f) {
+        if (!face_boxes_[f].contains(p)) continue;
+        const OnFace foot = projector_.nearest(FaceId(f), p);
+        if (foot.distance > nearest || !projector_.is_inside_trim(FaceId(f), foot.uv)) continue;
+        nearest = foot.distance;
+        place = {entity_of(FaceId(f)), foot.uv};
+    }
+    return place.entity.dim == 2;
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Meshes of other makers: ours with all CAD knowledge wiped off, and damaged in known ways.
+#include <BOPAlgo_Builder.hxx>
+#include <algorithm>
+
+#include "catch.h"
+#include "core/errors.h"
+#include "mesh/validation.h"
+#include "part_documents.h"
+#include "update/part_mesh.h"
+
+using namespace featuremesh;
+
+namespace {
+
+RawDocument plate(double hole_x, double hole_radius = 4) {
+    return PartDocument().box("Plate", {0, 0, 0}, {60, 30, 6}).cylinder("Hole", {hole_x, 15, -1}, hole_radius, 8).cut("Part", "Plate", "Hole").finish();
+}
+
+TopoDS_Shape glued(const TopoDS_Shape& a, const TopoDS_Shape& b) {
+    BOPAlgo_Builder builder;
+    builder.AddArgument(a);
+    builder.AddArgument(b);
+    builder.Perform();
+    return builder.Shape();
+}
+
+RawDocument plain_plate() { return PartDocument().box("Part", {0, 0, 0}, {60, 30, 6}).finish(); }
+
+MeshOptions options_of(int order) {
+    MeshOptions options;
+    options.sizing.size = 2.5;
+    options.order = order;
+    return options;
+}
+
+std::shared_ptr<const PartMesh> meshed(const RawDocument& document, int order) {
+    RunContext context;
+    return mesh_part(document, options_of(order), context).part_mesh;
+}
+
+PartMeshResult adopted(const RawDocument& document, const Mesh& foreign) {
+    RunContext context;
+    return adopt_part(document, options_of(foreign.order), foreign, context);
+}
+
+/// Nothing is known of the shape any more, and the corners of the tets are numbered as SMESH does.
+Mesh foreign_copy(const Mesh& mesh) {
+    Mesh foreign = mesh;
+    std::fill(foreign.entities.begin(), foreign.entities.end(), Entity{});
+    std::fill(foreign.parameters.begin(), foreign.parameters.end(), std::array<double, 2>{0, 0});
+    std::fill(foreign.triangle_faces.begin(), foreign.triangle_faces.end(), FaceId());
+    std::fill(foreign.segment_edges.begin(), foreign.segment_edges.end(), EdgeId());
+    std::fill(foreign.tet_solids.begin(), foreign.tet_solids.end(), SolidId());
+    for (auto& tet : foreign.tets) std::swap(tet[1], tet[2]);
+    for (auto& m : foreign.tet_mids) m = {m[2], m[1], m[0], m[3], m[5], m[4]};
+    return foreign;
+}
+
+void check_valid(const PartMesh& part) {
+    Expectation expected;
+    const Brep& brep = part.part.brep;
+    for (std::size_t s = 0; s < brep.solid_count(); ++s) expected.solid_volumes.push_back(brep.volume_of(SolidId(s)));
+    for (std::size_t f = 0; f < brep.face_count(); ++f) expected.face_sides.push_back(brep.sides_of(FaceId(f)));
+    const auto broken = broken_invariants(part.mesh, expected);
+    INFO((broken.empty() ? std::string() : broken.front()));
+    CHECK(broken.empty());
+}
+
+/// Kept nodes have their bits and numbers, new ones new numbers.
+void check_kept(const Mesh& foreign, const PartMesh& now) {
+    for (std::size_t n = 0; n < now.node_origin.size(); ++n) {
+        if (now.node_origin[n] < 0) {
+            CHECK(now.mesh.node_numbers[n] >= foreign.next_node_number);
+            continue;
+        }
+        const auto o = std::size_t(now.node_origin[n]);
+        REQUIRE(now.mesh.points[n] == foreign.points[o]);
+        REQUIRE(now.mesh.node_numbers[n] == foreign.node_numbers[o]);
+    }
+}
+
+std::size_t inner_node(const Mesh& mesh, int dim) {
+    for (std::size_t n = 0; n < mesh.corner_count; ++n)
+        if (mesh.entities[n].dim == dim) return n;
+    throw std::out_of_range("no such node");
+}
+
+}  // namespace
+
+TEST_CASE("a mesh that fits is adopted bit for bit, and what it lacks is found") {
+    for (const int order : {1, 2}) {
+        const auto ours = meshed(plate(20), order);
+        const Mesh foreign = foreign_copy(ours->mesh);
+        const auto result = adopted(plate(20), foreign);
+        const PartMesh& now = *result.part_mesh;
+        CHECK(result.report.fallbacks.empty());
+        CHECK(result.report.kept_nodes_share == 1);
+        CHECK(result.report.kept_tets_share == 1);
+        check_kept(foreign, now);
+        for (std::size_t n = 0; n < now.mesh.node_count(); ++n) {
+            const auto was = std::size_t(now.node_origin[n]);
+            REQUIRE(now.mesh.entities[n] == ours->mesh.entities[was]);
+            REQUIRE(std::abs(now.mesh.parameters[n][0] - ours->mesh.parameters[was][0]) < 1e-9);
+        }
+        CHECK(now.mesh.tet_solids == ours->mesh.tet_solids);
+        CHECK(now.mesh.triangles.size() == ours->mesh.triangles.size());
+        CHECK(now.mesh.segments.size() == ours->mesh.segments.size());
+        auto before = ours->mesh.triangle_numbers, after = now.mesh.triangle_numbers;
+        std::sort(before.begin(), before.end()), std::sort(after.begin(), after.end());
+        CHECK(before == after);
+        check_valid(now);
+    }
+}
+
+TEST_CASE("an adopted mesh is updated locally") {
+    for (const int order : {1, 2}) {
+        const Mesh foreign = foreign_copy(meshed(plate(20), order)->mesh);
+        const auto first = adopted(plate(20), foreign);
+        RunContext context;
+        const auto second = update_part(*first.part_mesh, plate(23), options_of(order), context);
+        CHECK(second.report.fallbacks.empty());
+        CHECK(second.report.kept_nodes_share > 0.5);
+        check_kept(first.part_mesh->mesh, *second.part_mesh);
+        check_valid(*second.part_mesh);
+    }
+}
+
+TEST_CASE("nodes off the surface are released with what touches them, and named") {
+    for (const int order : {1, 2}) {
+        Mesh foreign = foreign_copy(meshed(plate(20), order)->mesh);
+        const auto ours = meshed(plate(20), order);
+        foreign.points[inner_node(ours->mesh, 2)] += Vec3{0.01, 0.02, 0.05};
+        const auto result = adopted(plate(20), foreign);
+        REQUIRE(result.report.fallbacks.size() == 1);
+        CHECK(result.report.fallbacks[0].find("1 boundary nodes are off the surface") != std::string::npos);
+        CHECK(result.report.kept_tets_share > 0.9);
+        CHECK(result.report.kept_tets_share < 1);
+        check_kept(foreign, *result.part_mesh);
+        check_valid(*result.part_mesh);
+    }
+}
+
+TEST_CASE("straight mid-side nodes on a curved face are made anew, and their elements stay") {
+    const auto ours = meshed(plate(20), 2);
+    Mesh foreign = foreign_copy(ours->mesh);
+    std::size_t straightened = 0;
+    for (std::size_t t = 0; t < foreign.triangles.size(); ++t)
+        for (int s = 0; s < 3; ++s) {
+            const Vec3 middle = (foreign.point(foreign.triangles[t][s]) + foreign.point(foreign.triangles[t][(s + 1) % 3])) * 0.5;
+            Vec3& mid = foreign.points[foreign.triangle_mids[t][s].index()];
+            straightened += distance(mid, middle) > 1e-6;
+            mid = middle;
+        }
+    REQUIRE(straightened > 20);
+    const auto result = adopted(plate(20), foreign);
+    CHECK(result.report.kept_tets_share == 1);
+    REQUIRE(result.report.fallbacks.size() == 1);
+    CHECK(result.report.fallbacks[0].find("mid-side nodes were off the surface") != std::string::npos);
+    check_kept(foreign, *result.part_mesh);
+    check_valid(*result.part_mesh);
+    for (std::size_t n = 0; n < result.part_mesh->mesh.node_count(); ++n)
+        if (result.part_mesh->node_origin[n] < 0) CHECK(result.part_mesh->mesh.entities[n].dim < 3);
+}
+
+TEST_CASE("inverted elements are released and filled anew") {
+    const auto ours = meshed(plate(20), 1);
+    Mesh foreign = foreign_copy(ours->mesh);
+    foreign.points[inner_node(ours->mesh, 3)] += Vec3{3, 3, 0.5};
+    const auto result = adopted(plate(20), foreign);
+    REQUIRE_FALSE(result.report.fallbacks.empty());
+    CHECK(result.report.fallbacks[0].find("inverted") != std::string::npos);
+    CHECK(result.report.kept_tets_share > 0.9);
+    check_valid(*result.part_mesh);
+}
+
+TEST_CASE("a mesh from before an edit is brought up to the part") {
+    const auto check = [](const RawDocument& was, const RawDocument& is, const char* reason) {
+        const Mesh foreign = foreign_copy(meshed(was, 1)->mesh);
+        const auto result = adopted(is, foreign);
+        REQUIRE_FALSE(result.report.fallbacks.empty());
+        CHECK(result.report.fallbacks[0].find(reason) != std::string::npos);
+        CHECK(result.report.kept_tets_share > 0.1);
+        check_kept(foreign, *result.part_mesh);
+        check_valid(*result.part_mesh);
+    };
+    check(plain_plate(), plate(20), "not covered");
+    check(plate(20), plain_plate(), "boundary");
+    check(plate(20), plate(40), "not followed");
+    check(plate(20), plate(20, 1.0), "off the surface");
+    check(plain_plate(), plate(31, 0.4), "not followed");
+}
+
+TEST_CASE("nothing is taken from the mesh of another part") {
+    const Mesh foreign = foreign_copy(meshed(plate(20), 1)->mesh);
+    const RawDocument elsewhere = PartDocument().box("Part", {200, 0, 0}, {60, 30, 6}).finish();
+    CHECK_THROWS_AS(adopted(elsewhere, foreign), InputError);
+}
+
+TEST_CASE("tets on both sides of a face between solids get their solids") {
+    const TopoDS_Shape left = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), 20, 20, 20).Shape();
+    const TopoDS_Shape right = BRepPrimAPI_MakeBox(gp_Pnt(20, 0, 0), 10, 20, 20).Shape();
+    const RawDocument document = PartDocument().add("Part", "Part::Feature", glued(left, right)).finish();
+    const auto ours = meshed(document, 1);
+    REQUIRE(ours->part.brep.solid_count() == 2);
+    const auto result = adopted(document, foreign_copy(ours->mesh));
+    CHECK(result.report.fallbacks.empty());
+    CHECK(result.report.kept_tets_share == 1);
+    CHECK(result.part_mesh->mesh.tet_solids == ours->mesh.tet_solids);
+    CHECK(result.part_mesh->mesh.triangles.size() == ours->mesh.triangles.size());
+    check_valid(*result.part_mesh);
+}

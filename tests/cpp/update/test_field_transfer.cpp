@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "catch.h"
+#include "core/errors.h"
+#include "part_documents.h"
+#include "update/field_transfer.h"
+#include "update/part_mesh.h"
+
+using namespace featuremesh;
+
+namespace {
+
+using Field = std::function<double(const Vec3&)>;
+
+RawDocument plate(double x) {
+    return PartDocument().box("Plate", {0, 0, 0}, {60, 30, 6}).cylinder("Hole", {x, 15, -1}, 4, 8).cut("Part", "Plate", "Hole").finish();
+}
+
+struct Pair {
+    std::shared_ptr<const PartMesh> before, after;
+};
+
+Pair edited(int order) {
+    MeshOptions options;
+    options.sizing.size = 2.5;
+    options.order = order;
+    RunContext context;
+    const auto before = mesh_part(plate(20), options, context).part_mesh;
+    return {before, update_part(*before, plate(22), options, context).part_mesh};
+}
+
+std::vector<double> sampled(const Mesh& mesh, const Field& field) {
+    std::vector<double> values;
+    for (const Vec3& p : mesh.points) values.push_back(field(p));
+    return values;
+}
+
+TransferredField carried(const Mesh& before, const Mesh& after, const std::vector<double>& values) {
+    RunContext context;
+    return transfer_field(before, after, values, 0, context);
+}
+
+/// Largest difference from the field at nodes that got their value in this way.
+double largest_difference(const Mesh& mesh, const TransferredField& found, const Field& field, ValueSource source) {
+    double largest = 0;
+    for (std::size_t n = 0; n < mesh.node_count(); ++n)
+        if (found.sources[n] == source) largest = std::max(largest, std::abs(found.values[n] - field(mesh.points[n])));
+    return largest;
+}
+
+double linear(const Vec3& p) { return 3 + 0.2 * p.x - 0.7 * p.y + 1.1 * p.z; }
+double quadratic(const Vec3& p) { return 1 + 0.1 * p.x * p.x - 0.3 * p.x * p.y + 0.2 * p.z * p.z + 0.4 * p.y * p.z - p.x; }
+
+}  // namespace
+
+TEST_CASE("kept nodes keep their values bit for bit") {
+    for (const int order : {1, 2}) {
+        const auto [before, after] = edited(order);
+        const std::vector<double> values = sampled(before->mesh, [](const Vec3& p) { return std::sin(p.x) + p.y; });
+        const TransferredField found = carried(before->mesh, after->mesh, values);
+        std::size_t same = 0;
+        for (std::size_t n = 0; n < after->mesh.node_count(); ++n) {
+            const std::int32_t origin = after->node_origin[n];
+            CHECK((found.sources[n] == ValueSource::same_node) == (origin >= 0));
+            if (origin < 0) continue;
+            ++same;
+            REQUIRE(found.values[n] == values[std::size_t(origin)]);
+            REQUIRE(found.errors[n] == 0);
+        }
+        CHECK(same > 100);
+        CHECK(same < after->mesh.node_count());
+    }
+}
+
+TEST_CASE("linear fields are interpolated exactly, quadratic ones between 10-node tets") {
+    for (const int order : {1, 2}) {
+        const auto [before, after] = edited(order);
+        const TransferredField found = carried(before->mesh, after->mesh, sampled(before->mesh, linear));
+        CHECK(largest_difference(after->mesh, found, linear, ValueSource::inside) < 1e-11);
+    }
+    // The plate without its hole has straight sides only, where the quadratic shape functions hold all quadratic fields.
+    MeshOptions options;
+    options.sizing.size = 3;
+    options.order = 2;
+    RunContext context;
+    const RawDocument box = PartDocument().box("Part", {0, 0, 0}, {20, 15, 10}).finish();
+    const auto coarse = mesh_part(box, options, context).part_mesh;
+    options.sizing.size = 2.2;
+    const auto fine = mesh_part(box, options, context, {1000000, 1000000}).part_mesh;
+    const TransferredField found = carried(coarse->mesh, fine->mesh, sampled(coarse->mesh, quadratic));
+    CHECK(std::count(found.sources.begin(), found.sources.end(), ValueSource::same_node) == 0);
+    CHECK(std::count(found.sources.begin(), found.sources.end(), ValueSource::inside) > 1000);
+    CHECK(largest_difference(fine->mesh, found, quadratic, ValueSource::inside) < 1e-10);
+}
+
+TEST_CASE("the error figure follows the true error") {
+    const auto [before, after] = edited(1);
+    const TransferredField found = carried(before->mesh, after->mesh, sampled(before->mesh, quadratic));
+    double truth = 0, estimate = 0;
+    for (std::size_t n = 0; n < after->mesh.node_count(); ++n) {
+        if (found.sources[n] != ValueSource::inside) continue;
+        truth += std::abs(found.values[n] - quadratic(after->mesh.points[n]));
+        estimate += found.errors[n];
+    }
+    CHECK(estimate > 0.5 * truth);
+    CHECK(estimate < 2 * truth);
+    const TransferredField straight = carried(before->mesh, after->mesh, sampled(before->mesh, linear));
+    CHECK(*std::max_element(straight.errors.begin(), straight.errors.end()) < 1.0);   // only outside, by what the field changes over that distance
+}
+
+TEST_CASE("outside the old mesh the nearest point of its boundary counts") {
+    MeshOptions options;
+    options.sizing.size = 3;
+    RunContext context;
+    const auto before = mesh_part(PartDocument().box("Part", {0, 0, 0}, {20, 15, 10}).finish(), options, context).part_mesh;
+    const auto after = mesh_part(PartDocument().box("Part", {0, 0, 0}, {20, 15, 14}).finish(), options, context, {1000000, 1000000}).part_mesh;
+    const TransferredField found = carried(before->mesh, after->mesh, sampled(before->mesh, linear));
+    const auto clamped = [](const Vec3& p) { return linear({p.x, p.y, std::min(p.z, 10.0)}); };
+    CHECK(largest_difference(after->mesh, found, clamped, ValueSource::outside) < 1e-11);
+    for (std::size_t n = 0; n < after->mesh.node_count(); ++n)
+        if (found.sources[n] == ValueSource::outside)
+            REQUIRE(std::abs(found.errors[n] - 1.1 * (after->mesh.points[n].z - 10)) < 1e-9);
+}
+
+TEST_CASE("values go along with a feature that moved, and sizes are checked") {
+    const auto boss = [](double x) {
+        return PartDocument().box("Block", {0, 0, 0}, {60, 30, 8}).cylinder("Boss", {x, 15, 8}, 8, 16).fuse("Part", "Block", "Boss").finish();
+    };
+    MeshOptions options;
+    options.sizing.size = 2.5;
+    RunContext context;
+    const auto before = mesh_part(boss(20), options, context).part_mesh;
+    const auto after = update_part(*before, boss(30), options, context).part_mesh;
+    const std::vector<double> values = sampled(before->mesh, quadratic);
+    const TransferredField found = carried(before->mesh, after->mesh, values);
+    std::size_t carried_along = 0;
+    for (std::size_t n = 0; n < after->mesh.node_count(); ++n)
+        if (const std::int32_t o = after->node_origin[n]; o >= 0 && !(before->mesh.points[std::size_t(o)] == after->mesh.points[n])) {
+            ++carried_along;
+            CHECK(found.values[n] == values[std::size_t(o)]);
+        }
+    CHECK(carried_along > 50);
+    CHECK_THROWS_AS(transfer_field(before->mesh, after->mesh, std::span(values).subspan(1), 0, context), InputError);
+}

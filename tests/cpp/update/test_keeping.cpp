@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an update leaves alone: mid-side nodes, other solids, places where the wanted size stays.
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
+#include <algorithm>
+
+#include "catch.h"
+#include "part_documents.h"
+#include "update/part_mesh.h"
+
+using namespace featuremesh;
+
+namespace {
+
+RawDocument plate(double x) {
+    return PartDocument().box("Plate", {0, 0, 0}, {60, 30, 6}).cylinder("Hole", {x, 15, -1}, 4, 8).cut("Part", "Plate", "Hole").finish();
+}
+
+TopoDS_Shape together(const TopoDS_Shape& a, const TopoDS_Shape& b) {
+    TopoDS_Compound compound;
+    BRep_Builder builder;
+    builder.MakeCompound(compound);
+    builder.Add(compound, a);
+    builder.Add(compound, b);
+    return compound;
+}
+
+/// Two plates with a hole each; the second one stays.
+RawDocument two_plates(double x) {
+    PartDocument document;
+    document.box("PlateA", {0, 0, 0}, {40, 20, 6}).cylinder("HoleA", {x, 10, -1}, 4, 8).cut("A", "PlateA", "HoleA");
+    document.box("PlateB", {0, 0, 20}, {40, 20, 6}).cylinder("HoleB", {20, 10, 19}, 4, 8).cut("B", "PlateB", "HoleB");
+    return document.add("Part", "Part::Compound", together(document.shape("A"), document.shape("B")), {{"Links", "A", ""}, {"Links", "B", ""}}).finish();
+}
+
+MeshOptions options_of(double size, int order = 1) {
+    MeshOptions options;
+    options.sizing.size = size;
+    options.order = order;
+    return options;
+}
+
+PartMeshResult meshed(const RawDocument& document, const MeshOptions& options) {
+    RunContext context;
+    return mesh_part(document, options, context);
+}
+
+PartMeshResult updated(const PartMesh& old, const RawDocument& document, const MeshOptions& options) {
+    RunContext context;
+    return update_part(old, document, options, context);
+}
+
+/// The face whose nodes all have this x.
+FaceId face_at(const Mesh& mesh, double x) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& n = mesh.triangles[t];
+        if (std::all_of(n.begin(), n.end(), [&](NodeId i) { return std::abs(mesh.point(i).x - x) < 1e-9; })) return mesh.triangle_faces[t];
+    }
+    return {};
+}
+
+/// Share of the new tets that are kept, by whether their first node is nearer than `limit` to x = 60.
+std::array<double, 2> kept_near_and_far(const PartMesh& part, double limit) {
+    std::array<double, 2> all{}, kept{};
+    for (std::size_t t = 0; t < part.mesh.tets.size(); ++t) {
+        const std::size_t side = 60 - part.mesh.point(part.mesh.tets[t][0]).x > limit;
+        ++all[side];
+        kept[side] += part.tet_origin[t] >= 0;
+    }
+    return {kept[0] / all[0], kept[1] / all[1]};
+}
+
+}  // namespace
+
+TEST_CASE("kept 10-node elements keep their mid-side nodes bit for bit") {
+    const auto first = meshed(plate(20), options_of(2.5, 2));
+    const auto second = updated(*first.part_mesh, plate(22), options_of(2.5, 2));
+    const PartMesh &old = *first.part_mesh, &now = *second.part_mesh;
+    std::size_t kept = 0, curved = 0;
+    for (std::size_t t = 0; t < now.tet_origin.size(); ++t) {
+        if (now.tet_origin[t] < 0) continue;
+        ++kept;
+        for (int s = 0; s < 6; ++s) {
+            const std::size_t was = old.mesh.tet_mids[std::size_t(now.tet_origin[t])][s].index(), is = now.mesh.tet_mids[t][s].index();
+            REQUIRE(now.mesh.points[is] == old.mesh.points[was]);
+            REQUIRE(now.mesh.node_numbers[is] == old.mesh.node_numbers[was]);
+            curved += now.mesh.entities[is].dim < 3;
+        }
+    }
+    CHECK(kept > 0.5 * double(now.mesh.tets.size()));
+    CHECK(curved > 100);
+}
+
+TEST_CASE("an edit in one solid leaves the mesh of the other alone") {
+    const auto first = meshed(two_plates(12), options_of(2.5));
+    const auto second = updated(*first.part_mesh, two_plates(15), options_of(2.5));
+    const PartMesh& now = *second.part_mesh;
+    REQUIRE(now.part.brep.solid_count() == 2);
+    CHECK(second.report.fallbacks.empty());
+    std::size_t in_second = 0;
+    for (std::size_t t = 0; t < now.mesh.tets.size(); ++t) {
+        if (now.mesh.point(now.mesh.tets[t][0]).z < 15) continue;
+        ++in_second;
+        REQUIRE(now.tet_origin[t] >= 0);
+    }
+    const auto& old = first.part_mesh->mesh;
+    CHECK(in_second == std::size_t(std::count_if(old.tets.begin(), old.tets.end(), [&](const auto& tet) { return old.point(tet[0]).z > 15; })));
+    CHECK(second.report.kept_tets_share < 1);
+}
+
+TEST_CASE("a changed local size releases only where the wanted size changed by more than 1.2 times") {
+    MeshOptions options = options_of(3);
+    const auto plain = meshed(plate(20), options);
+    const FaceId end = face_at(plain.part_mesh->mesh, 60);
+    REQUIRE(end.is_valid());
+    options.sizing.local = {{entity_of(end), 1.0}};
+    const auto first = meshed(plate(20), options);
+
+    options.sizing.local = {{entity_of(end), 1.1}};
+    const auto little = updated(*first.part_mesh, plate(20), options);
+    CHECK(little.report.fallbacks.empty());
+    CHECK(little.report.kept_tets_share == 1);
+
+    options.sizing.local = {{entity_of(end), 1.6}};
+    const auto much = updated(*first.part_mesh, plate(20), options);
+    CHECK(much.report.fallbacks.empty());
+    CHECK(kept_near_and_far(*much.part_mesh, 2)[0] < 0.2);
+    CHECK(kept_near_and_far(*much.part_mesh, 15)[1] > 0.95);
+    CHECK(much.part_mesh->mesh.tets.size() < first.part_mesh->mesh.tets.size());
+}

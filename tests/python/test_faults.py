@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What goes wrong around a mesh: damaged states, a process killed while it saves, a full disk. Each is a clear message, and no document is lost."""
+import json
+import os
+import random
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import zipfile
+
+import FreeCAD
+import numpy as np
+from freecad.featuremesh import api, documents, mesh_object, state
+from freecad.featuremesh.errors import UserError
+from parts import new_document, plate_with_hole
+
+SIZE = 4.0
+HERE = os.path.dirname(os.path.abspath(__file__))
+SAVING_FOR_EVER = """
+import os, sys
+import freecad
+freecad.__path__.append({package!r})
+from freecad.featuremesh import documents
+document = documents.open_document({path!r})
+document.addObject("App::FeaturePython", "Mark")
+print("saving", flush=True)
+while True:
+    documents.save_document(document, {path!r})
+"""
+
+
+class Faults(unittest.TestCase):
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.document = new_document()
+        self.body = plate_with_hole(self.document)
+        self.mesh = api.add_mesh(self.body, SIZE)
+        self.document.recompute()
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        self.path = os.path.join(self.folder, "part.FCStd")
+
+    def edit(self, x=22):
+        api.set_parameters(self.document, ["HoleSketch.X=%g" % x])
+        self.document.recompute()
+
+    def reopen(self):
+        documents.save_document(self.document, self.path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = documents.open_document(self.path)
+        self.mesh = self.document.getObject("FeatureMesh")
+
+    def state_bytes(self):
+        with open(self.mesh.SavedState, "rb") as stream:
+            return bytearray(stream.read())
+
+    def put_state(self, content):
+        with open(self.mesh.SavedState, "wb") as stream:
+            stream.write(content)
+
+    def assert_full_mesh_after_edit(self, message):
+        """The next edit meshes from scratch, says why, gives no number twice; the one after that is local again."""
+        numbers = set(self.mesh.FemMesh.Nodes)
+        self.edit(23)
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        self.assertRegex(json.loads(self.mesh.Report)["fallback"], message)
+        self.assertEqual(self.mesh.KeptNodes, 0)
+        self.assertFalse(numbers & set(self.mesh.FemMesh.Nodes))
+        self.edit(24)
+        self.assertIsNone(json.loads(self.mesh.Report)["fallback"])
+        self.assertGreater(self.mesh.KeptNodes, 20)
+
+    # States
+
+    def test_no_state(self):
+        self.reopen()
+        os.unlink(self.mesh.SavedState)
+        self.assert_full_mesh_after_edit("no mesh state")
+
+    def test_state_cut_short(self):
+        self.reopen()
+        self.put_state(self.state_bytes()[:-2000])
+        self.assert_full_mesh_after_edit("damaged")
+
+    def test_flipped_bit(self):
+        self.reopen()
+        content = self.state_bytes()
+        content[len(content) // 2] ^= 4
+        self.put_state(content)
+        self.assert_full_mesh_after_edit("damaged")
+
+    def test_newer_schema(self):
+        self.reopen()
+        saved = state.load(self.mesh.SavedState)
+        now = state.SCHEMA
+        try:
+            state.SCHEMA = now + 1
+            state.save(self.mesh.SavedState, saved)
+        finally:
+            state.SCHEMA = now
+        self.assert_full_mesh_after_edit("newer FeatureMesh")
+
+    def test_state_whose_mesh_is_of_another_shape(self):
+        self.reopen()
+        saved = state.load(self.mesh.SavedState)
+        box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        other = api.add_mesh(box, SIZE, name="Other")
+        api.update_mesh(other)
+        saved.arrays = state.load(other.SavedState).arrays
+        self.document.removeObject(other.Name)
+        state.save(self.mesh.SavedState, saved)
+        self.assert_full_mesh_after_edit("does not fit the part")
+
+    def test_state_of_the_same_part_edited_outside(self):
+        self.reopen()
+        self.mesh.Automatic = False
+        self.edit(26)
+        self.reopen()   # another program changed the part and left the mesh alone
+        self.assertEqual(self.mesh.Status, mesh_object.OUT_OF_DATE)
+        report = api.update_mesh(self.mesh)
+        self.assertIsNone(report["fallback"])
+        self.assertGreater(report["kept"]["nodes_share"], 0.2)
+        hole = [face for face in self.body_now().Shape.Faces if face.Surface.TypeId == "Part::GeomCylinder"][0]
+        self.assertGreater(len(self.mesh.FemMesh.getNodesByFace(hole)), 8)
+
+    def body_now(self):
+        return self.document.getObject("Body")
+
+    # Saving
+
+    def test_killed_while_saving(self):
+        documents.save_document(self.document, self.path)
+        script = os.path.join(self.folder, "saving.py")
+        package = os.path.join(HERE, "..", "..", "Mod", "FeatureMesh", "freecad")
+        with open(script, "w", encoding="utf-8") as stream:
+            stream.write(SAVING_FOR_EVER.format(package=package, path=self.path))
+        marks = set()
+        for _ in range(3):
+            program = subprocess.Popen([shutil.which("freecadcmd") or shutil.which("FreeCADCmd"), script], stdin=subprocess.DEVNULL,
+                                       stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+            while b"saving" not in program.stdout.readline():
+                self.assertIsNone(program.poll())
+            time.sleep(random.uniform(0.05, 0.5))
+            program.send_signal(signal.SIGKILL)
+            program.wait()
+            program.stdout.close()
+            opened = documents.open_document(self.path)   # reads every member back
+            marks.add(opened.getObject("Mark") is not None)
+            self.assertEqual(opened.getObject("FeatureMesh").TetCount, self.mesh.TetCount)
+            FreeCAD.closeDocument(opened.Name)
+        self.assertLessEqual(marks, {True, False})
+        documents.save_document(self.document, self.path)
+        self.assertEqual(sorted(os.listdir(self.folder)), ["part.FCStd", "saving.py"])   # what the killed ones left is swept up
+
+    def full_disk(self, size):
+        """From now on no file gets larger than `size` bytes, as on a disk that is full."""
+        soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        self.addCleanup(resource.setrlimit, resource.RLIMIT_FSIZE, (soft, hard))
+        resource.setrlimit(resource.RLIMIT_FSIZE, (size, hard))
+
+    def test_full_disk_while_a_document_is_saved(self):
+        documents.save_document(self.document, self.path)
+        with open(self.path, "rb") as stream:
+            before = stream.read()
+        for share in (0.02, 0.5, 0.95):
+            with self.subTest(share=share):
+                self.full_disk(int(share * len(before)))
+                with self.assertRaisesRegex(UserError, "cannot write"):
+                    documents.save_document(self.document, self.path)
+                self.doCleanups_of_limit()
+                with open(self.path, "rb") as stream:
+                    self.assertEqual(stream.read(), before)
+                self.assertEqual(os.listdir(self.folder), ["part.FCStd"])
+
+    def doCleanups_of_limit(self):
+        resource.setrlimit(resource.RLIMIT_FSIZE, (resource.RLIM_INFINITY, resource.getrlimit(resource.RLIMIT_FSIZE)[1]))
+
+    def test_full_disk_while_a_mesh_is_stored(self):
+        before = {number: tuple(point) for number, point in self.mesh.FemMesh.Nodes.items()}
+        checksum = state.checksum_of(self.mesh.SavedState)
+        self.mesh.Automatic = False
+        self.edit()
+        self.full_disk(os.path.getsize(self.mesh.SavedState) // 2)
+        with self.assertRaises((UserError, OSError, RuntimeError)) as caught:
+            api.update_mesh(self.mesh)
+        self.doCleanups_of_limit()
+        self.assertTrue(self.mesh.Status.startswith("failed: "), self.mesh.Status)
+        self.assertIn("disk", str(caught.exception))
+        self.assertEqual({number: tuple(point) for number, point in self.mesh.FemMesh.Nodes.items()}, before)
+        self.assertEqual(state.checksum_of(self.mesh.SavedState), checksum)
+        report = api.update_mesh(self.mesh)
+        self.assertIsNone(report["fallback"])
+        self.assertGreater(report["kept"]["nodes_share"], 0.2)
+
+    # A history
+
+    def test_edit_and_set_back_has_the_old_kept_part_and_the_same_edit_the_same_bytes(self):
+        self.mesh.Automatic = False
+        first = self.arrays()
+        self.edit(23)
+        api.update_mesh(self.mesh)
+        middle = self.arrays()
+        self.edit(20)
+        api.update_mesh(self.mesh)
+        last = self.arrays()
+        stayed = np.intersect1d(first["node_numbers"], middle["node_numbers"])
+        again = np.intersect1d(stayed, last["node_numbers"])
+        self.assertGreater(len(again), 0.2 * len(stayed))
+        for arrays in (middle, last):
+            self.assertTrue(np.array_equal(self.points(first, again), self.points(arrays, again)))
+        self.reopen_with(first)
+        self.edit(23)
+        api.update_mesh(self.mesh)
+        for name, values in self.arrays().items():
+            self.assertEqual(values.tobytes(), middle[name].tobytes(), name)
+
+    def reopen_with(self, arrays):
+        """The document as it was with this mesh."""
+        self.edit(20)
+        saved = state.load(self.mesh.SavedState)
+        saved.arrays = arrays
+        state.save(self.mesh.SavedState, saved)
+
+    def arrays(self):
+        return {name: np.array(values) for name, values in self.mesh.Proxy.arrays(self.mesh).items()}
+
+    def points(self, arrays, numbers):
+        order = np.argsort(arrays["node_numbers"])
+        return arrays["points"][order[np.searchsorted(arrays["node_numbers"], numbers, sorter=order)]]
+
+    def test_twenty_edits_keep_numbers_small_and_renumbering_is_asked_for(self):
+        for x in range(20):
+            self.edit(21 + x % 2)
+        self.assertLess(max(self.mesh.FemMesh.Nodes), 20 * self.mesh.NodeCount)
+        before = self.arrays()
+        largest = api.renumber_mesh(self.mesh)
+        self.assertEqual(largest[0], before["node_numbers"].max() if before["counters"][2] == before["node_numbers"].max() + 1
+                         else before["counters"][2] - 1)
+        after = self.arrays()
+        self.assertEqual(after["node_numbers"].tolist(), list(range(1, self.mesh.NodeCount + 1)))
+        self.assertTrue(np.array_equal(before["points"], after["points"]))
+        self.assertTrue(np.array_equal(before["tets"], after["tets"]))
+        self.assertEqual(set(self.mesh.FemMesh.Nodes), set(range(1, self.mesh.NodeCount + 1)))
+        self.edit(24)
+        self.assertIsNone(json.loads(self.mesh.Report)["fallback"])
+        self.assertGreater(self.mesh.KeptNodes, 20)
+
+
+if __name__ == "__main__":
+    sys.exit("run by run_tests.py")

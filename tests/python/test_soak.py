@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Random edits in a row on every example: each mesh valid, what was kept the same bits, no drift, no growth.
+
+A few edits each by default; FEATUREMESH_SOAK_EDITS=50 for the long run, FEATUREMESH_SOAK_EXAMPLES=bracket,tool for some of the examples,
+FEATUREMESH_SOAK_SEED=7 to repeat one.
+"""
+import collections
+import os
+import random
+import resource
+import shutil
+import sys
+import tempfile
+import unittest
+
+import FreeCAD
+import numpy as np
+from freecad.featuremesh import api, documents, engine, mesh_object, versions
+from freecad.featuremesh.errors import UserError
+
+EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples")
+EDITS = int(os.environ.get("FEATUREMESH_SOAK_EDITS", "3"))
+NAMES = [name for name in os.environ.get("FEATUREMESH_SOAK_EXAMPLES", "").split(",") if name] or \
+    ["bracket", "block_and_cylinder", "tool", "csg_flange"]
+ELEMENTS = 18          # along the part's diagonal
+PRIMITIVES = ("PartDesign::SubtractiveCylinder", "PartDesign::AdditiveBox", "PartDesign::SubtractiveBox")
+
+
+def megabytes():
+    """Memory in use now."""
+    with open("/proc/self/statm", encoding="ascii") as stream:
+        return int(stream.read().split()[1]) * resource.getpagesize() / 1e6
+
+
+class Editor:
+    """Random edits of a document. Each is undone at once when FreeCAD cannot recompute it."""
+
+    def __init__(self, document, part, chance):
+        self.document, self.part, self.chance = document, part, chance
+        self.added = []
+
+    def edit(self):
+        """Makes one edit that FreeCAD can recompute. Returns it in words."""
+        for _ in range(40):
+            kinds = [self.change, self.change, self.move]
+            if self.part.TypeId == "PartDesign::Body":
+                kinds += [self.add] + ([self.delete] if self.added else [])
+            words, undo = self.chance.choice(kinds)()
+            if words is None:
+                continue
+            try:
+                api.recompute(self.document)
+                shape = self.part.Shape
+                if shape.isValid() and len(shape.Solids) == 1 and shape.Volume > 1:
+                    return words
+            except UserError:
+                pass
+            undo()
+            api.recompute(self.document)
+        raise AssertionError("no edit of 40 could be recomputed")
+
+    def change(self):
+        """A dimension by up to a fifth."""
+        assignments = list(self._dimensions())
+        name, value = self.chance.choice(assignments)
+        new = round(value * self.chance.uniform(0.8, 1.2), 3)
+        return self._set(name, value, new)
+
+    def move(self):
+        """A placement by up to a few mm."""
+        places = [obj for obj in self.document.Objects
+                  if obj.TypeId in ("Part::Cylinder", "Part::Cone") or obj.TypeId.startswith("PartDesign::Additive")
+                  or obj.TypeId.startswith("PartDesign::Subtractive")]
+        if not places:
+            return self.change()
+        obj = self.chance.choice(places)
+        axis = self.chance.choice("xy")
+        value = getattr(obj.Placement.Base, axis)
+        return self._set("%s.Placement.Base.%s" % (obj.Name, axis), value, round(value + self.chance.uniform(-4, 4), 3))
+
+    def add(self):
+        """A box or a cylinder, added or cut out, somewhere in the part's box."""
+        box, kind = self.part.Shape.BoundBox, self.chance.choice(PRIMITIVES)
+        tip = self.part.Tip
+        obj = self.part.newObject(kind, "Soak")
+        size = 0.06 * box.DiagonalLength * self.chance.uniform(0.5, 1.5)
+        at = [self.chance.uniform(low, high) for low, high in ((box.XMin, box.XMax), (box.YMin, box.YMax), (box.ZMin, box.ZMax))]
+        if kind.endswith("Cylinder"):
+            obj.Radius, obj.Height = round(size / 2, 3), round(3 * size, 3)
+        else:
+            obj.Length, obj.Width, obj.Height = round(size, 3), round(1.3 * size, 3), round(1.7 * size, 3)
+        obj.Placement.Base = FreeCAD.Vector(*(round(x, 3) for x in at))
+        self.part.Tip = obj
+        self.added.append(obj.Name)
+
+        def undo():
+            self._remove(obj.Name, tip)
+        return "%s %s added" % (kind, obj.Name), undo
+
+    def delete(self):
+        """The feature that was added last."""
+        name = self.added[-1]
+        features = [obj.Name for obj in self.part.Group if obj.isDerivedFrom("PartDesign::Feature")]
+        if features[-1] != name:
+            return None, None
+        self._remove(name, self.document.getObject(features[-2]))
+        return "%s deleted" % name, lambda: None
+
+    def _remove(self, name, tip):
+        self.part.Tip = tip
+        self.document.removeObject(name)
+        self.added.remove(name)
+
+    def _dimensions(self):
+        for obj in self.document.Objects:
+            if obj.isDerivedFrom("Sketcher::SketchObject"):
+                for constraint in obj.Constraints:
+                    if constraint.Name and constraint.Driving and abs(constraint.Value) > 0.5:
+                        yield "%s.%s" % (obj.Name, constraint.Name), constraint.Value
+            elif obj.isDerivedFrom("PartDesign::Feature") or obj.TypeId.startswith("Part::"):
+                for name in ("Length", "Width", "Height", "Radius", "Radius1", "Radius2"):
+                    value = getattr(getattr(obj, name, None), "Value", 0)
+                    if value > 0.5 and getattr(obj, "Type", None) != "ThroughAll" and not (name == "Radius" and "Fillet" in obj.TypeId):
+                        yield "%s.%s" % (obj.Name, name), value
+
+    def _set(self, name, old, new):
+        def undo():
+            api.set_parameters(self.document, ["%s=%.17g" % (name, old)])
+        try:
+            api.set_parameters(self.document, ["%s=%.17g" % (name, new)])
+        except UserError:
+            return None, None
+        return "%s: %g -> %g" % (name, old, new), undo
+
+
+class Soak(unittest.TestCase):
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+        for known in list(FreeCAD.listDocuments()):
+            FreeCAD.closeDocument(known)
+
+    def test_random_edits(self):
+        seed = int(os.environ.get("FEATUREMESH_SOAK_SEED", random.randrange(1 << 30)))
+        totals, done = collections.Counter(), 0
+        try:
+            for name in NAMES:
+                with self.subTest(example=name, seed=seed):
+                    done += self.soak(name, random.Random("%s %d" % (name, seed)), totals)
+        finally:
+            print("seed %d: %d edits; fallbacks: %s" % (seed, done, dict(totals) or "none"), file=sys.stderr)
+
+    def soak(self, name, chance, totals):
+        path = os.path.join(self.folder, name + ".FCStd")
+        shutil.copyfile(os.path.join(EXAMPLES, name + ".FCStd"), path)
+        document = documents.open_document(path)
+        part = document.getObject("Body") or document.getObject("Flange")
+        mesh = api.add_mesh(part, size=round(part.Shape.BoundBox.DiagonalLength / ELEMENTS, 1))
+        mesh.Automatic = False
+        api.update_mesh(mesh)
+        editor, kept_shares, sizes, memory = Editor(document, part, chance), [], [], []
+        for index in range(EDITS):
+            before = self.arrays(mesh)
+            words = editor.edit()
+            report = api.update_mesh(mesh)
+            after = self.arrays(mesh)
+            with self.subTest(example=name, edit=index, what=words):
+                self.check_valid(mesh)
+                self.check_kept(before, after, mesh.Proxy.last_part_mesh(mesh))
+            if report["fallback"]:
+                totals[reason_of(report["fallback"])] += 1
+            kept_shares.append(report["kept"]["nodes_share"])
+            memory.append(megabytes())
+            sizes.append(os.path.getsize(mesh.SavedState) / report["nodes"])
+            print("%s %d: %s: %d tets, %.1f %% kept, %s" % (name, index, words, report["tets"], 100 * kept_shares[-1],
+                                                         report["fallback"] or "no fallback"), file=sys.stderr)
+        self.check_drift(mesh)
+        # bytes of state per node: the content grows with the part, not with the number of edits
+        self.assertLess(sizes[-1], 1.5 * sizes[0] + 50)
+        if EDITS >= 20:
+            self.assertLess(memory[-1], 1.3 * memory[9] + 50)
+        return len(kept_shares)
+
+    def arrays(self, mesh):
+        return {name: np.array(values) for name, values in mesh.Proxy.arrays(mesh).items()}
+
+    def check_valid(self, mesh):
+        """All invariants of the whole mesh, whatever the update itself looked at."""
+        raw, options, arrays = mesh.Proxy._raw, mesh_object.options_of(mesh, versions.part_of(mesh)), mesh.Proxy.arrays(mesh)
+        engine.load().restore_part(raw, options, arrays)
+
+    def check_kept(self, before, after, part_mesh):
+        origin = part_mesh.node_origin()
+        kept = origin >= 0
+        self.assertTrue(np.array_equal(before["node_numbers"][origin[kept]], after["node_numbers"][kept]))
+        moved = (before["points"][origin[kept]] != after["points"][kept]).any(axis=1)
+        # Other bits only where a feature was carried, and then whole tets with their shape.
+        for number in after["node_numbers"][kept][moved][:50]:
+            self.check_carried(number, before, after)
+        self.assertTrue((after["node_numbers"][~kept] >= before["counters"][2]).all(), "a number was given twice")
+        tets = part_mesh.tet_origin()
+        self.assertTrue((after["tet_numbers"][tets < 0] >= before["counters"][3]).all(), "a number was given twice")
+        for name in ("node_numbers", "tet_numbers", "triangle_numbers", "segment_numbers"):
+            self.assertEqual(len(np.unique(after[name])), len(after[name]))
+
+    def check_carried(self, number, before, after):
+        tet = np.flatnonzero((after["node_numbers"][after["tets"]] == number).any(axis=1) & np.isin(after["tet_numbers"], before["tet_numbers"]))[:1]
+        for row in tet:
+            old = np.flatnonzero(before["tet_numbers"] == after["tet_numbers"][row])[0]
+            sides = [np.linalg.norm(a["points"][a["tets"][r]][[0, 1, 2, 3]] - a["points"][a["tets"][r]][[1, 2, 3, 0]], axis=1)
+                     for a, r in ((before, old), (after, row))]
+            self.assertLess(np.abs(sides[0] - sides[1]).max(), 1e-9)
+
+    def check_drift(self, mesh):
+        options = mesh_object.options_of(mesh, versions.part_of(mesh))
+        _, full = engine.load().mesh_part(mesh.Proxy._raw, options)
+        drift = mesh.MeanRadiusRatio - full["quality"]["mean_radius_ratio"]
+        print("mean radius ratio %.4f, of a full mesh %.4f; largest node number %.2f times the count" % (
+            mesh.MeanRadiusRatio, full["quality"]["mean_radius_ratio"],
+            mesh.Proxy.arrays(mesh)["node_numbers"].max() / mesh.NodeCount), file=sys.stderr)
+        # A few edits of a coarse mesh scatter by about as much as a long run may drift.
+        self.assertGreater(drift, -0.01 if EDITS >= 20 else -0.02)
+
+
+def reason_of(fallback):
+    """A fallback without its figures, so that equal ones add up."""
+    return "".join(letter for letter in fallback.split(";")[0] if not letter.isdigit())[:120]
