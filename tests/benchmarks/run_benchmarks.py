@@ -68,11 +68,15 @@ def measure(case, given):
         folder = Path(name)
         prepare(case, folder)
         rows = run_rounds(case, folder, given)
+        reading = reading_of(folder, rows)
     for who, row in rows.items():
         print(row_in_words(who, row), flush=True)
     summary = compare_rows(rows)
-    print("  " + "; ".join(summary_in_words(summary)) + "\n", flush=True)
-    record = {"case": case.name, "size": case.size, "threads": given.threads, "machine": machine(), "rows": rows, "summary": summary}
+    print("  " + "; ".join(summary_in_words(summary)), flush=True)
+    print(f"  reading the tree {reading['read']:.3f} s in FreeCAD + {reading['interpret']:.3f} s in the engine, {reading['share']:.1%} of "
+          f"FreeCAD's recompute ({reading['recompute']:.3f} s)\n", flush=True)
+    record = {"case": case.name, "size": case.size, "threads": given.threads, "machine": machine(), "rows": rows, "summary": summary,
+              "reading": reading}
     with open(RESULTS, "a", encoding="utf-8") as results:
         results.write(json.dumps(record) + "\n")
 
@@ -99,6 +103,13 @@ def run_rounds(case, folder, given):
         for peer in ALGORITHMS:
             add_peer_round(rows, peer, folder / "new.brep", case.size, given.threads)
     return rows
+
+
+def reading_of(folder, rows):
+    """Seconds to read the edited part and to interpret it, and their share of FreeCAD's own recompute of the document."""
+    seconds = json.loads((folder / "reading.json").read_text(encoding="utf-8"))
+    seconds["interpret"] = rows["full mesh"]["steps"]["read"]
+    return {**seconds, "share": (seconds["read"] + seconds["interpret"]) / seconds["recompute"]}
 
 
 def add_peer_round(rows, peer, brep, size, threads):
