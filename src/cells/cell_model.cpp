@@ -23,7 +23,7 @@ namespace featuremesh {
 namespace {
 
 // An attempt gets half of what is left.
-constexpr double most_seconds = 20;  // of the processor, for all attempts together; what is fused in that time is worth
+constexpr double most_seconds = 14;  // of the processor, for all attempts together; what is fused in that time is worth
                                      // it, see docs/design/cells.md
 
 void add_solids(std::vector<FuseArgument>& arguments, const Owner& owner, const TopoDS_Shape& shape) {

@@ -91,6 +91,16 @@ class Interpreter {
         return found;
     }
 
+    void note_operands_without_solid(int i) {
+        for (const auto& properties : {meanings_[i].sources, meanings_[i].tools})
+            for (const std::string& property : properties)
+                for (const RawLink& link : DocumentView::links_of(record(i), property))
+                    if (const int target = view_.find(link.object); target < 0)
+                        note(i, "its link to " + link.object + " dangles");
+                    else if (meanings_[target].kind != Kind::reference && view_.solids_of(record(target)).IsNull())
+                        note(i, "its operand " + title(target) + " has no solid and is left out");
+    }
+
     int source_of(int i) const {
         for (const std::string& property : meanings_[i].sources)
             if (const auto found = solids_linked(i, property); !found.empty()) return found.front();
@@ -188,6 +198,7 @@ class Interpreter {
     }
 
     void evaluate_boolean(int i, Effect context) {
+        note_operands_without_solid(i);
         std::vector<int> operands;
         if (const int source = source_of(i); source >= 0) operands.push_back(source);
         const bool has_base = !operands.empty() || meanings_[i].sources.empty();
@@ -255,7 +266,11 @@ class Interpreter {
     bool take_difference(int i) {
         const Activity activity("feature " + feature(i).label);
         const TopoDS_Shape& after = feature(i).after;
-        if (after.IsNull()) return note(i, "has no solid, so its effect is unknown"), true;
+        if (after.IsNull()) {
+            note(i, "has no solid, so its effect is unknown and it counts as changed");
+            if (feature(i).error.empty()) feature(i).error = "it has no solid";
+            return true;
+        }
         const double start = thread_seconds();
         const ShapeDifference difference =
             difference_of(feature(i).before, after, std::min(8.0, seconds_left_), context_);
@@ -303,7 +318,7 @@ class Interpreter {
     FeatureTree tree_;
     std::vector<TypeMeaning> meanings_;
     std::vector<bool> visited_;
-    double seconds_left_ = 30;  // for what was added and removed by all features together
+    double seconds_left_ = 16;  // for what was added and removed by all features together
 };
 
 }  // namespace

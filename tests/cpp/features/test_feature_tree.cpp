@@ -318,6 +318,23 @@ TEST_CASE("links that dangle and loops do no harm") {
     const FeatureTree tree = interpret(maker.done());
     CHECK(named(tree, "Cut").volumes.size() == 1);
     CHECK(named(tree, "Cut").depends_on.empty());
+    REQUIRE(tree.notes.size() == 1);
+    CHECK(tree.notes[0] == "Cut: its link to Gone dangles");
+}
+
+TEST_CASE("what has no solid is named, and counts as changed where it should have one") {
+    DocumentMaker maker = plate();
+    maker.add("Fillet", "PartDesign::Fillet", {{"Base", "Hole", "Edge1"}, {"BaseFeature", "Hole", ""}});
+    maker.add("Empty", "Part::Feature");
+    maker.add("Fusion", "Part::MultiFuse", {{"Shapes", "Fillet", ""}, {"Shapes", "Hole", ""}, {"Shapes", "Empty", ""}},
+              plate_shape());
+    const FeatureTree tree = interpret(maker.done());
+    const auto says = [&](const std::string& words) {
+        return std::any_of(tree.notes.begin(), tree.notes.end(),
+                           [&](const std::string& note) { return note == words; });
+    };
+    CHECK(says("Fusion: its operand Fillet has no solid and is left out"));
+    CHECK(says("Fusion: its operand Empty has no solid and is left out"));
 }
 
 TEST_CASE("a document without the object or without a solid is refused by name") {
