@@ -151,11 +151,13 @@ def drive():
     picture("meshed")
 
     # Cancel leaves everything as it was
-    before = points_of(mesh)
-    settings.start(True)
     if PICTURES:
+        settings.start(True)
         wait_for(lambda: settings.running is None or settings.running.step in ("volume", "optimise"))
         picture("running")
+        wait_for(lambda: settings.running is None)
+    before = points_of(mesh)
+    settings.start(True)
     settings.cancel()
     wait_for(lambda: settings.running is None)
     assert points_of(mesh) == before and mesh.Status == mesh_object.UP_TO_DATE
@@ -257,7 +259,29 @@ def drive():
     menus = [texts_of(action) for action in main.menuBar().actions()]
     assert any({"FEM mesh group", "Show the quality"} <= set(menu) for menu in menus), menus
     picture("fem")
+    mesh = check_adoption(api, document, body, mesh)
     check_german(main, document, mesh)
+
+
+def check_adoption(api, document, body, mesh):
+    """A foreign mesh becomes ours by one command, and one undo takes that back."""
+    mesh.Size = 2.5
+    document.recompute()
+    foreign = document.addObject("Fem::FemMeshObject", "Foreign")
+    foreign.FemMesh = mesh.FemMesh
+    before = points_of(mesh)
+    document.removeObject(mesh.Name)
+    Gui.runCommand("FeatureMesh_Adopt")
+    spin()
+    adopted, = api.meshes_of(document)
+    shared = sum(adopted.FemMesh.Nodes.get(number) == point for number, point in foreign.FemMesh.Nodes.items())
+    assert shared > 0.9 * len(before), (shared, len(before), messages[-1])
+    assert adopted.ViewObject.Visibility and not foreign.ViewObject.Visibility
+    document.undo()
+    assert not api.meshes_of(document)
+    document.redo()
+    adopted, = api.meshes_of(document)
+    return adopted
 
 
 def check_german(main, document, mesh):

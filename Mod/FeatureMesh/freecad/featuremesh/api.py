@@ -50,13 +50,13 @@ def adopt_mesh(foreign, part=None, size=None, progress=None):
     the report. Throws UserError.
     """
     if is_feature_mesh(foreign):
-        raise UserError("%s is FeatureMesh's own already" % reading.describe(foreign))
+        raise UserError(translate("FeatureMesh", "%s is FeatureMesh's own already") % reading.describe(foreign))
     if not foreign.isDerivedFrom("Fem::FemMeshObject"):
-        raise UserError("%s is no FEM mesh" % reading.describe(foreign))
+        raise UserError(translate("FeatureMesh", "%s is no FEM mesh") % reading.describe(foreign))
     part = part or adopt.part_of(foreign) or reading.find_meshable(foreign.Document)
     others = [mesh for mesh in meshes_of(foreign.Document) if versions.part_of(mesh) is part]
     if others:
-        raise UserError("%s has a mesh already: %s; delete one of the two" % (reading.describe(part), reading.describe(others[0])))
+        raise UserError(translate("FeatureMesh", "%s has a mesh already: %s; delete one of the two") % (reading.describe(part), reading.describe(others[0])))
     arrays = adopt.arrays_of(foreign)
     order = 2 if len(arrays["tet_mids"]) else 1
     mesh = add_mesh(part, adopt.typical_size(arrays) if size is None else size, order, join_analysis=False)
@@ -82,7 +82,7 @@ def renumber_mesh(mesh):
     try:
         return mesh.Proxy.renumber(mesh)
     except (StateError, engine.load().StateError) as error:
-        raise UserError("%s cannot be renumbered: %s" % (reading.describe(mesh), error)) from error
+        raise UserError(translate("FeatureMesh", "%s cannot be renumbered: %s") % (reading.describe(mesh), error)) from error
 
 
 def recompute(document):

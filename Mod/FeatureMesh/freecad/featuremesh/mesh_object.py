@@ -140,7 +140,10 @@ class FeatureMesh:
             part = versions.part_of(mesh)
             job = adopt.AdoptJob(read_document(part), options_of(mesh, part), arrays)
             job.seconds = {"document": time.perf_counter() - start, "restore": 0.0}
-            job.run(progress)
+            if progress is None and run_job is not None:
+                run_job(job)
+            else:
+                job.run(progress)
             return self.finish(mesh, job)
         except Exception as error:
             self.fail(mesh, error)

@@ -7,6 +7,7 @@ import FreeCADGui as Gui
 COMMANDS = {
     "FeatureMesh_MeshPart": "mesh_part",
     "FeatureMesh_UpdateNow": "update_now",
+    "FeatureMesh_Adopt": "adopt",
     "FeatureMesh_AddLocalSize": "add_local_size",
     "FeatureMesh_ShowKept": "show_kept",
     "FeatureMesh_ShowQuality": "show_quality",

@@ -103,6 +103,14 @@
       <translation>%d Objekte haben die Bezeichnung %s, bitte einen Namen angeben: %s</translation>
     </message>
     <message>
+      <source>%s cannot be renumbered: %s</source>
+      <translation>%s kann nicht neu nummeriert werden: %s</translation>
+    </message>
+    <message>
+      <source>%s has a mesh already: %s; delete one of the two</source>
+      <translation>%s hat schon ein Netz: %s; bitte eines von beiden löschen</translation>
+    </message>
+    <message>
       <source>%s has no mesh yet</source>
       <translation>%s hat noch kein Netz</translation>
     </message>
@@ -119,8 +127,24 @@
       <translation>%s hat keinen Festkörper%s</translation>
     </message>
     <message>
+      <source>%s has no tets; it has to be a volume mesh</source>
+      <translation>%s hat keine Tetraeder; es muss ein Volumennetz sein</translation>
+    </message>
+    <message>
+      <source>%s has other elements than 4-node or 10-node tets (%s with %s nodes); only tets can be adopted</source>
+      <translation>%s hat andere Elemente als Tetraeder mit 4 oder 10 Knoten (%s mit %s Knoten); nur Tetraeder können übernommen werden</translation>
+    </message>
+    <message>
+      <source>%s is FeatureMesh's own already</source>
+      <translation>%s gehört schon FeatureMesh</translation>
+    </message>
+    <message>
       <source>%s is a group, name one of its objects: %s</source>
       <translation>%s ist eine Gruppe, bitte eines ihrer Objekte angeben: %s</translation>
+    </message>
+    <message>
+      <source>%s is no FEM mesh</source>
+      <translation>%s ist kein FEM-Netz</translation>
     </message>
     <message>
       <source>%s was not updated since the document was opened, all its elements are as they were</source>
@@ -589,6 +613,10 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>das Dokument hat mehrere Netze, bitte eines auswählen oder mit --object angeben: %s</translation>
     </message>
     <message>
+      <source>the document has several meshes, select the one to adopt: %s</source>
+      <translation>das Dokument hat mehrere Netze, bitte das zu übernehmende auswählen: %s</translation>
+    </message>
+    <message>
       <source>the document has several solids, select one or name it with --object: %s</source>
       <translation>das Dokument hat mehrere Festkörper, bitte einen auswählen oder mit --object angeben: %s</translation>
     </message>
@@ -658,6 +686,17 @@ mittleres Radienverhältnis %.3f</translation>
     <message>
       <source>Gives the selected faces, edges or vertices half the mesh size, to be changed in FEM's refinement panel</source>
       <translation>Gibt den ausgewählten Flächen, Kanten oder Punkten die halbe Netzgröße, änderbar im Fenster der FEM-Netzverfeinerung</translation>
+    </message>
+  </context>
+  <context>
+    <name>FeatureMesh_Adopt</name>
+    <message>
+      <source>Adopt a mesh</source>
+      <translation>Netz übernehmen</translation>
+    </message>
+    <message>
+      <source>Turns the selected mesh of Gmsh, Netgen or another maker (or the only one) into one that follows the part</source>
+      <translation>Macht aus dem ausgewählten (oder einzigen) Netz von Gmsh, Netgen oder anderen eines, das dem Bauteil folgt</translation>
     </message>
   </context>
   <context>
