@@ -43,6 +43,7 @@ py::dict face_dict(const FaceChange& change) {
     out["new_face"] = face_name(change.new_face);
     out["old_area"] = change.old_area;
     out["new_area"] = change.new_area;
+    out["inner"] = change.inner;
     return out;
 }
 
@@ -51,7 +52,9 @@ py::dict compare_documents(const py::dict& old_raw, const py::dict& new_raw, dou
     const FeatureDifference difference = run_released({}, 1, [&](RunContext& context) {
         const PartState old_state = read_part(old_document, context), new_state = read_part(new_document, context);
         const double fine = resolution > 0 ? resolution : new_state.brep.box().diagonal() / 100;
-        return compare(old_state, new_state, fine, context);
+        FeatureDifference found = compare(old_state, new_state, fine, context);
+        tell_inner_faces(found.faces, old_state.brep, new_state.brep);
+        return found;
     });
     return to_dict(difference);
 }

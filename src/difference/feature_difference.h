@@ -42,6 +42,7 @@ struct FaceChange {
     FaceVerdict verdict = FaceVerdict::kept;
     FaceId old_face, new_face;          ///< none where there is no partner
     double old_area = 0, new_area = 0;  ///< mm^2
+    bool inner = false;  ///< vanished into the material, or appeared out of it; see tell_inner_faces
 };
 
 /// The part of either boundary that the other does not have, as triangles, conservative: every point of the symmetric
@@ -89,6 +90,10 @@ struct FeatureDifference {
     std::vector<std::string> notes;      ///< e.g. "the two parts look unrelated"
     bool is_empty() const;               ///< nothing changed at all
 };
+
+/// For reports: which of the vanished faces now lie inside the material (the boundary became inner), and which of the
+/// appeared ones did before (inner became boundary), by a point of each.
+void tell_inner_faces(std::vector<FaceChange>& faces, const Brep& old_shape, const Brep& new_shape);
 
 /// `resolution`: wanted edge length of the triangles of the changed boundary where a face is trimmed differently, mm.
 FeatureDifference compare(const PartState& old_state, const PartState& new_state, double resolution,

@@ -273,6 +273,25 @@ TEST_CASE("a hole beside a rib changes the rib's interaction, not the rib") {
     CHECK(change_of(d, "Notch").verdict == Verdict::added);
 }
 
+TEST_CASE("boundary that became inner, and inner that became boundary") {
+    const std::vector<Primitive> low{{"Block", Effect::adds, {box({0, 0, 0}, {20, 20, 10})}, {}},
+                                     {"Post", Effect::adds, {box({5, 5, 10}, {4, 4, 6})}, {}}};
+    auto high = low, bare = low;
+    high.push_back({"Cover", Effect::adds, {box({5, 5, 16}, {4, 4, 3})}, {}});
+    bare.pop_back();
+    const auto inner = [](const std::vector<Primitive>& from, const std::vector<Primitive>& to, FaceVerdict verdict) {
+        const PartState was = part(from), is = part(to);
+        FeatureDifference d = diff(was, is);
+        tell_inner_faces(d.faces, was.brep, is.brep);
+        return std::pair(count(d, verdict), int(std::count_if(d.faces.begin(), d.faces.end(), [&](const FaceChange& f) {
+                             return f.verdict == verdict && f.inner;
+                         })));
+    };
+    CHECK(inner(low, high, FaceVerdict::vanished) == std::pair(1, 1));  // the post's top, under the cover
+    CHECK(inner(high, low, FaceVerdict::appeared) == std::pair(1, 1));
+    CHECK(inner(low, bare, FaceVerdict::vanished) == std::pair(5, 0));  // the post stood in the open
+}
+
 TEST_CASE("unrelated parts are noted") {
     const FeatureDifference d = diff(part({{"A", Effect::adds, {box({0, 0, 0}, {1, 1, 1})}, {}}}),
                                      part({{"B", Effect::adds, {sphere({9, 9, 9}, 1)}, {}}}), 0.2);

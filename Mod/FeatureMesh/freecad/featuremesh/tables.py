@@ -48,10 +48,13 @@ def verdict_in_words(verdict):
 def difference_note(found):
     """How many features and faces changed, and the engine's notes."""
     changed = sum(feature["verdict"] != "same" for feature in found["features"])
-    counts = {}
+    counts, inner = {}, {}
     for face in found["faces"]:
         counts[face["verdict"]] = counts.get(face["verdict"], 0) + 1
-    faces = ", ".join("%d %s" % (counts[verdict], verdict_in_words(verdict)) for verdict in sorted(counts))
+        inner[face["verdict"]] = inner.get(face["verdict"], 0) + bool(face.get("inner"))
+    faces = ", ".join("%d %s" % (counts[verdict], verdict_in_words(verdict))
+                      + (translate("FeatureMesh", " (%d inside the other's material)") % inner[verdict] if inner[verdict] else "")
+                      for verdict in sorted(counts))
     line = translate("FeatureMesh", "%d features changed, %d did not; faces: %s") % (
         changed, len(found["features"]) - changed, faces or translate("FeatureMesh", "none"))
     return "\n".join([line] + [translate("FeatureMesh", "note: ") + note for note in found.get("notes", [])])

@@ -87,6 +87,10 @@
   <context>
     <name>FeatureMesh</name>
     <message>
+      <source> (%d inside the other's material)</source>
+      <translation> (%d im Material des anderen)</translation>
+    </message>
+    <message>
       <source> of %s</source>
       <translation> von %s</translation>
     </message>
