@@ -257,7 +257,7 @@ def drive():
     texts = [action.text() for action in main.findChild(QtGui.QToolBar, "Mesh").actions()]
     assert {"Mesh a part", "Show the quality", "Export the mesh"} <= set(texts), texts
     menus = [texts_of(action) for action in main.menuBar().actions()]
-    assert any({"FEM mesh group", "Show the quality"} <= set(menu) for menu in menus), menus
+    assert any(len(menu) > len(COMMANDS) and "Show the quality" in menu for menu in menus), menus[6:]
     picture("fem")
     mesh = check_adoption(api, document, body, mesh)
     check_german(main, document, mesh)

@@ -37,6 +37,13 @@ def parent_frame(part):
     return parent.getGlobalPlacement() if parent is not None else FreeCAD.Placement()
 
 
+def colour_elements(view, colours):
+    """Colours the elements {number: (red, green, blue)} of a mesh's view; none: as usual. Since 1.0 a view has a mode for that."""
+    view.ElementColor = colours
+    if "ColorMode" in view.PropertiesList:
+        view.ColorMode = "ByElement" if colours else "Overall"
+
+
 def number_of(enumerator):
     """A Qt enumerator as the number that FreeCAD's task panels ask for: PySide 2 converts by int(), PySide 6 has `value`."""
     return int(getattr(enumerator, "value", enumerator))

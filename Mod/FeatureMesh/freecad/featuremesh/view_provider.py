@@ -5,7 +5,7 @@ import os
 
 import FreeCADGui as Gui
 
-from . import mesh_object
+from . import mesh_object, versions
 
 _MARKED = "FeatureMeshMarkedPoints"
 ICONS = os.path.join(os.path.dirname(__file__), "icons")
@@ -44,7 +44,7 @@ class ViewFeatureMesh:
 
     def colour(self, mesh, colours):
         """Colours elements {number: (red, green, blue)}; none: as usual."""
-        mesh.ViewObject.ElementColor = colours
+        versions.colour_elements(mesh.ViewObject, colours)
 
     def mark_points(self, mesh, points, colour):
         """Draws points over everything else; none: takes them away."""
