@@ -16,6 +16,11 @@ def icon(name):
     return os.path.join(ICONS, name + ".svg")
 
 
+def drawn_icon(name):
+    """One of our icons as a QIcon, drawn by FreeCAD, which needs no Qt plugin for SVG."""
+    return Gui.getIcon(icon(name))
+
+
 def attach(mesh):
     """Gives a mesh object its view, if it has none of ours yet."""
     view = mesh.ViewObject

@@ -6,7 +6,7 @@ import FreeCADGui as Gui
 from PySide import QtGui
 
 from .. import api, overlays, versions
-from ..view_provider import icon
+from ..view_provider import drawn_icon
 
 translate = FreeCAD.Qt.translate
 
@@ -22,7 +22,7 @@ class KeptPanel:
         kept = sum(colour == kept_colour for colour in colours.values())
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(translate("FeatureMesh", "Kept in %s") % mesh.Label)
-        self.form.setWindowIcon(QtGui.QIcon(icon("FeatureMesh_ShowKept")))
+        self.form.setWindowIcon(drawn_icon("FeatureMesh_ShowKept"))
         layout = QtGui.QGridLayout(self.form)
         for row, (colour, text) in enumerate((
                 (kept_colour, translate("FeatureMesh", "kept: %d tets (%.1f %%)") % (kept, 100 * kept / len(colours))),

@@ -6,7 +6,7 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import api, overlays, versions
-from ..view_provider import icon
+from ..view_provider import drawn_icon
 
 translate = FreeCAD.Qt.translate
 _BIN = 5            # degrees
@@ -19,7 +19,7 @@ class QualityPanel:
     def __init__(self, mesh):
         self.mesh = mesh
         self.form = QtGui.QWidget()
-        self.form.setWindowIcon(QtGui.QIcon(icon("FeatureMesh_ShowQuality")))
+        self.form.setWindowIcon(drawn_icon("FeatureMesh_ShowQuality"))
         self.form.setWindowTitle(translate("FeatureMesh", "Quality of %s") % mesh.Label)
         layout = QtGui.QVBoxLayout(self.form)
         layout.addWidget(Histogram(overlays.smallest_angles(mesh.Proxy.arrays(mesh))))

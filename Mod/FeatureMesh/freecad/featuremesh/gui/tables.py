@@ -6,7 +6,7 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import tables
-from ..view_provider import icon
+from ..view_provider import drawn_icon
 
 translate = FreeCAD.Qt.translate
 _COLOURS = {"added": "#2e9e3f", "appeared": "#2e9e3f", "removed": "#c62828", "vanished": "#c62828", "reshaped": "#c77700",
@@ -94,7 +94,7 @@ def _item(cells, faces=(), verdict=None):
     if verdict:
         item.setText(1, tables.verdict_in_words(verdict))
         if verdict in _ICONS:
-            item.setIcon(0, QtGui.QIcon(icon("FeatureMesh_Verdict" + _ICONS[verdict])))
+            item.setIcon(0, drawn_icon("FeatureMesh_Verdict" + _ICONS[verdict]))
         if verdict in _COLOURS:
             item.setForeground(1, QtGui.QBrush(QtGui.QColor(_COLOURS[verdict])))
     return item

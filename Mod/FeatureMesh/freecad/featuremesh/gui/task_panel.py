@@ -9,7 +9,7 @@ from PySide import QtCore, QtGui
 
 from .. import api, versions
 from ..mesh_object import UP_TO_DATE, is_cancelled, one_line, status_in_words
-from ..view_provider import icon
+from ..view_provider import drawn_icon
 from .errors import select_named
 from .running import RunningJob, step_in_words
 
@@ -28,7 +28,7 @@ class MeshPanel:
         self._raw = None   # the part as it was read for the last estimate; it stays the same while the panel is open
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(mesh.Label)
-        self.form.setWindowIcon(QtGui.QIcon(icon("FeatureMesh")))
+        self.form.setWindowIcon(drawn_icon("FeatureMesh"))
         self._build()
         self._timer = QtCore.QTimer(self.form)
         self._timer.timeout.connect(self._poll)

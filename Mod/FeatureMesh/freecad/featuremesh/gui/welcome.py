@@ -6,7 +6,7 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import preferences
-from ..view_provider import icon
+from ..view_provider import drawn_icon
 
 translate = FreeCAD.Qt.translate
 
@@ -52,7 +52,7 @@ def _steps():
             ("FeatureMesh_AddLocalSize", translate("FeatureMesh", "Select a face and press <b>Add a local size</b> where the mesh shall be "
                                                                   "finer. All of this is in FEM's Mesh menu, too.")))):
         picture = QtGui.QLabel()
-        picture.setPixmap(QtGui.QIcon(icon(name)).pixmap(40, 40))
+        picture.setPixmap(drawn_icon(name).pixmap(40, 40))
         label = QtGui.QLabel(text)
         label.setWordWrap(True)
         label.setMinimumWidth(380)
