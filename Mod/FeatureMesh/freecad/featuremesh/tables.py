@@ -40,9 +40,17 @@ _VERDICTS = {
 }
 
 
-def verdict_in_words(verdict):
-    """The engine's verdict on a feature or a face in the user's language."""
-    return translate("FeatureMesh", _VERDICTS.get(verdict, verdict))
+# Verdicts on faces that lie in the material of the other state.
+_INNER_VERDICTS = {
+    "vanished": QT_TRANSLATE_NOOP("FeatureMesh", "became inner"),
+    "appeared": QT_TRANSLATE_NOOP("FeatureMesh", "became boundary"),
+}
+
+
+def verdict_in_words(verdict, inner=False):
+    """The engine's verdict on a feature or a face in the user's language; `inner`: it lies in the material of the other state."""
+    words = _INNER_VERDICTS if inner and verdict in _INNER_VERDICTS else _VERDICTS
+    return translate("FeatureMesh", words.get(verdict, verdict))
 
 
 def difference_note(found):

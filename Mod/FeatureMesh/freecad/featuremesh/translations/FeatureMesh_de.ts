@@ -417,6 +417,14 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>Flächeninhalt %s mm²</translation>
     </message>
     <message>
+      <source>became boundary</source>
+      <translation>jetzt am Rand</translation>
+    </message>
+    <message>
+      <source>became inner</source>
+      <translation>jetzt im Inneren</translation>
+    </message>
+    <message>
       <source>by how much</source>
       <translation>um wie viel</translation>
     </message>
