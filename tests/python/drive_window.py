@@ -300,7 +300,19 @@ def check_german(main, document, mesh):
     dialog = welcome.show()
     picture("german")
     dialog.close()
-    panel("MeshPanel").reject()
+    check_closing_in_the_middle(document)
+
+
+def check_closing_in_the_middle(document):
+    """Closing the document ends the work on it."""
+    settings = panel("MeshPanel")
+    settings.size.setProperty("rawValue", 0.8)
+    settings.start(True)
+    running = settings.running
+    wait_for(lambda: running.step)
+    FreeCAD.closeDocument(document.Name)
+    wait_for(running.is_done)
+    assert type(running.error).__name__ == "Cancelled", running.error
 
 
 def main():

@@ -29,6 +29,7 @@ class MeshPanel:
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(mesh.Label)
         self.form.setWindowIcon(drawn_icon("FeatureMesh"))
+        self.form.destroyed.connect(lambda: self.cancel())   # FreeCAD closes the panel with its document
         self._build()
         self._timer = QtCore.QTimer(self.form)
         self._timer.timeout.connect(self._poll)
