@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "features/brep.h"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
 #include <BRep_Tool.hxx>
@@ -58,11 +59,21 @@ void add_once(std::vector<T>& list, T item) {
     if (std::find(list.begin(), list.end(), item) == list.end()) list.push_back(item);
 }
 
-/// Tight but for free-form faces, where the kernel would search for the extremes for seconds.
+/// A plane or cylinder between lines and conics.
+bool is_elementary(const TopoDS_Face& face) {
+    if (BRepAdaptor_Surface(face, false).GetType() > GeomAbs_Cylinder) return false;
+    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+        const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+        if (!BRep_Tool::Degenerated(edge) && BRepAdaptor_Curve(edge).GetType() > GeomAbs_Parabola) return false;
+    }
+    return true;
+}
+
+/// Tight but for free-form faces and edges, where the kernel would search for the extremes for seconds.
 Box tight_box_of(const std::vector<TopoDS_Face>& faces) {
     Bnd_Box bounds;
     for (const TopoDS_Face& face : faces) {
-        if (BRepAdaptor_Surface(face, false).GetType() <= GeomAbs_Torus)
+        if (is_elementary(face))
             BRepBndLib::AddOptimal(face, bounds, false, false);
         else
             BRepBndLib::Add(face, bounds, false);
