@@ -2,6 +2,7 @@
 """The engine in a process of its own: the same bytes, and a death in it costs nothing but the work it was at."""
 import os
 import signal
+import threading
 import unittest
 
 import FreeCAD
@@ -111,9 +112,24 @@ class Deaths(InWorker):
         self.assertGreater(mesh.KeptNodes, 30)
         self.assertNotEqual(points_of(mesh), before)
 
+    def test_a_crash_while_the_saved_mesh_is_read_gives_a_full_mesh_and_says_so(self):
+        mesh = self.meshed()
+        mesh.Automatic = False
+        mesh.Proxy.onDocumentRestored(mesh)   # as after opening the document: nothing is in memory
+        process_id = engine.load().process_id
+        os.kill(process_id, signal.SIGSTOP)
+        timer = threading.Timer(0.3, lambda: [os.kill(process_id, sent) for sent in (signal.SIGSEGV, signal.SIGCONT)])
+        timer.start()
+        self.addCleanup(timer.join)
+        report = api.update_mesh(mesh)
+        self.assertIn("reading the saved mesh of Body", report["fallback"])
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+
     def test_killed_between_two_calls(self):
         mesh = self.meshed()
-        os.kill(engine.load().process_id, signal.SIGKILL)
+        process_id = engine.load().process_id
+        os.kill(process_id, signal.SIGKILL)
+        os.waitid(os.P_PID, process_id, os.WEXITED | os.WNOWAIT)
         self.edit()
         self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
         self.assertGreater(mesh.KeptNodes, 30)

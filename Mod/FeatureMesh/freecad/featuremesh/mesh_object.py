@@ -13,6 +13,7 @@ import numpy as np
 from . import adopt, engine, hand_over, history, references, state, versions
 from .errors import EngineMissing, StateError, UserError
 from .job import MeshJob
+from .worker import WorkerDied
 from .reading import describe, read_document, shape_of_record
 
 translate = FreeCAD.Qt.translate
@@ -252,7 +253,7 @@ class FeatureMesh:
             return None, (None if not mesh.FemMesh.VolumeCount else "the document holds no mesh state")
         try:
             return self.last_part_mesh(mesh), None
-        except (StateError, engine.load().StateError) as error:
+        except (StateError, engine.load().StateError, WorkerDied) as error:
             return None, one_line(error)
 
     def _miss_the_engine(self, mesh):

@@ -335,7 +335,7 @@ class _Process:
         text = translate("FeatureMesh", "FeatureMesh's worker process %s while %s%s. FreeCAD and the document are as they were. %s") % (
             _how_it_ended(code), what, " (%s)" % where if where else "",
             translate("FeatureMesh", "Perhaps memory ran out: try a larger size.") if code == -signal.SIGKILL else
-            translate("FeatureMesh", "Check the shape there (Part: Check geometry), or try another size."))
+            translate("FeatureMesh", "Check the shape there (Part: Check geometry), mesh from scratch, or try another size."))
         return WorkerDied(text)
 
     def _close_last_words(self):

@@ -199,8 +199,8 @@
       <translation>Abgebrochen; das Netz ist, wie es war.</translation>
     </message>
     <message>
-      <source>Check the shape there (Part: Check geometry), or try another size.</source>
-      <translation>Bitte die Form dort prüfen (Part: Geometrie überprüfen) oder eine andere Größe versuchen.</translation>
+      <source>Check the shape there (Part: Check geometry), mesh from scratch, or try another size.</source>
+      <translation>Bitte die Form dort prüfen (Part: Geometrie überprüfen), von Grund auf vernetzen oder eine andere Größe versuchen.</translation>
     </message>
     <message>
       <source>Colours</source>
