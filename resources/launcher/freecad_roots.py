@@ -108,8 +108,7 @@ def make_root(name, root, prefix):
     fresh = root.with_name(root.name + ".new")
     try:
         source = debian_source(SYSTEM_SOURCES)
-        for old in (fresh, root):
-            run_logged([*prefix, "rm", "-rf", "--one-file-system", old], "removing an old root")
+        run_logged([*prefix, "rm", "-rf", "--one-file-system", fresh], "removing half a root")
         keyring = source["signed_by"] or DEFAULT_KEYRING
         run_logged([*prefix, "env", *debootstrap_proxies(), "debootstrap", "--variant=minbase", "--force-check-gpg", f"--keyring={keyring}",
                     name, fresh, source["uri"], *debootstrap_script(name)], f"debootstrap of Debian {name} from {source['uri']}")
@@ -122,6 +121,7 @@ def make_root(name, root, prefix):
     if run_mounted(prefix, fresh, [], ["sh", "-c", INSTALL]):
         raise Unavailable(f"no root of Debian {name}: its packages could not be installed, see {SETUP_LOG}")
     write(prefix, fresh / NOTE, json.dumps({"made": datetime.datetime.now().isoformat(), "release": name}))
+    run_logged([*prefix, "rm", "-rf", "--one-file-system", root], "removing the old root")
     run_logged([*prefix, "mv", fresh, root], "moving the new root to its place")
 
 
