@@ -99,7 +99,7 @@ def first_value(path, kind):
         lines = iter(stream.read().splitlines())
     if not any(title in line for line in lines):
         raise RuntimeError("no %s in %s" % (kind, path))
-    words = next(line.split() for line in lines if len(line.split()) == columns and line.split()[0] == "1")
+    words = next(line.split() for line in lines if len(line.split()) == columns and line.split()[0].isdigit())
     return float(words[column])
 
 
