@@ -326,12 +326,16 @@ namespace {
 /// The operations of raise_smallest_angles on one triangle.
 class AngleRaiser {
   public:
-    AngleRaiser(TrianglePatch& patch, const PatchGeometry& geometry) : patch_(patch), geometry_(geometry) {}
+    AngleRaiser(TrianglePatch& patch, const PatchGeometry& geometry) : patch_(patch), geometry_(geometry) {
+        for (int t = 0; t < static_cast<int>(patch.triangles.size()) && !has_needles_; ++t)
+            has_needles_ = !patch.is_removed(t) && has_tiny_side(t);
+    }
 
     double angle_of(int t) const {
         const auto& c = patch_.corners(t);
-        return patch_.is_at_pole(t) ? M_PI / 3
-                                    : smallest_angle(patch_.place(c[0]), patch_.place(c[1]), patch_.place(c[2]));
+        return patch_.is_at_pole(t) || (has_needles_ && has_tiny_side(t))
+                   ? M_PI / 3
+                   : smallest_angle(patch_.place(c[0]), patch_.place(c[1]), patch_.place(c[2]));
     }
 
     bool improve(int t) { return turn(t) || move_corners(t) || remove_corner(t) || split(t); }
@@ -341,6 +345,20 @@ class AngleRaiser {
         double smallest = M_PI;
         for (const int t : list) smallest = std::min(smallest, angle_of(t));
         return smallest;
+    }
+
+    /// On a piece of an edge far shorter than wanted the angle stays small: nodes drawn near for its sake would make
+    /// triangles with hardly an area.
+    bool has_tiny_side(int t) const {
+        constexpr double too_short = 1e-3;
+        const auto& c = patch_.corners(t);
+        for (int i = 0; i < 3; ++i) {
+            const int a = c[at(i)], b = c[at((i + 1) % 3)];
+            if (patch_.is_fixed[at(a)] && patch_.is_fixed[at(b)] &&
+                distance(patch_.place(a), patch_.place(b)) < too_short * patch_.wanted[at(a)])
+                return true;
+        }
+        return false;
     }
 
     bool turn(int t) {
@@ -459,20 +477,16 @@ class AngleRaiser {
     /// Splits the longest inner side of a needle or cap when the two new nodes' surroundings gain by it.
     bool split(int t) {
         constexpr double too_small = 25 * M_PI / 180;
-        // Beside an edge this much shorter than wanted the angles stay small, and what is added has hardly an area.
-        constexpr double too_short = 1e-3;
         if (angle_of(t) > too_small) return false;
         const auto corners = patch_.corners(t);
         int longest = -1;
-        double length_of_it = 0, shortest = std::numeric_limits<double>::infinity();
+        double length_of_it = 0;
         for (int i = 0; i < 3; ++i) {
             const double l = distance(patch_.place(corners[at((i + 1) % 3)]), patch_.place(corners[at((i + 2) % 3)]));
             if (l > length_of_it) length_of_it = l, longest = i;
-            shortest = std::min(shortest, l);
         }
         const int n = patch_.neighbour(t, longest);
-        if (n < 0 || shortest < too_short * patch_.wanted[at(corners[at(longest)])] ||
-            !patch_.is_fixed[at(corners[at((longest + 1) % 3)])] ||
+        if (n < 0 || !patch_.is_fixed[at(corners[at((longest + 1) % 3)])] ||
             !patch_.is_fixed[at(corners[at((longest + 2) % 3)])])
             return false;
         const double before = std::min(angle_of(t), angle_of(n));
@@ -495,6 +509,7 @@ class AngleRaiser {
 
     TrianglePatch& patch_;
     const PatchGeometry& geometry_;
+    bool has_needles_ = false;
     std::vector<int> star_;
 };
 
