@@ -60,13 +60,15 @@ constexpr std::size_t most_places = 3;
 
 /// "(105, 70, 7.5)"; a direction in which the piece goes through all of the part says nothing: "x 105, y 70".
 std::string place_of(const FeaturePiece& piece, const Box& part) {
-    const Vec3 centre = piece.box.center();
     std::string all, some;
     int through = 0;
     for (int i = 0; i < 3; ++i) {
-        const std::string number = in_words(centre[i]);
+        const double extent = part.high[i] - part.low[i];
+        double low = std::max(piece.box.low[i], part.low[i]), high = std::min(piece.box.high[i], part.high[i]);
+        if (low > high) low = piece.box.low[i], high = piece.box.high[i];
+        const std::string number = in_words((low + high) / 2);
         all.append(i == 0 ? "" : ", ").append(number);
-        if (piece.box.low[i] <= part.low[i] && piece.box.high[i] >= part.high[i])
+        if (low <= part.low[i] + 1e-3 * extent && high >= part.high[i] - 1e-3 * extent)
             ++through;
         else
             some.append(some.empty() ? "" : ", ").append(1, "xyz"[i]).append(" ").append(number);

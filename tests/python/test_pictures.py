@@ -10,6 +10,7 @@ import numpy as np
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "Mod" / "FeatureMesh" / "freecad" / "featuremesh"))
 
+import difference_picture  # noqa: E402
 import pictures  # noqa: E402
 from report_page import Page  # noqa: E402
 
@@ -25,6 +26,26 @@ def oriented(points, tets):
     tets = tets.copy()
     tets[negative, 2:] = tets[negative, 3:1:-1]
     return tets
+
+
+class Differences(unittest.TestCase):
+    """A square whose upper side is seen from above, and a second one that looks down."""
+    UP = np.array((((0, 0, 0), (1, 0, 0), (1, 1, 0)), ((0, 0, 0), (1, 1, 0), (0, 1, 0))), dtype=float)
+    SIDE = {"faces": [UP, UP[:, ::-1]], "edges": [UP[0]]}
+
+    def test_a_face_that_any_change_names_is_changed(self):
+        changes = [{"verdict": "kept", "old_face": "Face1", "new_face": "Face1"},
+                   {"verdict": "vanished", "old_face": "Face2", "new_face": None},
+                   {"verdict": "appeared", "old_face": None, "new_face": "Face1"}]
+        self.assertEqual(difference_picture.verdicts_by_face(self.SIDE, changes, "old_face"), ["kept", "vanished"])
+        self.assertEqual(difference_picture.verdicts_by_face(self.SIDE, changes, "new_face"), ["appeared", "kept"])
+
+    def test_the_view_shows_the_changed_faces(self):
+        from_above = difference_picture.best_direction([(self.SIDE, ["vanished", "kept"])])
+        from_below = difference_picture.best_direction([(self.SIDE, ["kept", "vanished"])])
+        self.assertLess(from_above[2], 0)
+        self.assertGreater(from_below[2], 0)
+        self.assertLess(difference_picture.best_direction([(self.SIDE, ["vanished", "appeared"])])[2], 0)
 
 
 class Geometry(unittest.TestCase):

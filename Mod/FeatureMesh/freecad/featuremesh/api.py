@@ -10,7 +10,7 @@ import time
 import FreeCAD
 import ObjectsFem
 
-from . import adopt, documents, edits, engine, export, overlays, reading, transfer, versions
+from . import adopt, difference_drawing, documents, edits, engine, export, overlays, reading, transfer, versions
 from .errors import StateError, UserError
 from .mesh_object import FeatureMesh, is_feature_mesh, options_of, plain
 
@@ -120,8 +120,7 @@ def difference(old_part, new_part, resolution=0.0):
 
 def draw_difference(old_part, new_part, found, path):
     """Writes a picture of the difference `found` of two objects: kept, vanished and appeared faces in colours."""
-    from . import difference_picture
-    difference_picture.write(path, reading.outline_of(old_part), reading.outline_of(new_part), found["faces"])
+    difference_drawing.draw(old_part, new_part, found["faces"], path)
 
 
 def tree(part):

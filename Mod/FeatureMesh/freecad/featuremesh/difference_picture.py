@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The feature difference as a picture: the part before and after, its faces coloured by what became of them.
 
-Needs VTK and Matplotlib, neither FreeCAD nor the engine. A side of the picture is {"faces": one (k,3,3) array of
-triangles per face, in mm, "edges": (n,3) polylines}.
+A program of its own: difference_picture.py TASK.npz PICTURE.png, started by difference_drawing.py, for a screen that
+fails takes the process with it. Needs VTK and Matplotlib, neither FreeCAD nor the engine. A side of the picture is
+{"faces": one (k,3,3) array of triangles per face, in mm, "edges": (n,3) polylines}.
 """
+
+import json
+import sys
 
 import numpy as np
 
-from . import pictures
+import pictures
 
 COLOURS = {"kept": "#a9bfd1", "vanished": "#d9605a", "appeared": "#3f9d6d", "trimmed differently": "#f2994a"}
 # Kept faces are glass, so that the walls of a hole can be seen from outside.
@@ -58,3 +62,15 @@ def _draw(side, verdicts, direction):
             scene.add_surface(np.concatenate(faces), colour, KEPT_OPACITY if verdict == "kept" else 1.0)
     scene.add_lines(side["edges"])
     return scene.render(direction)
+
+
+def read_side(arrays, name):
+    """A side as difference_drawing.py packed it."""
+    def unpacked(kind):
+        return np.split(arrays[name + kind], np.cumsum(arrays[name + kind + "_sizes"])[:-1])
+    return {"faces": unpacked("_faces"), "edges": unpacked("_edges")}
+
+
+if __name__ == "__main__":
+    with np.load(sys.argv[1]) as task:
+        write(sys.argv[2], read_side(task, "old"), read_side(task, "new"), json.loads(str(task["changes"])))

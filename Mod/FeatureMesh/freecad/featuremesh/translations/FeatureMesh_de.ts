@@ -633,6 +633,10 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>das Dokument hat mehrere Festkörper, bitte einen auswählen oder mit --object angeben: %s</translation>
     </message>
     <message>
+      <source>the picture could not be drawn: %s</source>
+      <translation>das Bild konnte nicht gezeichnet werden: %s</translation>
+    </message>
+    <message>
       <source>the refinement %s refers to another object than %s; refer to faces of that one</source>
       <translation>die Verfeinerung %s verweist auf ein anderes Objekt als %s; bitte auf dessen Flächen verweisen</translation>
     </message>
