@@ -170,6 +170,8 @@ class Soak(unittest.TestCase):
                 self.check_kept(before, after, mesh.Proxy.last_part_mesh(mesh))
             if report["fallback"]:
                 totals[reason_of(report["fallback"])] += 1
+            for detail in {feature["detail"] for feature in report["difference"]["features"] if "treated as changed" in feature["detail"]}:
+                totals[reason_of(detail)] += 1
             kept_shares.append(report["kept"]["nodes_share"])
             memory.append(megabytes())
             sizes.append(os.path.getsize(mesh.SavedState) / report["nodes"])
