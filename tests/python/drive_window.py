@@ -69,6 +69,29 @@ def points_of(mesh):
     return {number: tuple(point) for number, point in mesh.FemMesh.Nodes.items()}
 
 
+def check_escape(document, mesh):
+    """Escape ends the update within a recompute; the mesh is as it was and says that it is out of date."""
+    from freecad.featuremesh import mesh_object
+    before, size = points_of(mesh), mesh.Size.Value
+    said = []
+
+    def press():
+        message = Gui.getMainWindow().statusBar().currentMessage()
+        if "Escape" in message and not said:   # a second one would be FreeCAD's own, which asks back
+            said.append(message)
+            QtGui.QApplication.postEvent(Gui.getMainWindow(), QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier))
+    timer = QtCore.QTimer()
+    timer.timeout.connect(press)
+    timer.start(50)
+    mesh.Size = 0.7
+    document.recompute()
+    timer.stop()
+    assert mesh.Status == mesh_object.CANCELLED and points_of(mesh) == before, (mesh.Status, said)
+    mesh.Size = size
+    document.recompute()
+    assert mesh.Status == mesh_object.UP_TO_DATE, mesh.Status
+
+
 def check_errors(body):
     """An error shows its message and selects the faces it names, if the part has them; a cancel shows nothing."""
     from freecad.featuremesh import worker
@@ -188,6 +211,8 @@ def drive():
     assert points_of(mesh) == before
     document.redo()
     assert points_of(mesh) == after
+
+    check_escape(document, mesh)
 
     # Overlays
     document.getObject("HoleSketch").setDatum("X", FreeCAD.Units.Quantity("26 mm"))

@@ -33,7 +33,7 @@ class FeatureMeshWorkbench(Gui.Workbench):
 
 
 mesh_object.on_ready.append(view_provider.attach)
-mesh_object.run_job = running.run_with_indicator
+mesh_object.run_job = running.run_with_escape
 waiting.repaint = running.repaint
 preferences_page.choose_place()
 Gui.addIconPath(view_provider.ICONS)

@@ -8,6 +8,7 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 
+translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 _STEPS = {
     "": QT_TRANSLATE_NOOP("FeatureMesh", "starting"),
@@ -25,7 +26,7 @@ _STEPS = {
 
 def step_in_words(step):
     """The engine's step in the user's language."""
-    return FreeCAD.Qt.translate("FeatureMesh", _STEPS.get(step, step))
+    return translate("FeatureMesh", _STEPS.get(step, step))
 
 
 class RunningJob:
@@ -64,21 +65,42 @@ def repaint():
     QtGui.QApplication.processEvents(QtCore.QEventLoop.ExcludeUserInputEvents)
 
 
-def run_with_indicator(job):
-    """Runs a job while FreeCAD recomputes, with its progress bar; Escape cancels."""
+def run_with_escape(job):
+    """Runs a job while FreeCAD recomputes. The window lives, takes no input, and Escape cancels.
+
+    FreeCAD's own progress bar is taken by the recompute itself, which shares it with nobody.
+    """
     running = RunningJob(job)
-    indicator = FreeCAD.Base.ProgressIndicator()
-    indicator.start("FeatureMesh", 0)
     status = Gui.getMainWindow().statusBar()
+    keys = _OnlyEscape()
+    QtGui.QApplication.instance().installEventFilter(keys)
     try:
-        while not running.is_done(0.1):
-            status.showMessage("FeatureMesh: %s, %d %%" % (step_in_words(running.step), 100 * running.share))
-            try:
-                indicator.next(True)
-            except RuntimeError:
+        while not running.is_done(0.05):
+            if keys.escaped:
                 running.cancel()
+            status.showMessage(translate("FeatureMesh", "FeatureMesh: %s, %d %% (Escape cancels)")
+                               % (step_in_words(running.step), 100 * running.share))
+            QtGui.QApplication.processEvents()
     finally:
-        indicator.stop()
+        QtGui.QApplication.instance().removeEventFilter(keys)
         status.clearMessage()
     if running.error is not None:
         raise running.error
+
+
+class _OnlyEscape(QtCore.QObject):
+    """Swallows what the user does, and remembers Escape."""
+
+    def __init__(self):
+        super().__init__()
+        self.escaped = False
+
+    def eventFilter(self, target, event):
+        if event.type() in (QtCore.QEvent.KeyPress, QtCore.QEvent.ShortcutOverride) and event.key() == QtCore.Qt.Key_Escape:
+            self.escaped = True
+        return event.type() in _INPUT
+
+
+_INPUT = {QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease, QtCore.QEvent.Shortcut, QtCore.QEvent.ShortcutOverride,
+          QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease, QtCore.QEvent.MouseButtonDblClick,
+          QtCore.QEvent.Wheel, QtCore.QEvent.ContextMenu, QtCore.QEvent.Close, QtCore.QEvent.DragEnter, QtCore.QEvent.Drop}

@@ -243,6 +243,10 @@
       <translation>Der Arbeitsprozess von FeatureMesh %s; er war beim %s%s. FreeCAD und das Dokument sind, wie sie waren. %s</translation>
     </message>
     <message>
+      <source>FeatureMesh: %s, %d %% (Escape cancels)</source>
+      <translation>FeatureMesh: %s, %d %% (Escape bricht ab)</translation>
+    </message>
+    <message>
       <source>FreeCAD cannot recompute %s: %s</source>
       <translation>FreeCAD kann %s nicht neu berechnen: %s</translation>
     </message>
