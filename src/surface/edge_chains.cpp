@@ -268,9 +268,12 @@ bool EdgeChains::halve(const Brep& brep, EdgeId edge, std::size_t piece, Mesh& m
     chain.nodes.insert(chain.nodes.begin() + at, mesh.add_node(p, entity_of(edge), {t, 0}));
     chain.t.insert(chain.t.begin() + at, t);
     chain.is_kept.insert(chain.is_kept.begin() + at, 0);
+    return true;
+}
+
+void EdgeChains::update_sharers(const Brep& brep, EdgeId edge, const Mesh& mesh) {
     for (const EdgeId sharer : sharers_of(edge))
         if (sharer != edge) follow_owner(brep, sharer, mesh);
-    return true;
 }
 
 void EdgeChains::add_segments(Mesh& mesh) const {

@@ -46,8 +46,10 @@ class EdgeChains {
     /// The edges of one chain, of which this one has it.
     std::vector<EdgeId> sharers_of(EdgeId edge) const;
 
-    /// Halves a piece, unless it is kept or too short to be halved; says whether it did.
+    /// Halves a piece, unless it is kept or too short to be halved; says whether it did. Edges that share the chain
+    /// follow with update_sharers.
     bool halve(const Brep& brep, EdgeId edge, std::size_t piece, Mesh& mesh);
+    void update_sharers(const Brep& brep, EdgeId edge, const Mesh& mesh);
     /// Appends the segments that the mesh does not have yet.
     void add_segments(Mesh& mesh) const;
 

@@ -133,14 +133,17 @@ class SurfaceFiller {
                     pieces.insert(chains_.owner_of({segment.edge, segment.piece}));
             }
         bool halved = false;
+        std::set<EdgeId> edges;
         for (const auto& [edge, piece] : pieces) {
             if (!chains_.halve(brep_, edge, piece, mesh_)) continue;
             halved = true;
             refined.insert(edge);
+            edges.insert(edge);
             for (const EdgeId sharer : chains_.sharers_of(edge))
                 for (const FaceId f : brep_.faces_of(sharer))
                     if (is_used(f)) again.insert(f);
         }
+        for (const EdgeId edge : edges) chains_.update_sharers(brep_, edge, mesh_);
         return halved;
     }
 

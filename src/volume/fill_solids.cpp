@@ -86,11 +86,6 @@ bool is_flat(const TetComplex& complex, const std::array<int, 4>& tet) {
     return !(dot(cross(u, v), w) > 1.01e-6 * length(u) * length(v) * length(w));
 }
 
-bool has_flat_tet(const TetComplex& complex) {
-    return std::any_of(complex.tets.begin(), complex.tets.end(),
-                       [&](const std::array<int, 4>& tet) { return tet[0] >= 0 && is_flat(complex, tet); });
-}
-
 /// The filling of one mesh, round by round: what does not hold is released or recovered, and filled again.
 class Filling {
   public:
@@ -303,7 +298,7 @@ class Filling {
             result_.report.slivers_before += slivers.before;
             result_.report.slivers_left += slivers.left;
             const bool is_thick = thicken(complexes_[i], least_volume(), context_).empty();
-            if (!is_thick && has_flat_tet(complexes_[i])) leave_out_flat_tets(cavities_[i], complexes_[i]);
+            if (!is_thick) leave_out_flat_tets(cavities_[i], complexes_[i]);
             if (!is_thick) require_thick(cavities_[i], complexes_[i]);
         }
     }
@@ -317,7 +312,7 @@ class Filling {
             if (complex.tets[t][0] >= 0) live.push_back(t), fill.triangulation.tets.push_back(complex.tets[t]);
         fill.regions.assign(live.size(), 0);
         fill.places = find_facets(fill.triangulation, fill.points.size(), cavity.facets);
-        const FacetSplit flips = flip_flat(cavity, fill, result_.mesh);
+        const FacetSplit flips = flip_flat(cavity, fill, result_.mesh, least_volume());
         if (flips.pieces.empty() || !tets_in_the_way(flips, cavity, result_.mesh, is_released_).empty()) return;
         std::map<int, std::array<int, 3>> new_corners;
         for (const auto& piece : flips.pieces) new_corners[piece.facet] = piece.corners;

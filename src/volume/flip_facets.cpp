@@ -38,11 +38,11 @@ class FlipSearch {
         return split_of(there);
     }
 
-    FacetSplit flat() const {
+    FacetSplit flat(double least_volume) const {
         std::vector<int> facets;
         std::set<std::array<int, 2>> pairs;
         for (std::size_t t = 0; t < fill_.regions.size(); ++t) {
-            if (fill_.regions[t] < 0 || !is_flat(fill_.triangulation.tets[t])) continue;
+            if (fill_.regions[t] < 0 || !is_flat(fill_.triangulation.tets[t], least_volume)) continue;
             std::vector<int> own;
             for (int k = 0; k < 4; ++k)
                 if (const int f = fill_.places.facet_at[4 * t + k]; f >= 0) own.push_back(f);
@@ -61,10 +61,10 @@ class FlipSearch {
     bool is_one_sided(int facet) const {
         return std::min(cavity_.facets[facet].regions[0], cavity_.facets[facet].regions[1]) < 0;
     }
-    bool is_flat(const std::array<int, 4>& t) const {
+    bool is_flat(const std::array<int, 4>& t, double least_volume) const {
         const Vec3 &a = fill_.points[t[0]], &b = fill_.points[t[1]], &c = fill_.points[t[2]], &d = fill_.points[t[3]];
         const double squared = std::max({squared_length(b - a), squared_length(c - a), squared_length(d - a)});
-        return signed_volume(a, b, c, d) < 1e-7 * squared * std::sqrt(squared);
+        return signed_volume(a, b, c, d) < std::max(least_volume, 1e-7 * squared * std::sqrt(squared));
     }
 
     /// Changes of diagonal, none of which touches a facet of another.
@@ -183,8 +183,8 @@ FacetSplit flip_missing(const Cavity& cavity, const CavityFill& fill, const Mesh
     return FlipSearch(cavity, fill, mesh).missing();
 }
 
-FacetSplit flip_flat(const Cavity& cavity, const CavityFill& fill, const Mesh& mesh) {
-    return FlipSearch(cavity, fill, mesh).flat();
+FacetSplit flip_flat(const Cavity& cavity, const CavityFill& fill, const Mesh& mesh, double least_volume) {
+    return FlipSearch(cavity, fill, mesh).flat(least_volume);
 }
 
 }  // namespace featuremesh
