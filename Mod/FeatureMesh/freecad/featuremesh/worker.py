@@ -27,6 +27,10 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 _PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worker_main.py")
 _POLL, GRACE, _START_SECONDS = 0.03, 0.3, 60
+# FreeCAD 1.1 starts Python without its signal handlers: to write to a process that has died must be an error, not FreeCAD's end.
+if hasattr(signal, "SIGPIPE") and threading.current_thread() is threading.main_thread() \
+        and signal.getsignal(signal.SIGPIPE) == signal.SIG_DFL:
+    signal.signal(signal.SIGPIPE, signal.SIG_IGN)
 
 
 class Error(RuntimeError):
