@@ -3,7 +3,6 @@
 
 #include "bindings.h"
 #include "core/errors.h"
-#include "mesh/write_unv.h"
 #include "update/feature_groups.h"
 
 namespace featuremesh {
@@ -54,24 +53,6 @@ void check_sizes(const Mesh& mesh) {
         throw StateError("The saved mesh is cut short: its arrays do not fit together.");
     check_nodes(mesh.segments, n), check_nodes(mesh.triangles, n), check_nodes(mesh.tets, n);
     check_nodes(mesh.triangle_mids, n), check_nodes(mesh.tet_mids, n);
-}
-
-MeshGroup::Kind kind_of(const std::string& name) {
-    if (name == "Node") return MeshGroup::Kind::node;
-    if (name == "Edge") return MeshGroup::Kind::edge;
-    if (name == "Face") return MeshGroup::Kind::face;
-    if (name == "Volume") return MeshGroup::Kind::volume;
-    throw InputError("A group is of Node, Edge, Face or Volume, not '" + name + "'.");
-}
-
-using PythonGroup = std::tuple<std::string, std::string, py::array_t<Number, py::array::c_style | py::array::forcecast>>;
-
-void write_groups(const PartMesh& part, const std::string& path, const std::vector<PythonGroup>& groups) {
-    std::vector<MeshGroup> list;
-    for (const auto& [name, kind, numbers] : groups)
-        list.push_back({name, kind_of(kind), std::vector<Number>(numbers.data(), numbers.data() + numbers.size())});
-    const py::gil_scoped_release released;
-    write_unv(part.mesh, list, path);
 }
 
 py::list owners_of_faces(const PartMesh& part) {
@@ -169,9 +150,7 @@ void define_mesh(py::module_& module) {
         .def("active_points", [](const py::object& self) { return view<double>(self.cast<const PartMesh&>().active_points, self); },
              "(k,3) mm: inner nodes that survived the update as start positions only.")
         .def("owners_of_faces", &owners_of_faces, "By face of the final shape: names of the features that own it.")
-        .def("owners_of_tets", &tets_of_each_feature, "(feature name, numbers of the tets in the material cells that it owns).")
-        .def("write_unv", &write_groups, py::arg("path"), py::arg("groups"),
-             "Writes nodes, segments, triangles and tets with their numbers, and groups (name, 'Node'|'Edge'|'Face'|'Volume', numbers).");
+        .def("owners_of_tets", &tets_of_each_feature, "(feature name, numbers of the tets in the material cells that it owns).");
 }
 
 }  // namespace featuremesh
