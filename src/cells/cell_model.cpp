@@ -276,6 +276,7 @@ class CellBuilder {
         own_the_rest();
         for (std::size_t f = 0; f < tree_.features.size(); ++f)
             if (!tree_.features[f].error.empty()) distrust(FeatureId(f));
+        model_.feature_volumes = volumes_of_features(model_.cells, tree_.features.size());
         model_.report.fallbacks = std::move(notes_);
         model_.report.untrusted.assign(untrusted_.begin(), untrusted_.end());
         return std::move(model_);
@@ -318,6 +319,7 @@ class CellBuilder {
             }
         }
         own_everything();
+        model_.feature_volumes = volumes_of_features(model_.cells, tree_.features.size());
         model_.report.material_volume = model_.report.final_volume = final_volume_;
         match_final_faces(model_, final_shape_, context_);
         model_.report.fallbacks = std::move(notes_);
@@ -351,6 +353,15 @@ class CellBuilder {
 };
 
 }  // namespace
+
+std::vector<double> volumes_of_features(const std::vector<Cell>& cells, std::size_t feature_count) {
+    std::vector<double> volumes(feature_count, 0);
+    for (const Cell& cell : cells)
+        for (std::size_t i = 0; i < cell.owners.size(); ++i)
+            if (i == 0 || cell.owners[i].feature != cell.owners[i - 1].feature)
+                volumes[cell.owners[i].feature.index()] += cell.volume;
+    return volumes;
+}
 
 CellModel build_cells(const FeatureTree& tree, const Brep& final_shape, RunContext& context) {
     RunContext::Step step(context, "cells");

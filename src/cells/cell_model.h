@@ -48,8 +48,15 @@ struct CellModel {
     std::vector<Cell> cells;
     std::vector<CellFace> faces;
     std::vector<std::vector<Owner>> owners_of_final_face;  ///< by FaceId of the final shape
+    std::vector<double> feature_volumes;  ///< mm^3, by FeatureId: what its volumes fill together
     CellReport report;
+    /// After an edit: cells and faces are left out, and of the owners of final faces only those within `edited` are known.
+    bool is_summary = false;
+    Box edited;
 };
+
+/// By FeatureId: the sum of the cells it owns, mm^3.
+std::vector<double> volumes_of_features(const std::vector<Cell>& cells, std::size_t feature_count);
 
 /// General Fuse of all feature volumes with owner lists from the builder's history, material by classification against
 /// the final shape.

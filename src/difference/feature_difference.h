@@ -88,6 +88,8 @@ struct FeatureDifference {
     std::vector<FaceChange> faces;
     std::vector<CarriedRegion> regions;  ///< identity first
     std::vector<std::string> notes;      ///< e.g. "the two parts look unrelated"
+    /// By new FaceId, as CellModel::owners_of_final_face; where the new cells are a summary, faces that stayed have their old owners.
+    std::vector<std::vector<Owner>> owners_of_new_face;
     bool is_empty() const;               ///< nothing changed at all
 };
 

@@ -15,11 +15,8 @@ namespace {
 /// integrated.
 class Volumes {
   public:
-    explicit Volumes(const PartState& state) : state_(state), from_cells_(state.tree.features.size(), 0) {
-        for (const Cell& cell : state.cells.cells)
-            for (std::size_t i = 0; i < cell.owners.size(); ++i)
-                if (i == 0 || cell.owners[i].feature != cell.owners[i - 1].feature)
-                    from_cells_[cell.owners[i].feature.index()] += cell.volume;
+    explicit Volumes(const PartState& state) : state_(state), from_cells_(state.cells.feature_volumes) {
+        from_cells_.resize(state.tree.features.size(), 0);
         for (const FeatureId id : state.cells.report.untrusted) from_cells_[id.index()] = 0;
     }
 
@@ -194,9 +191,8 @@ class FeatureComparison {
 };
 
 /// Faces of the final shape by the feature that owns them.
-std::map<std::string, std::vector<FaceId>> faces_by_feature(const PartState& state) {
+std::map<std::string, std::vector<FaceId>> faces_by_feature(const PartState& state, const std::vector<std::vector<Owner>>& owners) {
     std::map<std::string, std::vector<FaceId>> result;
-    const auto& owners = state.cells.owners_of_final_face;
     for (std::size_t f = 0; f < owners.size() && f < state.brep.face_count(); ++f)
         for (const Owner& owner : owners[f]) {
             auto& faces = result[state.tree[owner.feature].name];
@@ -210,12 +206,14 @@ FeatureVerdicts compare_features(const PartState& old_state, const PartState& ne
     return FeatureComparison(old_state, new_state, sameness).run();
 }
 
-void add_face_verdicts(const PartState& old_state, const PartState& new_state, const std::vector<FaceChange>& faces,
+void add_face_verdicts(const PartState& old_state, const PartState& new_state,
+                       const std::vector<std::vector<Owner>>& owners_of_new_face, const std::vector<FaceChange>& faces,
                        std::vector<FeatureChange>& changes) {
     std::vector<char> old_kept(old_state.brep.face_count(), 0), new_kept(new_state.brep.face_count(), 0);
     for (const FaceChange& face : faces)
         if (face.verdict == FaceVerdict::kept) old_kept[face.old_face.index()] = new_kept[face.new_face.index()] = 1;
-    auto old_faces = faces_by_feature(old_state), new_faces = faces_by_feature(new_state);
+    auto old_faces = faces_by_feature(old_state, old_state.cells.owners_of_final_face),
+         new_faces = faces_by_feature(new_state, owners_of_new_face);
     for (FeatureChange& change : changes) {
         change.old_faces = old_faces[change.name];
         change.new_faces = new_faces[change.name];

@@ -16,6 +16,7 @@ namespace featuremesh {
 
 struct RawLink {
     std::string property, object, sub_element;
+    bool operator==(const RawLink&) const = default;
 };
 
 /// One document object that the part depends on.
@@ -31,6 +32,7 @@ struct RawRecord {
     int own_volume = -1;                      ///< index into the shapes: its AddSubShape, in the final shape's frame
     bool suppressed = false;
     std::string error;                        ///< FreeCAD's own message when the feature is in error
+    bool operator==(const RawRecord&) const = default;
 };
 
 /// The records in dependency order (what a record links to comes before it) and their shapes.
@@ -39,6 +41,7 @@ struct RawDocument {
     std::string final_object;                 ///< name of the record whose shape is meshed
     /// One compound whose i-th child is shape i (an empty compound for null), as FreeCAD's `exportBinary` writes it.
     std::vector<std::byte> shapes;
+    bool operator==(const RawDocument&) const = default;
 };
 
 /// The children of the compound in FreeCAD's binary BREP form. Throws StateError when it is not one. The kernel trusts what follows its header, so

@@ -16,6 +16,7 @@ namespace featuremesh {
 struct LocalSize {
     Entity entity;               ///< face, edge, vertex or solid of the final shape
     double size = 0;             ///< mm
+    bool operator==(const LocalSize&) const = default;
 };
 
 struct SizingOptions {
@@ -25,6 +26,7 @@ struct SizingOptions {
     double elements_across_gap = 0;   ///< thin walls; 0 is off
     double growth = 1.3;              ///< neighbouring edge lengths differ at most by this factor: |h(x)-h(y)| <= (growth-1) |x-y|
     std::vector<LocalSize> local;
+    bool operator==(const SizingOptions&) const = default;
 };
 
 /// A kept node's actual edge length. Where it is clearly below what the field asks for (by more than the scatter of a good mesh, 1.4), the field equals it

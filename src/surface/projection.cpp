@@ -35,13 +35,19 @@ struct UvBox {
 /// What is kept per face; built when the face is first asked for.
 struct SurfaceData {
     explicit SurfaceData(const TopoDS_Face& f) : face(f), adaptor(f, Standard_False) {
-        BRepTools::UVBounds(face, trim_box.u_min, trim_box.u_max, trim_box.v_min, trim_box.v_max);
         u_period = adaptor.IsUPeriodic() ? adaptor.UPeriod() : 0;
         v_period = adaptor.IsVPeriodic() ? adaptor.VPeriod() : 0;
     }
+    const UvBox& trim_box() const {
+        if (!box) {
+            box.emplace();
+            BRepTools::UVBounds(face, box->u_min, box->u_max, box->v_min, box->v_max);
+        }
+        return *box;
+    }
     TopoDS_Face face;
     BRepAdaptor_Surface adaptor;
-    UvBox trim_box;
+    mutable std::optional<UvBox> box;  ///< few who ask for a face need its trim
     double u_period = 0, v_period = 0;
     std::unique_ptr<BRepTopAdaptor_FClass2d> trim;
     Handle(ShapeAnalysis_Surface) global;
@@ -53,8 +59,10 @@ double shifted_near(double x, double period, double wanted) {
 
 /// The same point of the surface, in the period that the face's trim (or the guess) uses.
 Uv in_period(const SurfaceData& s, Uv uv, const std::optional<Uv>& guess) {
-    const Uv wanted =
-        guess ? *guess : Uv{0.5 * (s.trim_box.u_min + s.trim_box.u_max), 0.5 * (s.trim_box.v_min + s.trim_box.v_max)};
+    if (s.u_period == 0 && s.v_period == 0) return uv;
+    const Uv wanted = guess ? *guess
+                            : Uv{0.5 * (s.trim_box().u_min + s.trim_box().u_max),
+                                 0.5 * (s.trim_box().v_min + s.trim_box().v_max)};
     return {shifted_near(uv[0], s.u_period, wanted[0]), shifted_near(uv[1], s.v_period, wanted[1])};
 }
 
@@ -130,7 +138,7 @@ OnFace global_nearest(SurfaceData& s, const Vec3& p) {
     Uv best{start.X(), start.Y()};
     if (const auto polished = newton(s, p, best)) best = *polished;
     OnFace result = at(s, in_period(s, best, {}), p);
-    const auto& b = s.trim_box;
+    const auto& b = s.trim_box();
     if (result.distance < 1e-6) return result;
     Extrema_ExtPS extrema(to_pnt(p), s.adaptor, b.u_min, b.u_max, b.v_min, b.v_max, 1e-10, 1e-10);
     if (extrema.IsDone())
@@ -252,7 +260,7 @@ Vec3 Projector::normal(FaceId face, std::array<double, 2> uv) const {
     Vec3 n = cross(to_vec(du), to_vec(dv));
     if (length(n) <= 1e-12 * length(to_vec(du)) * length(to_vec(dv)) || length(n) == 0) {
         // A pole: the normal a little way into the face is the one of the pole to first order.
-        const auto& b = s.trim_box;
+        const auto& b = s.trim_box();
         const double share = 1e-6;
         s.adaptor.D1(uv[0] + share * (0.5 * (b.u_min + b.u_max) - uv[0]),
                      uv[1] + share * (0.5 * (b.v_min + b.v_max) - uv[1]), q, du, dv);

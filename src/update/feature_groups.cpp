@@ -16,10 +16,9 @@ std::vector<Vec3> centroids(const Mesh& mesh) {
 }
 
 /// Cell of every tet, by index; -1 for those in no material cell (a chord beside a curved face).
-std::vector<std::int32_t> cells_of_tets(const PartMesh& part, RunContext& context) {
+std::vector<std::int32_t> cells_of_tets(const PartMesh& part, const std::vector<Cell>& cells, RunContext& context) {
     const std::vector<Vec3> centres = centroids(part.mesh);
     std::vector<std::int32_t> cell_of(centres.size(), -1);
-    const std::vector<Cell>& cells = part.part.cells.cells;
     for (std::size_t c = 0; c < cells.size(); ++c) {
         if (!cells[c].material) continue;
         const Enclosure inside({cells[c].solid});
@@ -34,13 +33,16 @@ std::vector<std::int32_t> cells_of_tets(const PartMesh& part, RunContext& contex
 }  // namespace
 
 std::vector<std::pair<std::string, std::vector<TetId>>> tets_of_features(const PartMesh& part, RunContext& context) {
-    const std::vector<std::int32_t> cell_of = cells_of_tets(part, context);
     const FeatureTree& tree = part.part.tree;
+    // After an update the cells are a summary.
+    const CellModel whole = part.part.cells.is_summary ? build_cells(tree, part.part.brep, context) : CellModel{};
+    const std::vector<Cell>& cells = part.part.cells.is_summary ? whole.cells : part.part.cells.cells;
+    const std::vector<std::int32_t> cell_of = cells_of_tets(part, cells, context);
     std::vector<std::vector<TetId>> tets(tree.features.size());
     for (std::size_t t = 0; t < cell_of.size(); ++t) {
         if (cell_of[t] < 0) continue;
         FeatureId last;
-        for (const Owner& owner : part.part.cells.cells[std::size_t(cell_of[t])].owners)
+        for (const Owner& owner : cells[std::size_t(cell_of[t])].owners)
             if (owner.feature != last) tets[(last = owner.feature).index()].push_back(TetId(t));
     }
     std::vector<std::pair<std::string, std::vector<TetId>>> groups;

@@ -48,13 +48,20 @@ class Keeper {
     }
     std::size_t node_count() const { return places_.size(); }
 
-    // Nodes inside a feature that moved prefer its motion, all others stay where they are.
+    // The nodes of tets inside a feature that moved prefer its motion, all others stay where they are. Nodes on the feature's own faces may be outside of
+    // its triangulation; the middles of their tets are not.
     void choose_motions() {
         for (Place& place : places_) place.motion = 0;
+        const Mesh& old = in_.old_mesh;
         for (std::size_t r = 1; r < regions().size(); ++r) {
             const Enclosure inside(regions()[r].volumes);
-            for (std::size_t n = 0; n < node_count(); ++n)
-                if (inside.contains(in_.old_mesh.points[n])) places_[n].motion = std::int32_t(r);
+            for (std::size_t t = 0; t < old.tets.size(); ++t) {
+                const auto& [a, b, c, d] = old.tets[t];
+                if (!inside.contains((old.point(a) + old.point(b) + old.point(c) + old.point(d)) / 4)) continue;
+                for (const NodeId n : old.tets[t]) places_[n.index()].motion = std::int32_t(r);
+                if (old.order == 2)
+                    for (const NodeId n : old.tet_mids[t]) places_[n.index()].motion = std::int32_t(r);
+            }
         }
     }
 
@@ -187,6 +194,8 @@ class Keeper {
             while (parent[std::size_t(n)] != n) n = parent[std::size_t(n)] = parent[std::size_t(parent[std::size_t(n)])];
             return n;
         };
+        tet_solid_.resize(tets.size());
+        const SolidLocator locator(in_.new_brep);
         // Two old solids may meet at shared nodes: each keeps its own regions.
         for (std::size_t s = 0; s < in_.old_brep.solid_count(); ++s) {
             std::iota(parent.begin(), parent.end(), 0);
@@ -196,14 +205,12 @@ class Keeper {
                         const auto a = root(tets[t][0].value), b = root(tets[t][k].value);
                         parent[std::size_t(std::max(a, b))] = std::min(a, b);
                     }
-            const SolidLocator locator(in_.new_brep);
             std::vector<std::int32_t> solid_of_root(node_count(), -2);
             for (std::size_t t = 0; t < tets.size(); ++t) {
                 if (tet_motion_[t] == dropped || in_.old_mesh.tet_solids[t] != SolidId(s)) continue;
                 std::int32_t& solid = solid_of_root[std::size_t(root(tets[t][0].value))];
                 if (solid == -2) solid = locator.solid_at(carried_centre(t)).value;
                 if (solid < 0) tet_motion_[t] = dropped;
-                tet_solid_.resize(tets.size());
                 tet_solid_[t] = SolidId(solid);
             }
         }
@@ -221,6 +228,7 @@ class Keeper {
         take_tets(kept, new_index);
         mark_rim(kept, new_index);
         take_triangles(kept, new_index);
+        mark_changed_sides(kept);
         take_segments(kept, new_index);
         kept.mesh.next_node_number = in_.old_mesh.next_node_number;
         kept.mesh.next_element_number = in_.old_mesh.next_element_number;
@@ -230,12 +238,25 @@ class Keeper {
         return kept;
     }
 
+    // Nearly everything is kept, as a rule, and some is added.
+    void reserve(Kept& kept) const {
+        Mesh& mesh = kept.mesh;
+        const auto most = [](std::size_t count) { return count + count / 16 + 1024; };
+        const std::size_t nodes = most(in_.old_mesh.corner_count), triangles = most(in_.old_mesh.triangles.size()),
+                          tets = most(in_.old_mesh.tets.size());
+        mesh.points.reserve(nodes), mesh.entities.reserve(nodes), mesh.parameters.reserve(nodes), mesh.node_numbers.reserve(nodes);
+        mesh.triangles.reserve(triangles), mesh.triangle_faces.reserve(triangles), mesh.triangle_numbers.reserve(triangles);
+        mesh.tets.reserve(tets), mesh.tet_solids.reserve(tets), mesh.tet_numbers.reserve(tets);
+        kept.node_origin.reserve(nodes), kept.triangle_origin.reserve(triangles), kept.tet_origin.reserve(tets), kept.tet_motion.reserve(tets);
+    }
+
     std::vector<std::int32_t> number_nodes(Kept& kept) const {
         std::vector<std::int32_t> new_index(node_count(), -1);
         for (std::size_t t = 0; t < tet_motion_.size(); ++t)
             if (tet_motion_[t] != dropped)
                 for (const NodeId n : in_.old_mesh.tets[t]) new_index[n.index()] = 0;
         Mesh& mesh = kept.mesh;
+        reserve(kept);
         for (std::size_t n = 0; n < in_.old_mesh.corner_count; ++n) {
             if (new_index[n] < 0) continue;
             new_index[n] = std::int32_t(mesh.points.size());
@@ -273,6 +294,16 @@ class Keeper {
             if (tet_motion_[t] == dropped)
                 for (const NodeId n : in_.old_mesh.tets[t])
                     if (new_index[n.index()] >= 0) kept.is_rim[std::size_t(new_index[n.index()])] = 1;
+    }
+
+    // A face may have a solid on a side where it had none.
+    void mark_changed_sides(Kept& kept) const {
+        for (std::size_t t = 0; t < kept.triangle_origin.size(); ++t) {
+            const auto was = in_.old_brep.sides_of(in_.old_mesh.triangle_faces[std::size_t(kept.triangle_origin[t])]);
+            const auto is = in_.new_brep.sides_of(kept.mesh.triangle_faces[t]);
+            if (was[0].is_valid() + was[1].is_valid() == is[0].is_valid() + is[1].is_valid()) continue;
+            for (const NodeId n : kept.mesh.triangles[t]) kept.is_rim[n.index()] = 1;
+        }
     }
 
     template <std::size_t N>

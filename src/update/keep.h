@@ -21,7 +21,7 @@ struct KeepInput {
     const FeatureDifference& difference;
     const SizingField& old_sizing;
     const SizingField& new_sizing;
-    double margin = 2.0;                       ///< edge lengths between a kept node and the changed boundary
+    double margin = 1.5;                       ///< edge lengths between a kept node and the changed boundary
 };
 
 struct Kept {

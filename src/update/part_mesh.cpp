@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
+#include "cells/cells_after_edit.h"
 #include "core/errors.h"
 #include "mesh/validation.h"
 #include "surface/mid_side_nodes.h"
@@ -27,6 +29,9 @@ double peak_memory_mb() {
 }
 
 void refuse_too_many(const Brep& brep, const SizingField& sizing, const MeshOptions& options) {
+    double volume = 0;
+    for (std::size_t s = 0; s < brep.solid_count(); ++s) volume += brep.volume_of(SolidId(s));
+    if (10 * volume < options.most_tets * std::pow(sizing.smallest(), 3)) return;   // however the sizes are spread
     const double tets = estimate_tets(brep, sizing);
     if (tets > options.most_tets)
         throw InputError("A size of " + std::to_string(options.sizing.size) + " mm would make about " +
@@ -44,15 +49,15 @@ Expectation expectation_of(const Brep& brep) {
 }
 
 /// Nodes around which something is new or gone; empty when nothing was kept.
-std::vector<char> unproven_nodes(const Mesh& mesh, const std::vector<char>& is_rim, std::size_t kept_tets, const std::vector<TetId>& released,
-                                 const std::vector<std::array<NodeId, 4>>& old_tets) {
+std::vector<char> unproven_nodes(const Mesh& mesh, std::vector<char> is_rim, std::size_t first_new_tet,
+                                 const std::vector<std::array<NodeId, 4>>& released) {
     if (is_rim.empty()) return {};
-    std::vector<char> unproven = is_rim;
+    std::vector<char> unproven = std::move(is_rim);
     unproven.resize(mesh.points.size(), 1);
-    for (std::size_t t = kept_tets - released.size(); t < mesh.tets.size(); ++t)
+    for (std::size_t t = first_new_tet; t < mesh.tets.size(); ++t)
         for (const NodeId n : mesh.tets[t]) unproven[n.index()] = 1;
-    for (const TetId t : released)
-        for (const NodeId n : old_tets[t.index()]) unproven[n.index()] = 1;
+    for (const auto& tet : released)
+        for (const NodeId n : tet) unproven[n.index()] = 1;
     return unproven;
 }
 
@@ -71,17 +76,18 @@ struct Filled {
     SurfaceReport surface;
     VolumeReport volume;
     std::vector<TetId> released;
+    std::vector<Vec3> used_active;
 };
 
 Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, RunContext& context) {
-    const std::vector<std::array<NodeId, 4>> kept_tets = kept.mesh.tets;
+    const std::size_t kept_tets = kept.mesh.tets.size();
     SurfaceResult surface = fill_surface(brep, sizing, std::move(kept.mesh), context);
-    VolumeResult volume = fill_solids(brep, sizing, std::move(surface.mesh), kept.active, options.volume, context);
+    VolumeResult volume = fill_solids(brep, sizing, std::move(surface.mesh), kept.active, options.volume, context, kept.is_rim);
     Mesh mesh = std::move(volume.mesh);
     if (options.order == 2)
         mesh = curve_to_second_order(brep, std::move(mesh), kept.curved.order == 2 ? &kept.curved : nullptr, context);
-    validate(mesh, brep, unproven_nodes(mesh, kept.is_rim, kept_tets.size(), volume.released, kept_tets), context);
-    return {std::move(mesh), std::move(surface.report), std::move(volume.report), std::move(volume.released)};
+    validate(mesh, brep, unproven_nodes(mesh, std::move(kept.is_rim), kept_tets - volume.released.size(), volume.released_nodes), context);
+    return {std::move(mesh), std::move(surface.report), std::move(volume.report), std::move(volume.released), std::move(volume.used_active)};
 }
 
 Kept nothing_kept(NextNumbers next) {
@@ -109,13 +115,17 @@ Filled fill(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOp
     }
 }
 
-void record(const Filled& filled, const SizingField& sizing, const MeshOptions& options, RunContext& context, Report& report) {
-    report.nodes = filled.mesh.node_count();
-    report.tets = filled.mesh.tets.size();
+void record_mesh(const Mesh& mesh, const SizingField& sizing, const MeshOptions& options, RunContext& context, Report& report) {
+    const RunContext::Step step(context, "measure");
+    report.nodes = mesh.node_count();
+    report.tets = mesh.tets.size();
     report.order = options.order;
     report.size = options.sizing.size;
-    report.quality = measure_quality(filled.mesh, context);
-    report.lengths = measure_size_conformity(filled.mesh, sizing);
+    report.quality = measure_quality(mesh, context);
+    report.lengths = measure_size_conformity(mesh, sizing);
+}
+
+void record_fill(const Filled& filled, Report& report) {
     report.surface = filled.surface;
     report.volume = filled.volume;
     report.warnings.insert(report.warnings.end(), filled.surface.warnings.begin(), filled.surface.warnings.end());
@@ -124,7 +134,7 @@ void record(const Filled& filled, const SizingField& sizing, const MeshOptions& 
 
 void record_run(const PartState& part, const RunContext& context, double total, Report& report) {
     report.seconds = context.seconds();
-    for (const char* step : {"read", "cells", "difference", "keep", "surface", "volume", "optimise", "validate"})
+    for (const char* step : {"read", "cells", "difference", "keep", "surface", "volume", "optimise", "validate", "measure"})
         report.seconds.try_emplace(step, 0.0);
     report.seconds["engine_total"] = total;
     report.peak_memory_mb = peak_memory_mb();
@@ -182,6 +192,24 @@ void record_kept(const PartMesh& now, const std::vector<KeptByMotion>& by_motion
     report.active_nodes = now.active_points.size();
 }
 
+/// The document is the same to the last bit, and so is its mesh.
+PartMeshResult unchanged(const PartMesh& old, RunContext& context) {
+    const auto start = std::chrono::steady_clock::now();
+    PartMeshResult result;
+    Report& report = result.report;
+    report.difference = compare(old.part, old.part, old.sizing.smallest(), context);
+    auto now = std::make_shared<PartMesh>(old);
+    std::iota(now->node_origin.begin(), now->node_origin.end(), 0);
+    std::iota(now->tet_origin.begin(), now->tet_origin.end(), 0);
+    now->active_points.clear();
+    const double total = seconds_since(start);
+    record_mesh(old.mesh, old.sizing, old.options, context, report);
+    record_kept(*now, {{RigidMotion{}, report.difference.regions[0].features, now->node_origin.size(), now->tet_origin.size()}}, report);
+    record_run(now->part, context, total, report);
+    result.part_mesh = std::move(now);
+    return result;
+}
+
 /// What of the old mesh may be kept, or why nothing can.
 std::string reason_for_full_mesh(const PartMesh& old, const MeshOptions& options) {
     if (old.options.order != options.order) return "the element order changed";
@@ -192,12 +220,14 @@ std::string reason_for_full_mesh(const PartMesh& old, const MeshOptions& options
 
 }  // namespace
 
-PartState read_part(const RawDocument& document, RunContext& context) {
+PartState read_part(const RawDocument& document, RunContext& context, const PartState* before) {
     RunContext::Step step(context, "read");
     FeatureTree tree = interpret(document, context);
     Brep brep(tree.final_shape);
-    CellModel cells = build_cells(tree, brep, context);
-    return {std::move(tree), std::move(brep), std::move(cells)};
+    std::optional<CellModel> cells;
+    if (before) cells = cells_after_edit({before->tree, before->cells}, tree, brep, context);
+    if (!cells) cells = build_cells(tree, brep, context);
+    return {std::move(tree), std::move(brep), std::move(*cells)};
 }
 
 PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context, NextNumbers next) {
@@ -206,9 +236,11 @@ PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunCo
     const SizingField sizing = make_sizing(part.brep, options.sizing, {}, context);
     refuse_too_many(part.brep, sizing, options);
     Filled filled = fill(part.brep, sizing, nothing_kept(next), options, context);
+    const double total = seconds_since(start);
     PartMeshResult result;
-    record(filled, sizing, options, context, result.report);
-    record_run(part, context, seconds_since(start), result.report);
+    record_mesh(filled.mesh, sizing, options, context, result.report);
+    record_fill(filled, result.report);
+    record_run(part, context, total, result.report);
     const std::size_t nodes = filled.mesh.node_count(), tets = filled.mesh.tets.size();
     result.part_mesh = std::make_shared<const PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled.mesh),
                                                                  std::vector<std::int32_t>(nodes, -1), std::vector<std::int32_t>(tets, -1), {}});
@@ -217,24 +249,24 @@ PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunCo
 
 PartMeshResult update_part(const PartMesh& old, RawDocument document, const MeshOptions& options, RunContext& context) {
     const auto start = std::chrono::steady_clock::now();
-    PartState part = read_part(document, context);
+    if (options == old.options && document == old.document) return unchanged(old, context);
+    PartState part = read_part(document, context, &old.part);
     const SizingField sizing = make_sizing(part.brep, options.sizing, {}, context);
     refuse_too_many(part.brep, sizing, options);
 
     PartMeshResult result;
     Report& report = result.report;
     report.difference = compare(old.part, part, sizing.smallest(), context);
+    part.cells.owners_of_final_face = report.difference.owners_of_new_face;
     std::vector<double> margins{options.keep_margin, 2 * options.keep_margin};
     if (const std::string why = reason_for_full_mesh(old, options); !why.empty()) {
         report.fallbacks.push_back("full mesh: " + why);
         margins.clear();
     }
-    std::vector<Vec3> active;
     std::vector<std::int32_t> node_origin, tet_origin;
     std::optional<Filled> filled;
     for (const double margin : margins) {
         Kept kept = keep({old.mesh, old.part.brep, part.brep, report.difference, old.sizing, sizing, margin}, context);
-        active = kept.active;
         node_origin = kept.node_origin;
         tet_origin = kept.tet_origin;
         const std::vector<KeptByMotion> by_motion = kept.by_motion;
@@ -251,16 +283,18 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     }
     if (!filled) {
         if (!margins.empty()) report.fallbacks.push_back("full mesh: nothing could be kept");
-        active.clear(), node_origin.clear(), tet_origin.clear();
+        node_origin.clear(), tet_origin.clear();
         filled = fill(part.brep, sizing, nothing_kept({old.mesh.next_node_number, old.mesh.next_element_number}), options, context);
     }
-    record(*filled, sizing, options, context, report);
+    const double total = seconds_since(start);
+    record_mesh(filled->mesh, sizing, options, context, report);
+    record_fill(*filled, report);
     node_origin = node_origins(old.mesh, filled->mesh, node_origin);
     tet_origin = extended(without(tet_origin, filled->released), filled->mesh.tets.size());
     auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled->mesh),
-                                                   std::move(node_origin), std::move(tet_origin), std::move(active)});
+                                                   std::move(node_origin), std::move(tet_origin), std::move(filled->used_active)});
     record_kept(*now, report.kept, report);
-    record_run(now->part, context, seconds_since(start), report);
+    record_run(now->part, context, total, report);
     result.part_mesh = std::move(now);
     return result;
 }

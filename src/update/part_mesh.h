@@ -30,8 +30,9 @@ struct PartMeshResult {
     Report report;
 };
 
-/// The feature tree, the final shape and the cells of a document. Throws InputError when there is no solid.
-PartState read_part(const RawDocument& document, RunContext& context);
+/// The feature tree, the final shape and the cells of a document. Where the state before an edit is given, the cells may be a summary (see
+/// cells_after_edit). Throws InputError when there is no solid.
+PartState read_part(const RawDocument& document, RunContext& context, const PartState* before = nullptr);
 
 /// The first numbers that a document's history has not given away yet.
 struct NextNumbers {

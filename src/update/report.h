@@ -24,7 +24,7 @@ struct Report {
     std::size_t nodes = 0, tets = 0;
     int order = 1;
     double size = 0;                              ///< mm
-    std::map<std::string, double> seconds;        ///< read, cells, difference, keep, surface, volume, optimise, validate, engine_total
+    std::map<std::string, double> seconds;        ///< read, cells, difference, keep, surface, volume, optimise, validate, measure (quality, after engine_total), engine_total
     double peak_memory_mb = 0;
     QualityReport quality;
     SizeConformity lengths;

@@ -73,15 +73,19 @@ class OpenNodes {
         const std::uint64_t key = side_key(node_key(outward[0]) + node_key(outward[1]) + node_key(outward[2]), region);
         for (const NodeId n : outward) sums_[n.index()] += is_odd(outward) ? 0 - key : key;
     }
-    bool is_open(NodeId n) const { return sums_[n.index()] != 0; }
-    template <std::size_t N>
-    bool are_open(const std::array<NodeId, N>& nodes) const {
-        return std::all_of(nodes.begin(), nodes.end(), [&](NodeId n) { return is_open(n); });
+    std::vector<char> marks() const {
+        std::vector<char> is_open(sums_.size());
+        std::transform(sums_.begin(), sums_.end(), is_open.begin(), [](std::uint64_t sum) { return sum != 0; });
+        return is_open;
     }
 
   private:
     std::vector<std::uint64_t> sums_;
 };
+
+bool are_open(std::span<const char> is_open, const std::array<NodeId, 3>& nodes) {
+    return is_open[nodes[0].index()] && is_open[nodes[1].index()] && is_open[nodes[2].index()];
+}
 
 template <class Visit>
 void visit_triangle_sides(const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides, Visit visit) {
@@ -98,17 +102,28 @@ void visit_kept(const Mesh& mesh, std::span<const std::uint8_t> is_released, Vis
         if (is_released.empty() || !is_released[i]) visit(TetId(i), mesh.tets[i], mesh.tet_solids[i].value);
 }
 
-std::vector<Side> sides_at(const OpenNodes& open, const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,
+std::vector<char> open_nodes(const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,
+                             std::span<const std::uint8_t> is_released) {
+    OpenNodes open(mesh.node_count());
+    visit_triangle_sides(mesh, face_sides, [&](TriangleId, const std::array<NodeId, 3>& outward, int region) {
+        open.add_triangle(outward, region);
+    });
+    visit_kept(mesh, is_released,
+               [&](TetId, const std::array<NodeId, 4>& tet, int region) { open.add_tet(tet, region); });
+    return open.marks();
+}
+
+std::vector<Side> sides_at(std::span<const char> open, const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,
                            std::span<const std::uint8_t> is_released) {
     std::vector<Side> sides;
     visit_triangle_sides(mesh, face_sides, [&](TriangleId t, const std::array<NodeId, 3>& outward, int region) {
-        if (open.are_open(outward)) sides.push_back(make_side(outward, region, t, TetId()));
+        if (are_open(open, outward)) sides.push_back(make_side(outward, region, t, TetId()));
     });
     visit_kept(mesh, is_released, [&](TetId t, const std::array<NodeId, 4>& tet, int region) {
-        const int count = open.is_open(tet[0]) + open.is_open(tet[1]) + open.is_open(tet[2]) + open.is_open(tet[3]);
+        const int count = open[tet[0].index()] + open[tet[1].index()] + open[tet[2].index()] + open[tet[3].index()];
         if (count < 3) return;
         for (int k = 0; k < 4; ++k)
-            if (const auto face = face_of(tet, k); open.are_open(face))
+            if (const auto face = face_of(tet, k); are_open(open, face))
                 sides.push_back(make_side(face, region, TriangleId(), t));
     });
     std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
@@ -247,14 +262,10 @@ std::vector<int> number_parts(const Cavity& cavity, int& part_count) {
 }  // namespace
 
 Cavity find_cavity(const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,
-                   std::span<const std::uint8_t> is_released) {
-    OpenNodes open(mesh.node_count());
-    visit_triangle_sides(mesh, face_sides, [&](TriangleId, const std::array<NodeId, 3>& outward, int region) {
-        open.add_triangle(outward, region);
-    });
-    visit_kept(mesh, is_released,
-               [&](TetId, const std::array<NodeId, 4>& tet, int region) { open.add_tet(tet, region); });
-    const std::vector<Side> sides = sides_at(open, mesh, face_sides, is_released);
+                   std::span<const std::uint8_t> is_released, std::span<const char> may_be_open) {
+    std::vector<char> found;
+    if (may_be_open.empty()) found = open_nodes(mesh, face_sides, is_released);
+    const std::vector<Side> sides = sides_at(may_be_open.empty() ? found : may_be_open, mesh, face_sides, is_released);
     std::vector<Side> unmatched;
     for (std::size_t begin = 0; begin < sides.size();) {
         const std::size_t end = end_of_group(sides, begin);

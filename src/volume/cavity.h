@@ -22,9 +22,10 @@ struct Cavity {
 
 /// Triangles whose solid sides are not covered by a kept tet, and faces of kept tets that no other kept tet and no
 /// triangle matches. One linear pass over the tets; the rest costs what the cavity costs. `face_sides` as
-/// Brep::sides_of by FaceId; `is_released` by TetId marks tets that count as not there (empty: none).
+/// Brep::sides_of by FaceId; `is_released` by TetId marks tets that count as not there (empty: none); `may_be_open` by
+/// node marks all nodes that the cavity can have (empty: unknown, they are searched for).
 Cavity find_cavity(const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,
-                   std::span<const std::uint8_t> is_released = {});
+                   std::span<const std::uint8_t> is_released = {}, std::span<const char> may_be_open = {});
 
 /// Facets with an edge around which the boundary of a region does not close; ascending.
 std::vector<int> open_facets(const Cavity& cavity);

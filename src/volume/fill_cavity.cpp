@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/fill_cavity.h"
 
+#include <numeric>
+
 namespace featuremesh {
 
 CavityFill flood_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangulation triangulation) {
@@ -20,8 +22,42 @@ CavityFill fill_cavity(const Cavity& cavity, std::span<const Ball> balls, std::s
     const std::vector<Vec3> seeds =
         find_seeds(cavity.points, cavity.facets, balls, active, size, SeedOptions{}, context);
     points.insert(points.end(), seeds.begin(), seeds.end());
-    Triangulation triangulation = delaunay(points, context, is_main);
-    return flood_cavity(cavity, std::move(points), std::move(triangulation));
+    const auto delaunay = std::make_shared<GrowingDelaunay>();
+    delaunay->insert(points, context, is_main);
+    CavityFill fill = flood_cavity(cavity, std::move(points), delaunay->tets());
+    if (balls.empty() || fill.is_complete()) return fill;
+    fill.delaunay = delaunay;
+    fill.point_of.resize(fill.points.size());
+    std::iota(fill.point_of.begin(), fill.point_of.end(), 0);
+    return fill;
+}
+
+CavityFill grow_fill(const Cavity& cavity, std::span<const NodeId> old_nodes, const CavityFill& old,
+                     RunContext& context, bool is_main) {
+    std::vector<int> new_place;  // by point of the old fill
+    std::vector<Vec3> points = cavity.points, added;
+    std::vector<int> place_of_added;
+    for (std::size_t n = 0; n < cavity.nodes.size(); ++n) {
+        const bool is_old = new_place.size() < old_nodes.size() && old_nodes[new_place.size()] == cavity.nodes[n];
+        if (is_old) {
+            new_place.push_back(static_cast<int>(n));
+        } else {
+            place_of_added.push_back(static_cast<int>(n));
+            added.push_back(cavity.points[n]);
+        }
+    }
+    for (std::size_t s = old_nodes.size(); s < old.points.size(); ++s) {
+        new_place.push_back(static_cast<int>(points.size()));
+        points.push_back(old.points[s]);
+    }
+    if (!added.empty()) old.delaunay->insert(added, context, is_main);
+    std::vector<int> point_of;
+    for (const int p : old.point_of) point_of.push_back(new_place[static_cast<std::size_t>(p)]);
+    point_of.insert(point_of.end(), place_of_added.begin(), place_of_added.end());
+    CavityFill fill = flood_cavity(cavity, std::move(points), old.delaunay->tets(point_of));
+    fill.delaunay = old.delaunay;
+    fill.point_of = std::move(point_of);
+    return fill;
 }
 
 TetComplex make_complex(const Cavity& cavity, const CavityFill& fill) {

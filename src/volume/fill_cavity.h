@@ -2,6 +2,7 @@
 // Tets between the facets of one cavity: seeds, Delaunay, flooding. No CAD.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -19,12 +20,18 @@ struct CavityFill {
     FacetPlaces places;
     std::vector<int> regions;  ///< by tet, -1 for none; empty as long as facets are missing
     bool is_leaky = false;     ///< all facets are there, and yet regions run into one another
+    std::shared_ptr<GrowingDelaunay> delaunay;  ///< of the points, where kept tets at the seam may have to go
+    std::vector<int> point_of;                  ///< by its numbers: the point
     bool is_complete() const { return places.missing.empty() && !is_leaky; }
 };
 
 /// Fills what is between the facets as Delaunay has it. What `balls` hold is kept free of seeds.
 CavityFill fill_cavity(const Cavity& cavity, std::span<const Ball> balls, std::span<const Vec3> active,
                        const WantedSize& size, RunContext& context, bool is_main = true);
+
+/// The same for a cavity that has grown by a few nodes since: they are added to its triangulation, seeds stay.
+CavityFill grow_fill(const Cavity& cavity, std::span<const NodeId> old_nodes, const CavityFill& old,
+                     RunContext& context, bool is_main);
 
 /// Marks and floods the facets of a triangulation of the points.
 CavityFill flood_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangulation triangulation);

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include "core/errors.h"
 #include "surface/projection.h"
@@ -25,6 +26,7 @@ namespace {
 constexpr int most_rounds = 12;
 constexpr int most_crossing_rounds = 3;
 constexpr int most_local_recoveries = 5;
+constexpr int most_releases_at_flat_tets = 4;
 
 std::vector<std::array<SolidId, 2>> sides_of_faces(const Brep& brep) {
     std::vector<std::array<SolidId, 2>> sides;
@@ -62,6 +64,12 @@ struct KnownTriangulation {
     bool is_best;  ///< filling anew would give nothing better
 };
 
+/// The fill of a cavity from the round before that may have grown since.
+struct OutgrownFill {
+    std::vector<NodeId> nodes;
+    CavityFill fill;
+};
+
 std::vector<Vec3> seeds_of(const Cavity& cavity, const CavityFill& fill) {
     return {fill.points.begin() + static_cast<std::ptrdiff_t>(cavity.points.size()), fill.points.end()};
 }
@@ -90,7 +98,7 @@ bool is_flat(const TetComplex& complex, const std::array<int, 4>& tet) {
 class Filling {
   public:
     Filling(const Brep& brep, const SizingField& sizing, Mesh surface, std::span<const Vec3> active,
-            const VolumeOptions& options, RunContext& context)
+            const VolumeOptions& options, RunContext& context, std::span<const char> rim)
         : brep_(brep),
           sizing_(sizing),
           active_(active),
@@ -98,20 +106,24 @@ class Filling {
           context_(context),
           sides_(sides_of_faces(brep)),
           is_released_(surface.tets.size(), 0),
+          may_be_open_(rim.begin(), rim.end()),
           projector_(brep) {
         result_.mesh = std::move(surface);
         size_ = {[this](const Vec3& p) { return sizing_.at(p); }, sizing.largest(), sizing.is_uniform()};
     }
 
     VolumeResult run() {
-        {
-            const RunContext::Step step(context_, "volume");
-            for (int round = 0; !fill_all() || flip_flat_tets(round); ++round) mend(round);
-        }
-        {
+        for (int attempt = 0; attempt == 0 || (attempt <= most_releases_at_flat_tets && release_at_flat_tets()); ++attempt) {
+            {
+                const RunContext::Step step(context_, "volume");
+                for (int round = 0; !fill_all() || flip_flat_tets(round); ++round) mend(round);
+                note_used_active();
+            }
             const RunContext::Step step(context_, "optimise");
             optimise_all();
         }
+        for (std::size_t i = 0; i < cavities_.size(); ++i)
+            if (!is_thick_[i]) require_thick(cavities_[i], complexes_[i]);
         drop_released();
         for (std::size_t i = 0; i < cavities_.size(); ++i) append(cavities_[i], complexes_[i]);
         return std::move(result_);
@@ -120,7 +132,8 @@ class Filling {
   private:
     /// One round; true when every cavity is full.
     bool fill_all() {
-        cavities_ = separate_cavities(find_cavity(result_.mesh, sides_, is_released_));
+        if (!may_be_open_.empty()) may_be_open_.resize(result_.mesh.node_count(), 1);
+        cavities_ = separate_cavities(find_cavity(result_.mesh, sides_, is_released_, may_be_open_));
         fills_.assign(cavities_.size(), {});
         is_finished_.assign(cavities_.size(), 0);
         const bool is_parallel = context_.threads > 1 && cavities_.size() > 1;
@@ -129,6 +142,7 @@ class Filling {
         });
         known_.clear();
         finished_.clear();
+        outgrown_.clear();
         return std::all_of(fills_.begin(), fills_.end(), [](const CavityFill& f) { return f.is_complete(); });
     }
 
@@ -147,25 +161,34 @@ class Filling {
             fills_[i] = flood_cavity(cavity, std::move(points), std::move(known.triangulation));
             if (known.is_best || (fills_[i].is_complete() && !has_inverted_tet(fills_[i]))) return;
         }
+        for (OutgrownFill& old : outgrown_)
+            if (cavity.nodes.size() <= old.nodes.size() + old.fill.places.missing.size() &&
+                std::includes(cavity.nodes.begin(), cavity.nodes.end(), old.nodes.begin(), old.nodes.end())) {
+                fills_[i] = grow_fill(cavity, old.nodes, old.fill, context_, is_main);
+                return;
+            }
         fills_[i] = fill_cavity(cavity, seam_balls(result_.mesh, cavity), active_, size_, context_, is_main);
     }
 
     void mend(int round) {
         if (round == 0) require_closed();
         if (round >= most_rounds) throw_unrecovered();
-        bool is_changed = false;
-        for (std::size_t i = 0; i < cavities_.size(); ++i) is_changed |= release_behind(cavities_[i], fills_[i]);
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
             CavityFill& fill = fills_[i];
             if (round == 0) result_.report.recovered_triangles += fill.places.missing.size();
             if (!fill.is_complete()) log("triangles are missing", fill.places.missing.size());
-            if (is_finished_[i])
+            if (is_finished_[i]) {
                 finished_.push_back({cavities_[i].nodes, std::move(fill)});
-            else if (fill.is_complete())
+            } else if (fill.is_complete()) {
                 known_.push_back(
                     {cavities_[i].nodes, seeds_of(cavities_[i], fill), std::move(fill.triangulation), true});
-            else if (!is_changed)
+            } else if (release_behind(cavities_[i], fill)) {
+                if (const FacetSplit flips = flip_missing(cavities_[i], fill, result_.mesh); !flips.pieces.empty())
+                    apply(flips, cavities_[i]);
+                if (fill.delaunay) outgrown_.push_back({cavities_[i].nodes, std::move(fill)});
+            } else {
                 recover(cavities_[i], fill);
+            }
         }
     }
 
@@ -183,12 +206,17 @@ class Filling {
         return is_changed;
     }
 
+    void release(TetId tet) {
+        is_released_[tet.index()] = 1;
+        if (may_be_open_.empty()) return;
+        for (const NodeId n : result_.mesh.tets[tet.index()]) may_be_open_[n.index()] = 1;
+    }
+
     /// Gives up the kept tets behind seam facets that are missing.
     bool release_behind(const Cavity& cavity, const CavityFill& fill) {
         bool is_changed = false;
         for (const int facet : fill.places.missing)
-            if (const TetId tet = cavity.tet_of_facet[facet]; tet.is_valid())
-                is_released_[tet.index()] = 1, is_changed = true;
+            if (const TetId tet = cavity.tet_of_facet[facet]; tet.is_valid()) release(tet), is_changed = true;
         return is_changed;
     }
 
@@ -201,6 +229,8 @@ class Filling {
             log("diagonals to change", flips.pieces.size() / 2);
             if (apply(flips, cavity))
                 known_.push_back({cavity.nodes, std::move(seeds), std::move(fill.triangulation), true});
+            else if (fill.delaunay)
+                outgrown_.push_back({cavity.nodes, std::move(fill)});
             return;
         }
         const std::vector<int> crossing = crossing_facets(cavity);
@@ -241,7 +271,7 @@ class Filling {
     /// The new nodes; none when kept tets were in the way and have been released instead.
     std::optional<std::vector<NodeId>> apply(const FacetSplit& split, const Cavity& cavity) {
         const std::vector<TetId> in_the_way = tets_in_the_way(split, cavity, result_.mesh, is_released_);
-        for (const TetId tet : in_the_way) is_released_[tet.index()] = 1;
+        for (const TetId tet : in_the_way) release(tet);
         if (!in_the_way.empty()) return {};
         std::vector<NodeId> added =
             apply_split(split, cavity, projector_, brep_.tolerances().on_entity(), result_.mesh);
@@ -284,7 +314,11 @@ class Filling {
     }
 
     void optimise_all() {
-        complexes_.resize(cavities_.size());
+        complexes_.assign(cavities_.size(), {});
+        is_thick_.assign(cavities_.size(), 0);
+        VolumeReport& report = result_.report;
+        report.odt_energy_before = report.odt_energy_after = 0;
+        report.slivers_before = report.slivers_left = 0;
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
             complexes_[i] = make_complex(cavities_[i], fills_[i]);
             fills_[i] = {};
@@ -297,10 +331,44 @@ class Filling {
             result_.report.odt_energy_after += odt.energy_after;
             result_.report.slivers_before += slivers.before;
             result_.report.slivers_left += slivers.left;
-            const bool is_thick = thicken(complexes_[i], least_volume(), context_).empty();
-            if (!is_thick) leave_out_flat_tets(cavities_[i], complexes_[i]);
-            if (!is_thick) require_thick(cavities_[i], complexes_[i]);
+            is_thick_[i] = thicken(complexes_[i], least_volume(), context_).empty();
+            if (!is_thick_[i]) leave_out_flat_tets(cavities_[i], complexes_[i]);
         }
+    }
+
+    /// Where four kept nodes in one plane (a square of the lattice) are held by kept tets on both of its sides, only a tet without height fits between
+    /// them. One of the kept tets goes for each. False when there is none.
+    bool release_at_flat_tets() {
+        bool is_changed = false;
+        for (std::size_t i = 0; i < cavities_.size(); ++i) {
+            std::map<std::array<int, 3>, TetId> behind;
+            for (const auto& tet : complexes_[i].tets) {
+                if (tet[0] < 0 || !is_flat(complexes_[i], tet)) continue;
+                if (behind.empty()) behind = seam_of(cavities_[i]);
+                for (int k = 0; k < 4; ++k) {
+                    std::array<int, 3> side{tet[(k + 1) % 4], tet[(k + 2) % 4], tet[(k + 3) % 4]};
+                    std::sort(side.begin(), side.end());
+                    const auto it = behind.find(side);
+                    if (it == behind.end()) continue;
+                    release(it->second);
+                    is_changed = true;
+                    break;
+                }
+            }
+        }
+        if (is_changed) context_.log("boundary recovery: kept tets are released where only flat tets fit between them");
+        return is_changed;
+    }
+
+    static std::map<std::array<int, 3>, TetId> seam_of(const Cavity& cavity) {
+        std::map<std::array<int, 3>, TetId> seam;
+        for (std::size_t f = 0; f < cavity.facets.size(); ++f) {
+            if (!cavity.tet_of_facet[f].is_valid()) continue;
+            std::array<int, 3> corners = cavity.facets[f].corners;
+            std::sort(corners.begin(), corners.end());
+            seam.emplace(corners, cavity.tet_of_facet[f]);
+        }
+        return seam;
     }
 
     /// The optimiser may have moved a tet without height to where it lies under two triangles of a face.
@@ -328,6 +396,17 @@ class Filling {
             if (count == 2) complex.tets[live[t]][0] = -1;
         }
         apply(flips, cavity);
+    }
+
+    void note_used_active() {
+        result_.used_active.clear();
+        if (active_.empty()) return;
+        const auto before = [](const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
+        std::vector<Vec3> sorted(active_.begin(), active_.end());
+        std::sort(sorted.begin(), sorted.end(), before);
+        for (std::size_t i = 0; i < cavities_.size(); ++i)
+            for (const Vec3& seed : seeds_of(cavities_[i], fills_[i]))
+                if (std::binary_search(sorted.begin(), sorted.end(), seed, before)) result_.used_active.push_back(seed);
     }
 
     /// Elements that the sizes themselves ask for are not too small.
@@ -365,6 +444,7 @@ class Filling {
         for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
             if (is_released_[i]) {
                 result_.released.push_back(TetId(i));
+                result_.released_nodes.push_back(mesh.tets[i]);
                 continue;
             }
             mesh.tets[kept] = mesh.tets[i];
@@ -402,6 +482,7 @@ class Filling {
     RunContext& context_;
     std::vector<std::array<SolidId, 2>> sides_;
     std::vector<std::uint8_t> is_released_;
+    std::vector<char> may_be_open_;  ///< by node, or empty when it is not known
     Projector projector_;
     WantedSize size_;
     std::vector<Cavity> cavities_;
@@ -409,7 +490,9 @@ class Filling {
     std::vector<KnownTriangulation> known_;
     std::vector<KnownFill> finished_;        ///< by withdrawn points; nothing outside
     std::vector<std::uint8_t> is_finished_;  ///< by cavity
+    std::vector<OutgrownFill> outgrown_;
     std::vector<TetComplex> complexes_;
+    std::vector<char> is_thick_;  ///< by complex: all its tets have a volume to speak of
     int crossing_rounds_ = 0, local_recoveries_ = 0;
     VolumeResult result_;
 };
@@ -417,9 +500,9 @@ class Filling {
 }  // namespace
 
 VolumeResult fill_solids(const Brep& brep, const SizingField& sizing, Mesh surface, std::span<const Vec3> active,
-                         const VolumeOptions& options, RunContext& context) {
+                         const VolumeOptions& options, RunContext& context, std::span<const char> rim) {
     if (surface.order != 1) throw InputError("solids are filled with 4-node tets; the mesh given has mid-side nodes");
-    return Filling(brep, sizing, std::move(surface), active, options, context).run();
+    return Filling(brep, sizing, std::move(surface), active, options, context, rim).run();
 }
 
 }  // namespace featuremesh

@@ -2,6 +2,7 @@
 // Fills the solids that are not meshed yet: seeds, Delaunay, recovery, flooding, ODT, slivers.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -17,6 +18,7 @@ namespace featuremesh {
 struct VolumeOptions {
     double target_dihedral_deg = 30;  ///< sliver removal works on tets below it (and above 180 minus it)
     int odt_sweeps = 3;               ///< over the nodes that gain
+    bool operator==(const VolumeOptions&) const = default;
 };
 
 struct VolumeReport {
@@ -34,6 +36,7 @@ struct VolumeReport {
 struct VolumeResult {
     Mesh mesh;
     VolumeReport report;
+<<<<<<< HEAD
     std::vector<TetId> released;  ///< kept tets (as counted in the input) that were given up
 };
 
@@ -41,7 +44,19 @@ struct VolumeResult {
 /// Kept nodes keep their bits and places in the arrays; kept tets stay in front in their order but for the released
 /// ones. `active` are start positions for inner nodes that survived without being kept. The same bytes for any number
 /// of threads. Throws MeshError that names the faces where the boundary could not be recovered.
+=======
+    std::vector<TetId> released;        ///< kept tets (as counted in the input) that were given up
+    std::vector<std::array<NodeId, 4>> released_nodes;   ///< their nodes
+    std::vector<Vec3> used_active;      ///< the start positions that were of use
+};
+
+/// Takes a 4-node mesh whose surface is complete and whose tets (if any) are kept; gives it back with every solid full. Kept nodes keep
+/// their bits and places in the arrays; kept tets stay in front in their order but for the released ones. `active` are start positions for inner nodes
+/// that survived without being kept. `rim` marks the nodes of the input at which something is not kept; it spares the search for them (empty: searched).
+/// The same bytes for any number of threads.
+/// Throws MeshError that names the faces where the boundary could not be recovered.
+>>>>>>> 3721b9b (Make the update's cost follow the change)
 VolumeResult fill_solids(const Brep& brep, const SizingField& sizing, Mesh surface, std::span<const Vec3> active,
-                         const VolumeOptions& options, RunContext& context);
+                         const VolumeOptions& options, RunContext& context, std::span<const char> rim = {});
 
 }  // namespace featuremesh

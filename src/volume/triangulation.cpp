@@ -39,7 +39,8 @@ std::vector<std::size_t> insertion_order(const std::vector<Kernel::Point_3>& poi
     return order;
 }
 
-void insert_all(Delaunay& delaunay, std::span<const Vec3> points, RunContext& context, bool is_main) {
+/// Numbers the points from `first` on.
+void insert_all(Delaunay& delaunay, std::span<const Vec3> points, std::size_t first, RunContext& context, bool is_main) {
     std::vector<Kernel::Point_3> converted;
     converted.reserve(points.size());
     for (const Vec3& p : points) converted.emplace_back(p.x, p.y, p.z);
@@ -50,15 +51,15 @@ void insert_all(Delaunay& delaunay, std::span<const Vec3> points, RunContext& co
             is_main ? context.progress(0.7 * static_cast<double>(i) / order.size()) : context.check_cancelled();
         last = last == Delaunay::Vertex_handle() ? delaunay.insert(converted[order[i]])
                                                  : delaunay.insert(converted[order[i]], last->cell());
-        last->info() = static_cast<int>(order[i]);
-        if (delaunay.number_of_vertices() != i + 1)
+        last->info() = static_cast<int>(first + order[i]);
+        if (delaunay.number_of_vertices() != first + i + 1)
             throw MeshError("two nodes lie in the same place, at " + words(points[order[i]]) +
                             " mm; heal the shape there or mesh it finer");
     }
     if (delaunay.dimension() < 3) throw MeshError("all nodes to fill between lie in one plane; mesh the part finer");
 }
 
-Triangulation extract(const Delaunay& delaunay) {
+Triangulation extract(const Delaunay& delaunay, std::span<const int> number_of) {
     Triangulation result;
     const std::size_t count = delaunay.number_of_finite_cells();
     result.tets.reserve(count);
@@ -68,7 +69,10 @@ Triangulation extract(const Delaunay& delaunay) {
                                      cell->vertex(3)->info()};
         const bool is_infinite = *std::min_element(tet.begin(), tet.end()) < 0;
         cell->info() = is_infinite ? -1 : static_cast<int>(result.tets.size());
-        if (!is_infinite) result.tets.push_back(tet);
+        if (is_infinite) continue;
+        result.tets.push_back(tet);
+        if (!number_of.empty())
+            for (int& corner : result.tets.back()) corner = number_of[static_cast<std::size_t>(corner)];
     }
     for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)
         if (cell->info() >= 0)
@@ -78,11 +82,25 @@ Triangulation extract(const Delaunay& delaunay) {
 
 }  // namespace
 
-Triangulation delaunay(std::span<const Vec3> points, RunContext& context, bool is_main) {
+struct GrowingDelaunay::Data {
     Delaunay delaunay;
-    delaunay.infinite_vertex()->info() = -1;
-    insert_all(delaunay, points, context, is_main);
-    return extract(delaunay);
+};
+
+GrowingDelaunay::GrowingDelaunay() : data_(std::make_unique<Data>()) { data_->delaunay.infinite_vertex()->info() = -1; }
+GrowingDelaunay::~GrowingDelaunay() = default;
+
+void GrowingDelaunay::insert(std::span<const Vec3> points, RunContext& context, bool is_main) {
+    insert_all(data_->delaunay, points, data_->delaunay.number_of_vertices(), context, is_main);
+}
+
+Triangulation GrowingDelaunay::tets(std::span<const int> number_of) const {
+    return extract(data_->delaunay, number_of);
+}
+
+Triangulation delaunay(std::span<const Vec3> points, RunContext& context, bool is_main) {
+    GrowingDelaunay delaunay;
+    delaunay.insert(points, context, is_main);
+    return delaunay.tets();
 }
 
 }  // namespace featuremesh

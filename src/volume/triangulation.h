@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,21 @@ namespace featuremesh {
 struct Triangulation {
     std::vector<std::array<int, 4>> tets;        ///< positive volume, or none by a hair: exact predicates
     std::vector<std::array<int, 4>> neighbours;  ///< [i][k] is opposite corner k; -1 at the hull
+};
+
+/// A Delaunay triangulation that more points can be added to.
+class GrowingDelaunay {
+  public:
+    GrowingDelaunay();
+    ~GrowingDelaunay();
+    /// Points count on from those before. Throws MeshError when two points coincide or all lie in one plane.
+    void insert(std::span<const Vec3> points, RunContext& context, bool is_main);
+    /// The tets so far; `number_of` gives the points other numbers (empty: their own).
+    Triangulation tets(std::span<const int> number_of = {}) const;
+
+  private:
+    struct Data;
+    std::unique_ptr<Data> data_;
 };
 
 /// The Delaunay triangulation; the order of `points` and of the tets is the same for the same input. Throws MeshError

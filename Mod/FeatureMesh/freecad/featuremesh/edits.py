@@ -49,6 +49,8 @@ def _set_property(obj, name, rest, text):
         got = getattr(obj, name)
         setattr(obj, name, old)
         raise UserError("FreeCAD refuses %s for %s.%s (it would take %s)" % (text, describe(obj), name, got))
+    if name == "Placement" and obj.isDerivedFrom("PartDesign::Feature"):
+        obj.touch()  # by its placement alone FreeCAD 0.20 moves the whole body's shape and does not compute the feature
 
 
 def _with_part(obj, name, old, path, text):

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "difference/face_owners.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "features/occt_geometry.h"
+
+namespace featuremesh {
+
+namespace {
+
+class OwnerHeritage {
+  public:
+    OwnerHeritage(const PartState& old_state, const PartState& new_state) : old_(old_state), new_(new_state) {
+        for (const Feature& feature : old_state.tree.features) new_id_.push_back(new_state.tree.find(feature.name));
+    }
+
+    /// The same owner in the new tree.
+    std::optional<Owner> heir_of(const Owner& owner) const {
+        const auto id = new_id_[owner.feature.index()];
+        if (!id || owner.volume >= int(new_.tree[*id].volumes.size())) return std::nullopt;
+        return Owner{*id, owner.volume};
+    }
+
+    void add_kept(FaceId old_face, std::vector<Owner>& owners) const {
+        for (const Owner& owner : old_.cells.owners_of_final_face[old_face.index()])
+            if (const auto heir = heir_of(owner)) owners.push_back(*heir);
+    }
+
+    void add_from_outside(FaceId old_face, std::vector<Owner>& owners) const {
+        for (const Owner& owner : old_.cells.owners_of_final_face[old_face.index()])
+            if (const auto heir = heir_of(owner); heir && reaches_out(*heir)) owners.push_back(*heir);
+    }
+
+    std::vector<Owner> all() const {
+        std::vector<Owner> owners;
+        for (std::size_t f = 0; f < new_.tree.features.size(); ++f)
+            if (!new_.tree.features[f].volumes.empty()) owners.push_back({FeatureId(f), 0});
+        return owners;
+    }
+
+  private:
+    bool reaches_out(const Owner& owner) const {
+        const Box volume = box_of(new_.tree[owner.feature].volumes[std::size_t(owner.volume)].shape);
+        return !new_.cells.edited.contains(volume.low) || !new_.cells.edited.contains(volume.high);
+    }
+
+    const PartState& old_;
+    const PartState& new_;
+    std::vector<std::optional<FeatureId>> new_id_;
+};
+
+}  // namespace
+
+std::vector<std::vector<Owner>> owners_after_edit(const PartState& old_state, const PartState& new_state, const FeatureDifference& difference) {
+    const OwnerHeritage heritage(old_state, new_state);
+    std::vector<FaceId> kept_from(new_state.brep.face_count());
+    for (const FaceChange& face : difference.faces)
+        if (face.verdict == FaceVerdict::kept) kept_from[face.new_face.index()] = face.old_face;
+    std::vector<std::vector<Owner>> owners(kept_from.size());
+    for (std::size_t f = 0; f < owners.size(); ++f) {
+        if (kept_from[f].is_valid())
+            heritage.add_kept(kept_from[f], owners[f]);
+        else
+            owners[f] = new_state.cells.owners_of_final_face[f];
+    }
+    const auto& new_faces_of = difference.regions[0].new_faces_of;
+    for (std::size_t o = 0; o < new_faces_of.size(); ++o)
+        for (const FaceId f : new_faces_of[o])
+            if (!kept_from[f.index()].is_valid()) heritage.add_from_outside(FaceId(o), owners[f.index()]);
+    for (auto& list : owners) {
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+        if (list.empty()) list = heritage.all();
+    }
+    return owners;
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reading after an edit, with the state before it at hand, says what reading from nothing says.
+#include <random>
+
+#include "catch.h"
+#include "part_documents.h"
+#include "update/part_mesh.h"
+
+using namespace featuremesh;
+
+namespace {
+
+struct Round {
+    std::string name;
+    bool is_hole;
+    double x, y, radius, height;
+};
+
+/// A plate with bosses and holes, one after the other.
+RawDocument document_of(const std::vector<Round>& rounds) {
+    PartDocument document = PartDocument().box("Plate", {0, 0, 0}, {100, 100, 8});
+    std::string base = "Plate";
+    for (const Round& r : rounds) {
+        const std::string result = r.name + "Result";
+        if (r.is_hole)
+            document.cylinder(r.name, {r.x, r.y, -1}, r.radius, 10).cut(result, base, r.name);
+        else
+            document.cylinder(r.name, {r.x, r.y, 8}, r.radius, r.height).fuse(result, base, r.name);
+        base = result;
+    }
+    return document.finish();
+}
+
+class RandomEdits {
+  public:
+    explicit RandomEdits(unsigned seed) : random_(seed) {
+        for (int i = 0; i < 16; ++i) rounds.push_back(some(i));
+    }
+
+    void edit() {
+        Round& r = rounds[std::size_t(between(0, double(rounds.size()) - 0.01))];
+        switch (int(between(0, 4.99))) {
+            case 0: r.x += between(-4, 4); break;
+            case 1: r.radius = between(1.5, 5); break;
+            case 2: r.height += 1; break;
+            case 3: rounds.push_back(some(next_++)); break;
+            default: rounds.erase(rounds.begin() + (&r - rounds.data())); break;
+        }
+    }
+
+    std::vector<Round> rounds;
+
+  private:
+    double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+    Round some(int number) {
+        return {"Round" + std::to_string(number), between(0, 1) < 0.5, between(8, 92), between(8, 92), between(1.5, 5), between(4, 10)};
+    }
+    std::mt19937 random_;
+    int next_ = 100;
+};
+
+void check_same_books(const PartState& one, const PartState& other) {
+    REQUIRE(one.cells.feature_volumes.size() == other.cells.feature_volumes.size());
+    for (std::size_t f = 0; f < one.cells.feature_volumes.size(); ++f)
+        CHECK(one.cells.feature_volumes[f] == Approx(other.cells.feature_volumes[f]).epsilon(1e-7).margin(1e-6));
+    CHECK(one.cells.report.material_volume == Approx(other.cells.report.material_volume).epsilon(1e-8));
+    CHECK(one.cells.report.final_volume == Approx(other.cells.report.final_volume).epsilon(1e-12));
+    CHECK(one.cells.report.untrusted == other.cells.report.untrusted);
+    CHECK(one.cells.report.fallbacks == other.cells.report.fallbacks);
+}
+
+}  // namespace
+
+TEST_CASE("after random edits cells and owners are those from nothing") {
+    const unsigned seed = GENERATE(1u, 2u, 3u);
+    INFO("seed " << seed);
+    RandomEdits edits(seed);
+    RunContext context;
+    PartState before = read_part(document_of(edits.rounds), context);
+    int summaries = 0;
+    for (int round = 0; round < 12; ++round) {
+        edits.edit();
+        const RawDocument document = document_of(edits.rounds);
+        PartState live = read_part(document, context, &before);
+        const PartState fresh = read_part(document, context);
+        summaries += live.cells.is_summary;
+        check_same_books(live, fresh);
+        const FeatureDifference difference = compare(before, live, 2.0, context);
+        CHECK(difference.owners_of_new_face == fresh.cells.owners_of_final_face);
+        live.cells.owners_of_final_face = difference.owners_of_new_face;
+        before = std::move(live);
+    }
+    CHECK(summaries >= 6);
+}
+
+TEST_CASE("the mesh does not know how the cells were had") {
+    RandomEdits edits(7);
+    MeshOptions options;
+    options.sizing.size = 6;
+    RunContext context;
+    const auto old = mesh_part(document_of(edits.rounds), options, context).part_mesh;
+    PartMesh without_books = *old;
+    without_books.part.cells.report.fallbacks.push_back("built from nothing after this");
+    edits.rounds[3].radius += 1;
+    const auto one = update_part(*old, document_of(edits.rounds), options, context).part_mesh;
+    const auto two = update_part(without_books, document_of(edits.rounds), options, context).part_mesh;
+    CHECK(one->part.cells.is_summary);
+    CHECK_FALSE(two->part.cells.is_summary);
+    CHECK(one->mesh.points == two->mesh.points);
+    CHECK(one->mesh.tets == two->mesh.tets);
+    CHECK(one->mesh.node_numbers == two->mesh.node_numbers);
+}
+
+TEST_CASE("features that were reordered, or that failed, are read from nothing") {
+    RandomEdits edits(5);
+    RunContext context;
+    const PartState before = read_part(document_of(edits.rounds), context);
+    std::swap(edits.rounds[2], edits.rounds[9]);
+    CHECK_FALSE(read_part(document_of(edits.rounds), context, &before).cells.is_summary);
+    RawDocument failed = document_of(RandomEdits(5).rounds);
+    failed.records[4].error = "it failed";
+    CHECK_FALSE(read_part(failed, context, &before).cells.is_summary);
+}

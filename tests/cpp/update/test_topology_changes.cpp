@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Edits that change which faces a part has: each update is valid and keeps what it says it keeps, bit for bit.
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <cmath>
+
+#include "catch.h"
+#include "mesh/validation.h"
+#include "part_documents.h"
+#include "update/part_mesh.h"
+
+using namespace featuremesh;
+
+namespace {
+
+bool is_upright(const TopoDS_Edge& edge) {
+    const BRepAdaptor_Curve curve(edge);
+    const gp_Pnt a = curve.Value(curve.FirstParameter()), b = curve.Value(curve.LastParameter());
+    return curve.GetType() == GeomAbs_Line && std::abs(a.Z() - b.Z()) > 1;
+}
+
+PartDocument plate() { return PartDocument().box("Plate", {0, 0, 0}, {60, 30, 6}); }
+
+PartDocument& drill(PartDocument& document, const std::string& name, Vec3 foot, double radius, const std::string& base) {
+    return document.cylinder(name, foot, radius, 8).cut(name + "Cut", base, name);
+}
+
+RawDocument without_hole() { return plate().finish(); }
+
+RawDocument with_hole(double x, double radius = 4) {
+    PartDocument document = plate();
+    return drill(document, "Hole", {x, 15, -1}, radius, "Plate").finish();
+}
+
+RawDocument with_two_holes(double second) {
+    PartDocument document = plate();
+    drill(document, "Hole", {20, 15, -1}, 4, "Plate");
+    return drill(document, "Second", {second, 15, -1}, 4, "HoleCut").finish();
+}
+
+RawDocument with_row(int count) {
+    PartDocument document = plate();
+    std::string base = "Plate";
+    for (int i = 0; i < count; ++i) {
+        const std::string name = "Hole" + std::to_string(i);
+        drill(document, name, {10.0 + 12 * i, 15, -1}, 3, base);
+        base = name + "Cut";
+    }
+    return document.finish();
+}
+
+/// The plate with its upright edges rounded; 0 for none.
+RawDocument with_fillet(double radius) {
+    PartDocument document = plate();
+    drill(document, "Hole", {20, 15, -1}, 4, "Plate");
+    if (radius == 0) return document.finish();
+    BRepFilletAPI_MakeFillet fillet(document.shape("HoleCut"));
+    for (TopExp_Explorer it(document.shape("HoleCut"), TopAbs_EDGE); it.More(); it.Next()) {
+        const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+        const gp_Pnt corner = BRepAdaptor_Curve(edge).Value(BRepAdaptor_Curve(edge).FirstParameter());
+        if (is_upright(edge) && (corner.X() < 1 || corner.X() > 59) && fillet.Contour(edge) == 0) fillet.Add(radius, edge);
+    }
+    return document.add("Fillet", "Part::Fillet", fillet.Shape(), {{"Base", "HoleCut", ""}}).finish();
+}
+
+/// The plate with a trench of this depth across its middle; 6 and more cut it in two.
+RawDocument with_trench(double depth) {
+    return plate().box("Trench", {27, -1, 6 - depth}, {6, 32, depth + 1}).cut("Part", "Plate", "Trench").finish();
+}
+
+PartMeshResult meshed(const RawDocument& document, double size = 2.5) {
+    MeshOptions options;
+    options.sizing.size = size;
+    RunContext context;
+    return mesh_part(document, options, context);
+}
+
+/// Updates, checks everything that must hold of any update, and gives the share of nodes kept.
+double kept_after(const PartMesh& old, const RawDocument& document) {
+    RunContext context;
+    const PartMeshResult result = update_part(old, document, old.options, context);
+    const PartMesh& now = *result.part_mesh;
+    Expectation expected;
+    for (std::size_t s = 0; s < now.part.brep.solid_count(); ++s) expected.solid_volumes.push_back(now.part.brep.volume_of(SolidId(s)));
+    for (std::size_t f = 0; f < now.part.brep.face_count(); ++f) expected.face_sides.push_back(now.part.brep.sides_of(FaceId(f)));
+    const std::vector<std::string> broken = broken_invariants(now.mesh, expected);
+    CHECK(broken == std::vector<std::string>{});
+    CHECK(result.report.fallbacks == std::vector<std::string>{});
+    std::size_t wrong = 0;
+    for (std::size_t n = 0; n < now.node_origin.size(); ++n) {
+        if (now.node_origin[n] < 0) continue;
+        const auto o = std::size_t(now.node_origin[n]);
+        wrong += now.mesh.node_numbers[n] != old.mesh.node_numbers[o] || now.mesh.points[n] != old.mesh.points[o];
+    }
+    CHECK(wrong == 0);
+    CHECK(result.report.quality.min_dihedral > 15);
+    return result.report.kept_nodes_share;
+}
+
+void check_there_and_back(const RawDocument& one, const RawDocument& other, double at_least) {
+    const auto first = meshed(one).part_mesh, second = meshed(other).part_mesh;
+    CHECK(kept_after(*first, other) > at_least);
+    CHECK(kept_after(*second, one) > at_least);
+}
+
+}  // namespace
+
+TEST_CASE("a hole appears and vanishes") { check_there_and_back(without_hole(), with_hole(20), 0.5); }
+
+TEST_CASE("a hole breaks through a side and comes back") {
+    PartDocument document = plate();
+    const RawDocument notched = drill(document, "Hole", {20, 28, -1}, 4, "Plate").finish();
+    check_there_and_back(with_hole(20), notched, 0.4);
+}
+
+TEST_CASE("two holes merge and part") { check_there_and_back(with_two_holes(34), with_two_holes(26), 0.5); }
+
+TEST_CASE("a fillet is added, enlarged and removed") {
+    check_there_and_back(with_fillet(0), with_fillet(4), 0.5);
+    check_there_and_back(with_fillet(4), with_fillet(6), 0.5);
+}
+
+TEST_CASE("a row of holes grows and shrinks") { check_there_and_back(with_row(3), with_row(4), 0.6); }
+
+TEST_CASE("a trench cuts the part in two and joins it again") { check_there_and_back(with_trench(3), with_trench(8), 0.5); }
