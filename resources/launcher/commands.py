@@ -135,9 +135,10 @@ def bench(given):
     script = ROOT / "tests" / "benchmarks" / "run_benchmarks.py"
     options = ["--repeat", str(given.repeat), "--threads", str(given.threads)]
     options += ["--list"] if given.list else []
+    options += ["--history"] if given.history else []
     for case in given.case or []:
         options += ["--case", case]
-    if not given.list:
+    if not (given.list or given.history):
         set_up(packages.PEER_PACKAGES)
     return subprocess.run([PYTHON, str(script), *options], env=freecad_environment()).returncode
 

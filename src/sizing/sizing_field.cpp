@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <string>
+#include <tuple>
 
 #include "core/errors.h"
 #include "sizing/shape_sources.h"
@@ -26,6 +28,34 @@ bool SizingField::is_uniform() const { return data_->tree.empty(); }
 double SizingField::smallest() const { return std::min(data_->size, data_->tree.smallest()); }
 double SizingField::growth() const { return data_->growth; }
 double SizingField::largest() const { return data_->size; }
+
+std::vector<Box> where_different(const SizingField& a, const SizingField& b) {
+    if (a.data_->size != b.data_->size || a.data_->growth != b.data_->growth || a.data_->growth <= 1)
+        return {Box{Box{}.high, Box{}.low}};
+    const auto before = [](const SourceBall& x, const SourceBall& y) {
+        return std::tie(x.center.x, x.center.y, x.center.z, x.radius, x.size) <
+               std::tie(y.center.x, y.center.y, y.center.z, y.radius, y.size);
+    };
+    std::array<std::vector<SourceBall>, 2> balls;
+    for (const int i : {0, 1}) {
+        const auto of_field = (i == 0 ? a : b).data_->tree.balls();
+        balls[i].assign(of_field.begin(), of_field.end());
+        std::sort(balls[i].begin(), balls[i].end(), before);
+    }
+    std::vector<SourceBall> different;
+    std::set_symmetric_difference(balls[0].begin(), balls[0].end(), balls[1].begin(), balls[1].end(),
+                                  std::back_inserter(different), before);
+    Box together;
+    std::vector<Box> boxes;
+    for (const SourceBall& ball : different) {
+        Box box;
+        box.add(ball.center);
+        boxes.push_back(box.grown(ball.radius + (a.data_->size - ball.size) / (a.data_->growth - 1)));
+        together.add(boxes.back());
+    }
+    constexpr std::size_t few = 16;
+    return boxes.size() <= few ? boxes : std::vector<Box>{together};
+}
 
 namespace {
 

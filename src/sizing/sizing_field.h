@@ -45,6 +45,8 @@ class SizingField {
     double largest() const;
     /// As in SizingOptions.
     double growth() const;
+    /// Boxes outside of which both fields are equal; one that holds all space where they are of different kinds.
+    friend std::vector<Box> where_different(const SizingField& a, const SizingField& b);
 
     struct Data;
     explicit SizingField(std::shared_ptr<const Data> data);
@@ -52,6 +54,8 @@ class SizingField {
   private:
     std::shared_ptr<const Data> data_;
 };
+
+std::vector<Box> where_different(const SizingField& a, const SizingField& b);
 
 /// Throws InputError for a size that is zero, negative, or larger than the part.
 SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::span<const SizeSource> sources, RunContext& context);

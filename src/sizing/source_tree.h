@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sizing/candidate_octree.h"
@@ -22,6 +23,7 @@ class SourceTree {
     bool empty() const { return balls_.empty(); }
     double smallest() const { return nodes_.empty() ? std::numeric_limits<double>::infinity() : nodes_[0].size; }
     double at(const Vec3& p) const;
+    std::span<const SourceBall> balls() const { return balls_; }
 
   private:
     struct Node {

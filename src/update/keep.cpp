@@ -70,17 +70,23 @@ class Keeper {
         return std::max(was / wanted, wanted / was) > size_change_that_releases;
     }
 
+    // Away from everything that changed neither sizes nor distances need to be asked for.
     void drop_near_changes() {
         std::vector<Box> reach;
-        for (const CarriedRegion& region : regions()) reach.push_back(region.changed.box());
+        const double widest = in_.margin * in_.new_sizing.largest();
+        for (const CarriedRegion& region : regions())
+            reach.push_back(region.changed.box().is_empty() ? Box{} : region.changed.box().grown(widest));
+        const std::vector<Box> resized = where_different(in_.old_sizing, in_.new_sizing);
         parallel_for(context_, node_count(), 4096, [&](std::size_t begin, std::size_t end) {
             for (std::size_t n = begin; n < end; ++n) {
-                const std::size_t r = std::size_t(places_[n].motion);
+                const auto r = std::size_t(places_[n].motion);
                 const Vec3 p = carried(n);
-                const double wanted = in_.new_sizing.at(p);
-                const double limit = in_.margin * wanted;
-                if (size_changed(in_.old_mesh.points[n], wanted) ||
-                    (!reach[r].is_empty() && reach[r].grown(limit).contains(p) && regions()[r].changed.distance(p, limit) < limit))
+                const auto holds_p = [&](const Box& box) { return box.contains(p); };
+                const bool may_be_resized = r > 0 || std::any_of(resized.begin(), resized.end(), holds_p);
+                const bool may_be_near = !reach[r].is_empty() && reach[r].contains(p);
+                if (!may_be_resized && !may_be_near) continue;
+                const double wanted = in_.new_sizing.at(p), limit = in_.margin * wanted;
+                if ((may_be_resized && size_changed(in_.old_mesh.points[n], wanted)) || (may_be_near && regions()[r].changed.distance(p, limit) < limit))
                     places_[n].motion = dropped;
             }
         });
@@ -130,7 +136,8 @@ class Keeper {
     bool is_untouched(const Place& place, std::size_t old_face, const Vec3& p) const {
         if (place.motion == 0 && is_untouched_[old_face]) return true;
         const Box changed = regions()[std::size_t(place.motion)].changed.box();
-        return !changed.is_empty() && !changed.grown(2 * in_.margin * in_.new_sizing.at(p)).contains(p);
+        if (changed.is_empty()) return false;
+        return !changed.grown(2 * in_.margin * in_.new_sizing.largest()).contains(p) || !changed.grown(2 * in_.margin * in_.new_sizing.at(p)).contains(p);
     }
 
     bool place_on_face(Place& place, FaceId face, const Vec3& p, bool is_untouched) const {
@@ -315,7 +322,7 @@ class Keeper {
 
     void take_triangles(Kept& kept, const std::vector<std::int32_t>& new_index) const {
         const Mesh& old = in_.old_mesh;
-        const std::vector<char> backed = backed_by_kept_tets(kept);
+        const std::vector<char> backed = backed_by_kept_tets(kept, new_index);
         std::vector<std::int8_t> flipped(in_.old_brep.face_count() * regions().size(), -1);
         for (std::size_t t = 0; t < old.triangles.size(); ++t) {
             const auto& nodes = old.triangles[t];
@@ -336,31 +343,33 @@ class Keeper {
         }
     }
 
-    // A triangle stays with the tet behind it: the cavity's boundary is then where kept tets end.
-    std::vector<char> backed_by_kept_tets(const Kept& kept) const {
+    // A triangle stays with the tet behind it: the cavity's boundary is then where kept tets end. Around a node off the rim all tets are kept, so only
+    // triangles between rim nodes need a look.
+    std::vector<char> backed_by_kept_tets(const Kept& kept, const std::vector<std::int32_t>& new_index) const {
         const Mesh& old = in_.old_mesh;
-        std::vector<std::int32_t> first(node_count() + 1, 0);
-        const auto lowest = [](const auto& nodes) { return std::min({nodes[0], nodes[1], nodes[2]}).index(); };
-        for (const auto& triangle : old.triangles) ++first[lowest(triangle) + 1];
-        std::partial_sum(first.begin(), first.end(), first.begin());
-        std::vector<std::int32_t> list(old.triangles.size()), next(first.begin(), first.end() - 1);
-        for (std::size_t t = 0; t < old.triangles.size(); ++t) list[std::size_t(next[lowest(old.triangles[t])]++)] = std::int32_t(t);
-        std::vector<char> backed(old.triangles.size(), 0);
-        for (const std::int32_t tet : kept.tet_origin)
+        const auto is_rim = [&](NodeId n) { return new_index[n.index()] >= 0 && kept.is_rim[std::size_t(new_index[n.index()])]; };
+        std::vector<char> backed(old.triangles.size(), 1);
+        std::vector<std::pair<std::array<NodeId, 3>, std::size_t>> doubtful;
+        for (std::size_t t = 0; t < old.triangles.size(); ++t) {
+            auto corners = old.triangles[t];
+            if (!is_rim(corners[0]) || !is_rim(corners[1]) || !is_rim(corners[2])) continue;
+            std::sort(corners.begin(), corners.end());
+            doubtful.emplace_back(corners, t);
+            backed[t] = 0;
+        }
+        std::sort(doubtful.begin(), doubtful.end());
+        for (const std::int32_t tet : kept.tet_origin) {
+            const auto& nodes = old.tets[std::size_t(tet)];
+            if (is_rim(nodes[0]) + is_rim(nodes[1]) + is_rim(nodes[2]) + is_rim(nodes[3]) < 3) continue;
             for (int skip = 0; skip < 4; ++skip) {
                 std::array<NodeId, 3> side;
                 for (int k = 0, j = 0; k < 4; ++k)
-                    if (k != skip) side[j++] = old.tets[std::size_t(tet)][k];
-                if (old.entities[side[0].index()].dim == 3 || old.entities[side[1].index()].dim == 3 ||
-                    old.entities[side[2].index()].dim == 3)
-                    continue;
+                    if (k != skip) side[std::size_t(j++)] = nodes[std::size_t(k)];
                 std::sort(side.begin(), side.end());
-                for (std::int32_t i = first[side[0].index()]; i < first[side[0].index() + 1]; ++i) {
-                    auto triangle = old.triangles[std::size_t(list[std::size_t(i)])];
-                    std::sort(triangle.begin(), triangle.end());
-                    if (triangle == side) backed[std::size_t(list[std::size_t(i)])] = 1;
-                }
+                const auto it = std::lower_bound(doubtful.begin(), doubtful.end(), side, [](const auto& d, const auto& s) { return d.first < s; });
+                if (it != doubtful.end() && it->first == side) backed[it->second] = 1;
             }
+        }
         return backed;
     }
 

@@ -36,17 +36,21 @@ def main():
         for case in cases.CASES:
             print(f"{case.name:20s} {case.about}, size {case.size:g} mm")
         return 0
+    if given.history:
+        return show_history(given.case)
     chosen = [cases.named(name) for name in given.case] if given.case else cases.CASES
     if None in chosen:
         print("featuremesh bench: no such case; see featuremesh bench --list", file=sys.stderr)
         return 2
-    failed = 0
+    failed, updates = 0, {}
     for case in chosen:
         try:
-            measure(case, given)
+            updates[case.name] = measure(case, given)
         except Exception as error:
             failed += 1
             print(f"  {case.name} failed: {error}", file=sys.stderr, flush=True)
+    if "bosses-1" in updates and "bosses-64" in updates:
+        print(f"growth: the update with 64 bosses takes {updates['bosses-64'] / updates['bosses-1']:.2f} times that with 1")
     print(f"{len(chosen) - failed} of {len(chosen)} cases measured; appended to {RESULTS}")
     return 1 if failed else 0
 
@@ -57,11 +61,12 @@ def parse_arguments():
     parser.add_argument("--repeat", type=int, default=5)
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--list", action="store_true")
+    parser.add_argument("--history", action="store_true", help="what was measured before, by case and commit")
     return parser.parse_args()
 
 
 def measure(case, given):
-    """Measures one case, prints its rows and appends them to the results."""
+    """Measures one case, prints its rows and appends them to the results. Gives the median seconds of the update."""
     print(f"{case.name}: {case.about}, size {case.size:g} mm, {given.threads} thread{'s' if given.threads > 1 else ''}, "
           f"{given.repeat} rounds\n{HEADER}", flush=True)
     with tempfile.TemporaryDirectory(prefix="featuremesh-bench-") as name:
@@ -79,6 +84,7 @@ def measure(case, given):
               "reading": reading}
     with open(RESULTS, "a", encoding="utf-8") as results:
         results.write(json.dumps(record) + "\n")
+    return statistics.median(rows["update"]["seconds"])
 
 
 def prepare(case, folder):
@@ -141,7 +147,9 @@ def compare_rows(rows):
     """Medians of the rounds' ratios, and what the update kept."""
     update, full = rows["update"]["seconds"], rows["full mesh"]["seconds"]
     summary = {"kept_nodes": rows["update"]["kept_nodes"], "kept_tets": rows["update"]["kept_tets"],
-               "update_over_full": statistics.median(a / b for a, b in zip(update, full)), "fallback": rows["update"]["fallback"]}
+               "update_over_full": statistics.median(a / b for a, b in zip(update, full)), "fallback": rows["update"]["fallback"],
+               "mean_radius_ratio_less": rows["full mesh"]["mean_radius_ratio"] - rows["update"]["mean_radius_ratio"],
+               "min_dihedral_less": rows["full mesh"]["min_dihedral"] - rows["update"]["min_dihedral"]}
     for peer in ALGORITHMS:
         if peer in rows:
             seconds = rows[peer]["seconds"]
@@ -160,12 +168,29 @@ def row_in_words(who, row):
 
 
 def summary_in_words(summary):
-    words = [f"kept {summary['kept_nodes']:.1%} of the nodes", f"update / full mesh {summary['update_over_full']:.1%}"]
+    words = [f"kept {summary['kept_nodes']:.1%} of the nodes", f"update / full mesh {summary['update_over_full']:.1%}",
+             f"mean radius ratio less by {summary['mean_radius_ratio_less']:.4f}, smallest angle by {summary['min_dihedral_less']:.2f} deg"]
     for peer in ALGORITHMS:
         if f"update_over_{peer}" in summary:
             words.append(f"update / {peer} {summary[f'update_over_{peer}']:.1%}")
             words.append(f"full mesh's tets per second / {peer}'s {summary[f'full_speed_over_{peer}']:.2f}")
     return words + ([f"fallback: {summary['fallback']}"] if summary["fallback"] else [])
+
+
+def show_history(names):
+    """One line per measurement, the oldest first, so that changes for better or worse can be seen."""
+    records = [json.loads(line) for line in RESULTS.read_text(encoding="utf-8").splitlines()] if RESULTS.is_file() else []
+    print(f"{'case':18s} {'time':16s} {'commit':8s} {'threads':>7s} {'full s':>8s} {'update s':>8s} {'spread':>13s} {'of full':>8s} {'of gmsh':>8s} {'kept':>7s}")
+    for record in sorted(records, key=lambda r: (r["case"], r["machine"]["time"])):
+        if names and record["case"] not in names:
+            continue
+        full, update = (statistics.median(record["rows"][who]["seconds"]) for who in OURS)
+        runs, summary = record["rows"]["update"]["seconds"], record["summary"]
+        gmsh = summary.get("update_over_gmsh-delaunay")
+        print(f"{record['case']:18s} {record['machine']['time'][:16]:16s} {record['machine']['commit']:8s} {record['threads']:7d} {full:8.3f} {update:8.3f} "
+              f"{f'{min(runs):.3f}..{max(runs):.3f}':>13s} {summary['update_over_full']:8.1%} {'-' if gmsh is None else f'{gmsh:.1%}':>8s} "
+              f"{summary['kept_nodes']:7.1%}")
+    return 0
 
 
 def read_raw(path):

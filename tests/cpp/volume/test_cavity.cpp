@@ -76,6 +76,14 @@ TEST_CASE("the cavity is what brute force finds, and encloses what was released"
     const Cavity cavity = find_cavity(mesh, outer_faces, is_released);
     CHECK(facets_of(cavity) == brute_force(mesh, is_released));
     CHECK(facets_of(cavity).size() == cavity.facets.size());
+    std::vector<char> rim(mesh.node_count(), 0);
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+        if (is_released[t])
+            for (const NodeId n : mesh.tets[t]) rim[n.index()] = 1;
+    const Cavity told = find_cavity(mesh, outer_faces, is_released, rim);
+    CHECK(told.nodes == cavity.nodes);
+    CHECK(told.tet_of_facet == cavity.tet_of_facet);
+    CHECK(told.triangle_of_facet == cavity.triangle_of_facet);
     CHECK(volume_between(cavity) == Approx(volume_of(mesh, is_released)));
     CHECK(open_facets(cavity).empty());
     for (std::size_t i = 0; i < cavity.facets.size(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <tuple>
 
@@ -142,6 +143,27 @@ TEST_CASE("Delaunay: no point inside a circumsphere, volumes add up, neighbours 
     }
     points.push_back(points.front());
     CHECK_THROWS_AS(delaunay(points, context), MeshError);
+}
+
+TEST_CASE("a triangulation that points are added to is that of all of them") {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::vector<Vec3> points;
+    for (int i = 0; i < 60; ++i) points.push_back({unit(random), unit(random), unit(random)});
+    RunContext context;
+    GrowingDelaunay growing;
+    growing.insert(std::span(points).first(50), context, true);
+    growing.insert(std::span(points).subspan(50), context, true);
+    const auto sorted = [](std::vector<std::array<int, 4>> tets) {
+        for (auto& tet : tets) std::sort(tet.begin(), tet.end());
+        std::sort(tets.begin(), tets.end());
+        return tets;
+    };
+    CHECK(sorted(growing.tets().tets) == sorted(delaunay(points, context).tets));
+    std::vector<int> reversed(points.size());
+    std::iota(reversed.rbegin(), reversed.rend(), 0);
+    std::vector<Vec3> other_way(points.rbegin(), points.rend());
+    CHECK(sorted(growing.tets(reversed).tets) == sorted(delaunay(other_way, context).tets));
 }
 
 TEST_CASE("flooding stays within closed facets and sees a leak") {
