@@ -241,7 +241,7 @@ std::vector<double> feature_volumes(const CellsBefore& before, const FeatureTree
 std::optional<CellModel> cells_after_edit(const CellsBefore& before, const FeatureTree& tree, const Brep& final_shape, RunContext& context) {
     const RunContext::Step step(context, "cells");
     const CellReport& old_report = before.cells.report;
-    if (!old_report.fallbacks.empty() || !old_report.untrusted.empty()) return std::nullopt;
+    if (!old_report.fallbacks.empty() || !old_report.findings.empty() || !old_report.untrusted.empty()) return std::nullopt;
     Pairing pairing(before.tree, tree);
     if (!pairing.run()) return std::nullopt;
     const Box box = box_around_changes(pairing.old_pieces, pairing.new_pieces);
