@@ -14,7 +14,6 @@
 #include "cells/replay.h"
 #include "core/errors.h"
 #include "features/deadline.h"
-#include "features/flux.h"
 #include "features/shape_difference.h"
 #include "features/solid_probe.h"
 

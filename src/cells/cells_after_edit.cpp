@@ -11,7 +11,6 @@
 #include "cells/fuse.h"
 #include "cells/replay.h"
 #include "features/face_probe.h"
-#include "features/flux.h"
 #include "features/occt_geometry.h"
 #include "features/same_faces.h"
 #include "features/shape_print.h"
@@ -174,7 +173,7 @@ class LocalFuse {
 
 double volume_of(const Brep& shape) {
     double volume = 0;
-    for (std::size_t s = 0; s < shape.solid_count(); ++s) volume += flux(shape.solid(SolidId(s)), shape.box().center());
+    for (std::size_t s = 0; s < shape.solid_count(); ++s) volume += shape.volume_of(SolidId(s));
     return volume;
 }
 

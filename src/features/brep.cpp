@@ -20,7 +20,6 @@
 
 #include "core/errors.h"
 #include "features/flux.h"
-#include "features/occt_geometry.h"
 
 namespace featuremesh {
 
@@ -115,6 +114,7 @@ Brep::Brep(const TopoDS_Shape& shape) {
         for (const VertexId end : data->ends.back())
             if (end.is_valid()) add_once(data->edges_of_vertex[end.index()], EdgeId(e));
     }
+    data->box = tight_box_of(data->face);
     for (std::size_t s = 0; s < data->solid.size(); ++s) {
         std::vector<int> uses(data->edge.size(), 0);
         for (TopExp_Explorer it(data->solid[s], TopAbs_FACE); it.More(); it.Next()) {
@@ -129,12 +129,11 @@ Brep::Brep(const TopoDS_Shape& shape) {
             if (uses[e] == 1 && !BRep_Tool::Degenerated(data->edge[e]))
                 throw InputError("The shell of " + name_of(entity_of(SolidId(s))) + " is open at " + name_of(entity_of(EdgeId(e))) +
                                  ". Close the gap (Part: Check geometry, then sew or rebuild the feature there).");
-        data->volumes.push_back(flux(data->solid[s], box_of(data->solid[s]).center()));
+        data->volumes.push_back(flux(data->solid[s], data->box.center()));
         if (!(data->volumes.back() > 0))
             throw InputError(name_of(entity_of(SolidId(s))) + " has no positive volume. Its faces point inwards or cross each other; check the "
                              "feature that made it (Part: Check geometry).");
     }
-    data->box = tight_box_of(data->face);
     data_ = std::move(data);
 }
 

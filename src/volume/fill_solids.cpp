@@ -319,21 +319,31 @@ class Filling {
         VolumeReport& report = result_.report;
         report.odt_energy_before = report.odt_energy_after = 0;
         report.slivers_before = report.slivers_left = 0;
+        std::vector<std::pair<OdtReport, SliverReport>> reports(cavities_.size());
+        const bool is_parallel = context_.threads > 1 && cavities_.size() > 1;
+        parallel_for(context_, cavities_.size(), 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                RunContext alone;  // progress is told by the caller's own thread only
+                reports[i] = optimise(i, is_parallel ? alone : context_);
+            }
+        });
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
-            complexes_[i] = make_complex(cavities_[i], fills_[i]);
-            fills_[i] = {};
-            const OdtReport odt =
-                optimise_odt(complexes_[i], sizing_, {options_.odt_sweeps, !sizing_.is_uniform()}, context_);
-            SliverOptions sliver_options;
-            sliver_options.target_dihedral_deg = options_.target_dihedral_deg;
-            const SliverReport slivers = remove_slivers(complexes_[i], sliver_options, context_);
-            result_.report.odt_energy_before += odt.energy_before;
-            result_.report.odt_energy_after += odt.energy_after;
-            result_.report.slivers_before += slivers.before;
-            result_.report.slivers_left += slivers.left;
+            report.odt_energy_before += reports[i].first.energy_before;
+            report.odt_energy_after += reports[i].first.energy_after;
+            report.slivers_before += reports[i].second.before;
+            report.slivers_left += reports[i].second.left;
             is_thick_[i] = thicken(complexes_[i], least_volume(), context_).empty();
             if (!is_thick_[i]) leave_out_flat_tets(cavities_[i], complexes_[i]);
         }
+    }
+
+    std::pair<OdtReport, SliverReport> optimise(std::size_t i, RunContext& context) {
+        complexes_[i] = make_complex(cavities_[i], fills_[i]);
+        fills_[i] = {};
+        const OdtReport odt = optimise_odt(complexes_[i], sizing_, {options_.odt_sweeps, !sizing_.is_uniform()}, context);
+        SliverOptions sliver_options;
+        sliver_options.target_dihedral_deg = options_.target_dihedral_deg;
+        return {odt, remove_slivers(complexes_[i], sliver_options, context)};
     }
 
     /// Where four kept nodes in one plane (a square of the lattice) are held by kept tets on both of its sides, only a tet without height fits between

@@ -267,3 +267,28 @@ TEST_CASE("the estimate follows the volume and the field") {
     const double brute = coarse * (sum / (n * n * n)) * 64;
     CHECK(estimate_tets(brep, graded) == Approx(brute).epsilon(0.15));
 }
+
+TEST_CASE("two fields differ only where it is said") {
+    const auto drilled = [](std::initializer_list<double> places) {
+        TopoDS_Shape shape = BRepPrimAPI_MakeBox(60, 40, 20).Shape();
+        for (const double x : places)
+            shape = BRepAlgoAPI_Cut(shape, BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, 20, 0), gp_Dir(0, 0, 1)), 3, 20).Shape()).Shape();
+        return Brep(shape);
+    };
+    const Brep before = drilled({10, 30}), after = drilled({10, 33});
+    const SizingField a = sizing_of(before, of_size(4)), b = sizing_of(after, of_size(4));
+    const std::vector<Box> boxes = where_different(a, b);
+    int outside = 0, different = 0;
+    for (const Vec3& p : random_points(before, 5000)) {
+        different += a.at(p) != b.at(p);
+        if (std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return box.contains(p); })) continue;
+        ++outside;
+        CHECK(a.at(p) == b.at(p));
+    }
+    CHECK(outside > 1000);
+    CHECK(different > 100);
+    CHECK(where_different(a, a).empty());
+    const auto everywhere = where_different(a, sizing_of(after, of_size(3)));
+    REQUIRE(everywhere.size() == 1);
+    CHECK(everywhere[0].contains({1e6, -1e6, 0}));
+}
