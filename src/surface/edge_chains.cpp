@@ -2,11 +2,13 @@
 #include "surface/edge_chains.h"
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRep_Tool.hxx>
 #include <TopoDS_Edge.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "core/activity.h"
 #include "core/errors.h"
@@ -140,16 +142,16 @@ void check_order(const EdgeChain& chain, EdgeId edge) {
 }
 
 /// The kept part of a chain: ends, kept nodes between them, and which neighbours are joined by a kept segment.
-EdgeChain kept_chain(const BRepAdaptor_Curve& curve, EdgeId edge, const std::array<NodeId, 2>& ends,
+EdgeChain kept_chain(const std::array<double, 2>& range, EdgeId edge, const std::array<NodeId, 2>& ends,
                      const std::vector<NodeId>& kept_nodes, const std::vector<std::array<NodeId, 2>>& kept_segments,
                      const Mesh& mesh) {
     std::vector<std::pair<double, NodeId>> inner;
     for (const NodeId n : kept_nodes) inner.emplace_back(mesh.parameters[n.index()][0], n);
     std::sort(inner.begin(), inner.end());
     EdgeChain chain;
-    chain.nodes.push_back(ends[0]), chain.t.push_back(curve.FirstParameter());
+    chain.nodes.push_back(ends[0]), chain.t.push_back(range[0]);
     for (const auto& [t, n] : inner) chain.nodes.push_back(n), chain.t.push_back(t);
-    chain.nodes.push_back(ends[1]), chain.t.push_back(curve.LastParameter());
+    chain.nodes.push_back(ends[1]), chain.t.push_back(range[1]);
     check_order(chain, edge);
     std::vector<std::array<NodeId, 2>> segments = kept_segments;
     std::sort(segments.begin(), segments.end());
@@ -198,24 +200,27 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
         if (!ends[0].is_valid() || !ends[1].is_valid())
             throw MeshError(name_of(entity_of(edge)) +
                             " has no end points. Check the feature that made it (Part: Check geometry).");
-        const BRepAdaptor_Curve curve(brep.edge(edge));
+        std::array<double, 2> range;
+        BRep_Tool::Range(brep.edge(edge), range[0], range[1]);
         const EdgeChain base =
-            kept_chain(curve, edge, {node_of(ends[0]), node_of(ends[1])}, kept.nodes[e], kept.segments[e], mesh);
+            kept_chain(range, edge, {node_of(ends[0]), node_of(ends[1])}, kept.nodes[e], kept.segments[e], mesh);
         const auto nodes = shared_ends(edge);
         EdgeChain& chain = chains_[e];
         const bool is_whole = base.is_kept.size() == 1;
+        std::optional<BRepAdaptor_Curve> curve;  // most edges of an update need none
+        if (std::count(base.is_kept.begin(), base.is_kept.end(), 0) > 0) curve.emplace(brep.edge(edge));
         for (std::size_t i = 0; i < base.is_kept.size(); ++i) {
             chain.nodes.push_back(base.nodes[i]), chain.t.push_back(base.t[i]);
             if (base.is_kept[i]) {
                 chain.is_kept.push_back(1);
                 continue;
             }
-            const Measure measure(curve, sizing, base.t[i], base.t[i + 1]);
+            const Measure measure(*curve, sizing, base.t[i], base.t[i + 1]);
             const int fewest = fewest_pieces(measure, is_whole && nodes[0] == nodes[1], is_whole && between[nodes] > 1);
             const int pieces = std::max(fewest, rounded(measure.metric_length()));
             for (int k = 1; k < pieces; ++k) {
                 const double t = measure.at_share(static_cast<double>(k) / pieces);
-                chain.nodes.push_back(mesh.add_node(to_vec(curve.Value(t)), entity_of(edge), {t, 0}));
+                chain.nodes.push_back(mesh.add_node(to_vec(curve->Value(t)), entity_of(edge), {t, 0}));
                 chain.t.push_back(t);
             }
             chain.is_kept.insert(chain.is_kept.end(), static_cast<std::size_t>(pieces), 0);

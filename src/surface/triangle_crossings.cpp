@@ -94,28 +94,25 @@ class BoxTree {
 
 class CrossingSearch {
   public:
-    CrossingSearch(const Brep& brep, const Mesh& mesh, std::size_t first_new) : mesh_(mesh), first_new_(first_new) {
-        for (std::size_t f = 0; f < brep.face_count(); ++f)
-            is_plane_.push_back(BRepAdaptor_Surface(brep.face(FaceId(f)), Standard_False).GetType() == GeomAbs_Plane);
-        std::vector<char> is_line(brep.edge_count(), 1);
-        for (std::size_t e = 0; e < brep.edge_count(); ++e)
-            if (!brep.is_degenerated(EdgeId(e)))
-                is_line[e] = BRepAdaptor_Curve(brep.edge(EdgeId(e))).GetType() == GeomAbs_Line;
-        for (std::size_t s = 0; s < mesh.segments.size(); ++s)
-            if (!is_line[mesh.segment_edges[s].index()])
-                chords_.insert(side_key(mesh.segments[s][0], mesh.segments[s][1]));
-    }
+    CrossingSearch(const Brep& brep, const Mesh& mesh, std::size_t first_new)
+        : brep_(brep), mesh_(mesh), first_new_(first_new), is_plane_(brep.face_count(), unknown), is_line_(brep.edge_count(), unknown) {}
 
     std::vector<std::array<TriangleId, 2>> find(RunContext& context) {
         Box region;
         for (std::size_t t = first_new_; t < mesh_.triangles.size(); ++t) region.add(box_of(mesh_, mesh_.triangles[t]));
+        std::vector<char> is_near(mesh_.node_count(), 0);
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
             const Box box = box_of(mesh_, mesh_.triangles[t]);
             if (t < first_new_ && !overlap(box, region)) continue;
             triangles_.push_back(t);
             boxes_.push_back(box);
-            is_exact_.push_back(lies_in_face(t));
+            for (const NodeId n : mesh_.triangles[t]) is_near[n.index()] = 1;
         }
+        for (std::size_t s = 0; s < mesh_.segments.size(); ++s) {
+            const auto& [a, b] = mesh_.segments[s];
+            if (is_near[a.index()] && is_near[b.index()] && !is_line(mesh_.segment_edges[s])) chords_.insert(side_key(a, b));
+        }
+        for (const std::size_t t : triangles_) is_exact_.push_back(lies_in_face(t));
         const BoxTree tree(boxes_);
         constexpr std::size_t chunk = 4096;
         std::vector<std::vector<std::array<TriangleId, 2>>> found((triangles_.size() + chunk - 1) / chunk);
@@ -129,9 +126,21 @@ class CrossingSearch {
     }
 
   private:
-    bool lies_in_face(std::size_t t) const {
+    bool is_line(EdgeId edge) {
+        char& known = is_line_[edge.index()];
+        if (known == unknown)
+            known = brep_.is_degenerated(edge) || BRepAdaptor_Curve(brep_.edge(edge)).GetType() == GeomAbs_Line;
+        return known == 1;
+    }
+    bool is_plane(FaceId face) {
+        char& known = is_plane_[face.index()];
+        if (known == unknown) known = BRepAdaptor_Surface(brep_.face(face), Standard_False).GetType() == GeomAbs_Plane;
+        return known == 1;
+    }
+
+    bool lies_in_face(std::size_t t) {
         const auto& c = mesh_.triangles[t];
-        if (!is_plane_[mesh_.triangle_faces[t].index()]) return false;
+        if (!is_plane(mesh_.triangle_faces[t])) return false;
         return !chords_.count(side_key(c[0], c[1])) && !chords_.count(side_key(c[1], c[2])) &&
                !chords_.count(side_key(c[2], c[0]));
     }
@@ -189,9 +198,11 @@ class CrossingSearch {
         return CGAL::do_intersect(one, other);
     }
 
+    static constexpr char unknown = 2;
+    const Brep& brep_;
     const Mesh& mesh_;
     std::size_t first_new_;
-    std::vector<char> is_plane_;
+    std::vector<char> is_plane_, is_line_;  ///< by face and edge, once asked for
     std::unordered_set<std::uint64_t> chords_;  ///< segments on curved edges
     std::vector<std::size_t> triangles_;
     std::vector<Box> boxes_;
