@@ -209,7 +209,8 @@ class Keeper {
             for (std::size_t t = 0; t < tets.size(); ++t)
                 if (tet_motion_[t] != dropped && in_.old_mesh.tet_solids[t] == SolidId(s))
                     for (int k = 1; k < 4; ++k) {
-                        const auto a = root(tets[t][0].value), b = root(tets[t][k].value);
+                        if (parent[tets[t][0].index()] == parent[tets[t][std::size_t(k)].index()]) continue;
+                        const auto a = root(tets[t][0].value), b = root(tets[t][std::size_t(k)].value);
                         parent[std::size_t(std::max(a, b))] = std::min(a, b);
                     }
             std::vector<std::int32_t> solid_of_root(node_count(), -2);
@@ -330,7 +331,10 @@ class Keeper {
             const std::size_t r = std::size_t(places_[nodes[0].index()].motion);
             const FaceId old_face = old.triangle_faces[t];
             const FaceId face = regions()[r].new_face_of[old_face.index()];
-            if (!face.is_valid()) continue;
+            if (!face.is_valid()) {
+                for (const NodeId n : nodes) kept.is_rim[std::size_t(new_index[n.index()])] = 1;
+                continue;
+            }
             std::int8_t& flip = flipped[r * in_.old_brep.face_count() + old_face.index()];
             if (flip < 0) flip = is_flipped(t, face);
             std::array<NodeId, 3> triangle;

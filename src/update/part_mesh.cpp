@@ -80,8 +80,13 @@ struct Filled {
 };
 
 Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, RunContext& context) {
-    const std::size_t kept_tets = kept.mesh.tets.size();
+    const std::size_t kept_tets = kept.mesh.tets.size(), kept_triangles = kept.mesh.triangles.size();
     SurfaceResult surface = fill_surface(brep, sizing, std::move(kept.mesh), context);
+    if (!kept.is_rim.empty()) {
+        kept.is_rim.resize(surface.mesh.node_count(), 1);
+        for (std::size_t t = kept_triangles; t < surface.mesh.triangles.size(); ++t)
+            for (const NodeId n : surface.mesh.triangles[t]) kept.is_rim[n.index()] = 1;
+    }
     VolumeResult volume = fill_solids(brep, sizing, std::move(surface.mesh), kept.active, options.volume, context, kept.is_rim);
     Mesh mesh = std::move(volume.mesh);
     if (options.order == 2)
