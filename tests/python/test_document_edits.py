@@ -67,6 +67,20 @@ class Edits(unittest.TestCase):
         self.assertLess(abs(difference.Rotation.Angle), 1e-9)
         self.refused("Body.Placement.Top=3", "Base.x")
 
+    def test_placement_of_a_primitive_moves_it_alone(self):
+        body = self.document.addObject("PartDesign::Body", "Tower")
+        block = body.newObject("PartDesign::AdditiveBox", "Block")
+        block.Length, block.Width, block.Height = 80, 50, 20
+        cylinder = body.newObject("PartDesign::AdditiveCylinder", "Cylinder")
+        cylinder.Radius, cylinder.Height = 12, 40
+        cylinder.Placement = placement(25, 25, 20)
+        self.document.recompute()
+        self.set("Cylinder.Placement.Base.x=35")
+        box = body.Shape.BoundBox
+        self.assertAlmostEqual(box.XMin, 0, 5)
+        self.assertAlmostEqual(box.XMax, 80, 5)
+        self.assertAlmostEqual(body.Shape.CenterOfMass.x, (80000 * 40 + 18095.5737 * 35) / 98095.5737, 4)
+
     def test_spreadsheet_alias(self):
         sheet = self.document.addObject("Spreadsheet::Sheet", "Sheet")
         sheet.set("A1", "10")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -133,6 +134,8 @@ TEST_CASE("the nodes of a feature that moved are carried along") {
     CHECK(now.report.kept[0].tets > 0);
     CHECK(now.report.kept[1].tets > 0);
     CHECK(now.report.kept[1].motion.translation.x == Approx(10));
+    const auto in_boss = std::count_if(old->mesh.points.begin(), old->mesh.points.end(), [](const Vec3& p) { return p.z > 8.001; });
+    CHECK(double(now.report.kept[1].nodes) > 0.6 * double(in_boss));
     CHECK(now.report.fallbacks.empty());
 }
 
@@ -163,6 +166,13 @@ TEST_CASE("the same edit gives the same bytes for any number of threads, live or
     const auto restored = restore_part(one->document, options, one->mesh, context);
     CHECK(same_bytes(updated(*one, plate_with_hole(18), options, 1).part_mesh->mesh,
                      updated(*restored, plate_with_hole(18), options, 2).part_mesh->mesh));
+}
+
+TEST_CASE("start positions are told only where they were of use") {
+    const auto old = meshed(plate_with_hole(15), options_of(2)).part_mesh;
+    const auto now = updated(*old, plate_with_hole(40), options_of(2)).part_mesh;
+    CHECK(now->active_points.size() > 0);
+    for (const Vec3& p : now->active_points) CHECK(std::hypot(p.x - 40, p.y - 15) > 4);
 }
 
 TEST_CASE("another size or order means a full mesh, and the report says so") {
