@@ -206,9 +206,14 @@ std::vector<std::vector<Owner>> owners_in_box(const LocalCells& local, const Bre
         if (!probe.inner_point()) continue;
         const Vec3 p = *probe.inner_point();
         if (!box.contains(p)) continue;
+        // The point is on the final boundary: where only one face comes near it, that face's trim need not be asked.
+        std::vector<std::size_t> near;
         for (std::size_t f = 0; f < probes.size(); ++f)
-            if (probes[f] && probes[f]->contains(p, on_face) && std::abs(dot(probes[f]->normal_at(p), probe.normal_at(p))) > same_normal)
-                owners[f].insert(owners[f].end(), face.owners.begin(), face.owners.end());
+            if (probes[f] && probes[f]->box().grown(on_face).contains(p) && probes[f]->distance_to_surface(p) < on_face &&
+                std::abs(dot(probes[f]->normal_at(p), probe.normal_at(p))) > same_normal)
+                near.push_back(f);
+        for (const std::size_t f : near)
+            if (near.size() == 1 || probes[f]->contains(p, on_face)) owners[f].insert(owners[f].end(), face.owners.begin(), face.owners.end());
     }
     for (auto& list : owners) {
         std::sort(list.begin(), list.end());

@@ -2,6 +2,8 @@
 // The CAD edges as chains of nodes.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "core/run_context.h"
@@ -12,6 +14,15 @@
 #include "surface/wanted_length.h"
 
 namespace featuremesh {
+
+/// 64 well mixed bits of a pair of nodes, in either order. Sums of such keys cancel by chance as rarely as memory errs.
+inline std::uint64_t node_pair_key(NodeId a, NodeId b) {
+    const auto [low, high] = std::minmax(a.value, b.value);
+    std::uint64_t x = (static_cast<std::uint64_t>(high) << 32 | static_cast<std::uint32_t>(low)) + 0x9e3779b97f4a7c15ull;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
+    return x ^ (x >> 31);
+}
 
 /// The nodes of one CAD edge by growing edge parameter, vertices included. Empty for an edge that no solid's face uses
 /// and for a pole, and for an edge that is a point. Edges that are one chain have the same nodes.

@@ -180,14 +180,38 @@ class KeptCutter {
     }
 
     FaceBoundary cut(std::span<const TriangleId> triangles, std::span<const NodeId> nodes) {
-        for (const TriangleId t : triangles) add_sides(corners_in_chart(t));
+        const std::vector<char> border = border_nodes(triangles);
+        std::vector<char> is_covered(mesh_.node_count(), 0);
+        for (const TriangleId t : triangles) {
+            int count = 0;
+            for (const NodeId n : mesh_.triangles[t.index()]) is_covered[n.index()] = 1, count += border[n.index()];
+            if (count > 1) add_sides(corners_in_chart(t));
+        }
         replace_segments();
         for (const NodeId n : nodes)
-            if (!points_of_.count(n.value)) boundary_.lone_points.push_back(points_of(n).front());
+            if (!is_covered[n.index()] && !points_of_.count(n.value)) boundary_.lone_points.push_back(points_of(n).front());
         return std::move(boundary_);
     }
 
   private:
+    /// 1 for nodes on the face's boundary and those with a side that only one of the triangles has (around all others the keys of the sides cancel);
+    /// 2 for nodes with several points, whose triangles all count.
+    std::vector<char> border_nodes(std::span<const TriangleId> triangles) const {
+        std::vector<std::uint64_t> sums(mesh_.node_count(), 0);
+        for (const TriangleId t : triangles) {
+            const auto& corners = mesh_.triangles[t.index()];
+            for (int k = 0; k < 3; ++k) {
+                const NodeId a = corners[k], b = corners[(k + 1) % 3];
+                const std::uint64_t key = node_pair_key(a, b);
+                sums[a.index()] ^= key, sums[b.index()] ^= key;
+            }
+        }
+        std::vector<char> border(sums.size());
+        std::transform(sums.begin(), sums.end(), border.begin(), [](std::uint64_t sum) { return sum != 0; });
+        for (const NodeId n : boundary_.nodes) border[n.index()] = points_of_.at(n.value).size() > 1 ? 2 : 1;
+        return border;
+    }
+
     const std::vector<int>& points_of(NodeId node) {
         auto& known = points_of_[node.value];
         if (known.empty()) {

@@ -72,33 +72,25 @@ class SurfaceFiller {
                 kept_nodes_[static_cast<std::size_t>(mesh_.entities[n].index)].push_back(NodeId(n));
     }
 
-    /// Faces whose kept triangles leave nothing to fill: their sides cancel in pairs and against the pieces of the face's edges. Sides are summed as
-    /// 64-bit keys; that a sum is 0 by chance is as likely as a memory error.
+    /// Faces whose kept triangles leave nothing to fill: the keys of their sides cancel in pairs and against those of the pieces of the
+    /// face's edges.
     std::vector<char> find_complete() const {
         std::vector<std::uint64_t> sums(brep_.face_count(), 0);
         std::vector<char> is_complete(brep_.face_count(), 0);
         for (std::size_t t = 0; t < first_new_triangle_; ++t) {
             const std::size_t f = mesh_.triangle_faces[t].index();
             const auto& [a, b, c] = mesh_.triangles[t];
-            sums[f] ^= side_key(a, b) ^ side_key(b, c) ^ side_key(c, a);
+            sums[f] ^= node_pair_key(a, b) ^ node_pair_key(b, c) ^ node_pair_key(c, a);
         }
         for (std::size_t f = 0; f < is_complete.size(); ++f) {
             if (kept_triangles_[f].empty()) continue;
             for (const EdgeId e : brep_.edges_of(FaceId(f)))
                 if (!brep_.is_degenerated(e) && !brep_.is_seam(e, FaceId(f)))
                     for (std::size_t i = 0; i < chains_[e].piece_count(); ++i)
-                        sums[f] ^= side_key(chains_[e].nodes[i], chains_[e].nodes[i + 1]);
+                        sums[f] ^= node_pair_key(chains_[e].nodes[i], chains_[e].nodes[i + 1]);
             is_complete[f] = sums[f] == 0;
         }
         return is_complete;
-    }
-
-    static std::uint64_t side_key(NodeId a, NodeId b) {
-        const auto [low, high] = std::minmax(a.value, b.value);
-        std::uint64_t x = (static_cast<std::uint64_t>(high) << 32 | static_cast<std::uint32_t>(low)) + 0x9e3779b97f4a7c15ull;
-        x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-        x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-        return x ^ (x >> 31);
     }
 
     /// Triangulates the boundary of every face; where coarse chains cross in it, halves their pieces and tries again,

@@ -2,7 +2,6 @@
 #include "update/enclosure.h"
 
 #include <BRepBuilderAPI_Copy.hxx>
-#include <BRepClass3d_SolidClassifier.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <Poly_Triangulation.hxx>
@@ -12,6 +11,8 @@
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
 #include <numeric>
+
+#include "features/solid_probe.h"
 
 namespace featuremesh {
 
@@ -97,22 +98,17 @@ bool Enclosure::contains(const Vec3& p) const {
 }
 
 struct SolidLocator::Data {
-    std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> classifiers;
-    double tolerance;
+    std::vector<std::unique_ptr<SolidProbe>> probes;
 };
 
 SolidLocator::SolidLocator(const Brep& brep) : data_(std::make_unique<Data>()) {
-    for (std::size_t s = 0; s < brep.solid_count(); ++s)
-        data_->classifiers.push_back(std::make_unique<BRepClass3d_SolidClassifier>(brep.solid(SolidId(s))));
-    data_->tolerance = brep.tolerances().same_geometry();
+    for (std::size_t s = 0; s < brep.solid_count(); ++s) data_->probes.push_back(std::make_unique<SolidProbe>(brep.solid(SolidId(s))));
 }
 SolidLocator::~SolidLocator() = default;
 
 SolidId SolidLocator::solid_at(const Vec3& p) const {
-    for (std::size_t s = 0; s < data_->classifiers.size(); ++s) {
-        data_->classifiers[s]->Perform(gp_Pnt(p.x, p.y, p.z), data_->tolerance);
-        if (data_->classifiers[s]->State() == TopAbs_IN) return SolidId(s);
-    }
+    for (std::size_t s = 0; s < data_->probes.size(); ++s)
+        if (data_->probes[s]->side_of(p) == Side::inside) return SolidId(s);
     return SolidId();
 }
 

@@ -31,7 +31,7 @@ class Enclosure {
     std::vector<std::vector<std::uint32_t>> columns_triangles_;
 };
 
-/// Which solid a point is in, by the kernel's exact classifier.
+/// Which solid a point is in, exactly.
 class SolidLocator {
   public:
     explicit SolidLocator(const Brep& brep);

@@ -17,7 +17,7 @@ class Case:
 CASES = (
     Case("bracket", "bracket", "Body", ("HoleSketch.Hole6X=105",), 1.5, about="one hole moved by 5 mm"),
     Case("bracket-fine", "bracket", "Body", ("HoleSketch.Hole6X=105",), 0.9, about="one hole moved by 5 mm"),
-    Case("bracket-diameter", "bracket", "Body", ("HoleSketch.Hole6Radius=5",), 1.5, about="one hole's radius 4 to 5"),
+    Case("bracket-diameter", "bracket", "Body", ("HoleSketch.Hole1Radius=5",), 1.5, about="one hole's radius 4 to 5"),
     Case("bracket-longer", "bracket", "Body", ("PlateSketch.PlateLength=130",), 1.5, about="the plate 10 mm longer at one end"),
     Case("bracket-unchanged", "bracket", "Body", (), 1.5, about="no change at all"),
     Case("cylinder", "block_and_cylinder", "Body", ("Cylinder.Placement.Base.x=35",), 1.5, about="the cylinder moved by 10 mm"),
