@@ -185,7 +185,7 @@ class KeptCutter {
         for (const TriangleId t : triangles) {
             int count = 0;
             for (const NodeId n : mesh_.triangles[t.index()]) is_covered[n.index()] = 1, count += border[n.index()];
-            if (count > 1) add_sides(corners_in_chart(t));
+            if (count > 1) add_sides(corners_in_chart(t), border);
         }
         replace_segments();
         for (const NodeId n : nodes)
@@ -246,9 +246,12 @@ class KeptCutter {
 
     Vec2 at(int p) const { return boundary_.points[static_cast<std::size_t>(p)]; }
 
-    void add_sides(const std::array<int, 3>& t) {
+    /// Of its sides those that no triangle without border nodes can have too.
+    void add_sides(const std::array<int, 3>& t, const std::vector<char>& border) {
+        const auto weight = [&](int p) { return border[boundary_.nodes[static_cast<std::size_t>(p)].index()]; };
         for (int i = 0; i < 3; ++i) {
             const int a = t[i], b = t[(i + 1) % 3];
+            if (weight(a) + weight(b) < 2) continue;
             if (const auto back = sides_.find(side_key(b, a)); back != sides_.end()) {
                 sides_.erase(back);
             } else if (!sides_.emplace(side_key(a, b), order_++).second) {

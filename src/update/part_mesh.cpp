@@ -22,6 +22,8 @@ namespace featuremesh {
 
 namespace {
 
+constexpr double resolution_of_changes = 0.5;   // edge lengths; what is changed reaches this much further than it must
+
 double peak_memory_mb() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -261,7 +263,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
 
     PartMeshResult result;
     Report& report = result.report;
-    report.difference = compare(old.part, part, sizing.smallest(), context);
+    report.difference = compare(old.part, part, resolution_of_changes * sizing.smallest(), context);
     part.cells.owners_of_final_face = report.difference.owners_of_new_face;
     std::vector<double> margins{options.keep_margin, 2 * options.keep_margin};
     if (const std::string why = reason_for_full_mesh(old, options); !why.empty()) {

@@ -72,13 +72,13 @@ void check_same_books(const PartState& one, const PartState& other) {
 }  // namespace
 
 TEST_CASE("after random edits cells and owners are those from nothing") {
-    const unsigned seed = GENERATE(1u, 2u, 3u);
+    const unsigned seed = GENERATE(1u, 2u);
     INFO("seed " << seed);
     RandomEdits edits(seed);
     RunContext context;
     PartState before = read_part(document_of(edits.rounds), context);
     int summaries = 0;
-    for (int round = 0; round < 12; ++round) {
+    for (int round = 0; round < 8; ++round) {
         edits.edit();
         const RawDocument document = document_of(edits.rounds);
         PartState live = read_part(document, context, &before);
@@ -90,7 +90,7 @@ TEST_CASE("after random edits cells and owners are those from nothing") {
         live.cells.owners_of_final_face = difference.owners_of_new_face;
         before = std::move(live);
     }
-    CHECK(summaries >= 6);
+    CHECK(summaries >= 4);
 }
 
 TEST_CASE("the mesh does not know how the cells were had") {
