@@ -340,13 +340,15 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, cons
         node_origin.clear(), tet_origin.clear();
         filled = fill(part.brep, sizing, nothing_kept({foreign.next_node_number, foreign.next_element_number}), options, context);
     }
-    record(*filled, sizing, options, context, report);
+    const double total = seconds_since(start);
+    record_mesh(filled->mesh, sizing, options, context, report);
+    record_fill(*filled, report);
     node_origin = node_origins(foreign, filled->mesh, node_origin);
     tet_origin = extended(without(tet_origin, filled->released), filled->mesh.tets.size());
     auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled->mesh),
                                                    std::move(node_origin), std::move(tet_origin), {}});
     record_kept(*now, report.kept, report);
-    record_run(now->part, context, seconds_since(start), report);
+    record_run(now->part, context, total, report);
     result.part_mesh = std::move(now);
     return result;
 }
