@@ -48,9 +48,10 @@ struct CellModel {
     std::vector<Cell> cells;
     std::vector<CellFace> faces;
     std::vector<std::vector<Owner>> owners_of_final_face;  ///< by FaceId of the final shape
-    std::vector<double> feature_volumes;  ///< mm^3, by FeatureId: what its volumes fill together
+    std::vector<double> feature_volumes;                   ///< mm^3, by FeatureId: what its volumes fill together
     CellReport report;
-    /// After an edit: cells and faces are left out, and of the owners of final faces only those within `edited` are known.
+    /// After an edit: cells and faces are left out, and of the owners of final faces only those within `edited` are
+    /// known.
     bool is_summary = false;
     Box edited;
 };

@@ -21,9 +21,9 @@ namespace featuremesh {
 namespace {
 
 constexpr double seconds_for_a_fuse = 5;
-constexpr double share_that_pays = 0.7;    // of the solids, in both fuses together
-constexpr double on_face = 1e-5;           // mm, as for the cells of a whole part
-constexpr double same_normal = 0.999;      // cosine
+constexpr double share_that_pays = 0.7;  // of the solids, in both fuses together
+constexpr double on_face = 1e-5;         // mm, as for the cells of a whole part
+constexpr double same_normal = 0.999;    // cosine
 
 /// One solid of one volume of a feature.
 struct Piece {
@@ -43,7 +43,12 @@ Pieces pieces_of(const FeatureTree& tree) {
         for (std::size_t v = 0; v < tree.features[f].volumes.size(); ++v) {
             const FeatureVolume& volume = tree.features[f].volumes[v];
             for (TopExp_Explorer it(volume.shape, TopAbs_SOLID); it.More(); it.Next())
-                pieces.push_back({{FeatureId(f), int(v)}, volume.effect, volume.step, it.Current(), print_of(it.Current()), box_of(it.Current())});
+                pieces.push_back({{FeatureId(f), int(v)},
+                                  volume.effect,
+                                  volume.step,
+                                  it.Current(),
+                                  print_of(it.Current()),
+                                  box_of(it.Current())});
         }
     return pieces;
 }
@@ -68,9 +73,10 @@ class Pairing {
         for (std::size_t n = 0; n < new_.features.size(); ++n) {
             const auto o = old_.find(new_.features[n].name);
             if (!o) continue;
-            if (o->index() < next) return false;   // the order changed
+            if (o->index() < next) return false;  // the order changed
             next = o->index() + 1;
-            if (!is_combined_alike(old_.features[o->index()], new_.features[n]) || !pair(*o, FeatureId(n))) return false;
+            if (!is_combined_alike(old_.features[o->index()], new_.features[n]) || !pair(*o, FeatureId(n)))
+                return false;
         }
         return true;
     }
@@ -84,7 +90,8 @@ class Pairing {
     }
 
     bool is_combined_alike(const Feature& was, const Feature& is) const {
-        return was.combination == is.combination && is_local(was) && is_local(is) && operands(old_, was, new_) == operands(new_, is, old_);
+        return was.combination == is.combination && is_local(was) && is_local(is) &&
+               operands(old_, was, new_) == operands(new_, is, old_);
     }
 
     /// Names of the operands that the other tree has too.
@@ -99,14 +106,16 @@ class Pairing {
     bool pair(FeatureId old_id, FeatureId new_id) {
         const auto of = [](Pieces& pieces, FeatureId id) {
             std::vector<Piece*> own;
-            const auto first = std::lower_bound(pieces.begin(), pieces.end(), id, [](const Piece& p, FeatureId f) { return p.owner.feature < f; });
+            const auto first = std::lower_bound(pieces.begin(), pieces.end(), id,
+                                                [](const Piece& p, FeatureId f) { return p.owner.feature < f; });
             for (auto it = first; it != pieces.end() && it->owner.feature == id; ++it) own.push_back(&*it);
             return own;
         };
         const std::vector<Piece*> was = of(old_pieces, old_id), is = of(new_pieces, new_id);
         std::ptrdiff_t last = -1;
         for (Piece* piece : is) {
-            const auto partner = std::find_if(was.begin(), was.end(), [&](const Piece* p) { return p->is_changed && is_same(*p, *piece); });
+            const auto partner = std::find_if(was.begin(), was.end(),
+                                              [&](const Piece* p) { return p->is_changed && is_same(*p, *piece); });
             if (partner == was.end()) continue;
             if (partner - was.begin() < last) return false;
             last = partner - was.begin();
@@ -125,8 +134,8 @@ class Pairing {
 /// What the pieces of one state are within the box.
 struct LocalCells {
     std::vector<Cell> cells;
-    std::vector<CellFace> faces;   ///< their cells by index in `cells`; none for outside the box or all pieces
-    double material = 0;           ///< mm^3
+    std::vector<CellFace> faces;  ///< their cells by index in `cells`; none for outside the box or all pieces
+    double material = 0;          ///< mm^3
     std::vector<bool> is_material;
 };
 
@@ -153,7 +162,7 @@ class LocalFuse {
             local.cells.push_back(std::move(cell));
         }
         for (CellFace& face : complex.faces) {
-            if (std::erase(face.owners, marker_) > 0 && face.owners.empty()) continue;   // the side of the box
+            if (std::erase(face.owners, marker_) > 0 && face.owners.empty()) continue;  // the side of the box
             for (CellId& id : face.cells)
                 if (id.is_valid()) id = new_id[id.index()];
             if (face.cells[0].is_valid() || face.cells[1].is_valid()) local.faces.push_back(std::move(face));
@@ -180,12 +189,14 @@ double volume_of(const Brep& shape) {
 /// The final shape says what is material; the tree only foretells it.
 bool tells_the_truth(const LocalCells& local, const Brep& final_shape, double final_volume) {
     std::vector<std::unique_ptr<SolidProbe>> probes;
-    for (std::size_t s = 0; s < final_shape.solid_count(); ++s) probes.push_back(std::make_unique<SolidProbe>(final_shape.solid(SolidId(s))));
+    for (std::size_t s = 0; s < final_shape.solid_count(); ++s)
+        probes.push_back(std::make_unique<SolidProbe>(final_shape.solid(SolidId(s))));
     for (std::size_t c = 0; c < local.cells.size(); ++c) {
         if (local.cells[c].volume <= Tolerances::volume_books * final_volume) continue;
         const auto inner = point_inside(local.cells[c].solid);
         if (!inner) return false;
-        const auto holders = std::count_if(probes.begin(), probes.end(), [&](const auto& probe) { return probe->side_of(*inner) == Side::inside; });
+        const auto holders = std::count_if(probes.begin(), probes.end(),
+                                           [&](const auto& probe) { return probe->side_of(*inner) == Side::inside; });
         if (holders > 1 || (holders == 1) != local.is_material[c]) return false;
     }
     return true;
@@ -209,11 +220,13 @@ std::vector<std::vector<Owner>> owners_in_box(const LocalCells& local, const Bre
         // The point is on the final boundary: where only one face comes near it, that face's trim need not be asked.
         std::vector<std::size_t> near;
         for (std::size_t f = 0; f < probes.size(); ++f)
-            if (probes[f] && probes[f]->box().grown(on_face).contains(p) && probes[f]->distance_to_surface(p) < on_face &&
+            if (probes[f] && probes[f]->box().grown(on_face).contains(p) &&
+                probes[f]->distance_to_surface(p) < on_face &&
                 std::abs(dot(probes[f]->normal_at(p), probe.normal_at(p))) > same_normal)
                 near.push_back(f);
         for (const std::size_t f : near)
-            if (near.size() == 1 || probes[f]->contains(p, on_face)) owners[f].insert(owners[f].end(), face.owners.begin(), face.owners.end());
+            if (near.size() == 1 || probes[f]->contains(p, on_face))
+                owners[f].insert(owners[f].end(), face.owners.begin(), face.owners.end());
     }
     for (auto& list : owners) {
         std::sort(list.begin(), list.end());
@@ -231,7 +244,8 @@ Box box_around_changes(const Pieces& old_pieces, const Pieces& new_pieces) {
     return box.is_empty() ? box : box.grown(0.0371 * box.diagonal());
 }
 
-std::vector<double> feature_volumes(const CellsBefore& before, const FeatureTree& tree, const LocalCells& was, const LocalCells& is) {
+std::vector<double> feature_volumes(const CellsBefore& before, const FeatureTree& tree, const LocalCells& was,
+                                    const LocalCells& is) {
     const std::vector<double> lost = volumes_of_features(was.cells, before.tree.features.size());
     std::vector<double> volumes = volumes_of_features(is.cells, tree.features.size());
     for (std::size_t f = 0; f < volumes.size(); ++f)
@@ -242,10 +256,12 @@ std::vector<double> feature_volumes(const CellsBefore& before, const FeatureTree
 
 }  // namespace
 
-std::optional<CellModel> cells_after_edit(const CellsBefore& before, const FeatureTree& tree, const Brep& final_shape, RunContext& context) {
+std::optional<CellModel> cells_after_edit(const CellsBefore& before, const FeatureTree& tree, const Brep& final_shape,
+                                          RunContext& context) {
     const RunContext::Step step(context, "cells");
     const CellReport& old_report = before.cells.report;
-    if (!old_report.fallbacks.empty() || !old_report.findings.empty() || !old_report.untrusted.empty()) return std::nullopt;
+    if (!old_report.fallbacks.empty() || !old_report.findings.empty() || !old_report.untrusted.empty())
+        return std::nullopt;
     Pairing pairing(before.tree, tree);
     if (!pairing.run()) return std::nullopt;
     const Box box = box_around_changes(pairing.old_pieces, pairing.new_pieces);
@@ -256,8 +272,10 @@ std::optional<CellModel> cells_after_edit(const CellsBefore& before, const Featu
     const double volume = volume_of(final_shape);
     LocalCells was, is;
     if (!box.is_empty()) {
-        const LocalFuse old_fuse(before.tree, pairing.old_pieces, box, context), new_fuse(tree, pairing.new_pieces, box, context);
-        if (double(old_fuse.argument_count() + new_fuse.argument_count()) > 2 + share_that_pays * double(pairing.new_pieces.size()))
+        const LocalFuse old_fuse(before.tree, pairing.old_pieces, box, context),
+            new_fuse(tree, pairing.new_pieces, box, context);
+        if (double(old_fuse.argument_count() + new_fuse.argument_count()) >
+            2 + share_that_pays * double(pairing.new_pieces.size()))
             return std::nullopt;
         auto old_cells = old_fuse.run(), new_cells = new_fuse.run();
         if (!old_cells || !new_cells || !tells_the_truth(*new_cells, final_shape, volume)) return std::nullopt;

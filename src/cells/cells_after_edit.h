@@ -14,11 +14,13 @@ struct CellsBefore {
     const CellModel& cells;
 };
 
-/// A summary (CellModel::is_summary) of the new state. Solids of features that are the same to the last bit, or face by face, are paired; around all
-/// others a box is laid, in which the few solids that reach into it are fused, once as they were and once as they are. Outside of the box nothing
-/// changed, as long as both trees combine the common features in the same way. Owners of final faces are those found in the box; the difference knows
-/// the other faces. Nothing when the old books needed a fallback, the trees differ in more than volumes, most of the part is near the change, or the
-/// books do not close in the box: then the cells are to be built from nothing.
-std::optional<CellModel> cells_after_edit(const CellsBefore& before, const FeatureTree& tree, const Brep& final_shape, RunContext& context);
+/// A summary (CellModel::is_summary) of the new state. Solids of features that are the same to the last bit, or face by
+/// face, are paired; around all others a box is laid, in which the few solids that reach into it are fused, once as
+/// they were and once as they are. Outside of the box nothing changed, as long as both trees combine the common
+/// features in the same way. Owners of final faces are those found in the box; the difference knows the other faces.
+/// Nothing when the old books needed a fallback, the trees differ in more than volumes, most of the part is near the
+/// change, or the books do not close in the box: then the cells are to be built from nothing.
+std::optional<CellModel> cells_after_edit(const CellsBefore& before, const FeatureTree& tree, const Brep& final_shape,
+                                          RunContext& context);
 
 }  // namespace featuremesh

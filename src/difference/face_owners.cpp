@@ -53,7 +53,8 @@ class OwnerHeritage {
 
 }  // namespace
 
-std::vector<std::vector<Owner>> owners_after_edit(const PartState& old_state, const PartState& new_state, const FeatureDifference& difference) {
+std::vector<std::vector<Owner>> owners_after_edit(const PartState& old_state, const PartState& new_state,
+                                                  const FeatureDifference& difference) {
     const OwnerHeritage heritage(old_state, new_state);
     std::vector<FaceId> kept_from(new_state.brep.face_count());
     for (const FaceChange& face : difference.faces)

@@ -117,7 +117,8 @@ FeatureDifference compare_states(const PartState& old_state, const PartState& ne
     }
 
     difference.features = std::move(verdicts.changes);
-    difference.owners_of_new_face = new_state.cells.is_summary ? owners_after_edit(old_state, new_state, difference) : new_state.cells.owners_of_final_face;
+    difference.owners_of_new_face = new_state.cells.is_summary ? owners_after_edit(old_state, new_state, difference)
+                                                               : new_state.cells.owners_of_final_face;
     add_face_verdicts(old_state, new_state, difference.owners_of_new_face, difference.faces, difference.features);
     difference.regions[0].features = names_of_unmoved(difference.features);
     note_unrelated(old_state, new_state, difference.notes);

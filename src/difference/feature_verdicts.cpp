@@ -191,7 +191,8 @@ class FeatureComparison {
 };
 
 /// Faces of the final shape by the feature that owns them.
-std::map<std::string, std::vector<FaceId>> faces_by_feature(const PartState& state, const std::vector<std::vector<Owner>>& owners) {
+std::map<std::string, std::vector<FaceId>> faces_by_feature(const PartState& state,
+                                                            const std::vector<std::vector<Owner>>& owners) {
     std::map<std::string, std::vector<FaceId>> result;
     for (std::size_t f = 0; f < owners.size() && f < state.brep.face_count(); ++f)
         for (const Owner& owner : owners[f]) {

@@ -18,7 +18,8 @@ namespace featuremesh {
 /// 64 well mixed bits of a pair of nodes, in either order. Sums of such keys cancel by chance as rarely as memory errs.
 inline std::uint64_t node_pair_key(NodeId a, NodeId b) {
     const auto [low, high] = std::minmax(a.value, b.value);
-    std::uint64_t x = (static_cast<std::uint64_t>(high) << 32 | static_cast<std::uint32_t>(low)) + 0x9e3779b97f4a7c15ull;
+    std::uint64_t x =
+        (static_cast<std::uint64_t>(high) << 32 | static_cast<std::uint32_t>(low)) + 0x9e3779b97f4a7c15ull;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
     return x ^ (x >> 31);

@@ -189,13 +189,14 @@ class KeptCutter {
         }
         replace_segments();
         for (const NodeId n : nodes)
-            if (!is_covered[n.index()] && !points_of_.count(n.value)) boundary_.lone_points.push_back(points_of(n).front());
+            if (!is_covered[n.index()] && !points_of_.count(n.value))
+                boundary_.lone_points.push_back(points_of(n).front());
         return std::move(boundary_);
     }
 
   private:
-    /// 1 for nodes on the face's boundary and those with a side that only one of the triangles has (around all others the keys of the sides cancel);
-    /// 2 for nodes with several points, whose triangles all count.
+    /// 1 for nodes on the face's boundary and those with a side that only one of the triangles has (around all others
+    /// the keys of the sides cancel); 2 for nodes with several points, whose triangles all count.
     std::vector<char> border_nodes(std::span<const TriangleId> triangles) const {
         std::vector<std::uint64_t> sums(mesh_.node_count(), 0);
         for (const TriangleId t : triangles) {

@@ -72,8 +72,8 @@ class SurfaceFiller {
                 kept_nodes_[static_cast<std::size_t>(mesh_.entities[n].index)].push_back(NodeId(n));
     }
 
-    /// Faces whose kept triangles leave nothing to fill: the keys of their sides cancel in pairs and against those of the pieces of the
-    /// face's edges.
+    /// Faces whose kept triangles leave nothing to fill: the keys of their sides cancel in pairs and against those of
+    /// the pieces of the face's edges.
     std::vector<char> find_complete() const {
         std::vector<std::uint64_t> sums(brep_.face_count(), 0);
         std::vector<char> is_complete(brep_.face_count(), 0);

@@ -60,9 +60,9 @@ double shifted_near(double x, double period, double wanted) {
 /// The same point of the surface, in the period that the face's trim (or the guess) uses.
 Uv in_period(const SurfaceData& s, Uv uv, const std::optional<Uv>& guess) {
     if (s.u_period == 0 && s.v_period == 0) return uv;
-    const Uv wanted = guess ? *guess
-                            : Uv{0.5 * (s.trim_box().u_min + s.trim_box().u_max),
-                                 0.5 * (s.trim_box().v_min + s.trim_box().v_max)};
+    const Uv wanted =
+        guess ? *guess
+              : Uv{0.5 * (s.trim_box().u_min + s.trim_box().u_max), 0.5 * (s.trim_box().v_min + s.trim_box().v_max)};
     return {shifted_near(uv[0], s.u_period, wanted[0]), shifted_near(uv[1], s.v_period, wanted[1])};
 }
 

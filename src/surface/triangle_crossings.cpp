@@ -95,7 +95,11 @@ class BoxTree {
 class CrossingSearch {
   public:
     CrossingSearch(const Brep& brep, const Mesh& mesh, std::size_t first_new)
-        : brep_(brep), mesh_(mesh), first_new_(first_new), is_plane_(brep.face_count(), unknown), is_line_(brep.edge_count(), unknown) {}
+        : brep_(brep),
+          mesh_(mesh),
+          first_new_(first_new),
+          is_plane_(brep.face_count(), unknown),
+          is_line_(brep.edge_count(), unknown) {}
 
     std::vector<std::array<TriangleId, 2>> find(RunContext& context) {
         Box region;
@@ -110,7 +114,8 @@ class CrossingSearch {
         }
         for (std::size_t s = 0; s < mesh_.segments.size(); ++s) {
             const auto& [a, b] = mesh_.segments[s];
-            if (is_near[a.index()] && is_near[b.index()] && !is_line(mesh_.segment_edges[s])) chords_.insert(side_key(a, b));
+            if (is_near[a.index()] && is_near[b.index()] && !is_line(mesh_.segment_edges[s]))
+                chords_.insert(side_key(a, b));
         }
         for (const std::size_t t : triangles_) is_exact_.push_back(lies_in_face(t));
         const BoxTree tree(boxes_);
@@ -202,7 +207,7 @@ class CrossingSearch {
     const Brep& brep_;
     const Mesh& mesh_;
     std::size_t first_new_;
-    std::vector<char> is_plane_, is_line_;  ///< by face and edge, once asked for
+    std::vector<char> is_plane_, is_line_;      ///< by face and edge, once asked for
     std::unordered_set<std::uint64_t> chords_;  ///< segments on curved edges
     std::vector<std::size_t> triangles_;
     std::vector<Box> boxes_;

@@ -113,7 +113,8 @@ std::vector<char> open_nodes(const Mesh& mesh, std::span<const std::array<SolidI
     return open.marks();
 }
 
-std::vector<Side> sides_at(std::span<const char> open, const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,
+std::vector<Side> sides_at(std::span<const char> open, const Mesh& mesh,
+                           std::span<const std::array<SolidId, 2>> face_sides,
                            std::span<const std::uint8_t> is_released) {
     std::vector<Side> sides;
     visit_triangle_sides(mesh, face_sides, [&](TriangleId t, const std::array<NodeId, 3>& outward, int region) {

@@ -18,8 +18,8 @@ struct CavityFill {
     std::vector<Vec3> points;     ///< the cavity's, then those added
     Triangulation triangulation;  ///< of the points' convex hull
     FacetPlaces places;
-    std::vector<int> regions;  ///< by tet, -1 for none; empty as long as facets are missing
-    bool is_leaky = false;     ///< all facets are there, and yet regions run into one another
+    std::vector<int> regions;                   ///< by tet, -1 for none; empty as long as facets are missing
+    bool is_leaky = false;                      ///< all facets are there, and yet regions run into one another
     std::shared_ptr<GrowingDelaunay> delaunay;  ///< of the points, where kept tets at the seam may have to go
     std::vector<int> point_of;                  ///< by its numbers: the point
     bool is_complete() const { return places.missing.empty() && !is_leaky; }

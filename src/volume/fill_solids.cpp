@@ -113,7 +113,8 @@ class Filling {
     }
 
     VolumeResult run() {
-        for (int attempt = 0; attempt == 0 || (attempt <= most_releases_at_flat_tets && release_at_flat_tets()); ++attempt) {
+        for (int attempt = 0; attempt == 0 || (attempt <= most_releases_at_flat_tets && release_at_flat_tets());
+             ++attempt) {
             {
                 const RunContext::Step step(context_, "volume");
                 for (int round = 0; !fill_all() || flip_flat_tets(round); ++round) mend(round);
@@ -340,14 +341,15 @@ class Filling {
     std::pair<OdtReport, SliverReport> optimise(std::size_t i, RunContext& context) {
         complexes_[i] = make_complex(cavities_[i], fills_[i]);
         fills_[i] = {};
-        const OdtReport odt = optimise_odt(complexes_[i], sizing_, {options_.odt_sweeps, !sizing_.is_uniform()}, context);
+        const OdtReport odt =
+            optimise_odt(complexes_[i], sizing_, {options_.odt_sweeps, !sizing_.is_uniform()}, context);
         SliverOptions sliver_options;
         sliver_options.target_dihedral_deg = options_.target_dihedral_deg;
         return {odt, remove_slivers(complexes_[i], sliver_options, context)};
     }
 
-    /// Where four kept nodes in one plane (a square of the lattice) are held by kept tets on both of its sides, only a tet without height fits between
-    /// them. One of the kept tets goes for each. False when there is none.
+    /// Where four kept nodes in one plane (a square of the lattice) are held by kept tets on both of its sides, only a
+    /// tet without height fits between them. One of the kept tets goes for each. False when there is none.
     bool release_at_flat_tets() {
         bool is_changed = false;
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
@@ -411,7 +413,9 @@ class Filling {
     void note_used_active() {
         result_.used_active.clear();
         if (active_.empty()) return;
-        const auto before = [](const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
+        const auto before = [](const Vec3& a, const Vec3& b) {
+            return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+        };
         std::vector<Vec3> sorted(active_.begin(), active_.end());
         std::sort(sorted.begin(), sorted.end(), before);
         for (std::size_t i = 0; i < cavities_.size(); ++i)

@@ -36,16 +36,16 @@ struct VolumeReport {
 struct VolumeResult {
     Mesh mesh;
     VolumeReport report;
-    std::vector<TetId> released;        ///< kept tets (as counted in the input) that were given up
-    std::vector<std::array<NodeId, 4>> released_nodes;   ///< their nodes
-    std::vector<Vec3> used_active;      ///< the start positions that were of use
+    std::vector<TetId> released;                        ///< kept tets (as counted in the input) that were given up
+    std::vector<std::array<NodeId, 4>> released_nodes;  ///< their nodes
+    std::vector<Vec3> used_active;                      ///< the start positions that were of use
 };
 
-/// Takes a 4-node mesh whose surface is complete and whose tets (if any) are kept; gives it back with every solid full. Kept nodes keep
-/// their bits and places in the arrays; kept tets stay in front in their order but for the released ones. `active` are start positions for inner nodes
-/// that survived without being kept. `rim` marks the nodes of the input at which something is not kept; it spares the search for them (empty: searched).
-/// The same bytes for any number of threads.
-/// Throws MeshError that names the faces where the boundary could not be recovered.
+/// Takes a 4-node mesh whose surface is complete and whose tets (if any) are kept; gives it back with every solid full.
+/// Kept nodes keep their bits and places in the arrays; kept tets stay in front in their order but for the released
+/// ones. `active` are start positions for inner nodes that survived without being kept. `rim` marks the nodes of the
+/// input at which something is not kept; it spares the search for them (empty: searched). The same bytes for any number
+/// of threads. Throws MeshError that names the faces where the boundary could not be recovered.
 VolumeResult fill_solids(const Brep& brep, const SizingField& sizing, Mesh surface, std::span<const Vec3> active,
                          const VolumeOptions& options, RunContext& context, std::span<const char> rim = {});
 

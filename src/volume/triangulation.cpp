@@ -40,7 +40,8 @@ std::vector<std::size_t> insertion_order(const std::vector<Kernel::Point_3>& poi
 }
 
 /// Numbers the points from `first` on.
-void insert_all(Delaunay& delaunay, std::span<const Vec3> points, std::size_t first, RunContext& context, bool is_main) {
+void insert_all(Delaunay& delaunay, std::span<const Vec3> points, std::size_t first, RunContext& context,
+                bool is_main) {
     std::vector<Kernel::Point_3> converted;
     converted.reserve(points.size());
     for (const Vec3& p : points) converted.emplace_back(p.x, p.y, p.z);

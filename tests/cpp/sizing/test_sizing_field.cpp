@@ -272,7 +272,9 @@ TEST_CASE("two fields differ only where it is said") {
     const auto drilled = [](std::initializer_list<double> places) {
         TopoDS_Shape shape = BRepPrimAPI_MakeBox(60, 40, 20).Shape();
         for (const double x : places)
-            shape = BRepAlgoAPI_Cut(shape, BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, 20, 0), gp_Dir(0, 0, 1)), 3, 20).Shape()).Shape();
+            shape = BRepAlgoAPI_Cut(shape,
+                                    BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, 20, 0), gp_Dir(0, 0, 1)), 3, 20).Shape())
+                        .Shape();
         return Brep(shape);
     };
     const Brep before = drilled({10, 30}), after = drilled({10, 33});

@@ -40,11 +40,21 @@ class RandomEdits {
     void edit() {
         Round& r = rounds[std::size_t(between(0, double(rounds.size()) - 0.01))];
         switch (int(between(0, 4.99))) {
-            case 0: r.x += between(-4, 4); break;
-            case 1: r.radius = between(1.5, 5); break;
-            case 2: r.height += 1; break;
-            case 3: rounds.push_back(some(next_++)); break;
-            default: rounds.erase(rounds.begin() + (&r - rounds.data())); break;
+            case 0:
+                r.x += between(-4, 4);
+                break;
+            case 1:
+                r.radius = between(1.5, 5);
+                break;
+            case 2:
+                r.height += 1;
+                break;
+            case 3:
+                rounds.push_back(some(next_++));
+                break;
+            default:
+                rounds.erase(rounds.begin() + (&r - rounds.data()));
+                break;
         }
     }
 
@@ -53,7 +63,12 @@ class RandomEdits {
   private:
     double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
     Round some(int number) {
-        return {"Round" + std::to_string(number), between(0, 1) < 0.5, between(8, 92), between(8, 92), between(1.5, 5), between(4, 10)};
+        return {"Round" + std::to_string(number),
+                between(0, 1) < 0.5,
+                between(8, 92),
+                between(8, 92),
+                between(1.5, 5),
+                between(4, 10)};
     }
     std::mt19937 random_;
     int next_ = 100;

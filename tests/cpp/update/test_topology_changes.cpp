@@ -24,7 +24,8 @@ bool is_upright(const TopoDS_Edge& edge) {
 
 PartDocument plate() { return PartDocument().box("Plate", {0, 0, 0}, {60, 30, 6}); }
 
-PartDocument& drill(PartDocument& document, const std::string& name, Vec3 foot, double radius, const std::string& base) {
+PartDocument& drill(PartDocument& document, const std::string& name, Vec3 foot, double radius,
+                    const std::string& base) {
     return document.cylinder(name, foot, radius, 8).cut(name + "Cut", base, name);
 }
 
@@ -61,7 +62,8 @@ RawDocument with_fillet(double radius) {
     for (TopExp_Explorer it(document.shape("HoleCut"), TopAbs_EDGE); it.More(); it.Next()) {
         const TopoDS_Edge edge = TopoDS::Edge(it.Current());
         const gp_Pnt corner = BRepAdaptor_Curve(edge).Value(BRepAdaptor_Curve(edge).FirstParameter());
-        if (is_upright(edge) && (corner.X() < 1 || corner.X() > 59) && fillet.Contour(edge) == 0) fillet.Add(radius, edge);
+        if (is_upright(edge) && (corner.X() < 1 || corner.X() > 59) && fillet.Contour(edge) == 0)
+            fillet.Add(radius, edge);
     }
     return document.add("Fillet", "Part::Fillet", fillet.Shape(), {{"Base", "HoleCut", ""}}).finish();
 }
@@ -84,8 +86,10 @@ double kept_after(const PartMesh& old, const RawDocument& document) {
     const PartMeshResult result = update_part(old, document, old.options, context);
     const PartMesh& now = *result.part_mesh;
     Expectation expected;
-    for (std::size_t s = 0; s < now.part.brep.solid_count(); ++s) expected.solid_volumes.push_back(now.part.brep.volume_of(SolidId(s)));
-    for (std::size_t f = 0; f < now.part.brep.face_count(); ++f) expected.face_sides.push_back(now.part.brep.sides_of(FaceId(f)));
+    for (std::size_t s = 0; s < now.part.brep.solid_count(); ++s)
+        expected.solid_volumes.push_back(now.part.brep.volume_of(SolidId(s)));
+    for (std::size_t f = 0; f < now.part.brep.face_count(); ++f)
+        expected.face_sides.push_back(now.part.brep.sides_of(FaceId(f)));
     const std::vector<std::string> broken = broken_invariants(now.mesh, expected);
     CHECK(broken == std::vector<std::string>{});
     CHECK(result.report.fallbacks == std::vector<std::string>{});
@@ -125,4 +129,6 @@ TEST_CASE("a fillet is added, enlarged and removed") {
 
 TEST_CASE("a row of holes grows and shrinks") { check_there_and_back(with_row(3), with_row(4), 0.6); }
 
-TEST_CASE("a trench cuts the part in two and joins it again") { check_there_and_back(with_trench(3), with_trench(8), 0.5); }
+TEST_CASE("a trench cuts the part in two and joins it again") {
+    check_there_and_back(with_trench(3), with_trench(8), 0.5);
+}
