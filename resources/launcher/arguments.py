@@ -123,6 +123,7 @@ def add_bench(subparsers):
     bench.add_argument("--case", action="append", metavar="NAME", help="only this case; may be repeated (default: all)")
     bench.add_argument("--repeat", type=int, default=5, metavar="N", help="runs of each, for the median (default: %(default)s)")
     bench.add_argument("--threads", type=int, default=1, metavar="N", help="threads of each mesher (default: %(default)s)")
+    bench.add_argument("--netgen", action="store_true", help="measure Netgen, too, once for each case")
     bench.add_argument("--list", action="store_true", help="list the cases and stop")
     bench.add_argument("--history", action="store_true", help="what was measured before on this machine, and stop")
 

@@ -136,10 +136,11 @@ def bench(given):
     options = ["--repeat", str(given.repeat), "--threads", str(given.threads)]
     options += ["--list"] if given.list else []
     options += ["--history"] if given.history else []
+    options += ["--netgen"] if given.netgen else []
     for case in given.case or []:
         options += ["--case", case]
     if not (given.list or given.history):
-        set_up(packages.PEER_PACKAGES)
+        set_up(packages.PEER_PACKAGES + (packages.NETGEN_PACKAGES if given.netgen else ()))
     return subprocess.run([PYTHON, str(script), *options], env=freecad_environment()).returncode
 
 

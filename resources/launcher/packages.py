@@ -15,6 +15,7 @@ BUILD_PACKAGES = (
 RUN_PACKAGES = ("freecad-python3", "python3-numpy", "calculix-ccx")
 PICTURE_PACKAGES = ("python3-vtk9", "python3-matplotlib", "xvfb", "xauth", "libgl1-mesa-dri")
 PEER_PACKAGES = ("gmsh",)
+NETGEN_PACKAGES = ("python3-netgen",)
 WINDOW_PACKAGES = ("freecad", "python3-pivy")
 NOT_EVERYWHERE = ("calculix-ccx",)  # not in Debian 13; what needs it is skipped there
 
@@ -22,7 +23,7 @@ REASONS = (
     (BUILD_PACKAGES, "to build the engine"),
     (RUN_PACKAGES, "to run in FreeCAD and to solve with CalculiX"),
     (PICTURE_PACKAGES, "to draw the pictures of reports"),
-    (PEER_PACKAGES, "to compare with another mesher"),
+    (PEER_PACKAGES + NETGEN_PACKAGES, "to compare with another mesher"),
     (WINDOW_PACKAGES, "to open FreeCAD's window"),
 )
 

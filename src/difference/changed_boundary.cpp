@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <numeric>
+#include <cmath>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "difference/feature_difference.h"
 #include "difference/triangle_distance.h"
@@ -35,32 +37,56 @@ struct ChangedBoundary::Tree {
     std::optional<Box> domain;
 
     void build() {
-        if (!triangles.empty()) split(0, triangles.size());
+        if (triangles.empty()) return;
+        sort_along_curve();
+        split(0, triangles.size());
+    }
+
+    /// Neighbours in the order are neighbours in space, so that halving the order halves the boxes. [Morton1966]
+    void sort_along_curve() {
+        Box centres;
+        for (const Triangle& t : triangles) centres.add(centre(t));
+        const Vec3 size = centres.size();
+        const double longest = std::max({size.x, size.y, size.z, 1e-300});
+        std::vector<std::uint64_t> keys(triangles.size());  // place on the curve, then index
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            const Vec3 at = (centre(triangles[t]) - centres.low) * (1023 / longest);
+            const std::uint64_t place = spread(at.x) << 2 | spread(at.y) << 1 | spread(at.z);
+            keys[t] = place << 32 | t;
+        }
+        std::sort(keys.begin(), keys.end());
+        std::vector<Triangle> sorted(triangles.size());
+        for (std::size_t i = 0; i < keys.size(); ++i) sorted[i] = triangles[keys[i] & 0xffffffffu];
+        triangles = std::move(sorted);
+    }
+
+    /// The ten bits of a number below 1024, two places between each two.
+    static std::uint64_t spread(double value) {
+        auto bits = static_cast<std::uint64_t>(value);
+        bits = (bits | bits << 16) & 0x030000ff;
+        bits = (bits | bits << 8) & 0x0300f00f;
+        bits = (bits | bits << 4) & 0x030c30c3;
+        return (bits | bits << 2) & 0x09249249;
     }
 
     std::int32_t split(std::size_t begin, std::size_t end) {
         const auto index = std::int32_t(nodes.size());
-        Node node;
-        Box centres;
-        for (std::size_t t = begin; t < end; ++t) {
-            for (const Vec3& p : triangles[t]) node.box.add(p);
-            centres.add(centre(triangles[t]));
-        }
-        nodes.push_back(node);
+        nodes.emplace_back();
+        Box box;
         if (end - begin <= 4) {
+            for (std::size_t t = begin; t < end; ++t)
+                for (const Vec3& p : triangles[t]) box.add(p);
             nodes.back().begin = std::int32_t(begin);
             nodes.back().count = std::int32_t(end - begin);
-            return index;
+        } else {
+            const std::size_t middle = (begin + end) / 2;
+            split(begin, middle);
+            const std::int32_t right = split(middle, end);
+            nodes[std::size_t(index)].right = right;
+            box = nodes[std::size_t(index) + 1].box;
+            box.add(nodes[std::size_t(right)].box);
         }
-        const Vec3 size = centres.size();
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        const auto middle = std::ptrdiff_t((begin + end) / 2);
-        std::nth_element(triangles.begin() + std::ptrdiff_t(begin), triangles.begin() + middle,
-                         triangles.begin() + std::ptrdiff_t(end),
-                         [&](const Triangle& a, const Triangle& b) { return centre(a)[axis] < centre(b)[axis]; });
-        split(begin, std::size_t(middle));
-        const std::int32_t right = split(std::size_t(middle), end);
-        nodes[std::size_t(index)].right = right;
+        nodes[std::size_t(index)].box = box;
         return index;
     }
 

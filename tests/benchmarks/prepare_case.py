@@ -32,6 +32,7 @@ def prepare(case):
     part = document.getObject(case["final"])
     write_raw(folder / "new.json", reading.read_document(part))
     part.Shape.exportBrep(str(folder / "new.brep"))
+    part.Shape.exportStep(str(folder / "new.step"))
     seconds = {"recompute": shortest(lambda: recompute_all(document)), "read": shortest(lambda: reading.read_document(part))}
     (folder / "reading.json").write_text(json.dumps(seconds), encoding="utf-8")
 

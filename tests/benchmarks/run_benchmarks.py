@@ -24,6 +24,7 @@ sys.path[:0] = [str(Path(__file__).parent), str(ROOT / "resources" / "launcher")
 import cases  # noqa: E402
 from freecad_task import run_script  # noqa: E402
 from gmsh_peer import ALGORITHMS, mesh_with_gmsh, quality_of  # noqa: E402
+from netgen_peer import mesh_with_netgen  # noqa: E402
 
 RESULTS = ROOT / "build" / "benchmarks.jsonl"
 OURS = ("full mesh", "update")
@@ -60,6 +61,7 @@ def parse_arguments():
     parser.add_argument("--case", action="append")
     parser.add_argument("--repeat", type=int, default=5)
     parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--netgen", action="store_true", help="Netgen, too, in one round")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--history", action="store_true", help="what was measured before, by case and commit")
     return parser.parse_args()
@@ -107,7 +109,9 @@ def run_rounds(case, folder, given):
         _, report = engine.update_part(old, new_raw, options)
         add_round(rows, "update", report["seconds"]["engine_total"], figures_of(report) | kept_of(report))
         for peer in ALGORITHMS:
-            add_peer_round(rows, peer, folder / "new.brep", case.size, given.threads)
+            add_peer_round(rows, peer, lambda: mesh_with_gmsh(peer, folder / "new.brep", case.size, given.threads))
+    if given.netgen:
+        add_peer_round(rows, "netgen", lambda: mesh_with_netgen(folder / "new.step", case.size))
     return rows
 
 
@@ -118,9 +122,9 @@ def reading_of(folder, rows):
     return {**seconds, "share": (seconds["read"] + seconds["interpret"]) / seconds["recompute"]}
 
 
-def add_peer_round(rows, peer, brep, size, threads):
+def add_peer_round(rows, peer, mesh_once):
     try:
-        seconds, points, tets = mesh_with_gmsh(peer, brep, size, threads)
+        seconds, points, tets = mesh_once()
     except (RuntimeError, subprocess.TimeoutExpired) as error:
         print(f"  {peer}: {error}", file=sys.stderr)
         return
