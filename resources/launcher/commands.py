@@ -87,7 +87,7 @@ def draw_report(folder):
 def test(given):
     if given.freecad is not None:
         return test_elsewhere(given)
-    set_up(packages.PICTURE_PACKAGES, everything=True)
+    set_up(packages.PICTURE_PACKAGES + packages.PEER_PACKAGES, everything=True)
     say("running the tests")
     options = ["-R", given.only] if given.only else []
     environment = dict(os.environ)

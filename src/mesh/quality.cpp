@@ -154,6 +154,7 @@ QualityReport report_of(const Tally& tally, double count) {
 void excuse_sharp_angles(const Mesh& mesh, const Tally& tally, QualityReport& report) {
     double largest_cosine = tally.largest_good_cosine;
     if (!tally.small.empty()) {
+        report.worst = std::max_element(tally.small.begin(), tally.small.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
         const SharpAngles sharp(mesh, QualityReport::small_angle_deg);
         for (const auto& [tet, cosine] : tally.small) {
             if (sharp.force(tet))

@@ -122,6 +122,19 @@ Filled fill(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOp
     }
 }
 
+/// Thinner tets than this tell of details of the part that no mesh of the wanted size can follow.
+constexpr double thin_deg = 2;
+
+void warn_of_thin_tets(const Mesh& mesh, Report& report) {
+    if (!report.quality.worst.is_valid() || report.quality.min_dihedral >= thin_deg) return;
+    Entity at;
+    for (const NodeId n : mesh.tets[report.quality.worst.index()]) at = std::min(at, mesh.entities[n.index()]);
+    const std::string angle = std::to_string(report.quality.min_dihedral);
+    report.warnings.push_back("The smallest angle of a tet is " + angle.substr(0, angle.find('.') + 3) + " degrees, " +
+                              (at.dim < 3 ? "at " + name_of(at) : std::string("inside the part")) +
+                              ": results there are poor. Take details out that are much smaller than the edge length, or mesh finer there.");
+}
+
 void record_mesh(const Mesh& mesh, const SizingField& sizing, const MeshOptions& options, RunContext& context, Report& report) {
     const RunContext::Step step(context, "measure");
     report.nodes = mesh.node_count();
@@ -130,6 +143,7 @@ void record_mesh(const Mesh& mesh, const SizingField& sizing, const MeshOptions&
     report.size = options.sizing.size;
     report.quality = measure_quality(mesh, context);
     report.lengths = measure_size_conformity(mesh, sizing);
+    warn_of_thin_tets(mesh, report);
 }
 
 void record_fill(const Filled& filled, Report& report) {

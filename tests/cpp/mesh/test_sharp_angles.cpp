@@ -50,6 +50,10 @@ TEST_CASE("tets at a sharp edge are forced, the others are not") {
     CHECK(quality.forced_by_cad <= forced);
     CHECK(quality.forced_by_cad > 0);
     CHECK(quality.min_dihedral < 15.001);
+    REQUIRE(quality.worst.is_valid());
+    const auto& n = mesh.tets[quality.worst.index()];
+    CHECK(dihedral_range(mesh.point(n[0]), mesh.point(n[1]), mesh.point(n[2]), mesh.point(n[3])).smallest_deg == Approx(quality.min_dihedral));
+    CHECK(!measure_quality(box).worst.is_valid());
 }
 
 TEST_CASE("an edge less sharp than the limit forces nothing") {
