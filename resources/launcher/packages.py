@@ -23,7 +23,8 @@ REASONS = (
     (BUILD_PACKAGES, "to build the engine"),
     (RUN_PACKAGES, "to run in FreeCAD and to solve with CalculiX"),
     (PICTURE_PACKAGES, "to draw the pictures of reports"),
-    (PEER_PACKAGES + NETGEN_PACKAGES, "to compare with another mesher"),
+    (PEER_PACKAGES, "to compare with another mesher"),
+    (NETGEN_PACKAGES, "to measure Netgen, too"),
     (WINDOW_PACKAGES, "to open FreeCAD's window"),
 )
 

@@ -24,12 +24,18 @@ def draw(old_part, new_part, changes, path):
         task = os.path.join(folder, "task.npz")
         numpy.savez(task, **arrays)
         for python in worker.interpreters():
-            done = subprocess.run([python, _PROGRAM, task, os.path.abspath(path)], stdin=subprocess.DEVNULL,
-                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace")
+            done = _run(python, task, path)
+            if done.returncode < 0:   # VTK aborts when it cannot reach its screen, which another try mends
+                done = _run(python, task, path)
             if done.returncode == 0:
                 return
             said = (done.stderr.strip().splitlines() or ["it ended with code %d" % done.returncode])[-1]
     raise UserError(FreeCAD.Qt.translate("FeatureMesh", "the picture could not be drawn: %s") % said)
+
+
+def _run(python, task, path):
+    return subprocess.run([python, _PROGRAM, task, os.path.abspath(path)], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE, text=True, errors="replace")
 
 
 def _packed(name, side):
