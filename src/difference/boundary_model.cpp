@@ -101,9 +101,9 @@ Side BoundaryModel::classify(FaceId face, std::array<double, 2> uv) const {
     if (!classifier) classifier = std::make_unique<BRepTopAdaptor_FClass2d>(brep_.face(face), Precision::PConfusion());
     switch (classifier->Perform(gp_Pnt2d(uv[0], uv[1]))) {
         case TopAbs_IN:
-            return Side::in;
+            return Side::inside;
         case TopAbs_OUT:
-            return Side::out;
+            return Side::outside;
         default:
             return Side::on;
     }

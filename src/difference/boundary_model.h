@@ -8,6 +8,7 @@
 
 #include "difference/carriers.h"
 #include "features/brep.h"
+#include "features/solid_probe.h"
 
 namespace featuremesh {
 
@@ -32,8 +33,6 @@ struct BoundaryEdge {
     Box box;
     bool is_degenerated = false;
 };
-
-enum class Side { in, out, on };
 
 class BoundaryModel {
   public:

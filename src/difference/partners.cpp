@@ -142,7 +142,7 @@ class PartnerFinder {
             for (int i = 0; i < 8; ++i) {
                 const Vec3 p = motion.apply(point_at(curve, curve.first + (curve.last - curve.first) * i / 8));
                 if (target.box.grown(pair_.sameness.length).contains(p) &&
-                    other_model.classify(other, parameters_of(target.carrier, p)) == Side::in)
+                    other_model.classify(other, parameters_of(target.carrier, p)) == Side::inside)
                     return true;
             }
         }

@@ -376,13 +376,13 @@ class TrimRaster {
     }
 
     Side side(const BoundaryModel& model, const std::vector<FaceId>& faces, const Vec3& p, const Uv& uv) const {
-        Side result = Side::out;
+        Side result = Side::outside;
         for (const FaceId f : faces) {
             const BoundaryFace& face = model.faces()[f.index()];
             if (!face.box.grown(pair_.sameness.length).contains(p)) continue;
             const bool free = face.carrier.kind == SurfaceKind::free_form;
             const Side here = model.classify(f, free ? uv : parameters_of(face.carrier, p));
-            if (here == Side::in) return here;
+            if (here == Side::inside) return here;
             if (here == Side::on) result = Side::on;
         }
         return result;

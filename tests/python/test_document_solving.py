@@ -122,7 +122,8 @@ class Solving(unittest.TestCase):
         without, _ = self.solve(analysis)
         self.assertAlmostEqual(with_groups, without, delta=1e-9 * without)
 
-    def test_two_materials_in_one_part(self):
+    def two_boxes(self):
+        """Two boxes side by side, their boolean fragments, and the names of its solids from left to right."""
         from BOPTools import SplitFeatures
         left, right = (self.document.addObject("Part::Box", name) for name in ("Left", "Right"))
         left.Length = right.Length = 20
@@ -130,8 +131,12 @@ class Solving(unittest.TestCase):
         fragments = SplitFeatures.makeBooleanFragments("Fragments")
         fragments.Objects, fragments.Mode = [left, right], "CompSolid"
         self.document.recompute()
-        self.assertEqual(len(fragments.Shape.Solids), 2)
         names = sorted(("Solid1", "Solid2"), key=lambda n: fragments.Shape.Solids[int(n[5:]) - 1].CenterOfMass.x)
+        return left, right, fragments, names
+
+    def test_two_materials_in_one_part(self):
+        _, _, fragments, names = self.two_boxes()
+        self.assertEqual(len(fragments.Shape.Solids), 2)
         analysis = analysis_of(self.document, fragments, [("Steel", STEEL, [(fragments, names[0])]),
                                                           ("Aluminium", ALUMINIUM, [(fragments, names[1])])])
         mesh = api.add_mesh(fragments, 4.0)
@@ -146,14 +151,7 @@ class Solving(unittest.TestCase):
 
     def test_materials_of_the_objects_that_the_part_is_made_of(self):
         """As users of boolean fragments refer to them; only solids that lie wholly in one of theirs count."""
-        from BOPTools import SplitFeatures
-        left, right = (self.document.addObject("Part::Box", name) for name in ("Left", "Right"))
-        left.Length = right.Length = 20
-        right.Placement.Base.x = 20
-        fragments = SplitFeatures.makeBooleanFragments("Fragments")
-        fragments.Objects, fragments.Mode = [left, right], "CompSolid"
-        self.document.recompute()
-        names = sorted(("Solid1", "Solid2"), key=lambda n: fragments.Shape.Solids[int(n[5:]) - 1].CenterOfMass.x)
+        left, right, fragments, names = self.two_boxes()
         analysis = analysis_of(self.document, fragments, [("Steel", STEEL, [(left, "Solid1")]), ("Aluminium", ALUMINIUM, [(right, "")])])
         mesh = api.add_mesh(fragments, 4.0)
         self.document.recompute()

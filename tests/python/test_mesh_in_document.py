@@ -1,48 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What happens around a mesh object: no engine, copies, renamed and deleted parts."""
-import os
-import shutil
-import tempfile
-import unittest
-
 import FreeCAD
 from freecad.featuremesh import api, engine, mesh_object, state, versions
 from freecad.featuremesh.errors import EngineMissing, UserError
-from parts import new_document, plate_with_hole
-
-SIZE = 3.0
+from meshed_plate import MeshedPlate, points_of
 
 
-def points_of(mesh):
-    return {number: tuple(point) for number, point in mesh.FemMesh.Nodes.items()}
-
-
-class InDocument(unittest.TestCase):
-
-    def setUp(self):
-        self.document = new_document()
-        self.body = plate_with_hole(self.document)
-        self.mesh = api.add_mesh(self.body, SIZE)
-        self.document.recompute()
-        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
-
-    def edit(self, x=22):
-        self.document.getObject("HoleSketch").setDatum("X", FreeCAD.Units.Quantity("%g mm" % x))
-        self.document.recompute()
-
-    def save_and_reopen(self):
-        folder = tempfile.mkdtemp()
-        self.addCleanup(shutil.rmtree, folder)
-        path = os.path.join(folder, "part.FCStd")
-        self.document.saveAs(path)
-        FreeCAD.closeDocument(self.document.Name)
-        self.document = FreeCAD.openDocument(path)
-        self.mesh = self.document.getObject("FeatureMesh")
-        self.body = self.document.getObject("Body")
-
-
-class WithoutEngine(InDocument):
-
+class WithoutEngine(MeshedPlate):
     def take_engine_away(self):
         def missing():
             raise EngineMissing("the engine is not installed")
@@ -78,7 +42,7 @@ class WithoutEngine(InDocument):
         self.assertEqual(engine._PLACES, places)
 
 
-class Copies(InDocument):
+class Copies(MeshedPlate):
 
     def test_a_copy_of_the_mesh_lives_on_its_own(self):
         before = points_of(self.mesh)
@@ -112,7 +76,7 @@ class Copies(InDocument):
         self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
 
 
-class Parts(InDocument):
+class Parts(MeshedPlate):
 
     def test_another_label_changes_nothing(self):
         self.body.Label, self.mesh.Label = "Träger", "Netz"

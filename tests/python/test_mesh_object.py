@@ -1,23 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The mesh object in a document: it follows the part, survives saving and undo, and never shows a wrong mesh."""
 import json
-import os
-import shutil
-import tempfile
 import unittest
 
 import FreeCAD
 import ObjectsFem
 from freecad.featuremesh import api, engine, mesh_object, overlays, versions
 from freecad.featuremesh.errors import UserError
+from meshed_plate import SIZE, MeshedPlate, points_of
 from parts import new_document, plate_with_hole, rectangle
-
-SIZE = 3.0
-
-
-def points_of(mesh):
-    """{number: (x, y, z)} of all nodes."""
-    return {number: tuple(point) for number, point in mesh.FemMesh.Nodes.items()}
 
 
 def groups_of(mesh):
@@ -26,20 +17,7 @@ def groups_of(mesh):
             for group in fem_mesh.Groups}
 
 
-class MeshObject(unittest.TestCase):
-
-    def setUp(self):
-        self.document = new_document()
-        self.body = plate_with_hole(self.document)
-        self.mesh = api.add_mesh(self.body, SIZE)
-        self.document.recompute()
-        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
-
-    def edit(self, x=22):
-        """Moves the hole."""
-        self.document.getObject("HoleSketch").setDatum("X", FreeCAD.Units.Quantity("%g mm" % x))
-        self.document.recompute()
-
+class MeshObject(MeshedPlate):
     def assert_on_the_part(self, mesh=None):
         """Every node of the hole's face is at the hole's radius around its axis, as FreeCAD itself finds them."""
         mesh = mesh or self.mesh
@@ -53,16 +31,6 @@ class MeshObject(unittest.TestCase):
             for node in found:
                 point = mesh.FemMesh.Nodes[node]
                 self.assertAlmostEqual(((point.x - axis_x) ** 2 + (point.y - 20) ** 2) ** 0.5, 6.0, 6)
-
-    def save_and_reopen(self):
-        folder = tempfile.mkdtemp()
-        self.addCleanup(shutil.rmtree, folder)
-        path = os.path.join(folder, "part.FCStd")
-        self.document.saveAs(path)
-        FreeCAD.closeDocument(self.document.Name)
-        self.document = FreeCAD.openDocument(path)
-        self.mesh = self.document.getObject("FeatureMesh")
-        self.body = self.document.getObject("Body")
 
     def test_first_mesh(self):
         self.assertEqual(self.mesh.NodeCount, self.mesh.FemMesh.NodeCount)
@@ -348,14 +316,19 @@ class FacesThatGetOtherNumbers(unittest.TestCase):
         warnings = json.loads(self.mesh.Report)["warnings"]
         self.assertTrue(any("Fixed1 refers to Edge%d" % number in line for line in warnings), warnings)
 
-    def test_a_number_that_means_a_new_face_is_reported(self):
-        """The hole's face goes, and a slot's face gets its number."""
+    def fix_the_hole(self):
+        """The first constraint holds the hole's face, whose number is returned."""
         self.body.Tip = self.document.getObject("Hole")
         self.document.recompute()
         number, = [n for n, face in enumerate(self.body.Shape.Faces, 1) if face.Surface.TypeId == "Part::GeomCylinder"]
         self.constraints[0].References = [(self.body, "Face%d" % number)]
         self.mesh.touch()
         self.document.recompute()
+        return number
+
+    def test_a_number_that_means_a_new_face_is_reported(self):
+        """The hole's face goes, and a slot's face gets its number."""
+        number = self.fix_the_hole()
         sketch = self.body.newObject("Sketcher::SketchObject", "SlotSketch")
         rectangle(sketch, 40, 10, 5, 20)
         hole = self.document.getObject("Hole")
@@ -373,12 +346,7 @@ class FacesThatGetOtherNumbers(unittest.TestCase):
         self.assertEqual(self.constraints[0].References, [(self.body, ("Face6",))])
 
     def test_a_face_that_is_gone_is_reported(self):
-        self.body.Tip = self.document.getObject("Hole")
-        self.document.recompute()
-        number, = [n for n, face in enumerate(self.body.Shape.Faces, 1) if face.Surface.TypeId == "Part::GeomCylinder"]
-        self.constraints[0].References = [(self.body, "Face%d" % number)]
-        self.mesh.touch()
-        self.document.recompute()
+        number = self.fix_the_hole()
         self.body.Tip = self.document.getObject("Plate")
         self.document.recompute()
         warnings = json.loads(self.mesh.Report)["warnings"]

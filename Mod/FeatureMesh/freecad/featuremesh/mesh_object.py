@@ -111,8 +111,11 @@ class FeatureMesh:
 
         When that fails the old mesh stays, Status says why, and the error is raised.
         """
+        return self._carry_out(mesh, lambda: self.prepare(mesh, full), progress)
+
+    def _carry_out(self, mesh, prepare, progress):
         try:
-            job = self.prepare(mesh, full)
+            job = prepare()
             if progress is None and run_job is not None:
                 run_job(job)
             else:
@@ -136,19 +139,14 @@ class FeatureMesh:
 
     def adopt(self, mesh, arrays, progress=None):
         """Takes over the mesh of another FEM mesh object, read by adopt.arrays_of, and meshes anew what of it does not fit. Returns the report."""
-        try:
+        def prepare():
             start = time.perf_counter()
             part = versions.part_of(mesh)
             job = adopt.AdoptJob(read_document(part), options_of(mesh, part), arrays)
             job.seconds = {"document": time.perf_counter() - start, "restore": 0.0}
-            if progress is None and run_job is not None:
-                run_job(job)
-            else:
-                job.run(progress)
-            return self.finish(mesh, job)
-        except Exception as error:
-            self.fail(mesh, error)
-            raise
+            return job
+
+        return self._carry_out(mesh, prepare, progress)
 
     def prepare(self, mesh, full=False):
         """Reads what the engine needs from the document. Throws UserError."""
