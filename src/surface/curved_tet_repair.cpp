@@ -79,7 +79,7 @@ class Unfolding {
             nodes.end());
         const Stars stars(mesh_, nodes);
         std::vector<Vec3> bends;
-        for (NodeId n : nodes) bends.push_back(bend_of(n, stars.of(n)));
+        for (NodeId n : nodes) bends.push_back(mesh_.entities[n.index()].dim == 1 ? Vec3{} : bend_of(n, stars.of(n)));
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             const Place start = place(nodes[i], {});
             if (squared_length(bends[i]) > 0) move(nodes[i], {}, start, bends[i]);
@@ -96,18 +96,18 @@ class Unfolding {
     }
 
   private:
-    /// Inner mid-side nodes first, then those on faces, then inner corners.
+    /// Inner mid-side nodes first, then those on faces, then inner corners, then mid-side nodes on CAD edges.
     std::vector<NodeId> movable_nodes(const std::vector<TetId>& bad) const {
-        std::vector<NodeId> inner, on_faces, corners;
+        std::vector<NodeId> inner, on_faces, corners, on_edges;
+        const std::array<std::vector<NodeId>*, 4> mids{nullptr, &on_edges, &on_faces, &inner};
         for (TetId t : bad) {
             for (NodeId n : mesh_.tet_mids[t.index()])
-                if (is_movable_[n.index()] && mesh_.entities[n.index()].dim >= 2)
-                    (mesh_.entities[n.index()].dim == 3 ? inner : on_faces).push_back(n);
+                if (is_movable_[n.index()]) mids[static_cast<std::size_t>(mesh_.entities[n.index()].dim)]->push_back(n);
             for (NodeId n : mesh_.tets[t.index()])
                 if (is_movable_[n.index()] && mesh_.entities[n.index()].dim == 3) corners.push_back(n);
         }
         std::vector<NodeId> all;
-        for (auto* list : {&inner, &on_faces, &corners}) {
+        for (auto* list : {&inner, &on_faces, &corners, &on_edges}) {
             std::sort(list->begin(), list->end());
             list->erase(std::unique(list->begin(), list->end()), list->end());
             all.insert(all.end(), list->begin(), list->end());
@@ -173,13 +173,15 @@ class Unfolding {
         const auto& mids = mesh_.tet_mids[star.front().index()];
         return side_of(star.front(), static_cast<int>(std::find(mids.begin(), mids.end(), mid) - mids.begin()));
     }
-    /// An inner side that is bent more than this would spoil what it is to repair.
+    /// An inner side that is bent more than this would spoil what it is to repair; a node on a CAD edge that slides to
+    /// a quarter of it would make the element singular.
     bool is_bent_too_much(NodeId n, const std::vector<TetId>& star) const {
-        constexpr double most_bend = 0.3;
+        constexpr double most_bend = 0.3, most_slide = 0.15;
         if (n.index() < mesh_.corner_count) return false;
         const BentSide side = side_at(n, star);
-        return mesh_.entities[n.index()].dim == 3 &&
-               squared_length(side.bend) > most_bend * most_bend * squared_length(side.along);
+        const double squared = squared_length(side.along);
+        if (mesh_.entities[n.index()].dim == 1) return std::abs(dot(side.bend, side.along)) > most_slide * squared;
+        return mesh_.entities[n.index()].dim == 3 && squared_length(side.bend) > most_bend * most_bend * squared;
     }
 
     double longest_side_at(NodeId n, const std::vector<TetId>& star) const {
@@ -255,11 +257,17 @@ class Unfolding {
             for (const auto& [mid, point] : from.followers) mesh_.points[mid.index()] = point + by * 0.5;
             return true;
         }
-        const OnFace on = projector_.nearest(FaceId(entity.index), from.point + by, from.parameters);
-        // a step across the surface comes back to where it began
-        if (distance(on.point, from.point) < 0.3 * length(by)) return false;
-        mesh_.points[n.index()] = on.point;
-        mesh_.parameters[n.index()] = on.uv;
+        Place to = from;
+        if (entity.dim == 1) {
+            const OnEdge on = projector_.nearest(EdgeId(entity.index), from.point + by, from.parameters[0]);
+            to = {on.point, {on.t, 0}, {}};
+        } else {
+            const OnFace on = projector_.nearest(FaceId(entity.index), from.point + by, from.parameters);
+            to = {on.point, on.uv, {}};
+        }
+        // a step across the curve or surface comes back to where it began
+        if (distance(to.point, from.point) < 0.3 * length(by)) return false;
+        restore(n, to);
         return true;
     }
 

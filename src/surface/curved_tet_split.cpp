@@ -73,10 +73,18 @@ class Splitting {
             if (i == 0)
                 mesh_.tets[t] = part;
             else
-                mesh_.add_tet(part, mesh_.tet_solids[t]);
+                add_tet(part, mesh_.tet_solids[t]);
         }
         is_touched_[t] = true;
         return true;
+    }
+
+    /// Touched from the start: the sides it took over must not be split again with the others of their star only.
+    void add_tet(const std::array<NodeId, 4>& corners, SolidId solid) {
+        tets_at_.resize(mesh_.points.size());
+        for (NodeId n : corners) tets_at_[n.index()].push_back(mesh_.tets.size());
+        mesh_.add_tet(corners, solid);
+        is_touched_.push_back(true);
     }
 
     double largest_bend(TetId tet) const {
@@ -138,7 +146,7 @@ class Splitting {
                 return false;
             }
         for (std::size_t t : tets) {
-            mesh_.add_tet(with(mesh_.tets[t], side[0], middle), mesh_.tet_solids[t]);
+            add_tet(with(mesh_.tets[t], side[0], middle), mesh_.tet_solids[t]);
             mesh_.tets[t] = with(mesh_.tets[t], side[1], middle);
             is_touched_[t] = true;
         }

@@ -94,11 +94,11 @@ KeptCounts kept_counts(const Mesh& mesh, const Mesh* kept) {
 
 struct Curved {
     Mesh mesh;
-    std::vector<TetId> folded;
-    std::size_t below_target = 0;
+    std::vector<TetId> low, folded;  ///< below the target, and those of them that are no valid elements
+    double smallest = 1;             ///< scaled Jacobian
 };
 
-/// Gives the mesh its mid-side nodes and moves nodes until nothing is folded, if that can be.
+/// Gives the mesh its mid-side nodes and moves nodes until every element reaches the target, if that can be.
 Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh* kept, RunContext& context) {
     // an element whose Jacobian varies more than this makes the solution worse
     constexpr double wanted_scaled_jacobian = 0.2;
@@ -112,34 +112,69 @@ Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh
     place_on_edges(brep, projector, is_new, mesh);
     place_on_faces(projector, is_new, mesh, context);
     std::copy(is_movable.begin(), is_movable.end(), is_new.begin());
-    Curved result{std::move(mesh), {}, 0};
-    result.below_target = unfold_tets(result.mesh, projector, is_new, wanted_scaled_jacobian, context).size();
-    if (result.below_target > 0) result.folded = tets_at_most(result.mesh, 0, context);
+    Curved result{std::move(mesh), {}, {}, 1};
+    result.low = unfold_tets(result.mesh, projector, is_new, wanted_scaled_jacobian, context);
+    for (const TetId t : result.low) {
+        const double scaled_jacobian = min_scaled_jacobian(tet_nodes(result.mesh, t));
+        result.smallest = std::min(result.smallest, scaled_jacobian);
+        if (!(scaled_jacobian > 0)) result.folded.push_back(t);
+    }
     return result;
+}
+
+/// Half of what the folded tets' sides are long.
+std::vector<SizeSource> shorter_lengths(const Mesh& mesh, const std::vector<TetId>& folded) {
+    std::vector<SizeSource> wanted;
+    for (const TetId t : folded) {
+        const auto& n = mesh.tets[t.index()];
+        double longest = 0;
+        for (const auto& [a, b] : tet_sides) longest = std::max(longest, distance(mesh.point(n[a]), mesh.point(n[b])));
+        wanted.push_back({0.25 * (mesh.point(n[0]) + mesh.point(n[1]) + mesh.point(n[2]) + mesh.point(n[3])), 0.5 * longest});
+    }
+    return wanted;
 }
 
 }  // namespace
 
-Mesh curve_to_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {
-    constexpr int most_refinements = 12;
+SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {
+    constexpr int most_refinements = 12, most_without_gain = 3;
     RunContext::Step step(context, "surface");
     const Projector projector(brep);
     const KeptCounts counts = kept_counts(mesh, kept);
-    std::size_t folded_at_first = 0;
+    std::optional<Curved> best;
+    SecondOrder failed;
+    std::size_t trouble_at_first = 0;
+    int last_gain = 0;
     for (int refinement = 0;; ++refinement) {
         Curved curved = curve(brep, projector, mesh, kept, context);
-        if (curved.folded.empty()) return std::move(curved.mesh);
-        if (refinement == 0) folded_at_first = curved.folded.size();
+        if (curved.low.empty()) return {std::move(curved.mesh), {}, {}};
+        const std::vector<TetId> trouble = curved.folded.empty() ? curved.low : curved.folded;
+        const std::string place = place_of(curved.mesh, trouble.front());
+        if (refinement == 0) {
+            trouble_at_first = trouble.size();
+            if (!curved.folded.empty()) failed = {{}, shorter_lengths(curved.mesh, trouble), place};
+        }
         // refining that makes more trouble than it ends would go on for ever
-        const bool is_hopeless = refinement == most_refinements || curved.folded.size() > 4 * folded_at_first + 50;
-        if (is_hopeless || split_folded_tets(mesh, curved.mesh, curved.folded, counts) == 0)
-            throw MeshError(
-                std::to_string(curved.folded.size()) + " 10-node tets would be folded near " +
-                place_of(curved.mesh, curved.folded.front()) +
-                ": the face bends too much within one element. Ask for a smaller size there, or for 4-node tets.");
-        context.log(std::to_string(curved.folded.size()) + " tets are refined near " +
-                    place_of(curved.mesh, curved.folded.front()) + " so that their curved sides do not fold them.");
+        const bool is_hopeless = refinement == most_refinements || trouble.size() > 4 * trouble_at_first + 50 ||
+                                 (best && refinement > last_gain + most_without_gain);
+        const bool is_split = !is_hopeless && split_folded_tets(mesh, curved.mesh, trouble, counts) > 0;
+        if (curved.folded.empty() && (!best || curved.smallest > best->smallest)) {
+            best = std::move(curved);
+            last_gain = refinement;
+        }
+        if (!is_split && best) return {std::move(best->mesh), {}, {}};
+        if (!is_split) return failed;
+        context.log(std::to_string(trouble.size()) + " tets are refined near " + place +
+                    " so that their curved sides do not fold them.");
     }
+}
+
+Mesh curve_to_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {
+    SecondOrder result = try_second_order(brep, std::move(mesh), kept, context);
+    if (!result.shorter.empty())
+        throw MeshError(std::to_string(result.shorter.size()) + " 10-node tets would be folded near " + result.place +
+                        ": the face bends too much within one element. Ask for a smaller size there, or for 4-node tets.");
+    return std::move(result.mesh);
 }
 
 }  // namespace featuremesh

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "cells/cells_after_edit.h"
@@ -81,7 +82,8 @@ struct Filled {
     std::vector<Vec3> used_active;
 };
 
-Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, RunContext& context) {
+/// `second.shorter` tells where 10-node tets need shorter edges; the result counts only when it is empty.
+Filled fill_once(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, SecondOrder& second, RunContext& context) {
     const std::size_t kept_tets = kept.mesh.tets.size(), kept_triangles = kept.mesh.triangles.size();
     SurfaceResult surface = fill_surface(brep, sizing, std::move(kept.mesh), context);
     if (!kept.is_rim.empty()) {
@@ -91,10 +93,39 @@ Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, co
     }
     VolumeResult volume = fill_solids(brep, sizing, std::move(surface.mesh), kept.active, options.volume, context, kept.is_rim);
     Mesh mesh = std::move(volume.mesh);
-    if (options.order == 2)
-        mesh = curve_to_second_order(brep, std::move(mesh), kept.curved.order == 2 ? &kept.curved : nullptr, context);
+    if (options.order == 2) {
+        second = try_second_order(brep, std::move(mesh), kept.curved.order == 2 ? &kept.curved : nullptr, context);
+        if (!second.shorter.empty()) return {};
+        mesh = std::move(second.mesh);
+    }
     validate(mesh, brep, unproven_nodes(mesh, std::move(kept.is_rim), kept_tets - volume.released.size(), volume.released_nodes), context);
     return {std::move(mesh), std::move(surface.report), std::move(volume.report), std::move(volume.released), std::move(volume.used_active)};
+}
+
+/// Where 10-node tets would be folded whatever is done to them, everything that is not kept is filled again with shorter edges there.
+Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, RunContext& context) {
+    constexpr int attempts = 4;
+    SecondOrder second;
+    if (options.order == 1) return fill_once(brep, sizing, std::move(kept), options, second, context);
+    std::vector<SizeSource> shorter;
+    std::set<std::string> places;
+    SizingField field = sizing;
+    for (int attempt = 1;; ++attempt) {
+        Filled filled = fill_once(brep, field, kept, options, second, context);
+        if (second.shorter.empty()) {
+            for (const std::string& place : places)
+                filled.surface.warnings.push_back("The mesh is finer than asked at " + place +
+                                                  ", because 10-node tets of that size would be folded by the curved face.");
+            return filled;
+        }
+        if (attempt == attempts)
+            throw MeshError(std::to_string(second.shorter.size()) + " 10-node tets would be folded near " + second.place + ", even with edges " +
+                            std::to_string(1 << (attempts - 1)) + " times shorter there: the face bends too much within one element. Ask for a smaller "
+                            "size there, or for 4-node tets.");
+        places.insert(second.place);
+        shorter.insert(shorter.end(), second.shorter.begin(), second.shorter.end());
+        field = make_sizing(brep, options.sizing, shorter, context);
+    }
 }
 
 Kept nothing_kept(NextNumbers next) {

@@ -7,7 +7,9 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
+#include <algorithm>
 #include <numbers>
+#include <random>
 
 #include "catch.h"
 #include "core/errors.h"
@@ -80,6 +82,16 @@ TopoDS_Shape filleted_box(double radius) {
     BRepFilletAPI_MakeFillet fillet(box);
     for (TopExp_Explorer it(box, TopAbs_EDGE); it.More(); it.Next()) fillet.Add(radius, TopoDS::Edge(it.Current()));
     return fillet.Shape();
+}
+
+Mesh with_mid_side_nodes_on_faces(const Brep& brep, Mesh mesh) {
+    add_mid_side_nodes(mesh);
+    const Projector projector(brep);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        for (NodeId n : mesh.triangle_mids[i])
+            if (mesh.entities[n.index()].dim == 2)
+                mesh.points[n.index()] = projector.nearest(mesh.triangle_faces[i], mesh.point(n)).point;
+    return mesh;
 }
 
 }  // namespace
@@ -160,16 +172,9 @@ TEST_CASE("the same mesh gives the same bytes for any number of threads") {
 }
 
 TEST_CASE("a split keeps the mesh conforming and leaves kept elements alone") {
-    RunContext context;
     const Brep brep(BRepPrimAPI_MakeCylinder(10, 12).Shape());
     Mesh mesh = fan_mesh(brep, 8, {0, 0, 6});
-    Mesh curved = mesh;
-    add_mid_side_nodes(curved);
-    const Projector projector(brep);
-    for (std::size_t i = 0; i < curved.triangles.size(); ++i)
-        for (NodeId n : curved.triangle_mids[i])
-            if (curved.entities[n.index()].dim == 2)
-                curved.points[n.index()] = projector.nearest(curved.triangle_faces[i], curved.point(n)).point;
+    const Mesh curved = with_mid_side_nodes_on_faces(brep, mesh);
     Mesh kept = mesh;
     const KeptCounts all{mesh.segments.size(), mesh.triangles.size(), mesh.tets.size()};
     CHECK(split_folded_tets(kept, curved, {TetId(0), TetId(5)}, all) == 0);
@@ -179,4 +184,18 @@ TEST_CASE("a split keeps the mesh conforming and leaves kept elements alone") {
     CHECK(split_folded_tets(mesh, curved, {TetId(0), TetId(5), TetId(11)}, {}) > 0);
     CHECK(mesh.tets.size() > before);
     CHECK(broken_invariants(mesh, expectation_of(brep)).empty());
+}
+
+TEST_CASE("splits of tets that lie at each other keep the mesh conforming") {
+    const Brep brep(BRepPrimAPI_MakeCylinder(10, 12).Shape());
+    const Mesh straight = fan_mesh(brep, 8, {0, 0, 6});
+    const Mesh curved = with_mid_side_nodes_on_faces(brep, straight);
+    const unsigned seed = GENERATE(1u, 2u, 3u, 4u, 5u, 6u);
+    INFO("seed " << seed);
+    std::vector<TetId> all;
+    for (std::size_t t = 0; t < straight.tets.size(); ++t) all.push_back(TetId(t));
+    std::shuffle(all.begin(), all.end(), std::mt19937(seed));
+    Mesh mesh = straight;
+    CHECK(split_folded_tets(mesh, curved, all, {}) > all.size() / 4);
+    CHECK(broken_invariants(mesh, expectation_of(brep)) == std::vector<std::string>{});
 }

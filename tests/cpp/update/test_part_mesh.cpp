@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -220,4 +221,17 @@ TEST_CASE("a detail much smaller than the size is told of, by its place") {
     CHECK(std::any_of(thin.report.warnings.begin(), thin.report.warnings.end(), is_told));
     const PartMeshResult good = meshed(plate_with_hole(30), options_of(4));
     CHECK(std::none_of(good.report.warnings.begin(), good.report.warnings.end(), is_told));
+}
+
+TEST_CASE("where 10-node tets would stay folded, the part is meshed finer, and the report says where") {
+    const RawDocument ball = PartDocument().add("Ball", "Part::Sphere", BRepPrimAPI_MakeSphere(10).Shape()).finish();
+    MeshOptions options = options_of(14, 2);
+    options.sizing.elements_per_circle = 0;
+    const PartMeshResult result = meshed(ball, options);
+    Expectation sides = expectation_of(result.part_mesh->part.brep);
+    sides.solid_volumes.clear();   // a few elements make a poor ball
+    CHECK(broken_invariants(result.part_mesh->mesh, sides).empty());
+    CHECK(result.report.quality.min_scaled_jacobian > 0.199);
+    const auto& warnings = result.report.warnings;
+    CHECK(std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) { return w.find("finer than asked at Face1") != std::string::npos; }));
 }
