@@ -96,6 +96,11 @@ OnFace at(const SurfaceData& s, const Uv& uv, const Vec3& asked) {
 
 double clamped(double x, double low, double high, double period) { return period > 0 ? x : std::clamp(x, low, high); }
 
+/// Smaller steps are rounding, mm.
+double negligible_step(const Vec3& p, double distance) { return 1e-12 * (1 + distance) + 1e-14 * length(p); }
+/// Far from the origin rounding hides in the squared distance what the last steps gain.
+double rounding_of_square(const Vec3& p, double square) { return 1e-14 * square + 2e-15 * length(p) * std::sqrt(square); }
+
 /// Newton on |S(u,v) - p|^2 with step halving; none when it does not reach a stationary point.
 std::optional<Uv> newton(const SurfaceData& s, const Vec3& p, Uv uv) {
     const auto& a = s.adaptor;
@@ -114,14 +119,14 @@ std::optional<Uv> newton(const SurfaceData& s, const Vec3& p, Uv uv) {
         const Uv step{(-gu * hvv + gv * huv) / det, (-gv * huu + gu * huv) / det};
         const double move =
             std::sqrt(std::abs(step[0] * step[0] * e + 2 * step[0] * step[1] * m + step[1] * step[1] * g));
-        if (move < 1e-12 * (1 + std::sqrt(f))) return uv;
+        if (move < negligible_step(p, std::sqrt(f))) return uv;
         double scale = 1;
         bool better = false;
         for (int halving = 0; halving < 12 && !better; ++halving, scale *= 0.5) {
             const Uv next{clamped(uv[0] + scale * step[0], a.FirstUParameter(), a.LastUParameter(), s.u_period),
                           clamped(uv[1] + scale * step[1], a.FirstVParameter(), a.LastVParameter(), s.v_period)};
             const double f_next = value(next);
-            if (f_next < f || (f_next <= f * (1 + 1e-14) && halving == 0)) {
+            if (f_next < f || (halving == 0 && f_next <= f + rounding_of_square(p, f))) {
                 better = next != uv;
                 uv = next, f = std::min(f, f_next);
                 if (!better) return uv;
@@ -183,7 +188,7 @@ std::optional<double> newton(const CurveData& c, const Vec3& p, double t) {
         if (curvature <= 0.1 * speed) curvature = speed;
         if (!(curvature > 0)) return std::nullopt;
         const double next = std::clamp(t - slope / curvature, c.first, c.last);
-        if (std::abs(next - t) * std::sqrt(speed) < 1e-12 * (1 + r.Magnitude())) return next;
+        if (std::abs(next - t) * std::sqrt(speed) < negligible_step(p, r.Magnitude())) return next;
         t = next;
     }
     return std::nullopt;
