@@ -45,6 +45,7 @@ def add_test(subparsers):
     test = command(subparsers, "test", commands.test, "build everything and run every test")
     test.add_argument("--freecad", metavar="VERSION", help="FreeCAD to test with: 1.0 or 1.1, in a root of another Debian release (default: this machine's)")
     test.add_argument("--long", action="store_true", help="also what takes minutes (all FEM examples, fine meshes), with its tables")
+    test.add_argument("--in-freecad", action="store_true", help="only what runs in FreeCAD: the engine is built, the tests of its modules are not")
     test.add_argument("--only", metavar="PATTERN", help="run only tests whose name matches this regular expression")
 
 

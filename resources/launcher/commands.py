@@ -16,6 +16,7 @@ from layout import RELEASE, ROOT, WORKBENCH, Failure, UserError
 from setup_log import say
 
 CLOSING_LINES = 30
+IN_FREECAD = "in_freecad"   # the label of those tests
 TABLE_LINE = re.compile(r"\d+: (?=\| )")
 
 
@@ -87,9 +88,9 @@ def draw_report(folder):
 def test(given):
     if given.freecad is not None:
         return test_elsewhere(given)
-    set_up(packages.PICTURE_PACKAGES + packages.PEER_PACKAGES, everything=True)
-    say("running the tests")
-    options = ["-R", given.only] if given.only else []
+    set_up(packages.PICTURE_PACKAGES + packages.PEER_PACKAGES, everything=not given.in_freecad)
+    say("running the tests" + (" in FreeCAD" if given.in_freecad else ""))
+    options = [*(["-R", given.only] if given.only else []), *(["-L", IN_FREECAD] if given.in_freecad else [])]
     environment = dict(os.environ)
     if given.long:
         options.append("--verbose")
@@ -118,7 +119,8 @@ def test_elsewhere(given):
     if given.freecad not in freecad_roots.RELEASE_OF:
         raise UserError(f"--freecad {given.freecad}: there are roots for {' and '.join(freecad_roots.RELEASE_OF)}; without this option "
                         "this machine's FreeCAD is tested")
-    options = [*(["--only", given.only] if given.only else []), *(["--long"] if given.long else [])]
+    options = [*(["--only", given.only] if given.only else []), *(["--long"] if given.long else []),
+               *(["--in-freecad"] if given.in_freecad else [])]
     return freecad_roots.run_in_root(given.freecad, [f"{freecad_roots.CHECKOUT}/featuremesh", "test", *options])
 
 

@@ -19,6 +19,7 @@ from layout import ROOT, SETUP_LOG, Failure, Unavailable
 from setup_log import run_logged, say
 
 RELEASE_OF = {"1.0": "trixie", "1.1": "testing"}
+RELEASE_BEFORE = {"trixie": "bookworm"}   # Debian 13 has no CalculiX, Debian 12's works there
 CACHE = Path(os.environ.get("FEATUREMESH_CACHE", "/var/cache/featuremesh"))
 FRESH_DAYS = 7
 ROOT_PACKAGES = ("debootstrap",)
@@ -42,8 +43,10 @@ mkdir -p {CHECKOUT}/build
 {{ apt-get -q update && apt-get -q -y install --no-install-recommends python3; }} >> {CHECKOUT}/build/setup.log 2>&1 || exit 1
 exec /usr/bin/python3 -B -c "import sys; sys.path.insert(0, '{CHECKOUT}/resources/launcher')
 import packages
-packages.install_missing(packages.BUILD_PACKAGES + packages.RUN_PACKAGES + packages.PICTURE_PACKAGES)"
+packages.install_missing(packages.BUILD_PACKAGES + packages.RUN_PACKAGES + packages.PICTURE_PACKAGES + packages.PEER_PACKAGES)"
 """
+# A root that breaks is made anew: nothing is waited for until it is on the disk, and nobody reads manuals there.
+THROWAWAY = "force-unsafe-io\npath-exclude=/usr/share/doc/*\npath-exclude=/usr/share/man/*\n"
 # Settings by which apt reaches a mirror and trusts it; those about where it keeps its own files stay behind.
 TAKEN_ALONG = ("Acquire::http", "Acquire::https", "Acquire::Check-", "Acquire::Retries", "Acquire::ForceIPv")
 
@@ -115,6 +118,8 @@ def make_root(name, root, prefix):
     except Failure as failure:
         raise Unavailable(f"no root of Debian {name}: {failure}") from None
     write(prefix, fresh / "etc/apt/sources.list", sources_list(name, source))
+    write(prefix, fresh / "etc/apt/preferences.d/release-before", preferences(name))
+    write(prefix, fresh / "etc/dpkg/dpkg.cfg.d/throwaway", THROWAWAY)
     write(prefix, fresh / "etc/apt/apt.conf.d/99machine", "".join(machine_settings()))
     if Path("/", CERTIFICATES).is_file():
         write(prefix, fresh / CERTIFICATES, Path("/", CERTIFICATES).read_text(encoding="utf-8"))
@@ -135,7 +140,13 @@ def sources_list(name, source):
     options = []
     if is_snapshot(source):
         options.append("check-valid-until=no")
-    return f"deb {'[' + ' '.join(options) + '] ' if options else ''}{source['uri']} {name} main\n"
+    before = f"deb {'[' + ' '.join(options) + '] ' if options else ''}{source['uri']} "
+    return "".join(f"{before}{release} main\n" for release in (name, RELEASE_BEFORE.get(name)) if release)
+
+
+def preferences(name):
+    """Apt's priorities: what a release has comes from it, whatever the one before has, too."""
+    return f"Package: *\nPin: release n={RELEASE_BEFORE[name]}\nPin-Priority: 100\n" if name in RELEASE_BEFORE else ""
 
 
 def machine_settings():

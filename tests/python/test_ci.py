@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What .ci/run makes of the runs it starts, with a stand-in for ./featuremesh."""
+import os
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+RUN = Path(__file__).resolve().parents[2] / ".ci" / "run"
+# Ends with the first number when this machine's FreeCAD is tested, with the second in the root; "slow" takes longer than any limit.
+STAND_IN = """#!/usr/bin/env bash
+case "$*" in
+    "test") exit %s ;;
+    "test --freecad 1.1 --in-freecad") [ %s = slow ] && exec sleep 60; exit %s ;;
+    *) exit 99 ;;
+esac
+"""
+
+
+class Decisions(unittest.TestCase):
+    def run_with(self, here, in_root, **variables):
+        """(exit code, what was said)."""
+        with tempfile.TemporaryDirectory() as folder:
+            os.mkdir(os.path.join(folder, ".ci"))
+            shutil.copy(RUN, os.path.join(folder, ".ci"))
+            launcher = Path(folder, "featuremesh")
+            launcher.write_text(STAND_IN % (here, in_root, in_root), encoding="utf-8")
+            launcher.chmod(0o755)
+            done = subprocess.run([os.path.join(folder, ".ci", "run")], env={**os.environ, **variables}, stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT, text=True)
+        return done.returncode, done.stdout
+
+    def test_both_pass(self):
+        code, said = self.run_with(0, 0)
+        self.assertEqual(code, 0)
+        self.assertIn("FreeCAD 1.1 passes, too", said)
+
+    def test_a_failure_of_either_is_one(self):
+        code, said = self.run_with(1, 0)
+        self.assertEqual((code, said), (1, ""))
+        code, said = self.run_with(0, 1)
+        self.assertEqual(code, 1)
+        self.assertIn("FreeCAD 1.1 fails", said)
+
+    def test_where_there_can_be_no_root_it_is_skipped(self):
+        code, said = self.run_with(0, 3)
+        self.assertEqual(code, 0)
+        self.assertIn("FreeCAD 1.1 is skipped, it cannot be had here", said)
+
+    def test_without_time_it_is_skipped(self):
+        code, said = self.run_with(0, 1, FEATUREMESH_CI_SECONDS="1140")
+        self.assertEqual(code, 0)
+        self.assertIn("FreeCAD 1.1 is skipped, since fewer than 20 of 19 minutes are left", said)
+
+    def test_when_its_time_is_over_it_ends(self):
+        code, said = self.run_with(0, "slow", FEATUREMESH_CI_SECONDS="2", FEATUREMESH_CI_SECONDS_NEEDED="0")
+        self.assertEqual(code, 0)
+        self.assertIn("FreeCAD 1.1 is skipped, its time is over", said)
+
+
+if __name__ == "__main__":
+    unittest.main()
