@@ -166,11 +166,11 @@ py::tuple adopt_document(const py::dict& raw, const py::dict& options, const py:
                                [&](RunContext& context) { return adopt_part(std::move(document), asked.options, foreign, context); }));
 }
 
-std::shared_ptr<PartMesh> restore_document(const py::dict& raw, const py::dict& options, const py::dict& arrays) {
+std::shared_ptr<PartMesh> restore_document(const py::dict& raw, const py::dict& options, const py::dict& arrays, const Progress& progress) {
     RawDocument document = raw_document_from(raw);
     const Asked asked = asked_from(options);
     Mesh mesh = mesh_from(arrays);
-    return std::const_pointer_cast<PartMesh>(run_released({}, asked.threads, [&](RunContext& context) {
+    return std::const_pointer_cast<PartMesh>(run_released(progress, asked.threads, [&](RunContext& context) {
         return restore_part(std::move(document), asked.options, std::move(mesh), context);
     }));
 }
@@ -211,7 +211,7 @@ void define_update(py::module_& module) {
                "Meshes the new state of the part, keeping what did not change; (PartMesh, report). The old PartMesh stays as it is.");
     module.def("adopt_part", &adopt_document, py::arg("raw"), py::arg("options"), py::arg("arrays"), py::arg("progress") = py::none(),
                "Makes another maker's mesh of the part ours, keeping what fits; (PartMesh, report).");
-    module.def("restore_part", &restore_document, py::arg("raw"), py::arg("options"), py::arg("arrays"),
+    module.def("restore_part", &restore_document, py::arg("raw"), py::arg("options"), py::arg("arrays"), py::arg("progress") = py::none(),
                "The PartMesh whose arrays were saved. Raises StateError when they do not fit the part.");
     module.def("transfer_field", &transfer_values, py::arg("old_arrays"), py::arg("new_arrays"), py::arg("values"), py::arg("same_place") = 0.0,
                py::arg("threads") = 1, "Nodal values carried from one mesh to another; (values, error estimates, sources).");

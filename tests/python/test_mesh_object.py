@@ -2,6 +2,7 @@
 """The mesh object in a document: it follows the part, survives saving and undo, and never shows a wrong mesh."""
 import json
 import unittest
+from unittest import mock
 
 import FreeCAD
 import ObjectsFem
@@ -115,6 +116,18 @@ class MeshObject(MeshedPlate):
         self.assertEqual(points_of(self.mesh), before)
         api.update_mesh(self.mesh)
         self.assert_on_the_part()
+
+    def test_cancel_while_the_saved_mesh_is_read(self):
+        self.mesh.Automatic = False
+        self.save_and_reopen()
+        before = points_of(self.mesh)
+        self.edit()
+        with mock.patch.object(engine.load(), "update_part", side_effect=AssertionError("it was read to its end")):
+            with self.assertRaises(engine.load().Cancelled):
+                api.update_mesh(self.mesh, progress=lambda step, share: False)
+        self.assertEqual((points_of(self.mesh), self.mesh.Status), (before, mesh_object.CANCELLED))
+        self.assertIsNone(api.update_mesh(self.mesh)["fallback"])
+        self.assertGreater(self.mesh.KeptNodes, 30)
 
     def test_manual_mode_says_that_it_is_out_of_date(self):
         self.mesh.Automatic = False

@@ -4,6 +4,7 @@
 import time
 
 from . import engine
+from .worker import WorkerDied
 
 
 class MeshJob:
@@ -16,6 +17,7 @@ class MeshJob:
         self.raw, self.options = raw, options
         self.moved_references = moved_references   # lines about refinements whose references were put right
         self.old = old            # the engine's mesh to start from, or None
+        self.saved = None         # the state.State that it is to be made from first, or None
         self.problem = problem    # why there is none although there should be, or None
         self.part_mesh = None
         self.report = None
@@ -24,6 +26,8 @@ class MeshJob:
 
     def run(self, progress=None):
         """Meshes or updates. `progress(step, share)` returns False to cancel, which raises the engine's Cancelled."""
+        if self.saved is not None:
+            self._restore(progress)
         start = time.perf_counter()
         if self.old is None:
             self.part_mesh, self.report = engine.load().mesh_part(
@@ -31,3 +35,12 @@ class MeshJob:
         else:
             self.part_mesh, self.report = engine.load().update_part(self.old, self.raw, self.options, progress)
         self.seconds["engine"] = time.perf_counter() - start
+
+    def _restore(self, progress):
+        """Makes the engine's mesh of the saved state, or leaves it to a mesh from scratch and says why."""
+        start, saved = time.perf_counter(), self.saved
+        try:
+            self.old = engine.load().restore_part(saved.raw, saved.options, saved.arrays, progress)
+        except (engine.load().StateError, WorkerDied) as error:
+            self.problem = " ".join(str(error).split())
+        self.seconds["restore"] = time.perf_counter() - start

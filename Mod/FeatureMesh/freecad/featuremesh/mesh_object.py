@@ -13,7 +13,6 @@ import numpy as np
 from . import adopt, engine, hand_over, history, references, state, versions
 from .errors import EngineMissing, StateError, UserError
 from .job import MeshJob
-from .worker import WorkerDied
 from .reading import describe, read_document, shape_of_record
 
 translate = FreeCAD.Qt.translate
@@ -35,6 +34,8 @@ PROPERTIES = [
      "Elements across thin walls and slots; 0: sizes do not follow thickness"),
     ("App::PropertyFloat", "Growth", "Mesh size", 1.3, False,
      "By how much neighbouring elements may differ in size at most"),
+    ("App::PropertyFloat", "QualityTarget", "Mesh", 30.0, False,
+     "Smallest angle in degrees that elements are improved towards; below 30 is faster, above 35 is rarely reached"),
     ("App::PropertyEnumeration", "Order", "Mesh", ["1st", "2nd"], False,
      "1st: 4-node tets; 2nd: 10-node tets with their mid-side nodes on the surface"),
     ("App::PropertyInteger", "Threads", "Mesh", 0, False,
@@ -60,7 +61,8 @@ on_ready = []
 run_job = None
 
 _OPTION_OF = {"Size": "size", "MinSize": "min_size", "ElementsPerCircle": "elements_per_circle",
-              "ElementsAcrossGap": "elements_across_gap", "Growth": "growth", "Threads": "threads"}
+              "ElementsAcrossGap": "elements_across_gap", "Growth": "growth", "QualityTarget": "target_dihedral_deg",
+              "Threads": "threads"}
 
 
 class FeatureMesh:
@@ -156,17 +158,16 @@ class FeatureMesh:
             raise UserError(translate("FeatureMesh", "%s has no part to mesh, set its property %s")
                             % (describe(mesh), versions.part_property(mesh)))
         raw = read_document(part)
-        read = time.perf_counter()
-        old, problem = (None, None) if full else self._old(mesh)
-        restored = time.perf_counter()
+        old, saved, problem = (None, None, None) if full else self._old(mesh)
         moved = []
-        if old is not None and mesh.MeshRegionList:
+        if mesh.MeshRegionList and not (old is None and saved is None):
             moved = self._follow(mesh.MeshRegionList, mesh,
                                  lambda: engine.load().compare(self._raw, raw)["faces"])
         job = MeshJob(raw, options_of(mesh, part), old, problem, moved)
+        job.saved = saved
         if old is None:
-            job.next_numbers = _next_numbers(mesh, state_is_sound=problem is None)
-        job.seconds = {"document": read - start + time.perf_counter() - restored, "restore": restored - read}
+            job.next_numbers = _next_numbers(mesh, state_is_sound=problem is None and saved is None)
+        job.seconds = {"document": time.perf_counter() - start, "restore": 0.0}
         return job
 
     def finish(self, mesh, job):
@@ -201,13 +202,9 @@ class FeatureMesh:
     def last_part_mesh(self, mesh):
         """The engine's mesh as it is now, from memory or from the saved state. Throws StateError."""
         checksum = state.checksum_of(mesh.SavedState)
-        if checksum != self._checksum or not isinstance(self._part_mesh, engine.load().PartMesh):
-            saved = state.load(mesh.SavedState)
-            part = versions.part_of(mesh)
-            if part is not None and saved.part_name != part.Name:
-                raise StateError("the saved mesh state belongs to %s, not to %s" % (saved.part_name, part.Name))
-            self._part_mesh = _restore(saved)
-            self._raw, self._references = saved.raw, saved.references
+        if not self._has_in_memory(checksum):
+            saved = self._load(mesh)
+            self._part_mesh = engine.load().restore_part(saved.raw, saved.options, saved.arrays)
             self._checksum = checksum
         return self._part_mesh
 
@@ -246,13 +243,30 @@ class FeatureMesh:
         hand_over.renew_analysis_groups(mesh, part, arrays)
 
     def _old(self, mesh):
-        """The mesh to start from, or None and the reason why there is none (no reason for a first mesh)."""
+        """What to start from: (the engine's mesh, the saved state to make it from, the reason why there is neither).
+
+        At most one of the three is not None, none for a first mesh.
+        """
         if self._part_mesh is None and not mesh.SavedState:
-            return None, (None if not mesh.FemMesh.VolumeCount else "the document holds no mesh state")
+            return None, None, (None if not mesh.FemMesh.VolumeCount else "the document holds no mesh state")
+        if self._has_in_memory(state.checksum_of(mesh.SavedState)):
+            return self._part_mesh, None, None
         try:
-            return self.last_part_mesh(mesh), None
-        except (StateError, engine.load().StateError, WorkerDied) as error:
-            return None, one_line(error)
+            return None, self._load(mesh), None
+        except StateError as error:
+            return None, None, one_line(error)
+
+    def _has_in_memory(self, checksum):
+        """Is the engine's mesh of the saved state with that checksum at hand?"""
+        return checksum == self._checksum and isinstance(self._part_mesh, engine.load().PartMesh)
+
+    def _load(self, mesh):
+        """The saved state. Throws StateError."""
+        saved, part = state.load(mesh.SavedState), versions.part_of(mesh)
+        if part is not None and saved.part_name != part.Name:
+            raise StateError("the saved mesh state belongs to %s, not to %s" % (saved.part_name, part.Name))
+        self._raw, self._references = saved.raw, saved.references
+        return saved
 
     def _miss_the_engine(self, mesh):
         """Says when a document is opened that its mesh can only be looked at."""
@@ -422,10 +436,6 @@ def is_cancelled(error):
 def one_line(error):
     """An error's message without line breaks."""
     return " ".join(str(error).split()) or type(error).__name__
-
-
-def _restore(saved):
-    return engine.load().restore_part(saved.raw, saved.options, saved.arrays)
 
 
 def _show_report(mesh, report):

@@ -167,7 +167,7 @@ class WorkerEngine:
         if mesh._process is process:
             return
         raw, options = mesh._recipe
-        twin = self._ask(lane, "restore_part", (raw, options, mesh.arrays()), {}, progress)   # takes no progress of its own
+        twin = self._ask(lane, "restore_part", (raw, options, mesh.arrays()), {"progress": True} if progress is not None else {}, progress)
         mesh._process, mesh._key = twin._process, twin._key
         twin._finalizer.detach()
         weakref.finalize(mesh, process.forget, mesh._key)
