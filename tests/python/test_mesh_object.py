@@ -163,6 +163,18 @@ class MeshObject(MeshedPlate):
         self.assertAlmostEqual(100 * kept / len(colours), self.mesh.KeptTets, delta=1)
         self.assertEqual(set(api.show_quality(self.mesh)), set(self.mesh.FemMesh.Volumes))
 
+    def test_quality_target(self):
+        reached = {}
+        for target in (5, 30):
+            self.mesh.QualityTarget = target
+            api.update_mesh(self.mesh, full=True)
+            reached[target] = self.mesh.MinDihedral.Value
+        self.assertGreater(reached[30], reached[5])
+        self.assertGreater(reached[30], 25)
+        self.mesh.QualityTarget = 80
+        self.document.recompute()
+        self.assertIn("QualityTarget", self.mesh.Status)
+
     def test_second_order(self):
         self.mesh.Order = "2nd"
         self.document.recompute()

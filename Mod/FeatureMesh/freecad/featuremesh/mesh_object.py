@@ -10,7 +10,7 @@ import FreeCAD
 import Fem
 import numpy as np
 
-from . import adopt, engine, hand_over, history, references, state, versions
+from . import adopt, engine, hand_over, history, messages, references, state, versions
 from .errors import EngineMissing, StateError, UserError
 from .job import MeshJob
 from .reading import describe, read_document, shape_of_record
@@ -35,7 +35,7 @@ PROPERTIES = [
     ("App::PropertyFloat", "Growth", "Mesh size", 1.3, False,
      "By how much neighbouring elements may differ in size at most"),
     ("App::PropertyFloat", "QualityTarget", "Mesh", 30.0, False,
-     "Smallest angle in degrees that elements are improved towards; below 30 is faster, above 35 is rarely reached"),
+     "Smallest angle in degrees that new elements are improved towards; below 30 is faster, above 35 is rarely reached"),
     ("App::PropertyEnumeration", "Order", "Mesh", ["1st", "2nd"], False,
      "1st: 4-node tets; 2nd: 10-node tets with their mid-side nodes on the surface"),
     ("App::PropertyInteger", "Threads", "Mesh", 0, False,
@@ -60,6 +60,7 @@ on_ready = []
 # Runs a MeshJob while FreeCAD recomputes, where the window's side wants to show progress; None: just run it.
 run_job = None
 
+_HIGHEST_TARGET = 45   # degrees; no mesh reaches more
 _OPTION_OF = {"Size": "size", "MinSize": "min_size", "ElementsPerCircle": "elements_per_circle",
               "ElementsAcrossGap": "elements_across_gap", "Growth": "growth", "QualityTarget": "target_dihedral_deg",
               "Threads": "threads"}
@@ -176,13 +177,13 @@ class FeatureMesh:
         report = plain(job.report)
         if job.problem:
             add_fallback(report, "meshed from scratch: " + job.problem)
-            FreeCAD.Console.PrintWarning("%s: %s; meshed from scratch\n" % (mesh.Label, job.problem))
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, messages.in_words("meshed from scratch: " + job.problem)))
         moved = job.moved_references
         if job.old is not None:
             moved = moved + self._follow(self._dependents(mesh), mesh, lambda: report["difference"]["faces"])
         report["warnings"] = report.get("warnings", []) + moved
         for line in moved:
-            FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, line))
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, messages.in_words(line)))
         fem_mesh = self._fem_mesh(mesh, job.part_mesh)
         handed_over = time.perf_counter()
         self._store(mesh, job)   # first, so that a full disk leaves the old mesh with its old state
@@ -369,9 +370,12 @@ def is_feature_mesh(obj):
 
 
 def options_of(mesh, part):
-    """The engine's options from the object's properties and its mesh refinements."""
+    """The engine's options from the object's properties and its mesh refinements. Throws UserError."""
     options = {option: float(getattr(getattr(mesh, name), "Value", getattr(mesh, name)))
                for name, option in _OPTION_OF.items()}
+    if not 0 <= mesh.QualityTarget <= _HIGHEST_TARGET:
+        raise UserError(translate("FeatureMesh", "the property QualityTarget of %s has to lie between 0 and %g degrees, not %g")
+                        % (describe(mesh), _HIGHEST_TARGET, mesh.QualityTarget))
     options["threads"] = int(options["threads"]) or os.cpu_count() or 1
     options["order"] = 2 if mesh.Order == "2nd" else 1
     options["min_size"] = options["min_size"] or options["size"] / 10
@@ -424,7 +428,7 @@ def plain(value):
 def status_in_words(status):
     """The Status of a mesh object in the user's language."""
     if status.startswith("failed: "):
-        return FreeCAD.Qt.translate("FeatureMesh", "failed: %s") % status[len("failed: "):]
+        return FreeCAD.Qt.translate("FeatureMesh", "failed: %s") % messages.in_words(status[len("failed: "):])
     return FreeCAD.Qt.translate("FeatureMesh", status)
 
 

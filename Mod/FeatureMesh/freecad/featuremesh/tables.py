@@ -3,6 +3,8 @@
 
 import FreeCAD
 
+from .messages import in_words
+
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -65,7 +67,7 @@ def difference_note(found):
                       for verdict in sorted(counts))
     line = translate("FeatureMesh", "%d features changed, %d did not; faces: %s") % (
         changed, len(found["features"]) - changed, faces or translate("FeatureMesh", "none"))
-    return "\n".join([line] + [translate("FeatureMesh", "note: ") + note for note in found.get("notes", [])])
+    return "\n".join([line] + [translate("FeatureMesh", "note: ") + in_words(note) for note in found.get("notes", [])])
 
 
 def of_tree(found):
@@ -88,7 +90,7 @@ def tree_note(found):
     """The books: cells and material against FreeCAD's volume, and the engine's notes."""
     line = translate("FeatureMesh", "%s: %d features, %d cells, %.10g mm^3 of material (FreeCAD: %.10g)") % (
         found["object"], len(found["features"]), found["cells"], found["material_volume"], found["final_volume"])
-    return "\n".join([line] + [translate("FeatureMesh", "note: ") + note for note in found.get("notes", [])])
+    return "\n".join([line] + [translate("FeatureMesh", "note: ") + in_words(note) for note in found.get("notes", [])])
 
 
 def face_names(faces):

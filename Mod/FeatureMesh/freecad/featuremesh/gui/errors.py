@@ -8,6 +8,7 @@ import FreeCADGui as Gui
 from PySide import QtGui
 
 from ..mesh_object import is_cancelled, one_line
+from ..messages import in_words
 
 translate = FreeCAD.Qt.translate
 
@@ -17,9 +18,10 @@ def show(error, part=None):
     if is_cancelled(error):
         Gui.getMainWindow().statusBar().showMessage(translate("FeatureMesh", "Cancelled; the mesh is as it was."), 5000)
         return
-    FreeCAD.Console.PrintError("FeatureMesh: %s\n" % one_line(error))
+    message = in_words(one_line(error))
+    FreeCAD.Console.PrintError("FeatureMesh: %s\n" % message)
     select_named(error, part)
-    QtGui.QMessageBox.warning(Gui.getMainWindow(), "FeatureMesh", one_line(error))
+    QtGui.QMessageBox.warning(Gui.getMainWindow(), "FeatureMesh", message)
 
 
 def select_named(error, part):

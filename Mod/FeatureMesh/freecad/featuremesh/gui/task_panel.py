@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The panel of a mesh object: sizes, an estimate, mesh and cancel, and what came out."""
 
+import json
 import threading
 
 import FreeCAD
@@ -9,12 +10,14 @@ from PySide import QtCore, QtGui
 
 from .. import api, versions
 from ..mesh_object import UP_TO_DATE, is_cancelled, one_line, status_in_words
+from ..messages import in_words
 from ..view_provider import drawn_icon
 from .errors import select_named
 from .running import RunningJob, step_in_words
 
 translate = FreeCAD.Qt.translate
 _POLL_MS, _ESTIMATE_MS = 50, 400
+_REMARKS = 3   # shown in the panel
 
 
 class MeshPanel:
@@ -212,7 +215,7 @@ class MeshPanel:
             self.result.setText(translate("FeatureMesh", "Cancelled; the mesh is as it was."))
             return
         self.mesh.Proxy.fail(self.mesh, error)
-        self.result.setText('<span style="color:#c62828">%s</span>' % one_line(error).replace("<", "&lt;"))
+        self.result.setText('<span style="color:#c62828">%s</span>' % in_words(one_line(error)).replace("<", "&lt;"))
         select_named(error, versions.part_of(self.mesh))
 
     def _show_result(self):
@@ -227,6 +230,7 @@ class MeshPanel:
         if mesh.KeptNodes:
             lines.append(translate("FeatureMesh", "kept by the last update: %d %% of the nodes, %d %% of the tets")
                          % (mesh.KeptNodes, mesh.KeptTets))
+        lines += _remarks(json.loads(mesh.Report or "{}"))
         self.result.setText("<br>".join(line.replace("<", "&lt;") for line in lines))
         self.mesh_button.setText(translate("FeatureMesh", "Update") if mesh.Status == UP_TO_DATE
                                  else translate("FeatureMesh", "Mesh"))
@@ -246,7 +250,7 @@ class MeshPanel:
                                               elements_per_circle=self.per_circle.value(),
                                               elements_across_gap=self.across_gap.value(), growth=self.growth.value())
         except Exception as error:
-            self.estimate.setText(one_line(error))
+            self.estimate.setText(in_words(one_line(error)))
             return
         self._raw = raw
         self._estimate = _Estimate(raw, options)
@@ -262,6 +266,14 @@ class MeshPanel:
             pass  # the panel was closed meanwhile, and Qt has deleted the label
 
 
+def _remarks(report):
+    """What the report says that a user should know, in the user's language."""
+    remarks = [report["fallback"]] if report.get("fallback") else []
+    remarks += report.get("warnings", [])
+    lines = [translate("FeatureMesh", "note: ") + in_words(remark) for remark in remarks[:_REMARKS]]
+    return lines + ([translate("FeatureMesh", "and %d more, see the property Report") % (len(remarks) - _REMARKS)] if len(remarks) > _REMARKS else [])
+
+
 class _Estimate(threading.Thread):
 
     def __init__(self, raw, options):
@@ -274,4 +286,4 @@ class _Estimate(threading.Thread):
             count = api.estimated_tets(self.raw, self.options)
             self.text = translate("FeatureMesh", "about %s tets") % format(int(float("%.2g" % count)), ",d").replace(",", " ")
         except Exception as error:
-            self.text = one_line(error)
+            self.text = in_words(one_line(error))

@@ -56,6 +56,10 @@
       <translation>Kleinster Winkel zwischen zwei Seiten eines Tetraeders</translation>
     </message>
     <message>
+      <source>Smallest angle in degrees that new elements are improved towards; below 30 is faster, above 35 is rarely reached</source>
+      <translation>Kleinster Winkel in Grad, auf den hin neue Elemente verbessert werden; unter 30 geht es schneller, über 35 wird selten erreicht</translation>
+    </message>
+    <message>
       <source>Smallest edge length that curvature, thin gaps and growth may ask for; 0: a tenth of Size</source>
       <translation>Kleinste Kantenlänge, die Krümmung, dünne Stellen und Wachstum verlangen dürfen; 0: ein Zehntel von Size</translation>
     </message>
@@ -107,6 +111,30 @@
       <translation>%d Objekte haben die Bezeichnung %s, bitte einen Namen angeben: %s</translation>
     </message>
     <message>
+      <source>%s 10-node tets would be folded near %s: the face bends too much within one element. Ask for a smaller size there, or for 4-node tets.</source>
+      <translation>%s Tetraeder mit 10 Knoten wären gefaltet, bei %s: die Fläche biegt sich innerhalb eines Elements zu stark. Dort eine kleinere Größe wählen, oder Tetraeder mit 4 Knoten.</translation>
+    </message>
+    <message>
+      <source>%s and %s are in the same place but run differently. Check the feature that made them (Part: Check geometry).</source>
+      <translation>%s und %s liegen am selben Ort, verlaufen aber verschieden. Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen).</translation>
+    </message>
+    <message>
+      <source>%s cannot be filled: %s. Mesh the part from scratch.</source>
+      <translation>%s kann nicht gefüllt werden: %s. Das Bauteil von Grund auf vernetzen.</translation>
+    </message>
+    <message>
+      <source>%s cannot be meshed: %s. Check the feature that made it (Part: Check geometry), or refine the shape.</source>
+      <translation>%s kann nicht vernetzt werden: %s. Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen), oder die Form verfeinern.</translation>
+    </message>
+    <message>
+      <source>%s cannot be meshed: %s. Try a smaller size on this face, or check the feature that made it (Part: Check geometry).</source>
+      <translation>%s kann nicht vernetzt werden: %s. Eine kleinere Größe auf dieser Fläche versuchen, oder das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen).</translation>
+    </message>
+    <message>
+      <source>%s cannot be meshed: its boundary crosses or touches itself%s. Check the feature that made it (Part: Check geometry), or try a smaller size.</source>
+      <translation>%s kann nicht vernetzt werden: ihr Rand kreuzt oder berührt sich selbst%s. Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen), oder eine kleinere Größe versuchen.</translation>
+    </message>
+    <message>
       <source>%s cannot be renumbered: %s</source>
       <translation>%s kann nicht neu nummeriert werden: %s</translation>
     </message>
@@ -123,12 +151,20 @@
       <translation>%s hat kein Bauteil, das vernetzt werden kann; bitte die Eigenschaft %s setzen</translation>
     </message>
     <message>
+      <source>%s has no positive volume. Its faces point inwards or cross each other; check the feature that made it (Part: Check geometry).</source>
+      <translation>%s hat kein positives Volumen. Seine Flächen zeigen nach innen oder kreuzen einander; das Formelement prüfen, das ihn erzeugt hat (Part: Geometrie prüfen).</translation>
+    </message>
+    <message>
       <source>%s has no shape to mesh</source>
       <translation>%s hat keine Form, die vernetzt werden kann</translation>
     </message>
     <message>
       <source>%s has no solid%s</source>
       <translation>%s hat keinen Festkörper%s</translation>
+    </message>
+    <message>
+      <source>%s has no solid. Recompute the document, and mesh a body or a Part object whose result is a solid.</source>
+      <translation>%s hat keinen Volumenkörper. Das Dokument neu berechnen und einen Körper oder ein Part-Objekt vernetzen, dessen Ergebnis ein Volumenkörper ist.</translation>
     </message>
     <message>
       <source>%s has no tets; it has to be a volume mesh</source>
@@ -151,12 +187,44 @@
       <translation>%s ist kein FEM-Netz</translation>
     </message>
     <message>
+      <source>%s mid-side nodes were off the surface and are new, on it</source>
+      <translation>%s Mittelknoten lagen neben der Oberfläche und sind neu, auf ihr</translation>
+    </message>
+    <message>
+      <source>%s of %s elements do not fit the part and were made anew: %s</source>
+      <translation>%s von %s Elementen passen nicht zum Bauteil und wurden neu gemacht: %s</translation>
+    </message>
+    <message>
+      <source>%s refers to %s, which is gone; choose another edge</source>
+      <translation>%s verweist auf %s, die es nicht mehr gibt; eine andere Kante wählen</translation>
+    </message>
+    <message>
+      <source>%s refers to %s, which is gone; choose another face</source>
+      <translation>%s verweist auf %s, die es nicht mehr gibt; eine andere Fläche wählen</translation>
+    </message>
+    <message>
+      <source>%s refers to %s, which is gone; choose another solid</source>
+      <translation>%s verweist auf %s, den es nicht mehr gibt; einen anderen Volumenkörper wählen</translation>
+    </message>
+    <message>
+      <source>%s refers to %s, which is gone; choose another vertex</source>
+      <translation>%s verweist auf %s, den es nicht mehr gibt; einen anderen Punkt wählen</translation>
+    </message>
+    <message>
+      <source>%s tets without a volume to speak of remain at %s; mesh finer there, or take out what is much smaller than the rest of the part</source>
+      <translation>%s Tetraeder fast ohne Volumen bleiben bei %s; dort feiner vernetzen, oder weglassen, was viel kleiner als der Rest des Bauteils ist</translation>
+    </message>
+    <message>
       <source>%s was not updated since the document was opened, all its elements are as they were</source>
       <translation>%s wurde seit dem Öffnen des Dokuments nicht aktualisiert, alle Elemente sind, wie sie waren</translation>
     </message>
     <message>
       <source>%s: %d features, %d cells, %.10g mm^3 of material (FreeCAD: %.10g)</source>
       <translation>%s: %d Features, %d Zellen, %.10g mm^3 Material (FreeCAD: %.10g)</translation>
+    </message>
+    <message>
+      <source>%s: %s is now %s, its reference was changed</source>
+      <translation>%s: %s ist jetzt %s, der Verweis wurde geändert</translation>
     </message>
     <message>
       <source>, not of %s</source>
@@ -185,6 +253,10 @@
     <message>
       <source>A mesh that follows your part</source>
       <translation>Ein Netz, das dem Bauteil folgt</translation>
+    </message>
+    <message>
+      <source>A size of %s mm would make about %s million tets; at most %s million are made. Choose a larger size.</source>
+      <translation>Eine Größe von %s mm ergäbe etwa %s Millionen Tetraeder; höchstens %s Millionen werden gemacht. Eine größere Größe wählen.</translation>
     </message>
     <message>
       <source>Across gaps</source>
@@ -291,6 +363,10 @@
       <translation>Netzeinstellungen</translation>
     </message>
     <message>
+      <source>Meshed finer than asked, because a face beside it would cross itself: %s.</source>
+      <translation>Feiner vernetzt als gewünscht, weil sich eine Fläche daneben selbst kreuzen würde: %s.</translation>
+    </message>
+    <message>
       <source>Meshes the part, or updates its mesh where it changed</source>
       <translation>Vernetzt das Bauteil oder aktualisiert sein Netz, wo es sich geändert hat</translation>
     </message>
@@ -301,6 +377,10 @@
     <message>
       <source>New meshes</source>
       <translation>Neue Netze</translation>
+    </message>
+    <message>
+      <source>No element of the mesh fits the part: %s. Choose the object it was made of, or mesh the part anew.</source>
+      <translation>Kein Element des Netzes passt zum Bauteil: %s. Das Objekt wählen, von dem es gemacht wurde, oder das Bauteil neu vernetzen.</translation>
     </message>
     <message>
       <source>Nodes kept as start positions</source>
@@ -353,16 +433,88 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>Zustand</translation>
     </message>
     <message>
+      <source>The geometry kernel failed while meshing: %s. Try another size, or check the shape (Part: Check geometry).</source>
+      <translation>Der Geometriekern versagte beim Vernetzen: %s. Eine andere Größe versuchen, oder die Form prüfen (Part: Geometrie prüfen).</translation>
+    </message>
+    <message>
+      <source>The growth rate is %s; it must be at least 1 (1.3 is usual).</source>
+      <translation>Das Wachstum ist %s; es muss mindestens 1 sein (üblich ist 1.3).</translation>
+    </message>
+    <message>
+      <source>The local mesh size at %s is %s mm; it must be larger than zero.</source>
+      <translation>Die lokale Netzgröße an %s ist %s mm; sie muss größer als null sein.</translation>
+    </message>
+    <message>
       <source>The mesh follows every recompute of the document</source>
       <translation>Das Netz folgt jeder Neuberechnung des Dokuments</translation>
+    </message>
+    <message>
+      <source>The mesh is finer than asked where these faces are near each other: %s.</source>
+      <translation>Das Netz ist feiner als gewünscht, wo diese Flächen nahe beieinander liegen: %s.</translation>
+    </message>
+    <message>
+      <source>The mesh is not valid: %s.</source>
+      <translation>Das Netz ist nicht gültig: %s.</translation>
+    </message>
+    <message>
+      <source>The mesh size is %s mm; it must be larger than zero. The part is %s.</source>
+      <translation>Die Netzgröße ist %s mm; sie muss größer als null sein. Das Bauteil misst %s.</translation>
+    </message>
+    <message>
+      <source>The mesh size of %s mm is larger than the part, which is %s. Ask for a smaller size.</source>
+      <translation>Die Netzgröße von %s mm ist größer als das Bauteil, es misst %s. Eine kleinere Größe wählen.</translation>
+    </message>
+    <message>
+      <source>The number of elements across gaps is %s; it must not be negative (0 turns it off).</source>
+      <translation>Die Zahl der Elemente in Wänden ist %s; sie darf nicht negativ sein (0 schaltet ab).</translation>
+    </message>
+    <message>
+      <source>The number of elements per circle is %s; it must not be negative (0 turns it off).</source>
+      <translation>Die Zahl der Elemente je Kreis ist %s; sie darf nicht negativ sein (0 schaltet ab).</translation>
+    </message>
+    <message>
+      <source>The part could not be filled: %s. Try another size, or check the shape (Part: Check geometry).</source>
+      <translation>Das Bauteil konnte nicht gefüllt werden: %s. Eine andere Größe versuchen, oder die Form prüfen (Part: Geometrie prüfen).</translation>
+    </message>
+    <message>
+      <source>The saved mesh does not fit the part: %s.</source>
+      <translation>Das gespeicherte Netz passt nicht zum Bauteil: %s.</translation>
+    </message>
+    <message>
+      <source>The shape has no solid. Mesh a body or a Part object whose result is a solid.</source>
+      <translation>Die Form hat keinen Volumenkörper. Einen Körper oder ein Part-Objekt vernetzen, dessen Ergebnis ein Volumenkörper ist.</translation>
+    </message>
+    <message>
+      <source>The shape is empty. Recompute the document and mesh an object that has a solid.</source>
+      <translation>Die Form ist leer. Das Dokument neu berechnen und ein Objekt mit Volumenkörper vernetzen.</translation>
+    </message>
+    <message>
+      <source>The shell of %s is open at %s. Close the gap (Part: Check geometry, then sew or rebuild the feature there).</source>
+      <translation>Die Hülle von %s ist offen bei %s. Die Lücke schließen (Part: Geometrie prüfen, dann das Formelement dort vernähen oder neu aufbauen).</translation>
     </message>
     <message>
       <source>The size of a new mesh is the diagonal of the part divided by this number</source>
       <translation>Die Größe eines neuen Netzes ist die Diagonale des Bauteils geteilt durch diese Zahl</translation>
     </message>
     <message>
+      <source>The smallest angle of a tet is %s degrees, at %s: results there are poor. Take details out that are much smaller than the edge length, or mesh finer there.</source>
+      <translation>Der kleinste Winkel eines Tetraeders ist %s Grad, bei %s: Ergebnisse dort sind ungenau. Einzelheiten weglassen, die viel kleiner als die Kantenlänge sind, oder dort feiner vernetzen.</translation>
+    </message>
+    <message>
+      <source>The smallest mesh size is %s mm; it must lie between zero and the mesh size of %s mm.</source>
+      <translation>Die kleinste Netzgröße ist %s mm; sie muss zwischen null und der Netzgröße von %s mm liegen.</translation>
+    </message>
+    <message>
       <source>The worst elements, click to see:</source>
       <translation>Die schlechtesten Elemente, zum Ansehen anklicken:</translation>
+    </message>
+    <message>
+      <source>There is not enough memory for this mesh. Choose a larger size.</source>
+      <translation>Der Speicher reicht für dieses Netz nicht. Eine größere Größe wählen.</translation>
+    </message>
+    <message>
+      <source>These faces cross each other: %s. The shape intersects itself (Part: Check geometry), or is thinner there than any mesh of this size can follow; repair the feature, or ask for a smaller size on these faces.</source>
+      <translation>Diese Flächen kreuzen einander: %s. Die Form durchdringt sich selbst (Part: Geometrie prüfen), oder sie ist dort dünner, als ein Netz dieser Größe folgen kann; das Formelement reparieren, oder auf diesen Flächen eine kleinere Größe wählen.</translation>
     </message>
     <message>
       <source>Threads</source>
@@ -411,6 +563,10 @@ mittleres Radienverhältnis %.3f</translation>
     <message>
       <source>all</source>
       <translation>alle</translation>
+    </message>
+    <message>
+      <source>and %d more, see the property Report</source>
+      <translation>und %d weitere, siehe die Eigenschaft Report</translation>
     </message>
     <message>
       <source>appeared</source>
@@ -489,6 +645,18 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>Festkörper füllen</translation>
     </message>
     <message>
+      <source>full mesh: %s</source>
+      <translation>ganz neu vernetzt: %s</translation>
+    </message>
+    <message>
+      <source>full mesh: no element of the old mesh is clear of what changed</source>
+      <translation>ganz neu vernetzt: kein Element des alten Netzes ist von der Änderung frei</translation>
+    </message>
+    <message>
+      <source>full mesh: nothing could be kept</source>
+      <translation>ganz neu vernetzt: nichts konnte behalten werden</translation>
+    </message>
+    <message>
       <source>handing over to FreeCAD</source>
       <translation>an FreeCAD übergeben</translation>
     </message>
@@ -505,6 +673,18 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>Features verschneiden</translation>
     </message>
     <message>
+      <source>its own volume is the same, but other features now meet %s of its faces differently</source>
+      <translation>sein Volumen ist gleich, aber andere Formelemente treffen %s seiner Flächen jetzt anders</translation>
+    </message>
+    <message>
+      <source>keeping all that fits failed: %s</source>
+      <translation>alles Passende zu behalten gelang nicht: %s</translation>
+    </message>
+    <message>
+      <source>keeping everything further than %s edge lengths from the change failed: %s</source>
+      <translation>alles zu behalten, was weiter als %s Kantenlängen von der Änderung ist, gelang nicht: %s</translation>
+    </message>
+    <message>
       <source>kept</source>
       <translation>geblieben</translation>
     </message>
@@ -515,6 +695,10 @@ mittleres Radienverhältnis %.3f</translation>
     <message>
       <source>kept: %d tets (%.1f %%)</source>
       <translation>behalten: %d Tetraeder (%.1f %%)</translation>
+    </message>
+    <message>
+      <source>meshed from scratch: %s</source>
+      <translation>von Grund auf vernetzt: %s</translation>
     </message>
     <message>
       <source>meshing %s</source>
@@ -529,12 +713,20 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>verschoben</translation>
     </message>
     <message>
+      <source>moved by %s mm</source>
+      <translation>um %s mm verschoben</translation>
+    </message>
+    <message>
       <source>new faces</source>
       <translation>neue Flächen</translation>
     </message>
     <message>
       <source>new: %d tets</source>
       <translation>neu: %d Tetraeder</translation>
+    </message>
+    <message>
+      <source>no longer suppressed</source>
+      <translation>nicht mehr unterdrückt</translation>
     </message>
     <message>
       <source>none</source>
@@ -637,12 +829,36 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>das Dokument hat mehrere Festkörper, bitte einen auswählen oder mit --object angeben: %s</translation>
     </message>
     <message>
+      <source>the document holds no mesh state</source>
+      <translation>das Dokument enthält keinen Netzzustand</translation>
+    </message>
+    <message>
+      <source>the new mesh's state cannot be stored (%s), the old mesh stays; is the disk full?</source>
+      <translation>der Zustand des neuen Netzes kann nicht gespeichert werden (%s), das alte Netz bleibt; ist die Platte voll?</translation>
+    </message>
+    <message>
       <source>the picture could not be drawn: %s</source>
       <translation>das Bild konnte nicht gezeichnet werden: %s</translation>
     </message>
     <message>
+      <source>the property QualityTarget of %s has to lie between 0 and %g degrees, not %g</source>
+      <translation>die Eigenschaft QualityTarget von %s muss zwischen 0 und %g Grad liegen, nicht %g</translation>
+    </message>
+    <message>
       <source>the refinement %s refers to another object than %s; refer to faces of that one</source>
       <translation>die Verfeinerung %s verweist auf ein anderes Objekt als %s; bitte auf dessen Flächen verweisen</translation>
+    </message>
+    <message>
+      <source>the saved mesh state belongs to %s, not to %s</source>
+      <translation>der gespeicherte Netzzustand gehört zu %s, nicht zu %s</translation>
+    </message>
+    <message>
+      <source>the saved mesh state is damaged (%s)</source>
+      <translation>der gespeicherte Netzzustand ist beschädigt (%s)</translation>
+    </message>
+    <message>
+      <source>the saved mesh state is from a newer FeatureMesh (%s, schema %s; this one reads up to %s)</source>
+      <translation>der gespeicherte Netzzustand ist von einem neueren FeatureMesh (%s, Schema %s; dieses liest bis %s)</translation>
     </message>
     <message>
       <source>the size %g mm is larger than the part (%g mm across); try %g</source>
@@ -651,6 +867,26 @@ mittleres Radienverhältnis %.3f</translation>
     <message>
       <source>the size has to be greater than 0 mm, not %g</source>
       <translation>die Größe muss größer als 0 mm sein, nicht %g</translation>
+    </message>
+    <message>
+      <source>the surface mesh does not close at %s; check the shape there, or try another size</source>
+      <translation>das Oberflächennetz schließt sich nicht bei %s; dort die Form prüfen, oder eine andere Größe versuchen</translation>
+    </message>
+    <message>
+      <source>the two parts look unrelated: they have no feature name in common</source>
+      <translation>die beiden Bauteile haben nichts miteinander zu tun: kein Name eines Formelements ist gemeinsam</translation>
+    </message>
+    <message>
+      <source>the volume mesh cannot be made to meet the triangles of %s; mesh finer there, or check the shape for faces that cut or touch one another</source>
+      <translation>das Volumennetz lässt sich nicht an die Dreiecke von %s anschließen; dort feiner vernetzen, oder die Form auf Flächen prüfen, die einander schneiden oder berühren</translation>
+    </message>
+    <message>
+      <source>treated as changed: %s</source>
+      <translation>als geändert behandelt: %s</translation>
+    </message>
+    <message>
+      <source>triangles of %s cut one another; the shape may touch or cut itself there: repair it, or mesh finer there</source>
+      <translation>Dreiecke von %s schneiden einander; die Form berührt oder schneidet sich dort vielleicht selbst: reparieren, oder dort feiner vernetzen</translation>
     </message>
     <message>
       <source>trimmed differently</source>
@@ -671,6 +907,10 @@ mittleres Radienverhältnis %.3f</translation>
     <message>
       <source>vanished</source>
       <translation>verschwunden</translation>
+    </message>
+    <message>
+      <source>volume %s mm^3</source>
+      <translation>Volumen %s mm^3</translation>
     </message>
     <message>
       <source>volume mm³</source>

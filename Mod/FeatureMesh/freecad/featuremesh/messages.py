@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The engine's messages, and those that are kept in documents, in the user's language.
+
+They are made and stored in English, with the names and figures in them. What is shown is recognised by the sentences below, where each
+%s stands for such a name or figure, or for another message; a message that is not among them stays English.
+"""
+
+import re
+
+import FreeCAD
+
+translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+# Where two would fit, the first counts: more words before fewer.
+SENTENCES = (
+    # The user's settings
+    QT_TRANSLATE_NOOP("FeatureMesh", "The mesh size is %s mm; it must be larger than zero. The part is %s."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The mesh size of %s mm is larger than the part, which is %s. Ask for a smaller size."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The smallest mesh size is %s mm; it must lie between zero and the mesh size of %s mm."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The growth rate is %s; it must be at least 1 (1.3 is usual)."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The number of elements per circle is %s; it must not be negative (0 turns it off)."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The number of elements across gaps is %s; it must not be negative (0 turns it off)."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The local mesh size at %s is %s mm; it must be larger than zero."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "A size of %s mm would make about %s million tets; at most %s million are made. Choose a larger size."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "There is not enough memory for this mesh. Choose a larger size."),
+    # The part
+    QT_TRANSLATE_NOOP("FeatureMesh", "The shape is empty. Recompute the document and mesh an object that has a solid."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The shape has no solid. Mesh a body or a Part object whose result is a solid."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s has no solid. Recompute the document, and mesh a body or a Part object whose result is a solid."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The shell of %s is open at %s. Close the gap (Part: Check geometry, then sew or rebuild the feature there)."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s has no positive volume. Its faces point inwards or cross each other; check the feature that made it "
+                                     "(Part: Check geometry)."),
+    # The surface
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s cannot be meshed: its boundary crosses or touches itself%s. Check the feature that made it (Part: Check "
+                                     "geometry), or try a smaller size."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s cannot be meshed: %s. Try a smaller size on this face, or check the feature that made it (Part: Check "
+                                     "geometry)."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s cannot be meshed: %s. Check the feature that made it (Part: Check geometry), or refine the shape."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s cannot be filled: %s. Mesh the part from scratch."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s and %s are in the same place but run differently. Check the feature that made them (Part: Check geometry)."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "These faces cross each other: %s. The shape intersects itself (Part: Check geometry), or is thinner there than "
+                                     "any mesh of this size can follow; repair the feature, or ask for a smaller size on these faces."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s 10-node tets would be folded near %s: the face bends too much within one element. Ask for a smaller size "
+                                     "there, or for 4-node tets."),
+    # The volume
+    QT_TRANSLATE_NOOP("FeatureMesh", "The geometry kernel failed while meshing: %s. Try another size, or check the shape (Part: Check geometry)."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The part could not be filled: %s. Try another size, or check the shape (Part: Check geometry)."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is not valid: %s."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "the surface mesh does not close at %s; check the shape there, or try another size"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "triangles of %s cut one another; the shape may touch or cut itself there: repair it, or mesh finer there"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "the volume mesh cannot be made to meet the triangles of %s; mesh finer there, or check the shape for faces "
+                                     "that cut or touch one another"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s tets without a volume to speak of remain at %s; mesh finer there, or take out what is much smaller than "
+                                     "the rest of the part"),
+    # The saved state
+    QT_TRANSLATE_NOOP("FeatureMesh", "the saved mesh state belongs to %s, not to %s"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "the saved mesh state is damaged (%s)"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "the saved mesh state is from a newer FeatureMesh (%s, schema %s; this one reads up to %s)"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "the document holds no mesh state"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "the new mesh's state cannot be stored (%s), the old mesh stays; is the disk full?"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The saved mesh does not fit the part: %s."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "No element of the mesh fits the part: %s. Choose the object it was made of, or mesh the part anew."),
+    # The report's warnings and fallbacks
+    QT_TRANSLATE_NOOP("FeatureMesh", "The smallest angle of a tet is %s degrees, at %s: results there are poor. Take details out that are much "
+                                     "smaller than the edge length, or mesh finer there."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "Meshed finer than asked, because a face beside it would cross itself: %s."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked where these faces are near each other: %s."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "meshed from scratch: %s"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "full mesh: no element of the old mesh is clear of what changed"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "full mesh: nothing could be kept"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "full mesh: %s"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "keeping everything further than %s edge lengths from the change failed: %s"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "keeping all that fits failed: %s"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s of %s elements do not fit the part and were made anew: %s"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s mid-side nodes were off the surface and are new, on it"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s: %s is now %s, its reference was changed"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s refers to %s, which is gone; choose another face"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s refers to %s, which is gone; choose another edge"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s refers to %s, which is gone; choose another vertex"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s refers to %s, which is gone; choose another solid"),
+    # The feature difference
+    QT_TRANSLATE_NOOP("FeatureMesh", "the two parts look unrelated: they have no feature name in common"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "its own volume is the same, but other features now meet %s of its faces differently"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "moved by %s mm"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "volume %s mm^3"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "no longer suppressed"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "treated as changed: %s"),
+)
+_PATTERNS = [(sentence, re.compile("(.+?)".join(map(re.escape, sentence.split("%s"))), re.DOTALL)) for sentence in SENTENCES]
+
+
+def in_words(message):
+    """A message in the user's language, with the messages inside it; as it is when it is not known."""
+    for sentence, pattern in _PATTERNS:
+        found = pattern.fullmatch(message)
+        if found:
+            return translate("FeatureMesh", sentence) % tuple(in_words(words) for words in found.groups())
+    return message
