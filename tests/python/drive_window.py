@@ -1,68 +1,47 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drives FreeCAD's real window: mesh, cancel, edit, undo, overlays, tables, errors. Run by test_window.py.
+"""Drives FreeCAD's real window: mesh, cancel, edit, undo, copy, overlays, tables, errors, icons. Run by test_window.py.
 
 Writes what went wrong to the file FEATUREMESH_RESULT ("ok" when nothing did), and pictures to the folder FEATUREMESH_PICTURES
 when that is set.
 """
-import gc
+import importlib
 import os
 import signal
 import sys
 import time
-import traceback
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
+import window  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
-
-PICTURES = os.environ.get("FEATUREMESH_PICTURES")
-messages = []
+from window import PICTURES, figures, messages, open_dialog, panel, picture, spin, texts_of, wait_for  # noqa: E402
 
 
-def spin(seconds=0.2):
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        QtGui.QApplication.processEvents()
-        time.sleep(0.01)
+def run_as_one_step(document, command):
+    """Runs a command of ours; exactly one step of undo, with its name, is its."""
+    from freecad.featuremesh.commands import COMMANDS
+    title = importlib.import_module("freecad.featuremesh.commands." + COMMANDS[command]).Command().title
+    count = document.UndoCount
+    Gui.runCommand(command)
+    spin()
+    assert document.UndoCount == count + 1 and document.UndoNames[0] == title, (command, count, document.UndoNames[:3])
 
 
-def picture(name):
-    if PICTURES:
-        spin(0.8)
-        QtGui.QGuiApplication.primaryScreen().grabWindow(0).save(os.path.join(PICTURES, name + ".png"))
-
-
-def panel(kind):
-    """The open panel of that class."""
-    shown, = [obj for obj in gc.get_objects() if type(obj).__name__ == kind and is_shown(obj.form)]
-    return shown
-
-
-def is_shown(widget):
-    try:
-        return widget.isVisible()
-    except (AttributeError, RuntimeError):   # FreeCAD or Qt has let go of it
-        return False
-
-
-def wait_for(condition, seconds=120):
-    end = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < end, "waited %d s in vain" % seconds
-        spin(0.05)
-
-
-def texts_of(action):
-    """The texts in the menu of an action."""
-    menu = action.menu()
-    return [entry.text() for entry in menu.actions()] if menu is not None else []
-
-
-def open_dialog():
-    """The one dialog that is open."""
-    dialog, = [w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QDialog) and w.isVisible()]
-    return dialog
+def run_and_accept(command):
+    """Runs one of FreeCAD's commands and accepts what it asks."""
+    def accept():
+        dialog = QtGui.QApplication.activeModalWidget()
+        if isinstance(dialog, QtGui.QMessageBox):
+            dialog.button(QtGui.QMessageBox.Yes if dialog.button(QtGui.QMessageBox.Yes) else QtGui.QMessageBox.Ok).click()
+        elif dialog is not None:
+            dialog.accept()
+    timer = QtCore.QTimer()
+    timer.timeout.connect(accept)
+    timer.start(100)
+    Gui.runCommand(command)
+    spin(0.5)
+    timer.stop()
 
 
 def points_of(mesh):
@@ -138,13 +117,93 @@ def check_preferences(api, engine, document, body):
     Gui.Selection.clearSelection()
 
 
+def check_copy_and_deletion(api, document, body, mesh):
+    """Copy and paste give a mesh of its own; a deleted mesh comes back by undo; a label is only that."""
+    before = points_of(mesh)
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(mesh)
+    run_and_accept("Std_Copy")
+    run_and_accept("Std_Paste")
+    copies = [other for other in api.meshes_of(document) if other is not mesh]
+    assert len(copies) == 1 and points_of(copies[0]) == before, [other.Name for other in copies]
+    pasted = [obj for obj in document.Objects if obj not in (mesh, copies[0]) and obj.Name.startswith(body.Name) and obj is not body]
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(copies[0])
+    run_and_accept("Std_Delete")
+    assert api.meshes_of(document) == [mesh]
+    for obj in pasted:
+        obj.removeObjectsFromDocument()
+        document.removeObject(obj.Name)
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(mesh)
+    run_and_accept("Std_Delete")
+    assert not api.meshes_of(document)
+    document.undo()
+    mesh, = api.meshes_of(document)
+    assert points_of(mesh) == before
+    mesh.Label = "Netz der Platte"
+    Gui.Selection.clearSelection()
+    run_as_one_step(document, "FeatureMesh_UpdateNow")
+    assert points_of(mesh) == before
+    return mesh
+
+
+def check_icons():
+    """Every icon can be told from a light and from a dark background at 16 pixels."""
+    from freecad.featuremesh.view_provider import ICONS, drawn_icon
+    names = sorted(name[:-len(".svg")] for name in os.listdir(ICONS))
+    sheet = QtGui.QWidget()
+    layout = QtGui.QGridLayout(sheet)
+    for row, background in enumerate(("#f0f0f0", "#2b2b2b")):
+        for column, name in enumerate(names):
+            image = QtGui.QImage(16, 16, QtGui.QImage.Format_RGB32)
+            image.fill(QtGui.QColor(background))
+            painter = QtGui.QPainter(image)
+            painter.drawPixmap(0, 0, drawn_icon(name).pixmap(16, 16))
+            painter.end()
+            seen = sum(contrast(image.pixel(x, y), QtGui.QColor(background).rgb()) > 2 for x in range(16) for y in range(16))
+            assert seen > 30, "%s on %s: %d of 256 pixels stand out" % (name, background, seen)
+            for index, size in enumerate((16, 48)):
+                label = QtGui.QLabel()
+                label.setPixmap(QtGui.QPixmap.fromImage(image.scaled(size, size)))
+                label.setToolTip(name)
+                layout.addWidget(label, 2 * row + index, column)
+    sheet.show()
+    picture("icons")
+    sheet.close()
+
+
+def contrast(first, second):
+    """The ratio of luminances, as for texts on web pages; 1: none."""
+    def luminance(rgb):
+        parts = [channel / 255 for channel in QtGui.QColor(rgb).getRgb()[:3]]
+        return sum(weight * (part / 12.92 if part <= 0.03928 else ((part + 0.055) / 1.055) ** 2.4)
+                   for weight, part in zip((0.2126, 0.7152, 0.0722), parts))
+    light, dark = sorted((luminance(first), luminance(second)), reverse=True)
+    return (light + 0.05) / (dark + 0.05)
+
+
+def check_overlay(kind, shown, mesh):
+    """What a panel says is true of the mesh."""
+    from freecad.featuremesh import overlays
+    if kind == "KeptPanel":
+        legend = [label.text() for label in shown.form.findChildren(QtGui.QLabel) if label.text()]
+        assert len(legend) == 3 and legend[0].startswith("kept: ") and "(%d." % mesh.KeptTets in legend[0], legend
+    else:
+        assert sum(shown.form.findChild(QtGui.QWidget, "histogram").counts) == mesh.TetCount
+        number, angle, _ = overlays.worst_tets(mesh, 1)[0]
+        assert shown.worst.item(0).text() == "%d:  %.2f deg" % (number, angle) and abs(angle - mesh.MinDihedral.Value) < 1e-6
+        shown.worst.setCurrentRow(0)
+        spin()
+        picture("worst")
+
+
 def drive():
     from freecad.featuremesh import api, engine, mesh_object
     from freecad.featuremesh.commands import COMMANDS, compare
     from parts import plate_with_hole
     main = Gui.getMainWindow()
     main.setGeometry(0, 0, 1280, 800)
-    QtGui.QMessageBox.warning = staticmethod(lambda *words: messages.append(words[2]))
     assert set(COMMANDS) <= set(Gui.listCommands())
     Gui.activateWorkbench("FeatureMeshWorkbench")
     spin()
@@ -158,8 +217,7 @@ def drive():
     Gui.SendMsgToActiveView("ViewFit")
 
     # Mesh from the panel
-    Gui.runCommand("FeatureMesh_MeshPart")
-    spin()
+    run_as_one_step(document, "FeatureMesh_MeshPart")
     mesh, = api.meshes_of(document)
     settings = panel("MeshPanel")
     settings.size.setProperty("rawValue", 2.5)
@@ -180,10 +238,16 @@ def drive():
         picture("running")
         wait_for(lambda: settings.running is None)
     before = points_of(mesh)
-    settings.start(True)
-    settings.cancel()
-    wait_for(lambda: settings.running is None)
-    assert points_of(mesh) == before and mesh.Status == mesh_object.UP_TO_DATE
+    settings.size.setProperty("rawValue", 0.9)   # so that each step lasts
+    for step in ("", "surface", "volume"):
+        settings.start(True)
+        wait_for(lambda: not step or settings.running.step == step)
+        start = time.monotonic()
+        settings.cancel_button.click()
+        wait_for(lambda: settings.running is None)
+        figures.append("cancel at step '%s': %.2f s" % (step, time.monotonic() - start))
+        assert points_of(mesh) == before and "Cancelled" in settings.result.text(), settings.result.text()
+    settings.size.setProperty("rawValue", 2.5)
 
     # A crash of the engine's process costs the work it was at
     settings.start(True)
@@ -223,10 +287,7 @@ def drive():
         spin()
         shown = panel(kind)
         picture(name)
-        if kind == "QualityPanel":
-            shown.worst.setCurrentRow(0)
-            spin()
-            picture("worst")
+        check_overlay(kind, shown, mesh)
         shown.reject()
         spin()
 
@@ -257,14 +318,16 @@ def drive():
     spin()
     assert messages and "select faces" in messages[-1], messages
     Gui.Selection.addSelection(body, "Face1")
-    Gui.runCommand("FeatureMesh_AddLocalSize")
-    spin()
+    run_as_one_step(document, "FeatureMesh_AddLocalSize")
     Gui.Control.closeDialog()
     Gui.activeDocument().resetEdit()
     assert mesh.MeshRegionList[0].References == [(body, ("Face1",))]
     few = mesh.NodeCount
     document.recompute()
     assert mesh.NodeCount > few and mesh.Status == mesh_object.UP_TO_DATE, mesh.Status
+
+    mesh = check_copy_and_deletion(api, document, body, mesh)
+    check_icons()
 
     # What fails says so and leaves the mesh
     count = mesh.TetCount
@@ -296,8 +359,7 @@ def check_adoption(api, document, body, mesh):
     foreign.FemMesh = mesh.FemMesh
     before = points_of(mesh)
     document.removeObject(mesh.Name)
-    Gui.runCommand("FeatureMesh_Adopt")
-    spin()
+    run_as_one_step(document, "FeatureMesh_Adopt")
     adopted, = api.meshes_of(document)
     shared = sum(adopted.FemMesh.Nodes.get(number) == point for number, point in foreign.FemMesh.Nodes.items())
     assert shared > 0.9 * len(before), (shared, len(before), messages[-1])
@@ -316,6 +378,8 @@ def check_german(main, document, mesh):
     Gui.setLocale("de")
     spin()
     assert mesh_object.status_in_words(mesh_object.UP_TO_DATE) == "aktuell"
+    assert mesh_object.status_in_words("failed: The growth rate is 0.5; it must be at least 1 (1.3 is usual).") == (
+        "fehlgeschlagen: Das Wachstum ist 0.5; es muss mindestens 1 sein (üblich ist 1.3).")
     texts = [action.text() for action in main.findChild(QtGui.QToolBar, "Mesh").actions()]
     assert "Bauteil vernetzen" in texts, texts
     Gui.activateWorkbench("FeatureMeshWorkbench")
@@ -340,15 +404,4 @@ def check_closing_in_the_middle(document):
     assert type(running.error).__name__ == "Cancelled", running.error
 
 
-def main():
-    try:
-        drive()
-        return "ok"
-    except BaseException:
-        return traceback.format_exc() + "\nmessages: %s" % messages
-
-
-result = main()
-with open(os.environ["FEATUREMESH_RESULT"], "w", encoding="utf-8") as stream:
-    stream.write(result)
-os._exit(0)
+window.run(drive)

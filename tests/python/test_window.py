@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""FreeCAD's real window on a virtual screen; skipped (exit code 77) where there is no FreeCAD window or no Xvfb."""
+"""FreeCAD's real window on a virtual screen; skipped (exit code 77) where there is no FreeCAD window or no Xvfb.
+
+Runs drive_window.py, or the script of this folder that is named.
+"""
 import os
 import shutil
 import subprocess
@@ -10,7 +13,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 WORKBENCH = os.path.join(HERE, "..", "..", "Mod", "FeatureMesh")
 
 
-def main():
+def main(script="drive_window.py"):
     freecad, screen = shutil.which("freecad") or shutil.which("FreeCAD"), shutil.which("xvfb-run")
     if not freecad or not screen:
         print("skipped: needs freecad and xvfb-run")
@@ -19,7 +22,7 @@ def main():
         result = os.path.join(folder, "result")
         environment = dict(os.environ, LC_ALL="C.UTF-8", FEATUREMESH_RESULT=result, FREECAD_USER_HOME=folder,
                            QTWEBENGINE_DISABLE_SANDBOX="1")
-        done = subprocess.run([screen, "-a", "-s", "-screen 0 1280x800x24", freecad, os.path.join(HERE, "drive_window.py"),
+        done = subprocess.run([screen, "-a", "-s", "-screen 0 1280x800x24", freecad, os.path.join(HERE, script),
                                "--module-path=" + os.path.abspath(WORKBENCH)],
                               env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               timeout=280, check=False)
@@ -30,8 +33,8 @@ def main():
         with open(result, encoding="utf-8") as stream:
             text = stream.read()
         print(text)
-        return 0 if text == "ok" else 1
+        return 0 if text.startswith("ok") else 1
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(*sys.argv[1:]))

@@ -5,6 +5,7 @@ Meshes come as arrays: points (n,3) mm, tets (m,4) indices of positive volume. P
 bytes until a figure puts them into a file. All drawing happens inside `off_screen()`.
 """
 import contextlib
+import itertools
 import os
 import subprocess
 
@@ -16,6 +17,7 @@ ACTIVE_COLOUR = "#14532d"
 LABELS = {KEPT: "kept", NEW: "new", RELEASED: "released", CARRIED: "carried along"}
 EDGE_COLOUR, OUTLINE_COLOUR, BACKGROUND = "#5a6875", "#20262d", "#ffffff"
 SIZE = (1300, 800)
+_MARGIN = 1.04   # of the picture over what is drawn
 # The corners of each side of a tet, seen from outside in the order of the clock's opposite.
 SIDES = np.array(((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)))
 
@@ -202,7 +204,7 @@ class Scene:
         camera.SetPosition(*(-np.asarray(direction, dtype=float)))
         camera.SetViewUp(*((0, 1, 0) if abs(direction[2]) > 0.99 * np.linalg.norm(direction) else (0, 0, 1)))
         self._renderer.ResetCamera()
-        camera.Zoom(1.35)
+        self._fit(camera)
         if focus is not None:
             shift = np.asarray(focus) - np.asarray(camera.GetFocalPoint())
             camera.SetFocalPoint(*focus)
@@ -217,6 +219,22 @@ class Scene:
         image = grab.GetOutput()
         width, rows, _ = image.GetDimensions()
         return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, width, -1)[::-1, :, :3].copy()
+
+    def _fit(self, camera):
+        """Makes everything as large as the picture allows."""
+        corners = np.array(list(itertools.product(*np.reshape(self._renderer.ComputeVisiblePropBounds(), (3, 2)))))
+        back = np.asarray(camera.GetViewPlaneNormal())
+        right = np.cross(camera.GetViewUp(), back)
+        right /= np.linalg.norm(right)
+        up = np.cross(back, right)
+        middle, width, height = np.zeros(3), np.ptp(corners @ right), np.ptp(corners @ up)
+        for axis in (right, up, back):
+            middle += axis * ((corners @ axis).min() + (corners @ axis).max()) / 2
+        shift = middle - np.asarray(camera.GetFocalPoint())
+        camera.SetFocalPoint(*middle)
+        camera.SetPosition(*(np.asarray(camera.GetPosition()) + shift))
+        columns, rows = self._window.GetSize()
+        camera.SetParallelScale(_MARGIN * max(height, width * rows / columns) / 2)
 
     def _add(self, data):
         from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper

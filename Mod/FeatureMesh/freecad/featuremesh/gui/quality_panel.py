@@ -66,24 +66,25 @@ class Histogram(QtGui.QWidget):
 
     def __init__(self, angles):
         super().__init__()
+        self.setObjectName("histogram")
         self.setMinimumHeight(160)
-        self._counts = [0] * (75 // _BIN)
+        self.counts = [0] * (75 // _BIN)
         for angle in angles:
-            self._counts[min(int(angle // _BIN), len(self._counts) - 1)] += 1
+            self.counts[min(int(angle // _BIN), len(self.counts) - 1)] += 1
         self.setToolTip(translate("FeatureMesh", "How many elements have which smallest dihedral angle (degrees)"))
 
     def paintEvent(self, event):
         painter = QtGui.QPainter(self)
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
         width, height = self.width(), self.height() - 18
-        step, most = width / len(self._counts), max(self._counts) or 1
-        for index, count in enumerate(self._counts):
+        step, most = width / len(self.counts), max(self.counts) or 1
+        for index, count in enumerate(self.counts):
             colour = [c for limit, c in overlays.QUALITY_STEPS if limit <= index * _BIN][-1]
             bar = height * count / most
             box = QtCore.QRectF(index * step + 1, height - bar, step - 2, bar)
             painter.fillRect(box, QtGui.QColor.fromRgbF(*colour))
             if 0 < count < most / 100:
                 painter.fillRect(QtCore.QRectF(index * step + 1, height - 2, step - 2, 2), QtGui.QColor.fromRgbF(*colour))
-            if index % 2 == 0:
-                painter.drawText(QtCore.QPointF(index * step, height + 14), str(index * _BIN))
+            if index % 4 == 0:
+                painter.drawText(QtCore.QRectF(index * step, height + 2, 3 * step, 16), QtCore.Qt.AlignLeft, str(index * _BIN))
         painter.end()

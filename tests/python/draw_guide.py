@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws the user's guide's pictures of the window anew, with the bracket of the examples:
+
+    FEATUREMESH_PICTURES=docs/pictures /usr/bin/python3 tests/python/test_window.py draw_guide.py
+"""
+import os
+import shutil
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import FreeCAD  # noqa: E402
+import FreeCADGui as Gui  # noqa: E402
+import window  # noqa: E402
+from PySide import QtCore, QtGui  # noqa: E402
+from window import panel, spin, wait_for  # noqa: E402
+
+BRACKET = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples", "bracket.FCStd")
+
+
+def save(name, box=None, width=1000):
+    """Saves what the screen shows, or a part (x, y, width, height) of it, at that width."""
+    spin(1)
+    shot = QtGui.QGuiApplication.primaryScreen().grabWindow(0)
+    shot = shot.copy(*box) if box else shot
+    shot.scaledToWidth(width, QtCore.Qt.SmoothTransformation).save(os.path.join(window.PICTURES, name + ".jpg"), "JPG", 85)
+
+
+def opened_bracket(folder):
+    """A copy of the bracket in the window, seen from the corner whose hole will move."""
+    path = os.path.join(folder, "bracket.FCStd")
+    shutil.copy(BRACKET, path)
+    document = FreeCAD.openDocument(path)
+    document.UndoMode = 1
+    for obj in document.Objects:
+        if obj.isDerivedFrom("Fem::Constraint"):
+            obj.ViewObject.Visibility = False
+    view = Gui.activeDocument().activeView()
+    view.viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    return document, path
+
+
+def meshed(document):
+    """The mesh, with its panel still open."""
+    from freecad.featuremesh import api
+    Gui.runCommand("FeatureMesh_MeshPart")
+    spin()
+    mesh, = api.meshes_of(document)
+    settings = panel("MeshPanel")
+    settings.size.setProperty("rawValue", 4)
+    wait_for(lambda: "tets" in settings.estimate.text())
+    settings.start(False)
+    wait_for(lambda: settings.running is None)
+    return mesh, settings
+
+
+def draw():
+    from freecad.featuremesh import versions
+    from freecad.featuremesh.commands import compare
+    main = Gui.getMainWindow()
+    main.setGeometry(0, 0, 1280, 770)
+    for dock in main.findChildren(QtGui.QDockWidget):
+        if dock.objectName() in ("Report view", "Python console"):
+            dock.hide()
+    Gui.activateWorkbench("FeatureMeshWorkbench")
+    spin()
+    window.open_dialog().close()
+    document, path = opened_bracket(os.path.dirname(os.environ["FEATUREMESH_RESULT"]))
+    mesh, settings = meshed(document)
+    save("panel")
+    settings.reject()
+    spin()
+    Gui.runCommand("FeatureMesh_ShowQuality")
+    spin()
+    shown = panel("QualityPanel")
+    shown.worst.setCurrentRow(0)
+    save("quality_panel")
+    shown.reject()
+    document.getObject("HoleSketch").setDatum("Hole6X", FreeCAD.Units.Quantity("105 mm"))
+    document.recompute()
+    Gui.runCommand("FeatureMesh_ShowKept")
+    spin()
+    save("kept_panel")
+    panel("KeptPanel").reject()
+    spin()
+    draw_difference(main, versions.part_of(mesh), mesh, compare.Command().show, path)
+
+
+def draw_difference(main, part, mesh, compare, path):
+    """The table of what changed, its first change opened, above the part with the faces of it."""
+    mesh.ViewObject.Visibility = False
+    dialog = compare(part, path)
+    dialog.setGeometry(140, 470, 1090, 280)
+    rows = dialog.findChild(QtGui.QTreeWidget)
+    row, = rows.findItems("Holes", QtCore.Qt.MatchExactly)
+    rows.setCurrentItem(row)
+    row.setExpanded(True)
+    for column, width in enumerate((130, 150, 420, 110, 110, 110)):
+        rows.setColumnWidth(column, width)
+    rows.scrollToItem(row, QtGui.QAbstractItemView.PositionAtCenter)
+    save("difference_table", (0, 100, 1280, 660))
+    dialog.close()
+
+
+window.run(draw)
