@@ -19,7 +19,8 @@ from layout import ROOT, SETUP_LOG, Failure, Unavailable
 from setup_log import run_logged, say
 
 RELEASE_OF = {"1.0": "trixie", "1.1": "testing"}
-RELEASE_BEFORE = {"trixie": "bookworm"}   # Debian 13 has no CalculiX, Debian 12's works there
+# Debian 13 has no CalculiX; Debian 12's works there with the libraries beside it. Installed, it would take FreeCAD's own away.
+FROM_BEFORE = {"trixie": {"release": "bookworm", "unpacked": ("calculix-ccx", "libspooles2.2"), "libraries": ("libarpack2t64", "libopenmpi40")}}
 CACHE = Path(os.environ.get("FEATUREMESH_CACHE", "/var/cache/featuremesh"))
 FRESH_DAYS = 7
 ROOT_PACKAGES = ("debootstrap",)
@@ -47,6 +48,21 @@ packages.install_missing(packages.BUILD_PACKAGES + packages.RUN_PACKAGES + packa
 """
 # A root that breaks is made anew: nothing is waited for until it is on the disk, and nobody reads manuals there.
 THROWAWAY = "force-unsafe-io\npath-exclude=/usr/share/doc/*\npath-exclude=/usr/share/man/*\n"
+UNPACK = """
+set -e
+exec >> /featuremesh/build/setup.log 2>&1
+sources=/etc/apt/sources.list.d/before.list
+trap "rm -f $sources" EXIT
+echo "$1" > $sources
+apt-get -q update
+cd "$(mktemp -d)"
+apt-get -q download $2
+for package in *.deb; do dpkg -x "$package" /; done
+rm $sources
+apt-get -q update
+apt-get -q -y install --no-install-recommends $3
+ldconfig
+"""
 # Settings by which apt reaches a mirror and trusts it; those about where it keeps its own files stay behind.
 TAKEN_ALONG = ("Acquire::http", "Acquire::https", "Acquire::Check-", "Acquire::Retries", "Acquire::ForceIPv")
 
@@ -118,13 +134,14 @@ def make_root(name, root, prefix):
     except Failure as failure:
         raise Unavailable(f"no root of Debian {name}: {failure}") from None
     write(prefix, fresh / "etc/apt/sources.list", sources_list(name, source))
-    write(prefix, fresh / "etc/apt/preferences.d/release-before", preferences(name))
     write(prefix, fresh / "etc/dpkg/dpkg.cfg.d/throwaway", THROWAWAY)
     write(prefix, fresh / "etc/apt/apt.conf.d/99machine", "".join(machine_settings()))
     if Path("/", CERTIFICATES).is_file():
         write(prefix, fresh / CERTIFICATES, Path("/", CERTIFICATES).read_text(encoding="utf-8"))
     if run_mounted(prefix, fresh, [], ["sh", "-c", INSTALL]):
         raise Unavailable(f"no root of Debian {name}: its packages could not be installed, see {SETUP_LOG}")
+    if name in FROM_BEFORE and run_mounted(prefix, fresh, [], ["sh", "-c", UNPACK, "sh", *from_before(name, source)]):
+        say(f"Debian {name} lacks a package that could not be taken from the release before, see {SETUP_LOG}; what needs it is skipped")
     write(prefix, fresh / NOTE, json.dumps({"made": datetime.datetime.now().isoformat(), "release": name}))
     run_logged([*prefix, "rm", "-rf", "--one-file-system", root], "removing the old root")
     run_logged([*prefix, "mv", fresh, root], "moving the new root to its place")
@@ -140,13 +157,13 @@ def sources_list(name, source):
     options = []
     if is_snapshot(source):
         options.append("check-valid-until=no")
-    before = f"deb {'[' + ' '.join(options) + '] ' if options else ''}{source['uri']} "
-    return "".join(f"{before}{release} main\n" for release in (name, RELEASE_BEFORE.get(name)) if release)
+    return f"deb {'[' + ' '.join(options) + '] ' if options else ''}{source['uri']} {name} main\n"
 
 
-def preferences(name):
-    """Apt's priorities: what a release has comes from it, whatever the one before has, too."""
-    return f"Package: *\nPin: release n={RELEASE_BEFORE[name]}\nPin-Priority: 100\n" if name in RELEASE_BEFORE else ""
+def from_before(name, source):
+    """What UNPACK has to know: the source of the release before, the packages to unpack and the libraries that they need."""
+    taken = FROM_BEFORE[name]
+    return sources_list(taken["release"], source).strip(), " ".join(taken["unpacked"]), " ".join(taken["libraries"])
 
 
 def machine_settings():

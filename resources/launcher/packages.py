@@ -17,7 +17,7 @@ PICTURE_PACKAGES = ("python3-vtk9", "python3-matplotlib", "xvfb", "xauth", "libg
 PEER_PACKAGES = ("gmsh",)
 NETGEN_PACKAGES = ("python3-netgen",)
 WINDOW_PACKAGES = ("freecad", "python3-pivy")
-NOT_EVERYWHERE = ("calculix-ccx",)  # not in Debian 13; what needs it is skipped there
+NOT_EVERYWHERE = ("calculix-ccx",)  # not in Debian 13; what needs it is skipped where its program is not there otherwise
 
 REASONS = (
     (BUILD_PACKAGES, "to build the engine"),
@@ -54,7 +54,7 @@ def install_missing(packages):
         run_logged([*prefix, "apt-get", "-q", "update"], "apt-get update")
         absent = [name for name in unknown_to_apt(names) if name in NOT_EVERYWHERE]
         if absent:
-            say(f"this Debian has no {' '.join(absent)}; what needs it is skipped")
+            say(f"this Debian has no {' '.join(absent)}; what needs it is skipped where it is not there otherwise")
             names = [name for name in names if name not in absent]
     if not names:
         return
