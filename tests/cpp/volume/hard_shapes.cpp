@@ -117,13 +117,13 @@ TopoDS_Shape square_to_circle() {
     return loft.Shape();
 }
 
+}  // namespace
+
 TopoDS_Shape scaled(const TopoDS_Shape& shape, double factor) {
     gp_Trsf scale;
     scale.SetScale(gp_Pnt(0, 0, 0), factor);
     return BRepBuilderAPI_Transform(shape, scale, true).Shape();
 }
-
-}  // namespace
 
 std::vector<HardShape> hard_shapes() {
     return {

@@ -17,5 +17,6 @@ struct HardShape {
 /// Thin walls, sharp wedges, narrow slots, poles, sweeps and lofts, voids, shared faces, very small, very large, far
 /// away.
 std::vector<HardShape> hard_shapes();
+TopoDS_Shape scaled(const TopoDS_Shape& shape, double factor);
 
 }  // namespace featuremesh::testing

@@ -25,10 +25,10 @@ std::string hard_findings(const Brep& brep, const Mesh& mesh) {
     return lines;
 }
 
-void check_meshed(const HardShape& hard, const TopoDS_Shape& shape, double size, bool is_curved) {
+void check_meshed(const HardShape& hard, double size, bool is_curved) {
     INFO(hard.name << ", size " << size);
     try {
-        const Part part = prepare(shape, size * hard.scale);
+        const Part part = prepare(hard.shape, size * hard.scale);
         Mesh mesh = fill(part).mesh;
         CHECK(hard_findings(part.brep, mesh) == "");
         if (!is_curved) return;
@@ -40,15 +40,37 @@ void check_meshed(const HardShape& hard, const TopoDS_Shape& shape, double size,
     }
 }
 
+struct Variant {
+    std::string name;
+    double angle;
+    Vec3 shift;
+    double scale;
+};
+
+HardShape varied(const HardShape& hard, const Variant& variant) {
+    const TopoDS_Shape shape = variant.scale == 1 ? hard.shape : scaled(hard.shape, variant.scale);
+    return {hard.name + ", " + variant.name, turned(shape, variant.angle, variant.shift), hard.scale * variant.scale};
+}
+
 }  // namespace
 
 TEST_CASE("hard shapes are meshed coarsely") {
-    for (const HardShape& hard : hard_shapes()) check_meshed(hard, hard.shape, 10, hard.name != "plate with 400 holes");
+    for (const HardShape& hard : hard_shapes()) check_meshed(hard, 10, hard.name != "plate with 400 holes");
 }
 
-TEST_CASE("hard shapes are meshed at three sizes, straight and turned, with 4-node and 10-node tets", "[.hard]") {
+TEST_CASE("hard shapes are meshed where they are turned") {
     for (const HardShape& hard : hard_shapes())
-        for (const double size : {10.0, 4.0, 2.0})
-            for (const double angle : {0.0, 0.651})
-                check_meshed(hard, turned(hard.shape, angle, {0, 0, 0}), size, true);
+        if (hard.name != "plate with 400 holes") check_meshed(varied(hard, {"turned", 0.651, {}, 1}), 4, true);
+}
+
+TEST_CASE("hard shapes are meshed at three sizes, turned, far away, small and large, with 4-node and 10-node tets",
+          "[.hard]") {
+    const std::vector<Variant> variants{{"as built", 0, {}, 1},
+                                        {"turned", 0.651, {}, 1},
+                                        {"far from the origin", 0.651, {1e5, -1e5, 1e5}, 1},
+                                        {"a thousand times smaller", 0.651, {}, 1e-3},
+                                        {"a thousand times larger", 0.651, {}, 1e3}};
+    for (const HardShape& hard : hard_shapes())
+        for (const Variant& variant : variants)
+            for (const double size : {10.0, 4.0, 2.0}) check_meshed(varied(hard, variant), size, true);
 }
