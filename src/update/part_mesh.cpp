@@ -16,6 +16,7 @@
 #include "core/errors.h"
 #include "mesh/validation.h"
 #include "surface/mid_side_nodes.h"
+#include "surface/turned_triangles.h"
 #include "update/foreign_fit.h"
 #include "update/keep.h"
 
@@ -64,6 +65,15 @@ std::vector<char> unproven_nodes(const Mesh& mesh, std::vector<char> is_rim, std
     return unproven;
 }
 
+void refuse_turned(const Mesh& mesh, const std::vector<TriangleId>& turned) {
+    if (turned.empty()) return;
+    const std::size_t t = turned.front().index();
+    const Vec3& p = mesh.point(mesh.triangles[t][0]);
+    throw MeshError("The mesh is not valid: " + std::to_string(turned.size()) + " surface triangles are turned over, the first on " +
+                    name_of(entity_of(mesh.triangle_faces[t])) + " at (" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " +
+                    std::to_string(p.z) + "). The face bends too much there for this size; ask for a smaller size on it.");
+}
+
 void validate(const Mesh& mesh, const Brep& brep, std::vector<char> unproven, RunContext& context) {
     RunContext::Step step(context, "validate");
     Expectation expected = expectation_of(brep);
@@ -72,6 +82,7 @@ void validate(const Mesh& mesh, const Brep& brep, std::vector<char> unproven, Ru
     if (!broken.empty())
         throw MeshError("The mesh is not valid: " + broken.front() +
                         (broken.size() > 1 ? " (and " + std::to_string(broken.size() - 1) + " more)" : "") + ".");
+    refuse_turned(mesh, turned_triangles(brep, mesh, expected.is_unproven, context));
 }
 
 struct Filled {

@@ -5,6 +5,7 @@
 
 #include "catch.h"
 #include "core/errors.h"
+#include "surface/turned_triangles.h"
 #include "surface_checks.h"
 
 using namespace featuremesh;
@@ -89,4 +90,24 @@ TEST_CASE("filling stops when it is cancelled") {
     const SizingField sizing = make_sizing(brep, options, {}, context);
     context.on_progress = [](std::string_view, double) { return false; };
     CHECK_THROWS_AS(fill_surface(brep, sizing, {}, context), Cancelled);
+}
+
+TEST_CASE("triangles that lie the wrong way round are found, on every kind of face and whatever their corners lie on") {
+    for (const NamedShape& s : named_shapes()) {
+        INFO(s.name);
+        const Brep brep(s.shape);
+        Mesh mesh = mesh_surface(brep, s.size).mesh;
+        RunContext context;
+        context.threads = 2;
+        CHECK(turned_triangles(brep, mesh, {}, context).empty());
+        std::vector<TriangleId> swapped;
+        std::vector<char> is_wanted(mesh.node_count(), 0);
+        for (std::size_t t = 3; t < mesh.triangles.size(); t += 7) {
+            std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
+            swapped.push_back(TriangleId(t));
+        }
+        CHECK(turned_triangles(brep, mesh, {}, context) == swapped);
+        for (const NodeId n : mesh.triangles[3]) is_wanted[n.index()] = 1;
+        CHECK(turned_triangles(brep, mesh, is_wanted, context) == std::vector{TriangleId(3)});
+    }
 }

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/turned_triangles.h"
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <algorithm>
+#include <optional>
+
+#include "surface/projection.h"
+
+namespace featuremesh {
+
+namespace {
+
+constexpr std::size_t grain = 1 << 12;
+/// Needles along a curved edge stand almost upright on their face; they are no folds.
+constexpr double least_against = -0.2;
+
+using Uv = std::array<double, 2>;
+
+class NormalCheck {
+  public:
+    NormalCheck(const Brep& brep, const Mesh& mesh) : brep_(brep), mesh_(mesh), projector_(brep) {}
+
+    bool is_turned(TriangleId id) {
+        const auto& corners = mesh_.triangles[id.index()];
+        const FaceId face = mesh_.triangle_faces[id.index()];
+        enter(face);
+        const Vec3 &a = mesh_.point(corners[0]), &b = mesh_.point(corners[1]), &c = mesh_.point(corners[2]);
+        const Vec3 across = cross(b - a, c - a);
+        const double most = least_against * length(across);
+        if (plane_normal_) return dot(across, *plane_normal_) < most;
+        int seen = 0;
+        for (const NodeId n : corners) {
+            const std::optional<Uv> uv = parameters_of(n, face);
+            if (!uv) continue;
+            ++seen;
+            if (!(dot(across, projector_.normal(face, *uv)) < most)) return false;
+        }
+        return seen > 0;
+    }
+
+  private:
+    void enter(FaceId face) {
+        if (face == face_) return;
+        face_ = face;
+        plane_normal_.reset();
+        if (BRepAdaptor_Surface(brep_.face(face), false).GetType() == GeomAbs_Plane) plane_normal_ = projector_.normal(face, {0, 0});
+    }
+
+    std::optional<Uv> parameters_of(NodeId n, FaceId face) const {
+        const Entity entity = mesh_.entities[n.index()];
+        if (entity == entity_of(face)) return mesh_.parameters[n.index()];
+        if (entity.dim == 1) return on_edge(EdgeId(entity.index), face, mesh_.parameters[n.index()][0]);
+        if (entity.dim != 0) return std::nullopt;
+        for (const EdgeId edge : brep_.edges_of(VertexId(entity.index)))
+            if (const auto faces = brep_.faces_of(edge); std::find(faces.begin(), faces.end(), face) != faces.end())
+                return on_edge(edge, face, brep_.ends_of(edge)[0] == VertexId(entity.index) ? 0 : 1, true);
+        return std::nullopt;
+    }
+    /// The point of the edge's curve in the face's parameters, at a parameter or (0 or 1) at an end.
+    std::optional<Uv> on_edge(EdgeId edge, FaceId face, double t, bool is_end = false) const {
+        double first = 0, last = 0;
+        const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(brep_.edge(edge), brep_.face(face), first, last);
+        if (curve.IsNull()) return std::nullopt;
+        const gp_Pnt2d p = curve->Value(is_end ? (t > 0 ? last : first) : std::clamp(t, first, last));
+        return Uv{p.X(), p.Y()};
+    }
+
+    const Brep& brep_;
+    const Mesh& mesh_;
+    const Projector projector_;
+    FaceId face_;
+    std::optional<Vec3> plane_normal_;
+};
+
+}  // namespace
+
+std::vector<TriangleId> turned_triangles(const Brep& brep, const Mesh& mesh, const std::vector<char>& is_wanted, RunContext& context) {
+    const auto is_looked_at = [&](const std::array<NodeId, 3>& corners) {
+        return is_wanted.empty() || std::all_of(corners.begin(), corners.end(), [&](NodeId n) { return is_wanted[n.index()] != 0; });
+    };
+    std::vector<std::vector<TriangleId>> parts((mesh.triangles.size() + grain - 1) / grain);
+    parallel_for(context, mesh.triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
+        std::optional<NormalCheck> check;   // kept chunks need none
+        for (std::size_t t = begin; t < end; ++t) {
+            if (!is_looked_at(mesh.triangles[t])) continue;
+            if (!check) check.emplace(brep, mesh);
+            if (check->is_turned(TriangleId(t))) parts[begin / grain].push_back(TriangleId(t));
+        }
+    });
+    std::vector<TriangleId> turned;
+    for (const auto& part : parts) turned.insert(turned.end(), part.begin(), part.end());
+    return turned;
+}
+
+}  // namespace featuremesh
