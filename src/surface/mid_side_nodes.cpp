@@ -129,7 +129,8 @@ std::vector<SizeSource> shorter_lengths(const Mesh& mesh, const std::vector<TetI
         const auto& n = mesh.tets[t.index()];
         double longest = 0;
         for (const auto& [a, b] : tet_sides) longest = std::max(longest, distance(mesh.point(n[a]), mesh.point(n[b])));
-        wanted.push_back({0.25 * (mesh.point(n[0]) + mesh.point(n[1]) + mesh.point(n[2]) + mesh.point(n[3])), 0.5 * longest});
+        wanted.push_back(
+            {0.25 * (mesh.point(n[0]) + mesh.point(n[1]) + mesh.point(n[2]) + mesh.point(n[3])), 0.5 * longest});
     }
     return wanted;
 }
@@ -172,8 +173,9 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
 Mesh curve_to_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {
     SecondOrder result = try_second_order(brep, std::move(mesh), kept, context);
     if (!result.shorter.empty())
-        throw MeshError(std::to_string(result.shorter.size()) + " 10-node tets would be folded near " + result.place +
-                        ": the face bends too much within one element. Ask for a smaller size there, or for 4-node tets.");
+        throw MeshError(
+            std::to_string(result.shorter.size()) + " 10-node tets would be folded near " + result.place +
+            ": the face bends too much within one element. Ask for a smaller size there, or for 4-node tets.");
     return std::move(result.mesh);
 }
 

@@ -15,13 +15,15 @@ namespace featuremesh {
 /// A 10-node mesh, or why there is none.
 struct SecondOrder {
     Mesh mesh;
-    std::vector<SizeSource> shorter;  ///< edge lengths with which it may work where elements stay folded; empty: `mesh` is valid
-    std::string place;                ///< the face at which they are
+    std::vector<SizeSource>
+        shorter;        ///< edge lengths with which it may work where elements stay folded; empty: `mesh` is valid
+    std::string place;  ///< the face at which they are
 };
 
-/// Makes a 4-node mesh a 10-node one: sides on CAD edges and faces get their mid-side node on the entity, half way in the edge's arc length, others in the
-/// middle. Where an element's scaled Jacobian would be below 0.2, nodes move (those on entities along them), then the mesh is refined there. Elements of
-/// `kept` (a 10-node mesh, its elements in front in the same order) keep their nodes bit for bit.
+/// Makes a 4-node mesh a 10-node one: sides on CAD edges and faces get their mid-side node on the entity, half way in
+/// the edge's arc length, others in the middle. Where an element's scaled Jacobian would be below 0.2, nodes move
+/// (those on entities along them), then the mesh is refined there. Elements of `kept` (a 10-node mesh, its elements in
+/// front in the same order) keep their nodes bit for bit.
 SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context);
 /// The same; throws MeshError that names the face where elements stay folded.
 Mesh curve_to_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context);

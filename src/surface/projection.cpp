@@ -99,7 +99,9 @@ double clamped(double x, double low, double high, double period) { return period
 /// Smaller steps are rounding, mm.
 double negligible_step(const Vec3& p, double distance) { return 1e-12 * (1 + distance) + 1e-14 * length(p); }
 /// Far from the origin rounding hides in the squared distance what the last steps gain.
-double rounding_of_square(const Vec3& p, double square) { return 1e-14 * square + 2e-15 * length(p) * std::sqrt(square); }
+double rounding_of_square(const Vec3& p, double square) {
+    return 1e-14 * square + 2e-15 * length(p) * std::sqrt(square);
+}
 
 /// Newton on |S(u,v) - p|^2 with step halving; none when it does not reach a stationary point.
 std::optional<Uv> newton(const SurfaceData& s, const Vec3& p, Uv uv) {

@@ -48,7 +48,8 @@ class NormalCheck {
         if (face == face_) return;
         face_ = face;
         plane_normal_.reset();
-        if (BRepAdaptor_Surface(brep_.face(face), false).GetType() == GeomAbs_Plane) plane_normal_ = projector_.normal(face, {0, 0});
+        if (BRepAdaptor_Surface(brep_.face(face), false).GetType() == GeomAbs_Plane)
+            plane_normal_ = projector_.normal(face, {0, 0});
     }
 
     std::optional<Uv> parameters_of(NodeId n, FaceId face) const {
@@ -79,13 +80,15 @@ class NormalCheck {
 
 }  // namespace
 
-std::vector<TriangleId> turned_triangles(const Brep& brep, const Mesh& mesh, const std::vector<char>& is_wanted, RunContext& context) {
+std::vector<TriangleId> turned_triangles(const Brep& brep, const Mesh& mesh, const std::vector<char>& is_wanted,
+                                         RunContext& context) {
     const auto is_looked_at = [&](const std::array<NodeId, 3>& corners) {
-        return is_wanted.empty() || std::all_of(corners.begin(), corners.end(), [&](NodeId n) { return is_wanted[n.index()] != 0; });
+        return is_wanted.empty() ||
+               std::all_of(corners.begin(), corners.end(), [&](NodeId n) { return is_wanted[n.index()] != 0; });
     };
     std::vector<std::vector<TriangleId>> parts((mesh.triangles.size() + grain - 1) / grain);
     parallel_for(context, mesh.triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
-        std::optional<NormalCheck> check;   // kept chunks need none
+        std::optional<NormalCheck> check;  // kept chunks need none
         for (std::size_t t = begin; t < end; ++t) {
             if (!is_looked_at(mesh.triangles[t])) continue;
             if (!check) check.emplace(brep, mesh);

@@ -33,12 +33,15 @@ TopoDS_Shape filleted_box(double radius) {
 
 TopoDS_Shape crossing_cylinders() {
     const gp_Ax2 up(gp_Pnt(0, 0, -20), gp::DZ()), across(gp_Pnt(-20, 0, 0), gp::DX());
-    return BRepAlgoAPI_Fuse(BRepPrimAPI_MakeCylinder(up, 6, 40).Shape(), BRepPrimAPI_MakeCylinder(across, 6, 40).Shape()).Shape();
+    return BRepAlgoAPI_Fuse(BRepPrimAPI_MakeCylinder(up, 6, 40).Shape(),
+                            BRepPrimAPI_MakeCylinder(across, 6, 40).Shape())
+        .Shape();
 }
 
 /// An L whose parts are not merged: the fillet's arc and the edge between the parts' end faces meet tangentially.
 TopoDS_Shape sheet_with_cusps() {
-    const TopoDS_Shape sheet = BRepAlgoAPI_Fuse(BRepPrimAPI_MakeBox(30, 20, 3).Shape(), BRepPrimAPI_MakeBox(3, 20, 25).Shape()).Shape();
+    const TopoDS_Shape sheet =
+        BRepAlgoAPI_Fuse(BRepPrimAPI_MakeBox(30, 20, 3).Shape(), BRepPrimAPI_MakeBox(3, 20, 25).Shape()).Shape();
     BRepFilletAPI_MakeFillet fillet(sheet);
     for (TopExp_Explorer it(sheet, TopAbs_EDGE); it.More(); it.Next()) {
         const BRepAdaptor_Curve edge(TopoDS::Edge(it.Current()));
@@ -66,7 +69,8 @@ double distance_from_entities(const Brep& brep, const Mesh& mesh) {
         for (NodeId n : mesh.triangle_mids[t])
             largest = std::max(largest, projector.nearest(mesh.triangle_faces[t], mesh.point(n)).distance);
     for (std::size_t s = 0; s < mesh.segments.size(); ++s)
-        largest = std::max(largest, projector.nearest(mesh.segment_edges[s], mesh.point(mesh.segment_mids[s])).distance);
+        largest =
+            std::max(largest, projector.nearest(mesh.segment_edges[s], mesh.point(mesh.segment_mids[s])).distance);
     return largest;
 }
 
@@ -83,7 +87,8 @@ TEST_CASE("coarse 10-node meshes of strongly curved parts are unfolded and on th
         {"torus", BRepPrimAPI_MakeTorus(20, 6).Shape(), 8},
         {"fillet of 2 at size 10", filleted_box(2), 10},
         {"tube with a thin wall",
-         BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(20, 20).Shape(), BRepPrimAPI_MakeCylinder(19, 20).Shape()).Shape(), 6},
+         BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(20, 20).Shape(), BRepPrimAPI_MakeCylinder(19, 20).Shape()).Shape(),
+         6},
         {"crossing cylinders", crossing_cylinders(), 10},
         {"arc that leaves a line at no angle", sheet_with_cusps(), 5}};
     for (const Case& c : cases) {
