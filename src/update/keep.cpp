@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "update/keep.h"
 
+#include <TopoDS_Face.hxx>
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <numeric>
+#include <tuple>
 
+#include "features/occt_geometry.h"
 #include "surface/projection.h"
 #include "update/enclosure.h"
+#include "update/entity_finder.h"
+#include "update/shape_coverage.h"
 
 namespace featuremesh {
 
@@ -27,7 +34,7 @@ class Keeper {
   public:
     Keeper(const KeepInput& input, RunContext& context)
         : in_(input), context_(context), projector_(input.new_brep), places_(input.old_mesh.points.size()),
-          is_untouched_(input.old_brep.face_count(), 0) {
+          is_untouched_(input.old_brep.face_count(), 0), face_boxes_(input.new_brep.face_count()) {
         for (const FaceChange& change : input.difference.faces)
             if (change.verdict == FaceVerdict::kept) is_untouched_[change.old_face.index()] = 1;
     }
@@ -108,10 +115,9 @@ class Keeper {
             case 0:
                 return i < region.new_vertex_of.size() && place_on_vertex(place, region.new_vertex_of[i], carried(n));
             case 1:
-                return i < region.new_edge_of.size() && place_on_edge(place, region.new_edge_of[i], carried(n));
+                return i < region.new_edges_of.size() && place_on_edges(place, region.new_edges_of[i], carried(n));
             case 2:
-                return i < region.new_face_of.size() &&
-                       place_on_face(place, region.new_face_of[i], carried(n), is_untouched(place, i, carried(n)));
+                return i < region.new_faces_of.size() && place_on_faces(place, i, carried(n));
             default:
                 return true;   // its solid follows from its tets
         }
@@ -123,13 +129,20 @@ class Keeper {
         return distance(in_.new_brep.point_of(vertex), p) <= tolerance();
     }
 
+    // An edge may have been split, or be one with others: the piece that the node lies within has it.
+    bool place_on_edges(Place& place, const std::vector<EdgeId>& pieces, const Vec3& p) const {
+        return std::any_of(pieces.begin(), pieces.end(), [&](EdgeId edge) { return place_on_edge(place, edge, p); });
+    }
+
     bool place_on_edge(Place& place, EdgeId edge, const Vec3& p) const {
-        if (!edge.is_valid()) return false;
         place.entity = entity_of(edge);
-        if (distance(projector_.on_edge(edge, place.parameter[0]), p) <= tolerance()) return true;
+        const auto [first, last] = range_of(in_.new_brep, edge);
+        const auto is_within = [&](double t) { return t > first && t < last; };
+        if (is_within(place.parameter[0]) && distance(projector_.on_edge(edge, place.parameter[0]), p) <= tolerance()) return true;
         const OnEdge foot = projector_.nearest(edge, p);
+        if (!is_within(foot.t) || foot.distance > tolerance()) return false;
         place.parameter[0] = foot.t;
-        return foot.distance <= tolerance();
+        return true;
     }
 
     // Where a face's boundary is the old one a point that was inside still is: everywhere, or far from all that changed.
@@ -140,15 +153,29 @@ class Keeper {
         return !changed.grown(2 * in_.margin * in_.new_sizing.largest()).contains(p) || !changed.grown(2 * in_.margin * in_.new_sizing.at(p)).contains(p);
     }
 
+    bool place_on_faces(Place& place, std::size_t old_face, const Vec3& p) {
+        const auto& pieces = regions()[std::size_t(place.motion)].new_faces_of[old_face];
+        if (pieces.size() == 1) return place_on_face(place, pieces[0], p, is_untouched(place, old_face, p));
+        return std::any_of(pieces.begin(), pieces.end(), [&](FaceId face) { return may_hold(face, p) && place_on_face(place, face, p, false); });
+    }
+
+    bool may_hold(FaceId face, const Vec3& p) {
+        Box& box = face_boxes_[face.index()];
+        if (box.is_empty()) box = box_of(in_.new_brep.face(face)).grown(tolerance());
+        return box.contains(p);
+    }
+
     bool place_on_face(Place& place, FaceId face, const Vec3& p, bool is_untouched) const {
-        if (!face.is_valid()) return false;
         place.entity = entity_of(face);
-        if (distance(projector_.on_face(face, place.parameter), p) > tolerance()) {
+        std::array<double, 2> uv = place.parameter;
+        if (distance(projector_.on_face(face, uv), p) > tolerance()) {
             const OnFace foot = projector_.nearest(face, p);
-            place.parameter = foot.uv;
+            uv = foot.uv;
             if (foot.distance > tolerance()) return false;
         }
-        return is_untouched || projector_.is_inside_trim(face, place.parameter);
+        if (!is_untouched && !projector_.is_inside_trim(face, uv)) return false;
+        place.parameter = uv;
+        return true;
     }
 
     double tolerance() const { return 5 * in_.new_brep.tolerances().on_entity(); }
@@ -324,27 +351,44 @@ class Keeper {
     void take_triangles(Kept& kept, const std::vector<std::int32_t>& new_index) const {
         const Mesh& old = in_.old_mesh;
         const std::vector<char> backed = backed_by_kept_tets(kept, new_index);
-        std::vector<std::int8_t> flipped(in_.old_brep.face_count() * regions().size(), -1);
+        std::map<std::tuple<std::size_t, FaceId, FaceId>, bool> flipped;
         for (std::size_t t = 0; t < old.triangles.size(); ++t) {
             const auto& nodes = old.triangles[t];
             if (!backed[t] || !survives(nodes, new_index)) continue;
             const std::size_t r = std::size_t(places_[nodes[0].index()].motion);
-            const FaceId old_face = old.triangle_faces[t];
-            const FaceId face = regions()[r].new_face_of[old_face.index()];
+            const FaceId old_face = old.triangle_faces[t], face = face_of(r, t);
             if (!face.is_valid()) {
                 for (const NodeId n : nodes) kept.is_rim[std::size_t(new_index[n.index()])] = 1;
                 continue;
             }
-            std::int8_t& flip = flipped[r * in_.old_brep.face_count() + old_face.index()];
-            if (flip < 0) flip = is_flipped(t, face);
+            const auto [flip, is_new] = flipped.try_emplace({r, old_face, face}, false);
+            if (is_new) flip->second = is_flipped(t, face);
             std::array<NodeId, 3> triangle;
             for (int k = 0; k < 3; ++k) triangle[k] = NodeId(new_index[nodes[k].index()]);
-            if (flip) std::swap(triangle[1], triangle[2]);
+            if (flip->second) std::swap(triangle[1], triangle[2]);
             kept.mesh.triangles.push_back(triangle);
             kept.mesh.triangle_faces.push_back(face);
             kept.mesh.triangle_numbers.push_back(old.triangle_numbers[t]);
             kept.triangle_origin.push_back(std::int32_t(t));
         }
+    }
+
+    // The piece of its face that an old triangle is on.
+    FaceId face_of(std::size_t r, std::size_t triangle) const {
+        const auto& pieces = regions()[r].new_faces_of[in_.old_mesh.triangle_faces[triangle].index()];
+        if (pieces.size() < 2) return pieces.empty() ? FaceId() : pieces[0];
+        const auto& nodes = in_.old_mesh.triangles[triangle];
+        for (const NodeId n : nodes)
+            if (places_[n.index()].entity.dim == 2) return FaceId(places_[n.index()].entity.index);
+        const Vec3 middle = (carried(nodes[0].index()) + carried(nodes[1].index()) + carried(nodes[2].index())) / 3.0;
+        for (const FaceId face : pieces) {
+            const auto is_at = [&](NodeId n) {
+                const std::vector<FaceId> faces = faces_at(in_.new_brep, places_[n.index()].entity);
+                return std::binary_search(faces.begin(), faces.end(), face);
+            };
+            if (std::all_of(nodes.begin(), nodes.end(), is_at) && projector_.is_inside_trim(face, projector_.nearest(face, middle).uv)) return face;
+        }
+        return FaceId();
     }
 
     // A triangle stays with the tet behind it: the cavity's boundary is then where kept tets end. Around a node off the rim all tets are kept, so only
@@ -389,7 +433,7 @@ class Keeper {
         for (std::size_t s = 0; s < old.segments.size(); ++s) {
             const auto& nodes = old.segments[s];
             if (!survives(nodes, new_index)) continue;
-            const EdgeId edge = regions()[std::size_t(places_[nodes[0].index()].motion)].new_edge_of[old.segment_edges[s].index()];
+            const EdgeId edge = edge_of(s);
             if (!edge.is_valid()) continue;
             std::array<NodeId, 2> segment{NodeId(new_index[nodes[0].index()]), NodeId(new_index[nodes[1].index()])};
             if (runs_backwards(kept.mesh, segment, edge)) std::swap(segment[0], segment[1]);
@@ -398,6 +442,26 @@ class Keeper {
             kept.mesh.segment_numbers.push_back(old.segment_numbers[s]);
             kept.segment_origin.push_back(std::int32_t(s));
         }
+    }
+
+    // The piece of its edge that an old segment is on: both its nodes are, and of several (two arcs between two vertices) it is the nearest.
+    EdgeId edge_of(std::size_t segment) const {
+        const auto& nodes = in_.old_mesh.segments[segment];
+        const Vec3 middle = (carried(nodes[0].index()) + carried(nodes[1].index())) / 2.0;
+        EdgeId best;
+        double least = std::numeric_limits<double>::infinity();
+        const std::size_t r = std::size_t(places_[nodes[0].index()].motion);
+        for (const EdgeId edge : regions()[r].new_edges_of[in_.old_mesh.segment_edges[segment].index()]) {
+            const auto is_at = [&](NodeId n) {
+                const Entity entity = places_[n.index()].entity;
+                const auto ends = in_.new_brep.ends_of(edge);
+                return entity == entity_of(edge) || entity == entity_of(ends[0]) || entity == entity_of(ends[1]);
+            };
+            if (!is_at(nodes[0]) || !is_at(nodes[1])) continue;
+            const double d = projector_.nearest(edge, middle).distance;
+            if (d < least) least = d, best = edge;
+        }
+        return best;
     }
 
     // The new edge may be parametrised the other way round.
@@ -468,6 +532,7 @@ class Keeper {
     std::vector<std::int32_t> tet_motion_;
     std::vector<SolidId> tet_solid_;
     std::vector<char> is_untouched_;   // by old face: kept in place with all its edges
+    std::vector<Box> face_boxes_;      // by new face, empty until asked for
 };
 
 }  // namespace
