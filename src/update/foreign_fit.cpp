@@ -228,7 +228,6 @@ class Fitter {
             kept.mesh.tet_numbers.push_back(mesh_.tet_numbers[t]);
             kept.tet_origin.push_back(std::int32_t(t));
         }
-        kept.tet_motion.assign(kept.mesh.tets.size(), 0);
     }
 
     void take_triangles() {

@@ -12,6 +12,7 @@
 #include "surface/projection.h"
 #include "update/enclosure.h"
 #include "update/entity_finder.h"
+#include "update/kept_tets.h"
 #include "update/shape_coverage.h"
 
 namespace featuremesh {
@@ -21,7 +22,6 @@ namespace {
 constexpr double size_change_that_releases = 1.2;
 constexpr double clearance_between_motions = 1.5;   // edge lengths
 constexpr double active_margin = 0.6;               // edge lengths
-constexpr std::int32_t dropped = -1;
 
 /// Where an old node would be in the new state.
 struct Place {
@@ -33,7 +33,8 @@ struct Place {
 class Keeper {
   public:
     Keeper(const KeepInput& input, RunContext& context)
-        : in_(input), context_(context), projector_(input.new_brep), places_(input.old_mesh.points.size()),
+        : in_(input), context_(context), projector_(input.new_brep), motions_(input.old_mesh.points.size(), 0),
+          entities_(input.old_mesh.entities), parameters_(input.old_mesh.parameters),
           is_untouched_(input.old_brep.face_count(), 0), face_boxes_(input.new_brep.face_count()) {
         for (const FaceChange& change : input.difference.faces)
             if (change.verdict == FaceVerdict::kept) is_untouched_[change.old_face.index()] = 1;
@@ -44,30 +45,30 @@ class Keeper {
         drop_near_changes();
         place_on_entities();
         clear_between_motions();
-        choose_tets();
-        return assemble();
+        const KeptTets tets(in_.old_mesh, motions_, regions(), in_.old_brep, in_.new_brep);
+        return assemble(tets);
     }
 
   private:
     const std::vector<CarriedRegion>& regions() const { return in_.difference.regions; }
     Vec3 carried(std::size_t node) const {
-        return regions()[std::size_t(places_[node].motion)].motion.apply(in_.old_mesh.points[node]);
+        return regions()[std::size_t(motions_[node])].motion.apply(in_.old_mesh.points[node]);
     }
-    std::size_t node_count() const { return places_.size(); }
+    std::size_t node_count() const { return motions_.size(); }
 
     // The nodes of tets inside a feature that moved prefer its motion, all others stay where they are. Nodes on the feature's own faces may be outside of
     // its triangulation; the middles of their tets are not.
     void choose_motions() {
-        for (Place& place : places_) place.motion = 0;
         const Mesh& old = in_.old_mesh;
         for (std::size_t r = 1; r < regions().size(); ++r) {
+            if (regions()[r].volumes.empty()) continue;
             const Enclosure inside(regions()[r].volumes);
             for (std::size_t t = 0; t < old.tets.size(); ++t) {
                 const auto& [a, b, c, d] = old.tets[t];
                 if (!inside.contains((old.point(a) + old.point(b) + old.point(c) + old.point(d)) / 4)) continue;
-                for (const NodeId n : old.tets[t]) places_[n.index()].motion = std::int32_t(r);
+                for (const NodeId n : old.tets[t]) motions_[n.index()] = std::int32_t(r);
                 if (old.order == 2)
-                    for (const NodeId n : old.tet_mids[t]) places_[n.index()].motion = std::int32_t(r);
+                    for (const NodeId n : old.tet_mids[t]) motions_[n.index()] = std::int32_t(r);
             }
         }
     }
@@ -86,7 +87,7 @@ class Keeper {
         const std::vector<Box> resized = where_different(in_.old_sizing, in_.new_sizing);
         parallel_for(context_, node_count(), 4096, [&](std::size_t begin, std::size_t end) {
             for (std::size_t n = begin; n < end; ++n) {
-                const auto r = std::size_t(places_[n].motion);
+                const auto r = std::size_t(motions_[n]);
                 const Vec3 p = carried(n);
                 const auto holds_p = [&](const Box& box) { return box.contains(p); };
                 const bool may_be_resized = r > 0 || std::any_of(resized.begin(), resized.end(), holds_p);
@@ -94,32 +95,39 @@ class Keeper {
                 if (!may_be_resized && !may_be_near) continue;
                 const double wanted = in_.new_sizing.at(p), limit = in_.margin * wanted;
                 if ((may_be_resized && size_changed(in_.old_mesh.points[n], wanted)) || (may_be_near && regions()[r].changed.distance(p, limit) < limit))
-                    places_[n].motion = dropped;
+                    motions_[n] = dropped;
             }
         });
     }
 
     void place_on_entities() {
         for (std::size_t n = 0; n < node_count(); ++n)
-            if (places_[n].motion != dropped && !place_node(n)) places_[n].motion = dropped;
+            if (motions_[n] != dropped && !place_node(n)) motions_[n] = dropped;
     }
 
     // The verdict "unchanged" is not believed: every boundary node is measured against the new shape.
     bool place_node(std::size_t n) {
-        const CarriedRegion& region = regions()[std::size_t(places_[n].motion)];
         const Entity old_entity = in_.old_mesh.entities[n];
-        const std::size_t i = std::size_t(old_entity.index);
-        Place& place = places_[n];
-        place.parameter = in_.old_mesh.parameters[n];
-        switch (old_entity.dim) {
+        if (old_entity.dim == 3) return true;   // its solid follows from its tets
+        Place place{motions_[n], old_entity, parameters_[n]};
+        if (!find_place(place, std::size_t(old_entity.index), carried(n))) return false;
+        entities_[n] = place.entity;
+        parameters_[n] = place.parameter;
+        return true;
+    }
+
+    /// `old_index`: of the old vertex, edge or face, whose dimension `place` has.
+    bool find_place(Place& place, std::size_t old_index, const Vec3& p) {
+        const CarriedRegion& region = regions()[std::size_t(place.motion)];
+        switch (place.entity.dim) {
             case 0:
-                return i < region.new_vertex_of.size() && place_on_vertex(place, region.new_vertex_of[i], carried(n));
+                return old_index < region.new_vertex_of.size() && place_on_vertex(place, region.new_vertex_of[old_index], p);
             case 1:
-                return i < region.new_edges_of.size() && place_on_edges(place, region.new_edges_of[i], carried(n));
+                return old_index < region.new_edges_of.size() && place_on_edges(place, region.new_edges_of[old_index], p);
             case 2:
-                return i < region.new_faces_of.size() && place_on_faces(place, i, carried(n));
+                return old_index < region.new_faces_of.size() && place_on_faces(place, old_index, p);
             default:
-                return true;   // its solid follows from its tets
+                return false;
         }
     }
 
@@ -186,90 +194,36 @@ class Keeper {
             Box box;
             double spacing = 0;
             for (std::size_t n = 0; n < node_count(); ++n)
-                if (places_[n].motion == std::int32_t(r)) {
+                if (motions_[n] == std::int32_t(r)) {
                     box.add(carried(n));
                     spacing = std::max(spacing, clearance_between_motions * in_.new_sizing.at(carried(n)));
                 }
             if (box.is_empty()) continue;
             std::vector<Vec3> settled;
             for (std::size_t n = 0; n < node_count(); ++n)
-                if (places_[n].motion >= 0 && places_[n].motion < std::int32_t(r) && box.grown(spacing).contains(carried(n)))
+                if (motions_[n] >= 0 && motions_[n] < std::int32_t(r) && box.grown(spacing).contains(carried(n)))
                     settled.push_back(carried(n));
             const PointGrid grid(std::move(settled), spacing);
             for (std::size_t n = 0; n < node_count(); ++n)
-                if (places_[n].motion == std::int32_t(r) &&
+                if (motions_[n] == std::int32_t(r) &&
                     grid.has_within(carried(n), clearance_between_motions * in_.new_sizing.at(carried(n))))
-                    places_[n].motion = dropped;
+                    motions_[n] = dropped;
         }
     }
 
-    std::int32_t motion_of(std::size_t t) const {
-        const Mesh& old = in_.old_mesh;
-        const std::int32_t motion = places_[old.tets[t][0].index()].motion;
-        const auto differs = [&](NodeId n) { return places_[n.index()].motion != motion; };
-        if (std::any_of(old.tets[t].begin(), old.tets[t].end(), differs)) return dropped;
-        if (old.order == 2 && std::any_of(old.tet_mids[t].begin(), old.tet_mids[t].end(), differs)) return dropped;
-        return motion;
-    }
-
-    void choose_tets() {
-        const auto& tets = in_.old_mesh.tets;
-        tet_motion_.resize(tets.size());
-        for (std::size_t t = 0; t < tets.size(); ++t) tet_motion_[t] = motion_of(t);
-        settle_solids();
-    }
-
-    // Kept tets that share a node form a region; one point of each region says in which new solid it is, if any.
-    void settle_solids() {
-        const auto& tets = in_.old_mesh.tets;
-        std::vector<std::int32_t> parent(node_count());
-        std::iota(parent.begin(), parent.end(), 0);
-        const auto root = [&](std::int32_t n) {
-            while (parent[std::size_t(n)] != n) n = parent[std::size_t(n)] = parent[std::size_t(parent[std::size_t(n)])];
-            return n;
-        };
-        tet_solid_.resize(tets.size());
-        const SolidLocator locator(in_.new_brep);
-        // Two old solids may meet at shared nodes: each keeps its own regions.
-        for (std::size_t s = 0; s < in_.old_brep.solid_count(); ++s) {
-            std::iota(parent.begin(), parent.end(), 0);
-            for (std::size_t t = 0; t < tets.size(); ++t)
-                if (tet_motion_[t] != dropped && in_.old_mesh.tet_solids[t] == SolidId(s))
-                    for (int k = 1; k < 4; ++k) {
-                        if (parent[tets[t][0].index()] == parent[tets[t][std::size_t(k)].index()]) continue;
-                        const auto a = root(tets[t][0].value), b = root(tets[t][std::size_t(k)].value);
-                        parent[std::size_t(std::max(a, b))] = std::min(a, b);
-                    }
-            std::vector<std::int32_t> solid_of_root(node_count(), -2);
-            for (std::size_t t = 0; t < tets.size(); ++t) {
-                if (tet_motion_[t] == dropped || in_.old_mesh.tet_solids[t] != SolidId(s)) continue;
-                std::int32_t& solid = solid_of_root[std::size_t(root(tets[t][0].value))];
-                if (solid == -2) solid = locator.solid_at(carried_centre(t)).value;
-                if (solid < 0) tet_motion_[t] = dropped;
-                tet_solid_[t] = SolidId(solid);
-            }
-        }
-    }
-
-    Vec3 carried_centre(std::size_t t) const {
-        Vec3 sum;
-        for (const NodeId n : in_.old_mesh.tets[t]) sum += carried(n.index());
-        return sum / 4;
-    }
-
-    Kept assemble() {
+    Kept assemble(const KeptTets& tets) {
         Kept kept;
-        const std::vector<std::int32_t> new_index = number_nodes(kept);
-        take_tets(kept, new_index);
-        mark_rim(kept, new_index);
-        take_triangles(kept, new_index);
+        reserve(kept);
+        const std::vector<std::int32_t> new_index = take_nodes(kept, tets);
+        take_tets(kept, tets, new_index);
+        take_triangles(kept, tets, new_index);
         mark_changed_sides(kept);
         take_segments(kept, new_index);
         kept.mesh.next_node_number = in_.old_mesh.next_node_number;
         kept.mesh.next_element_number = in_.old_mesh.next_element_number;
         if (in_.old_mesh.order == 2) kept.curved = with_mid_side_nodes(kept);
         collect_active(kept, new_index);
-        count_by_motion(kept);
+        count_by_motion(kept, tets);
         return kept;
     }
 
@@ -282,80 +236,104 @@ class Keeper {
         mesh.points.reserve(nodes), mesh.entities.reserve(nodes), mesh.parameters.reserve(nodes), mesh.node_numbers.reserve(nodes);
         mesh.triangles.reserve(triangles), mesh.triangle_faces.reserve(triangles), mesh.triangle_numbers.reserve(triangles);
         mesh.tets.reserve(tets), mesh.tet_solids.reserve(tets), mesh.tet_numbers.reserve(tets);
-        kept.node_origin.reserve(nodes), kept.triangle_origin.reserve(triangles), kept.tet_origin.reserve(tets), kept.tet_motion.reserve(tets);
+        kept.node_origin.reserve(nodes), kept.triangle_origin.reserve(triangles), kept.tet_origin.reserve(tets), kept.is_rim.reserve(nodes);
     }
 
-    std::vector<std::int32_t> number_nodes(Kept& kept) const {
-        std::vector<std::int32_t> new_index(node_count(), -1);
-        for (std::size_t t = 0; t < tet_motion_.size(); ++t)
-            if (tet_motion_[t] != dropped)
-                for (const NodeId n : in_.old_mesh.tets[t]) new_index[n.index()] = 0;
+    std::vector<std::int32_t> take_nodes(Kept& kept, const KeptTets& tets) const {
+        const Mesh& old = in_.old_mesh;
         Mesh& mesh = kept.mesh;
-        reserve(kept);
-        for (std::size_t n = 0; n < in_.old_mesh.corner_count; ++n) {
-            if (new_index[n] < 0) continue;
-            new_index[n] = std::int32_t(mesh.points.size());
+        std::vector<std::int32_t> new_index(node_count(), -1);
+        for (std::size_t n = 0; n < old.corner_count; ++n) {
+            if (!tets.has_kept_tet(n)) continue;
+            new_index[n] = std::int32_t(kept.node_origin.size());
             kept.node_origin.push_back(std::int32_t(n));
-            mesh.points.push_back(carried(n));
-            mesh.entities.push_back(places_[n].entity);
-            mesh.parameters.push_back(places_[n].parameter);
-            mesh.node_numbers.push_back(in_.old_mesh.node_numbers[n]);
         }
+        const std::size_t count = kept.node_origin.size();
+        mesh.points.resize(count), kept.is_rim.resize(count);
+        for (std::size_t n = 0; n < count; ++n) {
+            const std::size_t origin = std::size_t(kept.node_origin[n]);
+            mesh.points[n] = motions_[origin] == 0 ? old.points[origin] : carried(origin);   // the first motion is the identity
+            kept.is_rim[n] = tets.is_rim(origin);
+        }
+        take(mesh.entities, entities_, kept.node_origin);
+        take(mesh.parameters, parameters_, kept.node_origin);
+        take(mesh.node_numbers, old.node_numbers, kept.node_origin);
+        for (std::size_t n = 0; n < mesh.entities.size(); ++n)
+            if (Entity& entity = mesh.entities[n]; entity.dim == 3)
+                entity = entity_of(tets.solid_of_group(SolidId(entity.index), motions_[std::size_t(kept.node_origin[n])]));
         mesh.corner_count = mesh.points.size();
         return new_index;
     }
 
-    void take_tets(Kept& kept, const std::vector<std::int32_t>& new_index) const {
-        const Mesh& old = in_.old_mesh;
-        for (std::size_t t = 0; t < old.tets.size(); ++t) {
-            if (tet_motion_[t] == dropped) continue;
-            std::array<NodeId, 4> tet;
-            for (int k = 0; k < 4; ++k) {
-                tet[k] = NodeId(new_index[old.tets[t][k].index()]);
-                Entity& entity = kept.mesh.entities[tet[k].index()];
-                if (entity.dim == 3) entity = entity_of(tet_solid_[t]);
-            }
-            kept.mesh.tets.push_back(tet);
-            kept.mesh.tet_solids.push_back(tet_solid_[t]);
-            kept.mesh.tet_numbers.push_back(old.tet_numbers[t]);
-            kept.tet_origin.push_back(std::int32_t(t));
-            kept.tet_motion.push_back(tet_motion_[t]);
-        }
+    template <class T>
+    static void take(std::vector<T>& list, const std::vector<T>& old, const std::vector<std::int32_t>& origins) {
+        list.resize(origins.size());
+        for (std::size_t i = 0; i < origins.size(); ++i) list[i] = old[std::size_t(origins[i])];
     }
 
-    void mark_rim(Kept& kept, const std::vector<std::int32_t>& new_index) const {
-        kept.is_rim.assign(kept.mesh.points.size(), 0);
-        for (std::size_t t = 0; t < tet_motion_.size(); ++t)
-            if (tet_motion_[t] == dropped)
-                for (const NodeId n : in_.old_mesh.tets[t])
-                    if (new_index[n.index()] >= 0) kept.is_rim[std::size_t(new_index[n.index()])] = 1;
+    // From one tet that does not stay to the next.
+    void take_tets(Kept& kept, const KeptTets& tets, const std::vector<std::int32_t>& new_index) const {
+        std::size_t begin = 0;
+        for (const std::int32_t end : tets.dropped_tets()) {
+            take_run(begin, std::size_t(end), kept, tets, new_index);
+            begin = std::size_t(end) + 1;
+        }
+        take_run(begin, in_.old_mesh.tets.size(), kept, tets, new_index);
+        if (tets.is_uniform()) return;
+        for (std::size_t t = 0; t < kept.mesh.tets.size(); ++t)
+            for (const NodeId n : kept.mesh.tets[t])
+                if (Entity& entity = kept.mesh.entities[n.index()]; entity.dim == 3) entity = entity_of(kept.mesh.tet_solids[t]);
+    }
+
+    void take_run(std::size_t begin, std::size_t end, Kept& kept, const KeptTets& tets, const std::vector<std::int32_t>& new_index) const {
+        const Mesh& old = in_.old_mesh;
+        Mesh& mesh = kept.mesh;
+        const auto place = [&](NodeId n) { return NodeId(new_index[n.index()]); };
+        const std::size_t first = mesh.tets.size(), count = end - begin;
+        mesh.tets.resize(first + count), mesh.tet_solids.resize(first + count), kept.tet_origin.resize(first + count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto& [a, b, c, d] = old.tets[begin + i];
+            mesh.tets[first + i] = {place(a), place(b), place(c), place(d)};
+            mesh.tet_solids[first + i] = tets.solid_of(begin + i);
+            kept.tet_origin[first + i] = std::int32_t(begin + i);
+        }
+        mesh.tet_numbers.insert(mesh.tet_numbers.end(), old.tet_numbers.begin() + std::ptrdiff_t(begin), old.tet_numbers.begin() + std::ptrdiff_t(end));
     }
 
     // A face may have a solid on a side where it had none.
     void mark_changed_sides(Kept& kept) const {
+        const std::vector<char> was = counts_of_sides(in_.old_brep), is = counts_of_sides(in_.new_brep);
         for (std::size_t t = 0; t < kept.triangle_origin.size(); ++t) {
-            const auto was = in_.old_brep.sides_of(in_.old_mesh.triangle_faces[std::size_t(kept.triangle_origin[t])]);
-            const auto is = in_.new_brep.sides_of(kept.mesh.triangle_faces[t]);
-            if (was[0].is_valid() + was[1].is_valid() == is[0].is_valid() + is[1].is_valid()) continue;
+            const FaceId old_face = in_.old_mesh.triangle_faces[std::size_t(kept.triangle_origin[t])];
+            if (was[old_face.index()] == is[kept.mesh.triangle_faces[t].index()]) continue;
             for (const NodeId n : kept.mesh.triangles[t]) kept.is_rim[n.index()] = 1;
         }
+    }
+
+    static std::vector<char> counts_of_sides(const Brep& brep) {
+        std::vector<char> counts;
+        for (std::size_t f = 0; f < brep.face_count(); ++f) {
+            const auto sides = brep.sides_of(FaceId(f));
+            counts.push_back(char(sides[0].is_valid() + sides[1].is_valid()));
+        }
+        return counts;
     }
 
     template <std::size_t N>
     bool survives(const std::array<NodeId, N>& nodes, const std::vector<std::int32_t>& new_index) const {
         for (const NodeId n : nodes)
-            if (new_index[n.index()] < 0 || places_[n.index()].motion != places_[nodes[0].index()].motion) return false;
+            if (new_index[n.index()] < 0 || motions_[n.index()] != motions_[nodes[0].index()]) return false;
         return true;
     }
 
-    void take_triangles(Kept& kept, const std::vector<std::int32_t>& new_index) const {
+    void take_triangles(Kept& kept, const KeptTets& tets, const std::vector<std::int32_t>& new_index) const {
         const Mesh& old = in_.old_mesh;
-        const std::vector<char> backed = backed_by_kept_tets(kept, new_index);
+        const std::vector<char> backed = backed_by_kept_tets(tets, new_index);
         std::map<std::tuple<std::size_t, FaceId, FaceId>, bool> flipped;
         for (std::size_t t = 0; t < old.triangles.size(); ++t) {
             const auto& nodes = old.triangles[t];
             if (!backed[t] || !survives(nodes, new_index)) continue;
-            const std::size_t r = std::size_t(places_[nodes[0].index()].motion);
+            const std::size_t r = std::size_t(motions_[nodes[0].index()]);
             const FaceId old_face = old.triangle_faces[t], face = face_of(r, t);
             if (!face.is_valid()) {
                 for (const NodeId n : nodes) kept.is_rim[std::size_t(new_index[n.index()])] = 1;
@@ -379,11 +357,11 @@ class Keeper {
         if (pieces.size() < 2) return pieces.empty() ? FaceId() : pieces[0];
         const auto& nodes = in_.old_mesh.triangles[triangle];
         for (const NodeId n : nodes)
-            if (places_[n.index()].entity.dim == 2) return FaceId(places_[n.index()].entity.index);
+            if (entities_[n.index()].dim == 2) return FaceId(entities_[n.index()].index);
         const Vec3 middle = (carried(nodes[0].index()) + carried(nodes[1].index()) + carried(nodes[2].index())) / 3.0;
         for (const FaceId face : pieces) {
             const auto is_at = [&](NodeId n) {
-                const std::vector<FaceId> faces = faces_at(in_.new_brep, places_[n.index()].entity);
+                const std::vector<FaceId> faces = faces_at(in_.new_brep, entities_[n.index()]);
                 return std::binary_search(faces.begin(), faces.end(), face);
             };
             if (std::all_of(nodes.begin(), nodes.end(), is_at) && projector_.is_inside_trim(face, projector_.nearest(face, middle).uv)) return face;
@@ -393,9 +371,9 @@ class Keeper {
 
     // A triangle stays with the tet behind it: the cavity's boundary is then where kept tets end. Around a node off the rim all tets are kept, so only
     // triangles between rim nodes need a look.
-    std::vector<char> backed_by_kept_tets(const Kept& kept, const std::vector<std::int32_t>& new_index) const {
+    std::vector<char> backed_by_kept_tets(const KeptTets& tets, const std::vector<std::int32_t>& new_index) const {
         const Mesh& old = in_.old_mesh;
-        const auto is_rim = [&](NodeId n) { return new_index[n.index()] >= 0 && kept.is_rim[std::size_t(new_index[n.index()])]; };
+        const auto is_rim = [&](NodeId n) { return tets.is_rim(n.index()) && new_index[n.index()] >= 0; };
         std::vector<char> backed(old.triangles.size(), 1);
         std::vector<std::pair<std::array<NodeId, 3>, std::size_t>> doubtful;
         for (std::size_t t = 0; t < old.triangles.size(); ++t) {
@@ -406,7 +384,7 @@ class Keeper {
             backed[t] = 0;
         }
         std::sort(doubtful.begin(), doubtful.end());
-        for (const std::int32_t tet : kept.tet_origin) {
+        for (const std::int32_t tet : tets.tets_at_rim()) {
             const auto& nodes = old.tets[std::size_t(tet)];
             if (is_rim(nodes[0]) + is_rim(nodes[1]) + is_rim(nodes[2]) + is_rim(nodes[3]) < 3) continue;
             for (int skip = 0; skip < 4; ++skip) {
@@ -450,10 +428,10 @@ class Keeper {
         const Vec3 middle = (carried(nodes[0].index()) + carried(nodes[1].index())) / 2.0;
         EdgeId best;
         double least = std::numeric_limits<double>::infinity();
-        const std::size_t r = std::size_t(places_[nodes[0].index()].motion);
+        const std::size_t r = std::size_t(motions_[nodes[0].index()]);
         for (const EdgeId edge : regions()[r].new_edges_of[in_.old_mesh.segment_edges[segment].index()]) {
             const auto is_at = [&](NodeId n) {
-                const Entity entity = places_[n.index()].entity;
+                const Entity entity = entities_[n.index()];
                 const auto ends = in_.new_brep.ends_of(edge);
                 return entity == entity_of(edge) || entity == entity_of(ends[0]) || entity == entity_of(ends[1]);
             };
@@ -483,8 +461,8 @@ class Keeper {
             const std::size_t n = old_mid.index();
             mid = NodeId(curved.points.size());
             curved.points.push_back(carried(n));
-            curved.entities.push_back(places_[n].entity);
-            curved.parameters.push_back(places_[n].parameter);
+            curved.entities.push_back(entities_[n]);
+            curved.parameters.push_back(parameters_[n]);
             curved.node_numbers.push_back(old.node_numbers[n]);
             return mid;
         };
@@ -519,18 +497,20 @@ class Keeper {
         }
     }
 
-    void count_by_motion(Kept& kept) const {
+    void count_by_motion(Kept& kept, const KeptTets& tets) const {
         for (const CarriedRegion& region : regions()) kept.by_motion.push_back({region.motion, region.features});
-        for (const std::int32_t n : kept.node_origin) ++kept.by_motion[std::size_t(places_[std::size_t(n)].motion)].nodes;
-        for (const std::int32_t motion : kept.tet_motion) ++kept.by_motion[std::size_t(motion)].tets;
+        for (const std::int32_t n : kept.node_origin) ++kept.by_motion[std::size_t(motions_[std::size_t(n)])].nodes;
+        const std::vector<std::size_t> counts = tets.counts();
+        for (std::size_t r = 0; r < counts.size(); ++r) kept.by_motion[r].tets = counts[r];
     }
 
     const KeepInput& in_;
     RunContext& context_;
     Projector projector_;
-    std::vector<Place> places_;
-    std::vector<std::int32_t> tet_motion_;
-    std::vector<SolidId> tet_solid_;
+    // By old node: index of its carried region; then, where it stays, what it is on in the new shape (of inner nodes still the old solid).
+    std::vector<std::int32_t> motions_;
+    std::vector<Entity> entities_;
+    std::vector<std::array<double, 2>> parameters_;
     std::vector<char> is_untouched_;   // by old face: kept in place with all its edges
     std::vector<Box> face_boxes_;      // by new face, empty until asked for
 };

@@ -30,7 +30,6 @@ struct Kept {
     /// The same as 10-node elements with their old mid-side nodes, where the old mesh is one; order 1 and empty otherwise.
     Mesh curved;
     std::vector<std::int32_t> node_origin, segment_origin, triangle_origin, tet_origin;   ///< indices in the old mesh
-    std::vector<std::int32_t> tet_motion;      ///< by kept tet: index of its carried region
     std::vector<char> is_rim;                  ///< by kept node: a tet around it was not kept
     std::vector<Vec3> active;                  ///< inner nodes that only serve as start positions
     std::vector<KeptByMotion> by_motion;

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "update/kept_tets.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "update/enclosure.h"
+
+namespace featuremesh {
+
+namespace {
+
+/// Nodes joined by tets.
+class NodeRegions {
+  public:
+    explicit NodeRegions(std::size_t node_count) : parent_(node_count) { std::iota(parent_.begin(), parent_.end(), 0); }
+    std::int32_t root(std::int32_t n) {
+        while (parent_[std::size_t(n)] != n) n = parent_[std::size_t(n)] = parent_[std::size_t(parent_[std::size_t(n)])];
+        return n;
+    }
+    void join(const std::array<NodeId, 4>& tet) {
+        for (int k = 1; k < 4; ++k) {
+            if (parent_[tet[0].index()] == parent_[tet[std::size_t(k)].index()]) continue;
+            const auto a = root(tet[0].value), b = root(tet[std::size_t(k)].value);
+            parent_[std::size_t(std::max(a, b))] = std::min(a, b);
+        }
+    }
+
+  private:
+    std::vector<std::int32_t> parent_;
+};
+
+}  // namespace
+
+KeptTets::KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::span<const CarriedRegion> regions, const Brep& old_brep,
+                   const Brep& new_brep)
+    : old_(old), motions_(motions), regions_(regions), solid_count_(old_brep.solid_count()), occurs_(regions.size(), 0), is_kept_(old.tets.size()) {
+    for (const std::int32_t motion : motions_)
+        if (motion != dropped) occurs_[std::size_t(motion)] = 1;
+    for (std::size_t t = 0; t < is_kept_.size(); ++t) is_kept_[t] = stays(t);
+    mark_rim();
+    if (settle_at_rim(new_brep)) return;
+    settle_everywhere(new_brep);
+    mark_rim();
+}
+
+bool KeptTets::stays(std::size_t tet) const {
+    const std::int32_t motion = motion_of(tet);
+    const auto has_it = [&](NodeId n) { return motions_[n.index()] == motion; };
+    const auto& [a, b, c, d] = old_.tets[tet];
+    if (motion == dropped || !has_it(b) || !has_it(c) || !has_it(d)) return false;
+    return old_.order == 1 || std::all_of(old_.tet_mids[tet].begin(), old_.tet_mids[tet].end(), has_it);
+}
+
+void KeptTets::mark_rim() {
+    dropped_.clear(), at_rim_.clear();
+    is_rim_.assign(old_.corner_count, 0);
+    is_used_.assign(old_.corner_count, 0);
+    for (std::size_t t = 0; t < is_kept_.size(); ++t)
+        if (!is_kept_[t]) dropped_.push_back(std::int32_t(t));
+    for (const std::int32_t t : dropped_)
+        for (const NodeId n : old_.tets[std::size_t(t)]) is_rim_[n.index()] = 1;
+    if (dropped_.empty()) return;
+    for (std::size_t t = 0; t < is_kept_.size(); ++t) {
+        const auto& [a, b, c, d] = old_.tets[t];
+        if (!is_kept_[t] || !(is_rim_[a.index()] | is_rim_[b.index()] | is_rim_[c.index()] | is_rim_[d.index()])) continue;
+        at_rim_.push_back(std::int32_t(t));
+        for (const NodeId n : old_.tets[t]) is_used_[n.index()] = 1;
+    }
+}
+
+// The mesh of a solid is in one piece, and tets that share a node are kept under one motion or one of them is not kept: so every region of kept tets that
+// is not the whole of a solid reaches the rim. One point for each piece of the rim thus speaks for all, as long as they say the same.
+bool KeptTets::settle_at_rim(const Brep& new_brep) {
+    const SolidLocator locator(new_brep);
+    solid_of_group_.assign(solid_count_ * regions_.size(), SolidId());
+    std::vector<std::vector<std::int32_t>> outside;
+    const auto settle = [&](std::size_t tet, SolidId solid) {
+        SolidId& known = solid_of_group_[old_.tet_solids[tet].index() * regions_.size() + std::size_t(motion_of(tet))];
+        if (known.is_valid() && known != solid) return false;
+        known = solid;
+        return true;
+    };
+    for (std::size_t s = 0; s < solid_count_; ++s)   // two solids may meet at shared nodes: each has its own regions
+        for (std::vector<std::int32_t>& piece : pieces_of_rim(SolidId(s))) {
+            const std::size_t first = std::size_t(piece.front());
+            const SolidId solid = locator.solid_at(carried_centre(first));
+            if (!solid.is_valid())
+                outside.push_back(std::move(piece));
+            else if (!settle(first, solid))
+                return false;
+        }
+    if (!outside.empty()) drop_islands(outside);
+    if (is_settled()) return true;
+    for (std::size_t t = 0; t < is_kept_.size(); ++t)
+        if (is_kept_[t] && !solid_of(t).is_valid() && !settle(t, locator.solid_at(carried_centre(t)))) return false;
+    return is_settled();
+}
+
+// Tets at the rim that belong together, each list in order.
+std::vector<std::vector<std::int32_t>> KeptTets::pieces_of_rim(SolidId solid) const {
+    std::vector<std::int32_t> mine;
+    for (const std::int32_t t : at_rim_)
+        if (old_.tet_solids[std::size_t(t)] == solid) mine.push_back(t);
+    std::vector<std::vector<std::int32_t>> pieces;
+    if (mine.empty()) return pieces;
+    NodeRegions regions(old_.corner_count);
+    for (const std::int32_t t : mine) regions.join(old_.tets[std::size_t(t)]);
+    std::map<std::int32_t, std::size_t> piece_of;
+    for (const std::int32_t t : mine) {
+        const auto [piece, is_new] = piece_of.try_emplace(regions.root(old_.tets[std::size_t(t)][0].value), pieces.size());
+        if (is_new) pieces.emplace_back();
+        pieces[piece->second].push_back(t);
+    }
+    return pieces;
+}
+
+// What is outside of the new part is surrounded by its rim, for its surface has vanished with all that is near: it lies within the box of that rim.
+void KeptTets::drop_islands(const std::vector<std::vector<std::int32_t>>& rims) {
+    std::vector<Box> boxes;
+    for (const auto& rim : rims) {
+        Box& box = boxes.emplace_back();
+        for (const std::int32_t t : rim)
+            for (const NodeId n : old_.tets[std::size_t(t)]) box.add(old_.point(n));
+    }
+    std::vector<char> is_near(old_.corner_count);
+    for (std::size_t n = 0; n < is_near.size(); ++n)
+        is_near[n] = std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return box.contains(old_.points[n]); });
+    std::vector<std::size_t> near;
+    for (std::size_t t = 0; t < is_kept_.size(); ++t) {
+        const auto& [a, b, c, d] = old_.tets[t];
+        if (is_kept_[t] && (is_near[a.index()] & is_near[b.index()] & is_near[c.index()] & is_near[d.index()])) near.push_back(t);
+    }
+    for (std::size_t s = 0; s < solid_count_; ++s) {
+        NodeRegions regions(old_.corner_count);
+        for (const std::size_t t : near)
+            if (old_.tet_solids[t] == SolidId(s)) regions.join(old_.tets[t]);
+        std::vector<std::int32_t> gone;
+        for (const auto& rim : rims)
+            if (old_.tet_solids[std::size_t(rim.front())] == SolidId(s)) gone.push_back(regions.root(old_.tets[std::size_t(rim.front())][0].value));
+        std::sort(gone.begin(), gone.end());
+        for (const std::size_t t : near)
+            if (old_.tet_solids[t] == SolidId(s) && std::binary_search(gone.begin(), gone.end(), regions.root(old_.tets[t][0].value))) is_kept_[t] = 0;
+    }
+    mark_rim();
+}
+
+bool KeptTets::is_settled() const {
+    for (std::size_t g = 0; g < solid_of_group_.size(); ++g)
+        if (occurs_[g % regions_.size()] && !solid_of_group_[g].is_valid()) return false;
+    return true;
+}
+
+// One point for each region of kept tets that share nodes.
+void KeptTets::settle_everywhere(const Brep& new_brep) {
+    const SolidLocator locator(new_brep);
+    solids_.assign(is_kept_.size(), SolidId());
+    for (std::size_t s = 0; s < solid_count_; ++s) {
+        NodeRegions regions(old_.corner_count);
+        const auto is_mine = [&](std::size_t t) { return is_kept_[t] && old_.tet_solids[t] == SolidId(s); };
+        for (std::size_t t = 0; t < is_kept_.size(); ++t)
+            if (is_mine(t)) regions.join(old_.tets[t]);
+        constexpr std::int32_t unknown = -2;
+        std::vector<std::int32_t> solid_of_root(old_.corner_count, unknown);
+        for (std::size_t t = 0; t < is_kept_.size(); ++t) {
+            if (!is_mine(t)) continue;
+            std::int32_t& solid = solid_of_root[std::size_t(regions.root(old_.tets[t][0].value))];
+            if (solid == unknown) solid = locator.solid_at(carried_centre(t)).value;
+            solids_[t] = SolidId(solid);
+            is_kept_[t] = solid >= 0;
+        }
+    }
+}
+
+Vec3 KeptTets::carried_centre(std::size_t tet) const {
+    const RigidMotion& motion = regions_[std::size_t(motion_of(tet))].motion;
+    Vec3 sum;
+    for (const NodeId n : old_.tets[tet]) sum += motion.apply(old_.point(n));
+    return sum / 4;
+}
+
+std::vector<std::size_t> KeptTets::counts() const {
+    std::vector<std::size_t> counts(regions_.size(), 0);
+    if (std::count(occurs_.begin(), occurs_.end(), 1) == 1) {
+        counts[std::size_t(std::find(occurs_.begin(), occurs_.end(), 1) - occurs_.begin())] = is_kept_.size() - dropped_.size();
+        return counts;
+    }
+    for (std::size_t t = 0; t < is_kept_.size(); ++t)
+        if (is_kept_[t]) ++counts[std::size_t(motion_of(t))];
+    return counts;
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which tets of an old mesh stay, when it is known which of its nodes do.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "difference/feature_difference.h"
+#include "features/brep.h"
+#include "mesh/mesh.h"
+
+namespace featuremesh {
+
+/// A motion of a node that does not stay.
+constexpr std::int32_t dropped = -1;
+
+class KeptTets {
+  public:
+    /// Tets stay when all their nodes do, under one motion, and when their connected region is inside a new solid. `motions`: by old node, index of its
+    /// carried region.
+    KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::span<const CarriedRegion> regions, const Brep& old_brep, const Brep& new_brep);
+
+    /// Old tets that do not stay, in order.
+    std::span<const std::int32_t> dropped_tets() const { return dropped_; }
+    /// Those that stay and have a node in common with one that does not, in order.
+    std::span<const std::int32_t> tets_at_rim() const { return at_rim_; }
+    bool is_kept(std::size_t tet) const { return is_kept_[tet]; }
+    /// Of a kept tet.
+    SolidId solid_of(std::size_t tet) const { return solids_.empty() ? solid_of_group(old_.tet_solids[tet], motion_of(tet)) : solids_[tet]; }
+    /// All kept tets of one old solid under one motion are in the same new one.
+    bool is_uniform() const { return solids_.empty(); }
+    SolidId solid_of_group(SolidId old_solid, std::int32_t motion) const {
+        return solid_of_group_[old_solid.index() * regions_.size() + std::size_t(motion)];
+    }
+    /// A tet around the old corner node is not kept.
+    bool is_rim(std::size_t node) const { return is_rim_[node]; }
+    bool has_kept_tet(std::size_t node) const { return motions_[node] != dropped && (!is_rim_[node] || is_used_[node]); }
+    /// By carried region.
+    std::vector<std::size_t> counts() const;
+
+  private:
+    std::int32_t motion_of(std::size_t tet) const { return motions_[old_.tets[tet][0].index()]; }
+    bool stays(std::size_t tet) const;
+    void mark_rim();
+    bool settle_at_rim(const Brep& new_brep);
+    std::vector<std::vector<std::int32_t>> pieces_of_rim(SolidId solid) const;
+    void drop_islands(const std::vector<std::vector<std::int32_t>>& rims);
+    bool is_settled() const;
+    void settle_everywhere(const Brep& new_brep);
+    Vec3 carried_centre(std::size_t tet) const;
+
+    const Mesh& old_;
+    std::span<const std::int32_t> motions_;
+    std::span<const CarriedRegion> regions_;
+    std::size_t solid_count_;
+    std::vector<char> occurs_;   // by motion: a node has it
+    std::vector<char> is_kept_, is_rim_, is_used_;
+    std::vector<std::int32_t> dropped_, at_rim_;
+    std::vector<SolidId> solid_of_group_;   // by old solid and motion
+    std::vector<SolidId> solids_;   // by tet, where those of a group differ
+};
+
+}  // namespace featuremesh
