@@ -43,13 +43,18 @@ TriangleUses::TriangleUses(const Mesh& mesh, std::span<const char> only) : begin
         return only.empty() || (only[a] && only[b] && only[c]);
     };
     const auto count_marked = [&](const auto& nodes) {
-        return only.empty() ? 4
-                            : std::count_if(nodes.begin(), nodes.end(), [&](NodeId n) { return only[n.index()] != 0; });
+        int count = 0;
+        for (const NodeId n : nodes) count += only[n.index()] != 0;
+        return count;
     };
+    std::vector<std::size_t> wanted_tets;
+    for (std::size_t t = 0; !only.empty() && t < mesh.tets.size(); ++t)
+        if (count_marked(mesh.tets[t]) >= 3) wanted_tets.push_back(t);
     // Visits (smallest, middle, largest, code) of every wanted triangle, tets first.
     const auto for_each_use = [&](auto visit) {
-        for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-            if (count_marked(mesh.tets[t]) < 3) continue;
+        const std::size_t tet_count = only.empty() ? mesh.tets.size() : wanted_tets.size();
+        for (std::size_t i = 0; i < tet_count; ++i) {
+            const std::size_t t = only.empty() ? i : wanted_tets[i];
             auto n = values_of(mesh.tets[t]);
             // the face opposite the j-th smallest node is outward in growing order when j and the parity of the sorting
             // agree

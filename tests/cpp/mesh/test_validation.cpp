@@ -199,3 +199,32 @@ TEST_CASE("a surface without tets is closed around its solid") {
     CHECK(has(broken_invariants(turned, sides).at(0), "open surface around Solid1"));
     CHECK(has(broken_invariants(surface, box_expectation()).at(0), "volume is wrong"));
 }
+
+TEST_CASE("around what was changed, a validation of the unproven finds what one of everything finds") {
+    const Mesh good = box_mesh(3);
+    Expectation expected = box_expectation();
+    expected.is_unproven.assign(good.node_count(), 0);
+    CHECK(broken_invariants(good, expected).empty());
+    for (std::size_t t = 0; t < good.tets.size(); t += 7) {
+        Expectation changed = expected;
+        for (const NodeId n : good.tets[t]) changed.is_unproven[n.index()] = 1;
+        Mesh gap = good;
+        remove_tet(gap, t);
+        CHECK_FALSE(broken_invariants(gap, changed).empty());
+        Mesh inverted = good;
+        std::swap(inverted.tets[t][0], inverted.tets[t][1]);
+        CHECK_FALSE(broken_invariants(inverted, changed).empty());
+        Mesh twice = good;
+        twice.add_tet(good.tets[t], SolidId(0));
+        CHECK_FALSE(broken_invariants(twice, changed).empty());
+        Mesh flat = good;
+        flat.points[good.tets[t][0].index()] = flat.points[good.tets[t][1].index()];
+        CHECK_FALSE(broken_invariants(flat, changed).empty());
+    }
+    Mesh numbered = good;
+    numbered.tet_numbers.back() = numbered.tet_numbers.front();
+    CHECK_FALSE(broken_invariants(numbered, expected).empty());
+    Mesh swollen = good;
+    for (Vec3& p : swollen.points) p = p * 1.5;
+    CHECK_FALSE(broken_invariants(swollen, expected).empty());
+}
