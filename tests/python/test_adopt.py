@@ -9,7 +9,7 @@ import FreeCAD
 import Fem
 import numpy as np
 import ObjectsFem
-from freecad.featuremesh import adopt, api, cli, documents
+from freecad.featuremesh import adopt, api, cli, documents, versions
 from freecad.featuremesh.errors import UserError
 from parts import new_document, plate_with_hole
 
@@ -20,7 +20,8 @@ def gmsh_mesh(body, order):
     """The mesh that FreeCAD's own Gmsh object makes."""
     from femmesh.gmshtools import GmshTools
     obj = ObjectsFem.makeMeshGmsh(body.Document, "GmshMesh")
-    obj.Part, obj.CharacteristicLengthMax, obj.ElementOrder = body, SIZE, order
+    setattr(obj, versions.part_property(obj), body)
+    obj.CharacteristicLengthMax, obj.ElementOrder = SIZE, order
     GmshTools(obj).create_mesh()
     return obj
 

@@ -79,7 +79,7 @@ class Edits(unittest.TestCase):
         box = body.Shape.BoundBox
         self.assertAlmostEqual(box.XMin, 0, 5)
         self.assertAlmostEqual(box.XMax, 80, 5)
-        self.assertAlmostEqual(body.Shape.CenterOfMass.x, (80000 * 40 + 18095.5737 * 35) / 98095.5737, 4)
+        self.assertAlmostEqual(body.Shape.Solids[0].CenterOfMass.x, (80000 * 40 + 18095.5737 * 35) / 98095.5737, 4)
 
     def test_spreadsheet_alias(self):
         sheet = self.document.addObject("Spreadsheet::Sheet", "Sheet")
