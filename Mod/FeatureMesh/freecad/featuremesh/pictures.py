@@ -24,7 +24,8 @@ SIDES = np.array(((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)))
 
 @contextlib.contextmanager
 def off_screen():
-    """Gives VTK a screen of its own, so that pictures look the same on a desktop and on a server."""
+    """Gives VTK a screen of its own, so that pictures look the same on a desktop and on a server. Once in a process:
+    VTK holds on to the screen, and dies when it finds it gone."""
     read_end, write_end = os.pipe()
     server = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1600x1200x24", "-nolisten", "tcp", "-noreset"],
                               pass_fds=(write_end,), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
