@@ -310,7 +310,9 @@ def drive():
     spin()
     picture("difference")
     assert Gui.Selection.getSelectionEx()[0].SubElementNames
+    assert body.ViewObject.Visibility and not mesh.ViewObject.Visibility
     dialog.close()
+    assert mesh.ViewObject.Visibility and not body.ViewObject.Visibility
     Gui.Selection.clearSelection()
 
     # A local size on a selected face; without a selection a message

@@ -9,6 +9,7 @@ from PySide import QtGui
 
 from ..mesh_object import is_cancelled, one_line
 from ..messages import in_words
+from .showing import show_part
 
 translate = FreeCAD.Qt.translate
 
@@ -29,7 +30,7 @@ def select_named(error, part):
     names = [name for name in dict.fromkeys(re.findall(r"\b(?:Face|Edge|Vertex)\d+\b", str(error))) if _has(part, name)]
     if not names:
         return
-    part.ViewObject.Visibility = True
+    show_part(part)
     Gui.Selection.clearSelection()
     for name in names:
         Gui.Selection.addSelection(part, name)

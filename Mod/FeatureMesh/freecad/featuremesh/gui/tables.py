@@ -8,6 +8,7 @@ from PySide import QtCore, QtGui
 from .. import tables
 from ..messages import in_words
 from ..view_provider import drawn_icon
+from .showing import restore, show_part
 
 translate = FreeCAD.Qt.translate
 _COLOURS = {"added": "#2e9e3f", "appeared": "#2e9e3f", "removed": "#c62828", "vanished": "#c62828", "reshaped": "#c77700",
@@ -52,6 +53,8 @@ class _Window(QtGui.QDialog):
     def __init__(self, title, header, note, part):
         super().__init__(Gui.getMainWindow())
         self._part = part
+        self._before = []   # what was visible before the part was shown for a selection
+        self.finished.connect(lambda _: restore(self._before))
         self.first_changed = None
         self.setWindowTitle(title)
         self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
@@ -81,8 +84,8 @@ class _Window(QtGui.QDialog):
     def _select(self):
         Gui.Selection.clearSelection()
         names = [name for item in self.tree.selectedItems() for name in item.data(0, QtCore.Qt.UserRole) or ()]
-        if names:
-            self._part.ViewObject.Visibility = True
+        if names and not self._before:
+            self._before = show_part(self._part)
         for name in dict.fromkeys(names):
             Gui.Selection.addSelection(self._part, name)
 
