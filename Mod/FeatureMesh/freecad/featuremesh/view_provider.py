@@ -39,9 +39,9 @@ class ViewFeatureMesh:
 
     def getIcon(self):
         status = getattr(getattr(self, "Object", None), "Status", mesh_object.UP_TO_DATE)
-        if status.startswith("failed"):
-            return icon("FeatureMesh_Failed")
-        return icon("FeatureMesh" if status == mesh_object.UP_TO_DATE else "FeatureMesh_Stale")
+        name = "FeatureMesh" if status == mesh_object.UP_TO_DATE else "FeatureMesh_Failed" if status.startswith("failed") else "FeatureMesh_Stale"
+        drawn_icon(name)   # FreeCAD keeps it; without a Qt plugin for SVG it could not load it from the path
+        return icon(name)
 
     def updateData(self, mesh, name):
         if name == "Status":
