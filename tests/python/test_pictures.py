@@ -112,7 +112,7 @@ class Drawing(unittest.TestCase):
     def test_elements_show_their_colours_and_stress_its_range(self):
         cube = oriented(CORNERS, CUBE)
         classes = np.where(np.arange(6) < 3, pictures.KEPT, pictures.NEW)
-        with pictures.off_screen():   # once in a process: what holds on to a screen that is gone ends with it
+        with pictures.off_screen():
             for direction in ((1, 1, -1), (-0.45, -1, -0.75), (1, -0.1, 0.2), (0, 0, -1)):
                 self.check_fit(direction)
             drawn = pictures.draw_elements(CORNERS, cube, classes, {"direction": (-1, -2, -1)}, active=CORNERS[:1], size=(320, 240))

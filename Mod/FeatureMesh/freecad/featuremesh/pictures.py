@@ -24,8 +24,7 @@ SIDES = np.array(((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)))
 
 @contextlib.contextmanager
 def off_screen():
-    """Gives VTK a screen of its own, so that pictures look the same on a desktop and on a server. Once in a process:
-    VTK holds on to the screen, and dies when it finds it gone."""
+    """Gives VTK a screen of its own, so that pictures look the same on a desktop and on a server."""
     read_end, write_end = os.pipe()
     server = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1600x1200x24", "-nolisten", "tcp", "-noreset"],
                               pass_fds=(write_end,), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -100,7 +99,7 @@ def tet_quality(points, tets):
 
 
 class Scene:
-    """A scene to be rendered from one view."""
+    """A scene to be rendered once, from one view."""
 
     def __init__(self, size=SIZE):
         import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
@@ -217,6 +216,7 @@ class Scene:
         grab.SetInput(self._window)
         grab.ReadFrontBufferOff()
         grab.Update()
+        self._window.Finalize()   # lets go of the screen, which may be gone when Python frees the scene
         image = grab.GetOutput()
         width, rows, _ = image.GetDimensions()
         return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, width, -1)[::-1, :, :3].copy()
