@@ -87,7 +87,8 @@ class FeatureMesh:
         try:
             self.update(mesh)
         except (UserError, RuntimeError) as error:
-            raise UserError(one_line(error)) from None  # FreeCAD prints the way to it, which says nothing to a user
+            message = status_in_words(CANCELLED) if is_cancelled(error) else messages.in_words(one_line(error))
+            raise UserError(message) from None  # FreeCAD prints the way to it, which says nothing to a user
 
     def onDocumentRestored(self, mesh):
         self._forget()
