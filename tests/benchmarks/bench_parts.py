@@ -4,16 +4,20 @@ import FreeCAD as App
 
 
 def make(name):
-    """The document called plate_COUNT (holes in a square plate) or bosses_COUNT (bosses on a plate of fixed size)."""
+    """The document called plate_COUNT (holes in a square plate), bosses_COUNT (bosses on a plate of fixed size) or
+    features_COUNT (bosses and holes in a long plate)."""
     kind, count = name.rsplit("_", 1)
     side = round(int(count) ** 0.5)
     document = App.newDocument(name)
     if kind == "plate":
-        plate, round_parts = make_plate(document, side)
-        operation, base = "Part::Cut", plate
+        base, round_parts = make_plate(document, side)
+        operation = "Part::Cut"
+    elif kind == "features":
+        base, round_parts = make_features(document, int(count))
+        operation = "Part::Cut"
     else:
-        plate, round_parts = make_bosses(document, side)
-        operation, base = "Part::MultiFuse", plate
+        base, round_parts = make_bosses(document, side)
+        operation = "Part::MultiFuse"
     result = document.addObject(operation, "Plate")
     if operation == "Part::Cut":
         holes = document.addObject("Part::Compound", "Holes")
@@ -41,10 +45,31 @@ def make_bosses(document, side):
                    for i in range(side * side)]
 
 
+def make_features(document, count):
+    """A plate 150 mm wide with `count` features including itself: every third a boss, the others holes, 10 mm apart."""
+    rows = -(-count // 15)
+    plate = add_block(document, 150, 10 * rows, 5)
+    bosses, holes = [plate], []
+    for i in range(count - 1):
+        x, y = 10 * (i % 15) + 5, 10 * (i // 15) + 5
+        if i % 3:
+            holes.append(add_cylinder(document, f"Hole{i}", 2.5, 5, (x, y, 0)))
+        else:
+            bosses.append(add_box(document, f"Boss{i}", (4, 4, 6), (x - 2, y - 2, 5)))
+    fusion = document.addObject("Part::MultiFuse", "Bosses")
+    fusion.Shapes = bosses
+    return fusion, holes
+
+
 def add_block(document, length, width, height):
-    block = document.addObject("Part::Box", "Block")
-    block.Length, block.Width, block.Height = length, width, height
-    return block
+    return add_box(document, "Block", (length, width, height), (0, 0, 0))
+
+
+def add_box(document, name, size, base):
+    box = document.addObject("Part::Box", name)
+    box.Length, box.Width, box.Height = size
+    box.Placement.Base = App.Vector(*base)
+    return box
 
 
 def add_cylinder(document, name, radius, height, base):

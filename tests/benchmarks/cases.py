@@ -25,6 +25,8 @@ CASES = (
     Case("plate-625", "plate_625", "Plate", ("Hole312.Radius=3.5",), 1.46, about="one of 625 holes changed"),
     *(Case(f"bosses-{count}", f"bosses_{count}", "Plate", ("Boss1.Radius=6",), 2.0, about=f"one of {count} bosses changed")
       for count in (1, 4, 16, 64)),
+    *(Case(f"features-{count}", f"features_{count}", "Plate", ("Hole61.Placement.Base.x=16.5",), 4.0, about=f"one of {count} features moved by 1.5 mm")
+      for count in (150, 600)),
 )
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A verdict "unchanged" that is wrong must not exist: random edits of random parts, judged by a point oracle that knows
-// nothing of how the difference is found. FEATUREMESH_RANDOM_EDITS sets the number of edits (60 in every run, 2000 for
-// the long one).
+// nothing of how the difference is found. A few edits in every run, 2000 in the long one ("[.long]"); there
+// FEATUREMESH_RANDOM_EDITS and FEATUREMESH_RANDOM_SEED ask for another number of edits and another first seed.
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepCheck_Analyzer.hxx>
@@ -10,8 +10,11 @@
 #include <BRepTools.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
+#include <IntCurvesFace_ShapeIntersector.hxx>
 #include <TopoDS.hxx>
+#include <algorithm>
 #include <cstdlib>
+#include <gp_Lin.hxx>
 #include <random>
 
 #include "catch.h"
@@ -69,8 +72,22 @@ class RandomParts {
         }
     }
 
+    /// One in five is a pattern.
     Primitive feature() {
-        return {"Feature" + std::to_string(next_++), chance(0.5) ? Effect::adds : Effect::removes, {volume()}, {}};
+        Primitive f{"Feature" + std::to_string(next_++), chance(0.5) ? Effect::adds : Effect::removes, {volume()}, {}};
+        if (chance(0.2)) f.instances = pattern(f.instances[0], whole(2, 4));
+        return f;
+    }
+
+    /// In a row or about an axis; instances may touch and overlap.
+    std::vector<TopoDS_Shape> pattern(const TopoDS_Shape& first, int count) {
+        const bool polar = chance(0.3);
+        const Vec3 step = axis() * length(3, 12);
+        std::vector<TopoDS_Shape> instances;
+        for (int i = 0; i < count; ++i)
+            instances.push_back(
+                test::moved(first, polar ? turn({20, 15, 6}, {0, 0, 1}, 2 * M_PI * i / count) : shift(step * double(i))));
+        return instances;
     }
 
     std::vector<Primitive> tree() {
@@ -87,12 +104,12 @@ class RandomParts {
     void edit(std::vector<Primitive>& features) {
         const int i = whole(1, int(features.size()) - 1);
         Primitive& f = features[std::size_t(i)];
-        switch (whole(0, 9)) {
+        switch (whole(0, 12)) {
             case 0:
             case 1:
             case 2:
             case 3:
-                f.instances[0] = test::moved(f.instances[0], motion());
+                move(f.instances, motion());
                 break;
             case 4:
             case 5:
@@ -107,16 +124,31 @@ class RandomParts {
             case 8:
                 features[0].instances[0] = box({0, 0, 0}, {length(36, 46), 30, length(10, 14)});
                 break;
-            default: {
+            case 9: {
                 const RigidMotion all = motion();
-                for (Primitive& p : features) p.instances[0] = test::moved(p.instances[0], all);
+                for (Primitive& p : features) move(p.instances, all);
+                break;
             }
+            case 10:  // an instance comes, in the middle of a pattern that has any
+                f.instances.insert(f.instances.begin() + 1, test::moved(f.instances[0], motion()));
+                break;
+            case 11:
+                if (f.instances.size() > 1) f.instances.erase(f.instances.begin() + whole(0, 1));
+                f.instances[0] = test::moved(f.instances[0], motion());
+                break;
+            default:  // another feature of the same shape, and another order of instances
+                f.name = "Feature" + std::to_string(next_++);
+                std::reverse(f.instances.begin(), f.instances.end());
         }
     }
 
     std::mt19937& engine() { return random_; }
 
   private:
+    static void move(std::vector<TopoDS_Shape>& instances, const RigidMotion& motion) {
+        for (TopoDS_Shape& instance : instances) instance = test::moved(instance, motion);
+    }
+
     std::mt19937 random_;
     int next_ = 0;
 };
@@ -146,17 +178,31 @@ std::vector<Sample> samples_on_faces(const Brep& brep, int per_face, RandomParts
 
 class PointOracle {
   public:
-    explicit PointOracle(const Brep& brep) : classifier_(brep.shape()) {}
-    TopAbs_State at(const Vec3& p) {
-        classifier_.Perform(to_pnt(p), 1e-6);
-        return classifier_.State();
-    }
+    explicit PointOracle(const Brep& brep) : shape_(brep.shape()), classifier_(shape_) {}
     /// Material just behind, none just before.
     bool has_boundary(const Vec3& p, const Vec3& normal) {
-        return at(p - normal * off) == TopAbs_IN && at(p + normal * off) == TopAbs_OUT;
+        return is(p - normal * off, TopAbs_IN) && is(p + normal * off, TopAbs_OUT);
     }
 
   private:
+    /// The kernel's classifier errs now and then on free-form faces (seed 472), so rays are asked when it objects.
+    bool is(const Vec3& p, TopAbs_State state) {
+        classifier_.Perform(to_pnt(p), 1e-6);
+        return classifier_.State() == state || most_rays_say(p) == state;
+    }
+
+    TopAbs_State most_rays_say(const Vec3& p) const {
+        IntCurvesFace_ShapeIntersector crossings;
+        crossings.Load(shape_, 1e-7);
+        int odd = 0;
+        for (const gp_Dir& direction : {gp_Dir(0.31, 0.47, 0.83), gp_Dir(-0.71, 0.59, 0.23), gp_Dir(0.13, -0.37, -0.92)}) {
+            crossings.Perform(gp_Lin(to_pnt(p), direction), 0, 1e6);
+            odd += crossings.NbPnt() % 2;
+        }
+        return odd > 1 ? TopAbs_IN : TopAbs_OUT;
+    }
+
+    const TopoDS_Shape shape_;
     BRepClass3d_SolidClassifier classifier_;
 };
 
@@ -260,9 +306,14 @@ std::optional<PartState> valid_part(const std::vector<Primitive>& features) {
 }  // namespace
 
 namespace {
-void check_random_edits(int edits) {
+int asked_for(const char* variable, int otherwise) {
+    const char* value = std::getenv(variable);
+    return value ? std::atoi(value) : otherwise;
+}
+
+void check_random_edits(int edits, unsigned first_seed) {
     Totals totals;
-    for (unsigned seed = 1; totals.edits < edits; ++seed) {
+    for (unsigned seed = first_seed; totals.edits < edits; ++seed) {
         RandomParts random(seed);
         std::vector<Primitive> features = random.tree();
         const auto before = valid_part(features);
@@ -281,7 +332,7 @@ void check_random_edits(int edits) {
             judge_region(region, *before, *after, random, totals);
             judge_edges(region, *before, *after, random, totals);
         }
-        if (totals.edits % 3 == 0 && edits == few) measure_conservativeness(d, *before, *after, random, totals);
+        if (totals.edits % 3 == 0) measure_conservativeness(d, *before, *after, random, totals);
         INFO("seed " << seed);
         CHECK(totals.wrong == wrong);
     }
@@ -295,10 +346,14 @@ void check_random_edits(int edits) {
     if (edits > few)
         WARN(totals.edits << " edits, " << totals.skipped << " skipped, " << totals.regions << " regions, "
                           << totals.points << " face points, " << totals.edge_points << " edge points, " << totals.wrong
-                          << " wrong");
+                          << " wrong, area called changed " << totals.called_changed / totals.truly_changed
+                          << " times what is");
 }
 }  // namespace
 
-TEST_CASE("what is called unchanged is unchanged") { check_random_edits(few); }
+TEST_CASE("what is called unchanged is unchanged") { check_random_edits(few, 1); }
 
-TEST_CASE("what is called unchanged is unchanged, many times", "[.long]") { check_random_edits(2000); }
+TEST_CASE("what is called unchanged is unchanged, many times", "[.long]") {
+    check_random_edits(asked_for("FEATUREMESH_RANDOM_EDITS", 2000),
+                       static_cast<unsigned>(asked_for("FEATUREMESH_RANDOM_SEED", 1)));
+}
