@@ -5,11 +5,11 @@ namespace featuremesh {
 
 namespace {
 
-const char* name_of_verdict(FaceVerdict verdict) {
+const char* name_of_verdict(BoundaryVerdict verdict) {
     switch (verdict) {
-        case FaceVerdict::kept: return "kept";
-        case FaceVerdict::vanished: return "vanished";
-        case FaceVerdict::appeared: return "appeared";
+        case BoundaryVerdict::kept: return "kept";
+        case BoundaryVerdict::vanished: return "vanished";
+        case BoundaryVerdict::appeared: return "appeared";
         default: return "trimmed differently";
     }
 }
@@ -47,16 +47,34 @@ py::dict face_dict(const FaceChange& change) {
     return out;
 }
 
+py::dict edge_dict(const EdgeChange& change) {
+    const auto edge_name = [](EdgeId edge) { return edge.is_valid() ? py::object(py::str(name_of(entity_of(edge)))) : py::none(); };
+    py::dict out;
+    out["verdict"] = name_of_verdict(change.verdict);
+    out["old_edge"] = edge_name(change.old_edge);
+    out["new_edge"] = edge_name(change.new_edge);
+    out["old_length"] = change.old_length;
+    out["new_length"] = change.new_length;
+    out["inner"] = change.inner;
+    return out;
+}
+
 py::dict compare_documents(const py::dict& old_raw, const py::dict& new_raw, double resolution) {
     const RawDocument old_document = raw_document_from(old_raw), new_document = raw_document_from(new_raw);
+    std::vector<EdgeChange> edges;
     const FeatureDifference difference = run_released({}, 1, [&](RunContext& context) {
         const PartState old_state = read_part(old_document, context), new_state = read_part(new_document, context);
         const double fine = resolution > 0 ? resolution : new_state.brep.box().diagonal() / 100;
         FeatureDifference found = compare(old_state, new_state, fine, context);
         tell_inner_faces(found.faces, old_state.brep, new_state.brep);
+        edges = edge_changes(found, old_state.brep, new_state.brep);
         return found;
     });
-    return to_dict(difference);
+    py::list edge_list;
+    for (const EdgeChange& change : edges) edge_list.append(edge_dict(change));
+    py::dict out = to_dict(difference);
+    out["edges"] = edge_list;
+    return out;
 }
 
 }  // namespace

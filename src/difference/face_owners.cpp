@@ -58,7 +58,7 @@ std::vector<std::vector<Owner>> owners_after_edit(const PartState& old_state, co
     const OwnerHeritage heritage(old_state, new_state);
     std::vector<FaceId> kept_from(new_state.brep.face_count());
     for (const FaceChange& face : difference.faces)
-        if (face.verdict == FaceVerdict::kept) kept_from[face.new_face.index()] = face.old_face;
+        if (face.verdict == BoundaryVerdict::kept) kept_from[face.new_face.index()] = face.old_face;
     std::vector<std::vector<Owner>> owners(kept_from.size());
     for (std::size_t f = 0; f < owners.size(); ++f) {
         if (kept_from[f].is_valid())

@@ -37,7 +37,7 @@ bool FeatureDifference::is_empty() const {
     const bool features_same = std::all_of(features.begin(), features.end(),
                                            [](const FeatureChange& f) { return f.verdict == Verdict::same; });
     const bool faces_same =
-        std::all_of(faces.begin(), faces.end(), [](const FaceChange& f) { return f.verdict == FaceVerdict::kept; });
+        std::all_of(faces.begin(), faces.end(), [](const FaceChange& f) { return f.verdict == BoundaryVerdict::kept; });
     return features_same && faces_same && (regions.empty() || regions[0].changed.is_empty());
 }
 

@@ -36,13 +36,20 @@ struct FeatureChange {
     std::string detail;                        ///< in words: "moved by (5, 0, 0) mm", "radius 4 -> 5"
 };
 
-/// What became of one face of the old or the new boundary.
-enum class FaceVerdict { kept, vanished, appeared, trimmed_differently };
+/// What became of one face or edge of the old or the new boundary.
+enum class BoundaryVerdict { kept, vanished, appeared, trimmed_differently };
 struct FaceChange {
-    FaceVerdict verdict = FaceVerdict::kept;
+    BoundaryVerdict verdict = BoundaryVerdict::kept;
     FaceId old_face, new_face;          ///< none where there is no partner
     double old_area = 0, new_area = 0;  ///< mm^2
     bool inner = false;  ///< vanished into the material, or appeared out of it; see tell_inner_faces
+};
+
+struct EdgeChange {
+    BoundaryVerdict verdict = BoundaryVerdict::kept;
+    EdgeId old_edge, new_edge;              ///< none where there is no partner
+    double old_length = 0, new_length = 0;  ///< mm
+    bool inner = false;  ///< vanished into the material, or appeared out of it
 };
 
 /// The part of either boundary that the other does not have, as triangles, conservative: every point of the symmetric
@@ -96,6 +103,9 @@ struct FeatureDifference {
 /// For reports: which of the vanished faces now lie inside the material (the boundary became inner), and which of the
 /// appeared ones did before (inner became boundary), by a point of each.
 void tell_inner_faces(std::vector<FaceChange>& faces, const Brep& old_shape, const Brep& new_shape);
+
+/// For reports: what became of every edge, from the partners in the difference's first region. Poles are left out.
+std::vector<EdgeChange> edge_changes(const FeatureDifference& difference, const Brep& old_shape, const Brep& new_shape);
 
 /// `resolution`: wanted edge length of the triangles of the changed boundary where a face is trimmed differently, mm.
 FeatureDifference compare(const PartState& old_state, const PartState& new_state, double resolution,

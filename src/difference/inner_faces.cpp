@@ -7,8 +7,8 @@ namespace featuremesh {
 void tell_inner_faces(std::vector<FaceChange>& faces, const Brep& old_shape, const Brep& new_shape) {
     const SolidProbe old_probe(old_shape.shape()), new_probe(new_shape.shape());
     for (FaceChange& change : faces) {
-        const bool vanished = change.verdict == FaceVerdict::vanished;
-        if (!vanished && change.verdict != FaceVerdict::appeared) continue;
+        const bool vanished = change.verdict == BoundaryVerdict::vanished;
+        if (!vanished && change.verdict != BoundaryVerdict::appeared) continue;
         const auto place = point_on(vanished ? old_shape.face(change.old_face) : new_shape.face(change.new_face));
         change.inner = place && (vanished ? new_probe : old_probe).side_of(place->point) == Side::inside;
     }

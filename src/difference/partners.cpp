@@ -167,20 +167,20 @@ namespace {
 FaceChange change_of(FaceId f, const BoundaryPair& pair, const BoundaryMatch& match, const CarriedRegion& region,
                      std::vector<char>& has_partner) {
     const PartnerFinder finder(pair, match);
-    FaceChange change{FaceVerdict::vanished, f, FaceId(), area_of(pair.old_model.brep().face(f)), 0};
+    FaceChange change{BoundaryVerdict::vanished, f, FaceId(), area_of(pair.old_model.brep().face(f)), 0};
     for (const FaceId partner : region.new_faces_of[f.index()]) {
         const bool kept = finder.same_trim(f, partner);
         if (!kept && !finder.do_overlap(f, partner)) continue;
         has_partner[partner.index()] = 1;
         if (change.new_face.is_valid() && !kept) continue;
-        change.verdict = kept ? FaceVerdict::kept : FaceVerdict::trimmed_differently;
+        change.verdict = kept ? BoundaryVerdict::kept : BoundaryVerdict::trimmed_differently;
         change.new_face = partner;
     }
     if (!change.new_face.is_valid()) return change;
     if (match.groups[std::size_t(match.group_of_old_face[f.index()])].is_unchanged())
-        change.verdict = FaceVerdict::kept;
+        change.verdict = BoundaryVerdict::kept;
     change.new_area =
-        change.verdict == FaceVerdict::kept ? change.old_area : area_of(pair.new_model.brep().face(change.new_face));
+        change.verdict == BoundaryVerdict::kept ? change.old_area : area_of(pair.new_model.brep().face(change.new_face));
     return change;
 }
 }  // namespace
@@ -194,7 +194,7 @@ std::vector<FaceChange> face_changes(const BoundaryPair& pair, const BoundaryMat
     for (std::size_t f = 0; f < has_partner.size(); ++f)
         if (!has_partner[f])
             changes.push_back(
-                {FaceVerdict::appeared, FaceId(), FaceId(f), 0, area_of(pair.new_model.brep().face(FaceId(f)))});
+                {BoundaryVerdict::appeared, FaceId(), FaceId(f), 0, area_of(pair.new_model.brep().face(FaceId(f)))});
     return changes;
 }
 

@@ -3,10 +3,12 @@
 
 #include <TopExp_Explorer.hxx>
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "core/activity.h"
 #include "core/errors.h"
+#include "features/copied_volumes.h"
 #include "features/deadline.h"
 #include "features/document_view.h"
 #include "features/feature_types.h"
@@ -213,7 +215,32 @@ class Interpreter {
         const int source = source_of(i);
         if (source >= 0 && same_solids(view_.solids_of(record(source)), view_.solids_of(record(i))))
             return pass_on(i, source, context);
-        take_shape(i, context);
+        if (source < 0 || feature(i).suppressed || !take_copies(i, source, context)) take_shape(i, context);
+    }
+
+    /// What stands elsewhere once more has the same volumes there.
+    bool take_copies(int i, int source, Effect context) {
+        const auto volumes = volumes_of(source);
+        if (!volumes || volumes->size() < 2) return false;
+        auto copies = copied_volumes(record(i), record(source), *volumes, view_);
+        if (!copies) return false;
+        feature(i).combination = Combination::chain;
+        feature(i).volume_source = "copies";
+        feature(i).volumes = std::move(*copies);
+        for (FeatureVolume& volume : feature(i).volumes) volume.effect = within(context, volume.step);
+        return true;
+    }
+
+    /// The source of a copy need not be part of the result itself.
+    std::optional<std::vector<FeatureVolume>> volumes_of(int source) {
+        if (visited_[source]) return volumes_in_order(tree_, FeatureId(source));
+        const FeatureTree tree = tree_;
+        const std::vector<bool> visited = visited_;
+        evaluate(source, Effect::adds);
+        auto volumes = volumes_in_order(tree_, FeatureId(source));
+        tree_ = tree;
+        visited_ = visited;
+        return volumes;
     }
 
     void evaluate_chain(int i, Effect context) {
@@ -271,10 +298,13 @@ class Interpreter {
             if (feature(i).error.empty()) feature(i).error = "it has no solid";
             return true;
         }
-        const double start = thread_seconds();
-        const ShapeDifference difference =
-            difference_of(feature(i).before, after, std::min(8.0, seconds_left_), context_);
-        seconds_left_ = std::max(0.5, seconds_left_ - (thread_seconds() - start));
+        const auto [known, is_new] = differences_.try_emplace(i);
+        ShapeDifference& difference = known->second;
+        if (is_new) {
+            const double start = thread_seconds();
+            difference = difference_of(feature(i).before, after, std::min(8.0, seconds_left_), context_);
+            seconds_left_ = std::max(0.5, seconds_left_ - (thread_seconds() - start));
+        }
         if (!difference.closed) {
             note(i,
                  "what it adds and removes could not be told from the shapes before and after it; it is taken as one "
@@ -318,6 +348,7 @@ class Interpreter {
     FeatureTree tree_;
     std::vector<TypeMeaning> meanings_;
     std::vector<bool> visited_;
+    std::map<int, ShapeDifference> differences_;  // by record: the source of a copy is evaluated more than once
     double seconds_left_ = 16;  // for what was added and removed by all features together
 };
 

@@ -44,7 +44,7 @@ struct Feature {
     std::vector<FeatureId> depends_on;
     bool suppressed = false;
     std::string error;           ///< FreeCAD's message; such a feature counts as changed
-    std::string volume_source;   ///< how the volumes were had: "own", "before and after", "instances", "shape"
+    std::string volume_source;   ///< how the volumes were had: "own", "before and after", "instances", "copies", "shape"
     TopoDS_Shape before, after;  ///< what FreeCAD shows before and after it, where it changes a shape; may be null
     Combination combination = Combination::volumes;
     std::vector<FeatureId> operands;  ///< whose results are combined; always earlier features

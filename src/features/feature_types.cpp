@@ -63,7 +63,7 @@ const std::map<std::string, TypeMeaning, std::less<>>& types() {
         t["Part::Thickness"] = change({"Faces"});
         t["Part::Refine"] = copy(Role::transform, {"Source"});
         t["Part::Reverse"] = copy(Role::transform, {"Source"});
-        t["Part::Mirroring"] = leaf(Role::transform);
+        t["Part::Mirroring"] = copy(Role::transform, {"Source"});
         t["Part::Scale"] = leaf(Role::transform);
         for (const char* name : {"Box", "Cylinder", "Sphere", "Cone", "Torus", "Prism", "Wedge", "Ellipsoid",
                                  "Extrusion", "Revolution", "Loft", "Sweep"})

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "features/pattern_instances.h"
 
-#include <BRepBuilderAPI_Transform.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 
 #include "features/face_probe.h"
@@ -17,12 +15,6 @@ namespace featuremesh {
 namespace {
 
 constexpr double on_surface = 1e-5;  // mm: how closely the kernel's booleans keep a face on its surface
-
-TopoDS_Shape placed(const TopoDS_Shape& shape, const gp_Trsf& trsf) {
-    if (trsf.IsNegative() || std::abs(trsf.ScaleFactor() - 1) > 1e-12)
-        return BRepBuilderAPI_Transform(shape, trsf, true).Shape();
-    return shape.Moved(TopLoc_Location(trsf));
-}
 
 std::vector<FeatureVolume> instances(const std::vector<FeatureVolume>& originals, const Placements& placements) {
     std::vector<FeatureVolume> volumes;

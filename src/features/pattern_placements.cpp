@@ -3,7 +3,9 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <TopExp.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax1.hxx>
@@ -162,6 +164,12 @@ std::vector<Placements> combined(const RawRecord& pattern, const DocumentView& d
 }
 
 }  // namespace
+
+TopoDS_Shape placed(const TopoDS_Shape& shape, const gp_Trsf& placement) {
+    if (placement.IsNegative() || std::abs(placement.ScaleFactor() - 1) > 1e-12)
+        return BRepBuilderAPI_Transform(shape, placement, true).Shape();
+    return shape.Moved(TopLoc_Location(placement));
+}
 
 std::vector<Placements> candidate_placements(const RawRecord& pattern, const DocumentView& document) {
     if (pattern.type == "PartDesign::LinearPattern") return linear(pattern, document);

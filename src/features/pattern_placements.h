@@ -12,6 +12,9 @@ namespace featuremesh {
 /// The transformations of all occurrences, the first (the identity) included.
 using Placements = std::vector<gp_Trsf>;
 
+/// The shape under a placement, made anew where that mirrors or scales.
+TopoDS_Shape placed(const TopoDS_Shape& shape, const gp_Trsf& placement);
+
 /// All readings of the parameters worth trying, the likeliest first; empty when the direction, axis or plane cannot be
 /// resolved. In the final shape's frame.
 std::vector<Placements> candidate_placements(const RawRecord& pattern, const DocumentView& document);

@@ -37,7 +37,7 @@ class Keeper {
           entities_(input.old_mesh.entities), parameters_(input.old_mesh.parameters),
           is_untouched_(input.old_brep.face_count(), 0), face_boxes_(input.new_brep.face_count()) {
         for (const FaceChange& change : input.difference.faces)
-            if (change.verdict == FaceVerdict::kept) is_untouched_[change.old_face.index()] = 1;
+            if (change.verdict == BoundaryVerdict::kept) is_untouched_[change.old_face.index()] = 1;
     }
 
     Kept run() {

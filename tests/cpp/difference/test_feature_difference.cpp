@@ -5,6 +5,8 @@
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
+#include <map>
+#include <set>
 #include <gp_Ax2.hxx>
 
 #include "catch.h"
@@ -35,7 +37,7 @@ TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes) {
     return compound;
 }
 
-int count(const FeatureDifference& d, FaceVerdict verdict) {
+int count(const FeatureDifference& d, BoundaryVerdict verdict) {
     return int(
         std::count_if(d.faces.begin(), d.faces.end(), [&](const FaceChange& f) { return f.verdict == verdict; }));
 }
@@ -65,9 +67,9 @@ TEST_CASE("a moved hole") {
     CHECK(change_of(d, "Plate").verdict == Verdict::interaction_changed);
     CHECK(change_of(d, "Boss").verdict == Verdict::same);
     CHECK(change_of(d, "Hole3").verdict == Verdict::same);
-    CHECK(count(d, FaceVerdict::trimmed_differently) == 2);
-    CHECK(count(d, FaceVerdict::vanished) == 1);
-    CHECK(count(d, FaceVerdict::appeared) == 1);
+    CHECK(count(d, BoundaryVerdict::trimmed_differently) == 2);
+    CHECK(count(d, BoundaryVerdict::vanished) == 1);
+    CHECK(count(d, BoundaryVerdict::appeared) == 1);
 
     const ChangedBoundary& changed = d.regions[0].changed;
     CHECK(changed.distance({8, 12, 7}, 1) < 0.3);   // the old wall
@@ -98,15 +100,15 @@ TEST_CASE("one moved hole among 150 features") {
                             : f.name == "Plate" ? Verdict::interaction_changed
                                                 : Verdict::same));
     }
-    CHECK(count(d, FaceVerdict::trimmed_differently) == 2);
-    CHECK(count(d, FaceVerdict::vanished) == 1);
-    CHECK(count(d, FaceVerdict::appeared) == 1);
+    CHECK(count(d, BoundaryVerdict::trimmed_differently) == 2);
+    CHECK(count(d, BoundaryVerdict::vanished) == 1);
+    CHECK(count(d, BoundaryVerdict::appeared) == 1);
 }
 
 TEST_CASE("faces that cross like a plus are partners") {
     const FeatureDifference d = diff(part({{"A", Effect::adds, {box({0, 10, 0}, {30, 10, 5})}, {}}}),
                                      part({{"A", Effect::adds, {box({10, 0, 0}, {10, 30, 5})}, {}}}));
-    CHECK(count(d, FaceVerdict::trimmed_differently) == 2);
+    CHECK(count(d, BoundaryVerdict::trimmed_differently) == 2);
     CHECK(d.regions[0].changed.distance({15, 15, 5}, 4) > 3);  // both have the middle
     CHECK(d.regions[0].changed.distance({5, 15, 5}, 4) < 0.3);
 }
@@ -260,7 +262,7 @@ TEST_CASE("a feature replaced by another of the same shape keeps the boundary") 
     CHECK(change_of(d, "Hole0").verdict == Verdict::removed);
     CHECK(change_of(d, "Pocket").verdict == Verdict::added);
     CHECK(d.regions[0].changed.is_empty());
-    CHECK(count(d, FaceVerdict::kept) == int(d.faces.size()));
+    CHECK(count(d, BoundaryVerdict::kept) == int(d.faces.size()));
 }
 
 TEST_CASE("a hole beside a rib changes the rib's interaction, not the rib") {
@@ -279,7 +281,7 @@ TEST_CASE("boundary that became inner, and inner that became boundary") {
     auto high = low, bare = low;
     high.push_back({"Cover", Effect::adds, {box({5, 5, 16}, {4, 4, 3})}, {}});
     bare.pop_back();
-    const auto inner = [](const std::vector<Primitive>& from, const std::vector<Primitive>& to, FaceVerdict verdict) {
+    const auto inner = [](const std::vector<Primitive>& from, const std::vector<Primitive>& to, BoundaryVerdict verdict) {
         const PartState was = part(from), is = part(to);
         FeatureDifference d = diff(was, is);
         tell_inner_faces(d.faces, was.brep, is.brep);
@@ -287,9 +289,49 @@ TEST_CASE("boundary that became inner, and inner that became boundary") {
                              return f.verdict == verdict && f.inner;
                          })));
     };
-    CHECK(inner(low, high, FaceVerdict::vanished) == std::pair(1, 1));  // the post's top, under the cover
-    CHECK(inner(high, low, FaceVerdict::appeared) == std::pair(1, 1));
-    CHECK(inner(low, bare, FaceVerdict::vanished) == std::pair(5, 0));  // the post stood in the open
+    CHECK(inner(low, high, BoundaryVerdict::vanished) == std::pair(1, 1));  // the post's top, under the cover
+    CHECK(inner(high, low, BoundaryVerdict::appeared) == std::pair(1, 1));
+    CHECK(inner(low, bare, BoundaryVerdict::vanished) == std::pair(5, 0));  // the post stood in the open
+}
+
+TEST_CASE("what became of every edge") {
+    const auto edges = [](const std::vector<Primitive>& from, const std::vector<Primitive>& to) {
+        const PartState was = part(from), is = part(to);
+        const std::vector<EdgeChange> changes = edge_changes(diff(was, is), was.brep, is.brep);
+        std::map<BoundaryVerdict, std::pair<int, int>> counts;  // of which inner
+        std::set<EdgeId> old_edges, new_edges;
+        for (const EdgeChange& e : changes) {
+            ++counts[e.verdict].first;
+            counts[e.verdict].second += e.inner;
+            CHECK((!e.old_edge.is_valid() || old_edges.insert(e.old_edge).second));
+            CHECK(e.old_edge.is_valid() == (e.old_length > 0));
+            CHECK(e.new_edge.is_valid() == (e.new_length > 0));
+            if (e.verdict == BoundaryVerdict::kept) CHECK(e.old_length == Approx(e.new_length));
+        }
+        CHECK(old_edges.size() == was.brep.edge_count());
+        return counts;
+    };
+    using Counts = std::map<BoundaryVerdict, std::pair<int, int>>;
+    const std::vector<Primitive> plate{{"Plate", Effect::adds, {box({0, 0, 0}, {100, 50, 10})}, {}}};
+    auto holed = plate, notched = plate, with_post = plate;
+    holed.push_back({"Hole", Effect::removes, {cylinder({30, 20, 0}, {0, 0, 1}, 5, 10)}, {}});
+    notched.push_back({"Notch", Effect::removes, {box({40, -1, 5}, {10, 6, 10})}, {}});
+    with_post.push_back({"Post", Effect::adds, {box({40, 20, 10}, {4, 4, 6})}, {}});
+    CHECK(edges(plate, plate) == Counts{{BoundaryVerdict::kept, {12, 0}}});
+    // Both rims and the seam, which lies in what was material.
+    CHECK(edges(plate, holed) == Counts{{BoundaryVerdict::kept, {12, 0}}, {BoundaryVerdict::appeared, {3, 1}}});
+    CHECK(edges(holed, plate) == Counts{{BoundaryVerdict::kept, {12, 0}}, {BoundaryVerdict::vanished, {3, 1}}});
+    // The notch splits one edge, which is one change, and has eleven edges of its own, five of them within the block.
+    CHECK(edges(plate, notched) == Counts{{BoundaryVerdict::kept, {11, 0}},
+                                          {BoundaryVerdict::trimmed_differently, {1, 0}},
+                                          {BoundaryVerdict::appeared, {11, 5}}});
+    auto covered = with_post;
+    covered.push_back({"Cover", Effect::adds, {box({38, 18, 14}, {8, 8, 6})}, {}});
+    // The post's upper rim is within the cover; its standing edges are shorter.
+    const auto cover = edges(with_post, covered);
+    CHECK(cover.at(BoundaryVerdict::vanished) == std::pair(4, 4));
+    CHECK(cover.at(BoundaryVerdict::trimmed_differently) == std::pair(4, 0));
+    CHECK(edges(covered, with_post).at(BoundaryVerdict::appeared) == std::pair(4, 4));
 }
 
 TEST_CASE("unrelated parts are noted") {

@@ -2,6 +2,7 @@
 #include "features/feature_tree.h"
 
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
@@ -14,6 +15,7 @@
 #include "core/errors.h"
 #include "documents.h"
 #include "features/flux.h"
+#include "features/occt_geometry.h"
 
 using namespace featuremesh;
 using namespace featuremesh::test;
@@ -345,4 +347,53 @@ TEST_CASE("a document without the object or without a solid is refused by name")
     CHECK_THROWS_WITH(interpret(document), Catch::Contains("Sketch"));
     document.final_object = "Nobody";
     CHECK_THROWS_WITH(interpret(document), Catch::Contains("Nobody"));
+}
+
+namespace {
+/// A plate with a slot, and a second object that shows it elsewhere.
+RawDocument plate_and(const std::string& type, const std::string& link, const gp_Trsf& to, bool plate_too,
+                      const RawRecord& like) {
+    const TopoDS_Shape pad = box(0, 0, 0, 20, 10, 5), slot = box(3, 2, -1, 4, 3, 7), plate = cut(pad, slot);
+    const TopoDS_Shape copy = BRepBuilderAPI_Transform(plate, to, true).Shape();
+    DocumentMaker maker;
+    maker.add("Pad", "PartDesign::Pad", {}, pad, pad);
+    maker.add("Pocket", "PartDesign::Pocket", {{"BaseFeature", "Pad", ""}}, plate, slot);
+    maker.add("Body", "PartDesign::Body", body_links({"Pad", "Pocket"}), plate);
+    RawRecord& other = maker.add("Other", type, {{link, "Body", ""}}, copy);
+    other.numbers = like.numbers;
+    other.placement = other.global_placement = like.global_placement;
+    if (plate_too) maker.add("Both", "Part::MultiFuse", {{"Shapes", "Other", ""}, {"Shapes", "Body", ""}}, fused(plate, copy));
+    return maker.done();
+}
+
+void check_copied(const FeatureTree& tree, bool plate_too) {
+    const Feature& other = named(tree, "Other");
+    CHECK(other.volume_source == "copies");
+    REQUIRE(other.volumes.size() == 2);
+    CHECK(other.volumes[0].effect == Effect::adds);
+    CHECK(other.volumes[1].effect == Effect::removes);
+    CHECK(volume(other.volumes[0]) == Approx(1000));
+    CHECK(volume(other.volumes[1]) == Approx(84));
+    CHECK(named(tree, "Pad").volumes.size() == (plate_too ? 1u : 0u));
+    CHECK(tree.notes.empty());
+}
+}  // namespace
+
+TEST_CASE("a mirrored object has the volumes of what it mirrors") {
+    RawRecord like;
+    like.numbers = {{"Base.x", 30}, {"Base.y", 0}, {"Base.z", 0}, {"Normal.x", 1}, {"Normal.y", 0}, {"Normal.z", 0}};
+    gp_Trsf mirror;
+    mirror.SetMirror(gp_Ax2(gp_Pnt(30, 0, 0), gp_Dir(1, 0, 0)));
+    for (const bool plate_too : {false, true})
+        check_copied(interpret(plate_and("Part::Mirroring", "Source", mirror, plate_too, like)), plate_too);
+    like.numbers["Base.x"] = 31;  // not what was done: the shape is the volume
+    CHECK(named(interpret(plate_and("Part::Mirroring", "Source", mirror, true, like)), "Other").volume_source == "shape");
+}
+
+TEST_CASE("a second link and a clone have the volumes of what they show") {
+    RawRecord like;
+    like.global_placement.translation = {0, 25, 0};
+    for (const auto& [type, link] : {std::pair{"App::Link", "LinkedObject"}, std::pair{"PartDesign::FeatureBase", "BaseFeature"}})
+        for (const bool plate_too : {false, true})
+            check_copied(interpret(plate_and(type, link, to_trsf(like.global_placement), plate_too, like)), plate_too);
 }

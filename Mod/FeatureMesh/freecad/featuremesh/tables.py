@@ -58,16 +58,22 @@ def verdict_in_words(verdict, inner=False):
 def difference_note(found):
     """How many features and faces changed, and the engine's notes."""
     changed = sum(feature["verdict"] != "same" for feature in found["features"])
-    counts, inner = {}, {}
-    for face in found["faces"]:
-        counts[face["verdict"]] = counts.get(face["verdict"], 0) + 1
-        inner[face["verdict"]] = inner.get(face["verdict"], 0) + bool(face.get("inner"))
-    faces = ", ".join("%d %s" % (counts[verdict], verdict_in_words(verdict))
-                      + (translate("FeatureMesh", " (%d inside the other's material)") % inner[verdict] if inner[verdict] else "")
-                      for verdict in sorted(counts))
     line = translate("FeatureMesh", "%d features changed, %d did not; faces: %s") % (
-        changed, len(found["features"]) - changed, faces or translate("FeatureMesh", "none"))
+        changed, len(found["features"]) - changed, _counts(found["faces"]))
+    if "edges" in found:
+        line += translate("FeatureMesh", "; edges: %s") % _counts(found["edges"])
     return "\n".join([line] + [translate("FeatureMesh", "note: ") + in_words(note) for note in found.get("notes", [])])
+
+
+def _counts(changes):
+    """"2 appeared (1 inside the other's material), 17 kept" of faces or edges."""
+    counts, inner = {}, {}
+    for change in changes:
+        counts[change["verdict"]] = counts.get(change["verdict"], 0) + 1
+        inner[change["verdict"]] = inner.get(change["verdict"], 0) + bool(change.get("inner"))
+    return ", ".join("%d %s" % (counts[verdict], verdict_in_words(verdict))
+                     + (translate("FeatureMesh", " (%d inside the other's material)") % inner[verdict] if inner[verdict] else "")
+                     for verdict in sorted(counts)) or translate("FeatureMesh", "none")
 
 
 def of_tree(found):

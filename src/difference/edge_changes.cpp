@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <BRepAdaptor_Curve.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <cmath>
+
+#include "difference/feature_difference.h"
+#include "features/occt_geometry.h"
+#include "features/solid_probe.h"
+
+namespace featuremesh {
+
+namespace {
+
+struct EdgeShape {
+    Vec3 first, middle, last;
+    double length = 0;
+};
+
+EdgeShape shape_of(const Brep& brep, EdgeId id) {
+    const BRepAdaptor_Curve curve(brep.edge(id));
+    const double first = curve.FirstParameter(), last = curve.LastParameter();
+    return {to_vec3(curve.Value(first)), to_vec3(curve.Value(0.5 * (first + last))), to_vec3(curve.Value(last)),
+            GCPnts_AbscissaPoint::Length(curve)};
+}
+
+class EdgeVerdicts {
+  public:
+    EdgeVerdicts(const CarriedRegion& region, const Brep& old_shape, const Brep& new_shape)
+        : region_(region),
+          old_shape_(old_shape),
+          new_shape_(new_shape),
+          old_probe_(old_shape.shape()),
+          new_probe_(new_shape.shape()) {
+        Box box = old_shape.box();
+        box.add(new_shape.box());
+        same_ = 10 * Tolerances{box.diagonal()}.same_geometry();
+    }
+
+    std::vector<EdgeChange> run() const {
+        std::vector<EdgeChange> changes;
+        std::vector<char> has_partner(new_shape_.edge_count(), 0);
+        for (std::size_t e = 0; e < old_shape_.edge_count(); ++e)
+            if (!old_shape_.is_degenerated(EdgeId(e))) changes.push_back(change_of(EdgeId(e), has_partner));
+        for (std::size_t e = 0; e < has_partner.size(); ++e)
+            if (!has_partner[e] && !new_shape_.is_degenerated(EdgeId(e))) changes.push_back(appeared(EdgeId(e)));
+        return changes;
+    }
+
+  private:
+    /// The partner with the same ends, else the one with the largest share.
+    EdgeChange change_of(EdgeId e, std::vector<char>& has_partner) const {
+        const EdgeShape was = shape_of(old_shape_, e);
+        EdgeChange change{BoundaryVerdict::vanished, e, EdgeId(), was.length, 0, false};
+        for (const EdgeId partner : region_.new_edges_of[e.index()]) {
+            has_partner[partner.index()] = 1;
+            const EdgeShape is = shape_of(new_shape_, partner);
+            const bool kept = same_trim(was, is);
+            if (change.new_edge.is_valid() && !kept) continue;
+            change.verdict = kept ? BoundaryVerdict::kept : BoundaryVerdict::trimmed_differently;
+            change.new_edge = partner;
+            change.new_length = is.length;
+        }
+        if (!change.new_edge.is_valid()) change.inner = new_probe_.side_of(was.middle) == Side::inside;
+        return change;
+    }
+
+    EdgeChange appeared(EdgeId e) const {
+        const EdgeShape is = shape_of(new_shape_, e);
+        return {BoundaryVerdict::appeared, EdgeId(), e, 0, is.length, old_probe_.side_of(is.middle) == Side::inside};
+    }
+
+    /// Of two edges that overlap on one curve. A closed one may begin elsewhere.
+    bool same_trim(const EdgeShape& a, const EdgeShape& b) const {
+        if (std::abs(a.length - b.length) > same_ + 1e-6 * a.length) return false;
+        const auto meet = [&](const Vec3& p, const Vec3& q) { return distance(p, q) <= same_; };
+        return (meet(a.first, a.last) && meet(b.first, b.last)) || (meet(a.first, b.first) && meet(a.last, b.last)) ||
+               (meet(a.first, b.last) && meet(a.last, b.first));
+    }
+
+    const CarriedRegion& region_;
+    const Brep& old_shape_;
+    const Brep& new_shape_;
+    const SolidProbe old_probe_, new_probe_;
+    double same_ = 0;  // mm; a vertex lies less exactly than a carrier
+};
+
+}  // namespace
+
+std::vector<EdgeChange> edge_changes(const FeatureDifference& difference, const Brep& old_shape,
+                                     const Brep& new_shape) {
+    return EdgeVerdicts(difference.regions.front(), old_shape, new_shape).run();
+}
+
+}  // namespace featuremesh
