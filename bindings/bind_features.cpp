@@ -115,6 +115,10 @@ py::dict read_tree(const py::dict& raw) {
     for (const auto& lines : {cells.report.fallbacks, cells.report.findings})
         notes.insert(notes.end(), lines.begin(), lines.end());
     out["notes"] = notes;
+    out["fallbacks"] = cells.report.fallbacks;
+    py::list untrusted;
+    for (const FeatureId id : cells.report.untrusted) untrusted.append(tree[id].name);
+    out["untrusted"] = untrusted;
     return out;
 }
 

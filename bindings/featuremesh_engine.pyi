@@ -57,7 +57,8 @@ def transfer_field(old_arrays: dict[str, np.ndarray], new_arrays: dict[str, np.n
     0 the same node, 1 within an old element, 2 the nearest point of the old boundary."""
 def read_tree(raw: dict) -> dict[str, Any]:
     """{"object", "features": [{"name", "label", "type", "role", "suppressed", "error", "depends_on", "volume_source",
-    "volumes": [{"effect", "volume", "instance"}], "owns_cells", "owns_faces"}], "cells", "material_volume", "final_volume", "notes"}"""
+    "volumes": [{"effect", "volume", "instance"}], "owns_cells", "owns_faces"}], "cells", "material_volume", "final_volume", "notes",
+    "fallbacks" (those notes that say how the cells were had when the plain way failed), "untrusted" (names)}"""
 def compare(old: dict, new: dict, resolution: float = 0.0) -> dict[str, Any]:
     """The feature difference: {"features": [{"name", "label", "verdict", "motion", "old_volume", "new_volume", "old_faces", "new_faces", "detail"}],
     "faces": [{"verdict", "old_face", "new_face", "old_area", "new_area", "inner"}],

@@ -54,6 +54,7 @@ class CellBuilder {
         if (attempt(volumes(), 0)) return finish();
         if (replace_offenders() && attempt(volumes(), 0)) return finish();
         if (fused_ && attempt_fuzzy()) return finish();
+        if (attempt_one_by_one()) return finish();
         for (const FeatureId step : steps_to_start_from())
             if (collapse_before(step) && attempt(volumes(), 0)) return finish();
         if (fused_ && attempt_with_final_shape()) return finish();
@@ -170,6 +171,12 @@ class CellBuilder {
         return attempt(volumes(), fuzzy);
     }
 
+    /// Also tells who offends where the kernel only says that somebody does.
+    bool attempt_one_by_one() {
+        note("the volumes are fused one by one");
+        return take(fuse_one_by_one(volumes(), {0, seconds_left() / 2}, context_));
+    }
+
     bool attempt_with_final_shape() {
         note("the final shape itself takes part in the fuse");
         std::vector<FuseArgument> arguments = volumes();
@@ -184,7 +191,10 @@ class CellBuilder {
     bool attempt(const std::vector<FuseArgument>& arguments, double fuzzy) {
         if (seconds_left() <= 0) return note("out of time"), false;
         context_.check_cancelled();
-        FusedComplex complex = fuse(arguments, {fuzzy, seconds_left() / 2}, context_);
+        return take(fuse(arguments, {fuzzy, seconds_left() / 2}, context_));
+    }
+
+    bool take(FusedComplex complex) {
         fused_ = complex.trouble.empty();
         if (!fused_) return note("fuse: " + complex.trouble), false;
         model_ = {};

@@ -26,12 +26,34 @@ void sort_unique(std::vector<T>& list) {
     list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-/// Runs the kernel's builder and answers what became of the arguments' parts. A lone argument needs no builder.
+/// A solid or a face that goes into a fuse, with everybody who owns it.
+struct Source {
+    TopoDS_Shape shape;
+    std::vector<Owner> owners;
+};
+
+struct Sources {
+    std::vector<Source> solids, faces;
+
+    void add(const FuseArgument& argument) {
+        std::vector<Owner> owners;
+        if (argument.owner.feature.is_valid()) owners.push_back(argument.owner);
+        solids.push_back({argument.solid, owners});
+        for (TopExp_Explorer it(argument.solid, TopAbs_FACE); it.More(); it.Next())
+            faces.push_back({it.Current(), owners});
+    }
+    void add(const FusedComplex& complex) {
+        for (const Cell& cell : complex.cells) solids.push_back({cell.solid, cell.owners});
+        for (const CellFace& face : complex.faces) faces.push_back({face.face, face.owners});
+    }
+};
+
+/// Runs the kernel's builder and answers what became of the solids' parts. A lone solid needs no builder.
 class Builder {
   public:
-    Builder(const std::vector<FuseArgument>& arguments, const FuseOptions& options, RunContext& context) {
+    Builder(const std::vector<Source>& solids, const FuseOptions& options, RunContext& context) {
         TopTools_IndexedMapOfShape different;
-        for (const FuseArgument& argument : arguments) different.Add(argument.solid);
+        for (const Source& source : solids) different.Add(source.shape);
         if (different.Extent() < 2) return;
         const Handle(Deadline) deadline = new Deadline(options.seconds, context);
         used_ = true;
@@ -70,13 +92,11 @@ class Builder {
 
 class Collector {
   public:
-    Collector(const std::vector<FuseArgument>& arguments, Builder& builder, RunContext& context) : context_(context) {
-        for (const FuseArgument& argument : arguments) add_argument(argument, builder);
+    Collector(const Sources& sources, Builder& builder, RunContext& context) : context_(context) {
+        for (const Source& solid : sources.solids) add_solid(solid, builder);
         for (std::size_t c = 0; c < complex_.cells.size(); ++c) add_faces(CellId(c));
         measure();
-        for (const FuseArgument& argument : arguments)
-            for (TopExp_Explorer it(argument.solid, TopAbs_FACE); it.More(); it.Next())
-                own_faces(it.Current(), argument.owner, builder);
+        for (const Source& face : sources.faces) own_faces(face, builder);
         for (Cell& cell : complex_.cells) sort_unique(cell.owners);
         for (CellFace& face : complex_.faces) sort_unique(face.owners);
     }
@@ -84,8 +104,8 @@ class Collector {
     FusedComplex take() { return std::move(complex_); }
 
   private:
-    void add_argument(const FuseArgument& argument, Builder& builder) {
-        for (const TopoDS_Shape& image : builder.images(argument.solid))
+    void add_solid(const Source& source, Builder& builder) {
+        for (const TopoDS_Shape& image : builder.images(source.shape))
             for (TopExp_Explorer it(image, TopAbs_SOLID); it.More(); it.Next()) {
                 const int index = cell_map_.Add(it.Current());
                 if (index > static_cast<int>(complex_.cells.size())) {
@@ -93,7 +113,8 @@ class Collector {
                     cell.solid = TopoDS::Solid(it.Current());
                     complex_.cells.push_back(std::move(cell));
                 }
-                if (argument.owner.feature.is_valid()) complex_.cells[index - 1].owners.push_back(argument.owner);
+                auto& owners = complex_.cells[index - 1].owners;
+                owners.insert(owners.end(), source.owners.begin(), source.owners.end());
             }
     }
 
@@ -137,11 +158,13 @@ class Collector {
         }
     }
 
-    void own_faces(const TopoDS_Shape& face, const Owner& owner, Builder& builder) {
-        if (!owner.feature.is_valid()) return;
-        for (const TopoDS_Shape& image : builder.images(face))
-            if (const int index = face_map_.FindIndex(image); index > 0)
-                complex_.faces[index - 1].owners.push_back(owner);
+    void own_faces(const Source& face, Builder& builder) {
+        if (face.owners.empty()) return;
+        for (const TopoDS_Shape& image : builder.images(face.shape))
+            if (const int index = face_map_.FindIndex(image); index > 0) {
+                auto& owners = complex_.faces[index - 1].owners;
+                owners.insert(owners.end(), face.owners.begin(), face.owners.end());
+            }
     }
 
     struct Use {
@@ -180,17 +203,51 @@ void check_arguments(FusedComplex& complex, const std::vector<FuseArgument>& arg
         if (std::abs(sums[owner] - volume) > 10 * Tolerances::volume_books * volume) complex.offenders.push_back(owner);
 }
 
+FusedComplex fuse_sources(const Sources& sources, const FuseOptions& options, RunContext& context) {
+    Builder builder(sources.solids, options, context);
+    if (!builder.trouble().empty()) return {{}, {}, builder.trouble(), {}};
+    return Collector(sources, builder, context).take();
+}
+
 }  // namespace
 
 FusedComplex fuse(std::vector<FuseArgument> arguments, const FuseOptions& options, RunContext& context) {
     FusedComplex complex;
     try {
         const std::vector<double> volumes = turn_outwards(arguments, context);
-        Builder builder(arguments, options, context);
-        complex.trouble = builder.trouble();
-        if (!complex.trouble.empty()) return complex;
-        complex = Collector(arguments, builder, context).take();
+        Sources sources;
+        for (const FuseArgument& argument : arguments) sources.add(argument);
+        complex = fuse_sources(sources, options, context);
         check_arguments(complex, arguments, volumes);
+    } catch (const Standard_Failure& failure) {
+        complex = {};
+        complex.trouble = std::string("the kernel gave up: ") + failure.GetMessageString();
+    }
+    return complex;
+}
+
+FusedComplex fuse_one_by_one(std::vector<FuseArgument> arguments, const FuseOptions& options, RunContext& context) {
+    FusedComplex complex;
+    std::vector<Owner> left_out;
+    const double end = thread_seconds() + options.seconds;
+    try {
+        const std::vector<double> volumes = turn_outwards(arguments, context);
+        for (const FuseArgument& argument : arguments) {
+            const double left = end - thread_seconds();
+            if (left <= 0) return {{}, {}, "one by one they take too long", {}};
+            Sources sources;
+            sources.add(complex);
+            sources.add(argument);
+            const FuseOptions step{options.fuzzy, std::min(left, options.seconds / 3)};
+            FusedComplex next = fuse_sources(sources, step, context);
+            if (next.trouble.empty())
+                complex = std::move(next);
+            else
+                left_out.push_back(argument.owner);
+        }
+        check_arguments(complex, arguments, volumes);
+        complex.offenders.insert(complex.offenders.end(), left_out.begin(), left_out.end());
+        sort_unique(complex.offenders);
     } catch (const Standard_Failure& failure) {
         complex = {};
         complex.trouble = std::string("the kernel gave up: ") + failure.GetMessageString();

@@ -3,6 +3,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numbers>
 #include <set>
@@ -393,6 +394,38 @@ TEST_CASE("a fuse without time says so and throws nothing") {
              {.fuzzy = 0, .seconds = 0}, context);
     CHECK(complex.cells.empty());
     CHECK(complex.trouble.find("longer than") != std::string::npos);
+}
+
+TEST_CASE("fused one by one, the cells and their owners are the same") {
+    const std::vector<FuseArgument> arguments{{{FeatureId(0), 0}, box(0, 0, 0, 30, 20, 10)},
+                                              {{FeatureId(1), 0}, cylinder({8, 10, 0}, {0, 0, 1}, 4, 18)},
+                                              {{FeatureId(2), 0}, box(5, 8, 9, 20, 4, 6)},
+                                              {{FeatureId(3), 0}, cylinder({25, 5, -1}, {0, 0, 1}, 2, 12)},
+                                              {{FeatureId(4), 0}, box(30, 0, 0, 5, 20, 10)}};
+    RunContext context;
+    const auto owned = [](const FusedComplex& complex) {
+        std::multimap<std::vector<Owner>, double> cells;
+        std::multiset<std::vector<Owner>> faces;
+        for (const Cell& cell : complex.cells) cells.emplace(cell.owners, std::round(1e6 * cell.volume) / 1e6);
+        for (const CellFace& face : complex.faces) faces.insert(face.owners);
+        return std::pair(cells, faces);
+    };
+    const FusedComplex at_once = fuse(arguments, {}, context), one_by_one = fuse_one_by_one(arguments, {}, context);
+    CHECK(one_by_one.trouble.empty());
+    CHECK(one_by_one.offenders.empty());
+    CHECK(at_once.cells.size() > 6);
+    CHECK(owned(at_once) == owned(one_by_one));
+    CHECK_FALSE(fuse_one_by_one(arguments, {.fuzzy = 0, .seconds = 0}, context).trouble.empty());
+}
+
+TEST_CASE("fused one by one, an argument that does not add up is named") {
+    RunContext context;
+    const FusedComplex complex = fuse_one_by_one({{{FeatureId(0), 0}, box(0, 0, 0, 10, 10, 10)},
+                                                  {{FeatureId(1), 0}, box(5, 5, 5, 10, 10, 10)},
+                                                  {{FeatureId(1), 0}, box(8, 8, 8, 10, 10, 10)}},
+                                                 {}, context);
+    CHECK(complex.offenders == std::vector<Owner>{{FeatureId(1), 0}});
+    CHECK(complex.cells.size() > 3);
 }
 
 TEST_CASE("what cannot be fused is taken as one piece, and later features keep their cells") {
