@@ -78,9 +78,12 @@ std::vector<std::string> names_of_unmoved(const std::vector<FeatureChange>& chan
 
 void note_unrelated(const PartState& old_state, const PartState& new_state, std::vector<std::string>& notes) {
     const auto& features = new_state.tree.features;
-    const bool common = std::any_of(features.begin(), features.end(),
-                                    [&](const Feature& f) { return old_state.tree.find(f.name).has_value(); });
-    if (!common) notes.push_back("the two parts look unrelated: they have no feature name in common");
+    // Every document has an origin and most have a sketch: only what has a volume tells parts apart.
+    const bool common = std::any_of(features.begin(), features.end(), [&](const Feature& f) {
+        const auto old_id = old_state.tree.find(f.name);
+        return old_id && !f.volumes.empty() && !old_state.tree[*old_id].volumes.empty();
+    });
+    if (!common) notes.push_back("the two parts look unrelated: they have no feature with a volume in common");
 }
 
 void limit_motions(std::vector<MovedFeatures>& moved, std::vector<std::string>& notes) {

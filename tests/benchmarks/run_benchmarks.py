@@ -43,15 +43,17 @@ def main():
     if None in chosen:
         print("featuremesh bench: no such case; see featuremesh bench --list", file=sys.stderr)
         return 2
-    failed, updates = 0, {}
+    failed, updates, cells = 0, {}, {}
     for case in chosen:
         try:
-            updates[case.name] = measure(case, given)
+            updates[case.name], cells[case.name] = measure(case, given)
         except Exception as error:
             failed += 1
             print(f"  {case.name} failed: {error}", file=sys.stderr, flush=True)
     if "bosses-1" in updates and "bosses-64" in updates:
         print(f"growth: the update with 64 bosses takes {updates['bosses-64'] / updates['bosses-1']:.2f} times that with 1")
+    if "features-150" in cells and "features-600" in cells:
+        print(f"growth: the cells of 600 features take {cells['features-600'] / cells['features-150']:.1f} times those of 150 (n log n: 5.1)")
     print(f"{len(chosen) - failed} of {len(chosen)} cases measured; appended to {RESULTS}")
     return 1 if failed else 0
 
@@ -68,7 +70,7 @@ def parse_arguments():
 
 
 def measure(case, given):
-    """Measures one case, prints its rows and appends them to the results. Gives the median seconds of the update."""
+    """Measures one case, prints its rows and appends them to the results. Gives the median seconds of the update, and of the cells."""
     print(f"{case.name}: {case.about}, size {case.size:g} mm, {given.threads} thread{'s' if given.threads > 1 else ''}, "
           f"{given.repeat} rounds\n{HEADER}", flush=True)
     with tempfile.TemporaryDirectory(prefix="featuremesh-bench-") as name:
@@ -80,13 +82,15 @@ def measure(case, given):
         print(row_in_words(who, row), flush=True)
     summary = compare_rows(rows)
     print("  " + "; ".join(summary_in_words(summary)), flush=True)
+    print(f"  cells {summary['cells']:.3f} s from nothing, {summary['cells_after_edit']:.3f} s after the edit ({summary['cells_after_edit'] / summary['cells']:.0%}); "
+          f"difference {summary['difference']:.3f} s", flush=True)
     print(f"  reading the tree {reading['read']:.3f} s in FreeCAD + {reading['interpret']:.3f} s in the engine, {reading['share']:.1%} of "
           f"FreeCAD's recompute ({reading['recompute']:.3f} s)\n", flush=True)
     record = {"case": case.name, "size": case.size, "threads": given.threads, "machine": machine(), "rows": rows, "summary": summary,
               "reading": reading}
     with open(RESULTS, "a", encoding="utf-8") as results:
         results.write(json.dumps(record) + "\n")
-    return statistics.median(rows["update"]["seconds"])
+    return statistics.median(rows["update"]["seconds"]), summary["cells"]
 
 
 def prepare(case, folder):
@@ -135,6 +139,8 @@ def add_peer_round(rows, peer, mesh_once):
 def add_round(rows, who, seconds, figures):
     row = rows.setdefault(who, {"seconds": []})
     row["seconds"].append(seconds)
+    for step, value in figures.get("steps", {}).items():
+        row.setdefault("all_steps", {}).setdefault(step, []).append(value)
     row.update(figures)
 
 
@@ -154,6 +160,8 @@ def compare_rows(rows):
                "update_over_full": statistics.median(a / b for a, b in zip(update, full)), "fallback": rows["update"]["fallback"],
                "mean_radius_ratio_less": rows["full mesh"]["mean_radius_ratio"] - rows["update"]["mean_radius_ratio"],
                "min_dihedral_less": rows["full mesh"]["min_dihedral"] - rows["update"]["min_dihedral"]}
+    for name, who, step in (("cells", "full mesh", "cells"), ("cells_after_edit", "update", "cells"), ("difference", "update", "difference")):
+        summary[name] = statistics.median(rows[who]["all_steps"][step])
     for peer in ALGORITHMS:
         if peer in rows:
             seconds = rows[peer]["seconds"]

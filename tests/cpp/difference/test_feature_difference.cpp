@@ -335,9 +335,15 @@ TEST_CASE("what became of every edge") {
 }
 
 TEST_CASE("unrelated parts are noted") {
-    const FeatureDifference d = diff(part({{"A", Effect::adds, {box({0, 0, 0}, {1, 1, 1})}, {}}}),
-                                     part({{"B", Effect::adds, {sphere({9, 9, 9}, 1)}, {}}}), 0.2);
-    REQUIRE(d.features.size() == 2);
+    PartState was = part({{"A", Effect::adds, {box({0, 0, 0}, {1, 1, 1})}, {}}}),
+              is = part({{"B", Effect::adds, {sphere({9, 9, 9}, 1)}, {}}});
+    Feature origin;  // which every document has
+    origin.name = origin.label = "XY_Plane";
+    origin.role = Role::reference;
+    was.tree.features.insert(was.tree.features.begin(), origin);
+    is.tree.features.insert(is.tree.features.begin(), origin);
+    const FeatureDifference d = diff(was, is, 0.2);
+    REQUIRE(d.features.size() == 3);
     CHECK(change_of(d, "A").verdict == Verdict::removed);
     CHECK(change_of(d, "B").verdict == Verdict::added);
     CHECK(d.notes.size() == 1);
