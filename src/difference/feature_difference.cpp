@@ -83,7 +83,7 @@ void note_unrelated(const PartState& old_state, const PartState& new_state, std:
         const auto old_id = old_state.tree.find(f.name);
         return old_id && !f.volumes.empty() && !old_state.tree[*old_id].volumes.empty();
     });
-    if (!common) notes.push_back("the two parts look unrelated: they have no feature with a volume in common");
+    if (!common) notes.push_back("the two parts look unrelated: they have no feature name in common");
 }
 
 void limit_motions(std::vector<MovedFeatures>& moved, std::vector<std::string>& notes) {

@@ -103,6 +103,10 @@
       <translation>%d Features haben sich geändert, %d nicht; Flächen: %s</translation>
     </message>
     <message>
+      <source>; edges: %s</source>
+      <translation>; Kanten: %s</translation>
+    </message>
+    <message>
       <source>%d nodes, %d tets in %.2f s</source>
       <translation>%d Knoten, %d Tetraeder in %.2f s</translation>
     </message>
