@@ -99,6 +99,14 @@ class Workbench(unittest.TestCase):
                 self.assertNotIn(name.split(".")[0], WINDOW_MODULES, f"{path.relative_to(ROOT)} imports {name}")
 
 
+    def test_what_differs_between_versions_of_freecad_is_in_one_module(self):
+        for path in WORKBENCH.rglob("*.py"):
+            if path.name != "versions.py":
+                text = path.read_text(encoding="utf-8")
+                for words in ("FreeCAD.Version(", "version() <", "version() >", "hasattr(Gui", "hasattr(FreeCAD"):
+                    self.assertNotIn(words, text, f"{path.relative_to(ROOT)}: versions.py should tell")
+
+
 class Style(unittest.TestCase):
     def test_every_file_names_its_licence(self):
         folders = ("src", "bindings", "tests", "resources", "Mod")

@@ -52,3 +52,8 @@ def number_of(enumerator):
 def follows_faces():
     """Does FreeCAD itself move references when faces get other numbers? Since 1.0."""
     return version() >= (1, 0)
+
+
+def asks_manipulators():
+    """Does FreeCAD ask manipulators of workbenches when it builds toolbars and menus? Since 1.0."""
+    return version() >= (1, 0)

@@ -4,12 +4,14 @@
 import FreeCADGui as Gui
 from PySide import QtGui
 
+from .. import versions
+
 _PLACE = "FEM_MeshGmshFromShape"   # an entry of FEM's Mesh menu in every version
 
 
 def install(commands):
     """Once, when FreeCAD's window is there."""
-    if hasattr(Gui, "addWorkbenchManipulator"):
+    if versions.asks_manipulators():
         Gui.addWorkbenchManipulator(_Manipulator(commands))
     else:
         Gui.getMainWindow().workbenchActivated.connect(lambda name: _add_actions(name, commands))
