@@ -1,9 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/fill_cavity.h"
 
+#include <algorithm>
 #include <numeric>
+#include <tuple>
 
 namespace featuremesh {
+
+namespace {
+
+/// In wanted edge lengths; the circumspheres of the lattice's tets have 0.65.
+constexpr double radius_of_a_gap = 0.8;
+
+/// Between the lattice and a seam there may be room for a point that neither has. Left empty, the mesh would get
+/// coarser with every update.
+std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<const Vec3> points,
+                                 const Cavity& cavity, std::span<const Ball> balls, const WantedSize& size,
+                                 const RunContext& context) {
+    std::vector<std::pair<double, Vec3>> gaps;
+    for (const auto& [a, b, c, d] : triangulation.tets) {
+        const Ball ball = circumsphere(points[a], points[b], points[c], points[d]);
+        if (!(ball.radius > radius_of_a_gap * size.at(ball.center) && ball.radius < 2 * size.largest)) continue;
+        gaps.emplace_back(-ball.radius, ball.center);
+    }
+    std::sort(gaps.begin(), gaps.end(), [](const auto& a, const auto& b) {
+        return std::tie(a.first, a.second.x, a.second.y, a.second.z) <
+               std::tie(b.first, b.second.x, b.second.y, b.second.z);
+    });
+    std::vector<Vec3> centers;
+    for (const auto& [radius, center] : gaps) centers.push_back(center);
+    SeedOptions options;
+    options.spacing = radius_of_a_gap;
+    return seeds_with_room(centers, cavity.points, cavity.facets, balls, size, options, context);
+}
+
+}  // namespace
 
 CavityFill flood_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangulation triangulation) {
     CavityFill fill;
@@ -24,7 +55,16 @@ CavityFill fill_cavity(const Cavity& cavity, std::span<const Ball> balls, std::s
     points.insert(points.end(), seeds.begin(), seeds.end());
     const auto delaunay = std::make_shared<GrowingDelaunay>();
     delaunay->insert(points, context, is_main);
-    CavityFill fill = flood_cavity(cavity, std::move(points), delaunay->tets());
+    Triangulation triangulation = delaunay->tets();
+    if (!balls.empty()) {
+        const std::vector<Vec3> more = points_in_gaps(triangulation, points, cavity, balls, size, context);
+        if (!more.empty()) {
+            delaunay->insert(more, context, is_main);
+            points.insert(points.end(), more.begin(), more.end());
+            triangulation = delaunay->tets();
+        }
+    }
+    CavityFill fill = flood_cavity(cavity, std::move(points), std::move(triangulation));
     if (balls.empty() || fill.is_complete()) return fill;
     fill.delaunay = delaunay;
     fill.point_of.resize(fill.points.size());

@@ -293,13 +293,19 @@ std::vector<Vec3> find_seeds(std::span<const Vec3> points, std::span<const Facet
     std::vector<Vec3> seeds;
     std::vector<Ball> occupied(balls.begin(), balls.end());
     if (!active.empty()) {
-        seeds = thinned(SeedOctree(points, facets, balls, size, options, context).clear_points(active), size,
-                        options.spacing);
+        seeds = seeds_with_room(active, points, facets, balls, size, options, context);
         for (const Vec3& p : seeds) occupied.push_back({p, options.spacing * size.at(p)});
     }
     const std::vector<Vec3> lattice = SeedOctree(points, facets, occupied, size, options, context).lattice_points();
     seeds.insert(seeds.end(), lattice.begin(), lattice.end());
     return seeds;
+}
+
+std::vector<Vec3> seeds_with_room(std::span<const Vec3> candidates, std::span<const Vec3> points,
+                                  std::span<const Facet> facets, std::span<const Ball> balls, const WantedSize& size,
+                                  const SeedOptions& options, const RunContext& context) {
+    return thinned(SeedOctree(points, facets, balls, size, options, context).clear_points(candidates), size,
+                   options.spacing);
 }
 
 }  // namespace featuremesh

@@ -38,4 +38,9 @@ std::vector<Vec3> find_seeds(std::span<const Vec3> points, std::span<const Facet
                              std::span<const Vec3> active, const WantedSize& size, const SeedOptions& options,
                              const RunContext& context);
 
+/// Those of the candidates that are as find_seeds wants them, apart from one another by the spacing, in their order.
+std::vector<Vec3> seeds_with_room(std::span<const Vec3> candidates, std::span<const Vec3> points,
+                                  std::span<const Facet> facets, std::span<const Ball> balls, const WantedSize& size,
+                                  const SeedOptions& options, const RunContext& context);
+
 }  // namespace featuremesh

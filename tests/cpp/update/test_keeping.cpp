@@ -16,6 +16,10 @@ RawDocument plate(double x) {
     return PartDocument().box("Plate", {0, 0, 0}, {60, 30, 6}).cylinder("Hole", {x, 15, -1}, 4, 8).cut("Part", "Plate", "Hole").finish();
 }
 
+RawDocument thick_plate(double x) {
+    return PartDocument().box("Plate", {0, 0, 0}, {60, 30, 20}).cylinder("Hole", {x, 15, -1}, 4, 22).cut("Part", "Plate", "Hole").finish();
+}
+
 TopoDS_Shape together(const TopoDS_Shape& a, const TopoDS_Shape& b) {
     TopoDS_Compound compound;
     BRep_Builder builder;
@@ -127,4 +131,15 @@ TEST_CASE("a changed local size releases only where the wanted size changed by m
     CHECK(kept_near_and_far(*much.part_mesh, 2)[0] < 0.2);
     CHECK(kept_near_and_far(*much.part_mesh, 15)[1] > 0.95);
     CHECK(much.part_mesh->mesh.tets.size() < first.part_mesh->mesh.tets.size());
+}
+
+TEST_CASE("a mesh that is updated again and again stays as fine and as good as a full one") {
+    const MeshOptions options = options_of(3);
+    auto part = meshed(thick_plate(20), options).part_mesh;
+    for (int i = 1; i <= 24; ++i) part = updated(*part, thick_plate(20 + 0.8 * (i % 7)), options).part_mesh;
+    const auto last = updated(*part, thick_plate(20), options);
+    const auto full = meshed(thick_plate(20), options);
+    CHECK(last.report.quality.mean_radius_ratio > full.report.quality.mean_radius_ratio - 0.01);
+    CHECK(double(last.report.tets) > 0.96 * double(full.report.tets));
+    CHECK(double(last.report.tets) < 1.06 * double(full.report.tets));
 }
