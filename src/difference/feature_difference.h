@@ -84,8 +84,8 @@ struct CarriedRegion {
     std::vector<FaceId> new_face_of;  ///< by old FaceId: the new face on the same carrier under the motion; none
     std::vector<EdgeId> new_edge_of;  ///< by old EdgeId, same curve under the motion (trims may differ); none
     std::vector<VertexId> new_vertex_of;  ///< by old VertexId; none
-    /// All new faces (edges) that overlap the old one, the largest share first, so that [0] is the one above: a face
-    /// may have been split.
+    /// All new faces (edges) that overlap the old one, the likeliest first, so that [0] is the one above: a face may
+    /// have been split.
     std::vector<std::vector<FaceId>> new_faces_of;
     std::vector<std::vector<EdgeId>> new_edges_of;
 };

@@ -2,6 +2,8 @@
 #include "difference/partners.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 #include "difference/face_area.h"
 
@@ -11,6 +13,8 @@ class PartnerFinder {
   public:
     PartnerFinder(const BoundaryPair& pair, const BoundaryMatch& match) : pair_(pair), match_(match) {}
 
+    /// Edges of solids that touch may lie on one another: those beside the same faces come first, then those that have
+    /// most in common and least besides.
     void find_edges(CarriedRegion& region) const {
         std::vector<std::vector<EdgeId>> new_edges_on(match_.curves.size());
         for (std::size_t e = 0; e < match_.new_edges.size(); ++e)
@@ -20,13 +24,37 @@ class PartnerFinder {
         region.new_edges_of.assign(match_.old_edges.size(), {});
         for (std::size_t e = 0; e < match_.old_edges.size(); ++e) {
             if (match_.old_edges[e].curve < 0) continue;
-            std::vector<std::pair<double, EdgeId>> found;
-            for (const EdgeId candidate : new_edges_on[std::size_t(match_.old_edges[e].curve)])
-                if (const double share = overlap(match_.old_edges[e], match_.new_edges[candidate.index()]); share > 0)
-                    found.emplace_back(-share, candidate);
+            std::vector<std::tuple<int, double, EdgeId>> found;
+            for (const EdgeId candidate : new_edges_on[std::size_t(match_.old_edges[e].curve)]) {
+                const Stretch &was = match_.old_edges[e], &is = match_.new_edges[candidate.index()];
+                const double common = overlap(was, is);
+                if (common > 0)
+                    found.emplace_back(-faces_in_common(EdgeId(e), candidate, region),
+                                       -common / (was.last - was.first + is.last - is.first - common), candidate);
+            }
             std::sort(found.begin(), found.end());
-            for (const auto& [share, id] : found) region.new_edges_of[e].push_back(id);
-            if (!found.empty()) region.new_edge_of[e] = found[0].second;
+            for (const auto& [faces, share, id] : found) region.new_edges_of[e].push_back(id);
+            if (!found.empty()) region.new_edge_of[e] = std::get<EdgeId>(found[0]);
+        }
+    }
+
+    /// Of vertices in one place (solids that touch) the one at which most of the old one's edges go on.
+    void find_vertices(CarriedRegion& region) const {
+        region.new_vertex_of = match_.new_vertex_of;
+        const Brep &old_brep = pair_.old_model.brep(), &new_brep = pair_.new_model.brep();
+        for (std::size_t v = 0; v < region.new_vertex_of.size(); ++v) {
+            VertexId& partner = region.new_vertex_of[v];
+            if (!partner.is_valid()) continue;
+            const Vec3 place = new_brep.point_of(partner);
+            std::map<VertexId, int> votes;
+            for (const EdgeId e : old_brep.edges_of(VertexId(v)))
+                if (const EdgeId now = region.new_edge_of[e.index()]; now.is_valid())
+                    for (const VertexId end : new_brep.ends_of(now))
+                        if (end.is_valid() && distance(new_brep.point_of(end), place) <= pair_.sameness.length)
+                            ++votes[end];
+            int most = votes.contains(partner) ? votes.at(partner) : 0;
+            for (const auto& [vertex, count] : votes)
+                if (count > most) most = count, partner = vertex;
         }
     }
 
@@ -77,6 +105,19 @@ class PartnerFinder {
             return std::tie(curve, left, first, last) < std::tie(b.curve, b.left, b.first, b.last);
         }
     };
+
+    /// How many faces at the old edge have a partner at the new one.
+    int faces_in_common(EdgeId old_edge, EdgeId new_edge, const CarriedRegion& region) const {
+        const auto at_new = pair_.new_model.brep().faces_of(new_edge);
+        int count = 0;
+        for (const FaceId f : pair_.old_model.brep().faces_of(old_edge)) {
+            const std::vector<FaceId>& partners = region.new_faces_of[f.index()];
+            count += std::any_of(partners.begin(), partners.end(), [&](FaceId partner) {
+                return std::find(at_new.begin(), at_new.end(), partner) != at_new.end();
+            });
+        }
+        return count;
+    }
 
     double tolerance(int curve) const {
         const CurveCarrier& c = match_.curves[std::size_t(curve)];
@@ -157,9 +198,9 @@ class PartnerFinder {
 
 void find_partners(const BoundaryPair& pair, const BoundaryMatch& match, CarriedRegion& region) {
     const PartnerFinder finder(pair, match);
-    finder.find_edges(region);
     finder.find_faces(region);
-    region.new_vertex_of = match.new_vertex_of;
+    finder.find_edges(region);
+    finder.find_vertices(region);
 }
 
 namespace {

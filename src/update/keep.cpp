@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "features/occt_geometry.h"
+#include "surface/merged_entities.h"
 #include "surface/projection.h"
 #include "update/enclosure.h"
 #include "update/entity_finder.h"
@@ -33,7 +34,7 @@ struct Place {
 class Keeper {
   public:
     Keeper(const KeepInput& input, RunContext& context)
-        : in_(input), context_(context), projector_(input.new_brep), motions_(input.old_mesh.points.size(), 0),
+        : in_(input), context_(context), projector_(input.new_brep), merged_(input.new_brep), motions_(input.old_mesh.points.size(), 0),
           entities_(input.old_mesh.entities), parameters_(input.old_mesh.parameters),
           is_untouched_(input.old_brep.face_count(), 0), face_boxes_(input.new_brep.face_count()) {
         for (const FaceChange& change : input.difference.faces)
@@ -42,10 +43,11 @@ class Keeper {
 
     Kept run() {
         choose_motions();
+        find_untouched_solids();
         drop_near_changes();
         place_on_entities();
         clear_between_motions();
-        const KeptTets tets(in_.old_mesh, motions_, regions(), in_.old_brep, in_.new_brep);
+        const KeptTets tets(in_.old_mesh, motions_, regions(), in_.old_brep, in_.new_brep, near_change_, untouched_solids_);
         return assemble(tets);
     }
 
@@ -73,6 +75,41 @@ class Keeper {
         }
     }
 
+    // Of several solids those with the same faces as before and no others: what changes beside them is none of their business.
+    void find_untouched_solids() {
+        if (in_.old_brep.solid_count() < 2) return;
+        const std::vector<std::vector<FaceId>> old_faces = faces_of_solids(in_.old_brep), new_faces = faces_of_solids(in_.new_brep);
+        std::vector<FaceId> kept_as(in_.old_brep.face_count());
+        for (const FaceChange& change : in_.difference.faces)
+            if (change.verdict == FaceVerdict::kept) kept_as[change.old_face.index()] = change.new_face;
+        untouched_solids_.assign(old_faces.size(), 0);
+        for (std::size_t s = 0; s < old_faces.size(); ++s) {
+            std::vector<FaceId> now;
+            for (const FaceId f : old_faces[s]) now.push_back(kept_as[f.index()]);
+            std::sort(now.begin(), now.end());
+            untouched_solids_[s] = std::find(new_faces.begin(), new_faces.end(), now) != new_faces.end();
+        }
+        if (std::count(untouched_solids_.begin(), untouched_solids_.end(), 1) == 0) return;
+        near_change_.assign(node_count(), 0);
+        in_untouched_.assign(node_count(), 0);
+        const Mesh& old = in_.old_mesh;
+        for (std::size_t t = 0; t < old.tets.size(); ++t) {
+            if (!untouched_solids_[old.tet_solids[t].index()]) continue;
+            for (const NodeId n : old.tets[t]) in_untouched_[n.index()] = 1;
+            if (old.order == 2)
+                for (const NodeId n : old.tet_mids[t]) in_untouched_[n.index()] = 1;
+        }
+    }
+
+    // By solid, ascending.
+    static std::vector<std::vector<FaceId>> faces_of_solids(const Brep& brep) {
+        std::vector<std::vector<FaceId>> faces(brep.solid_count());
+        for (std::size_t f = 0; f < brep.face_count(); ++f)
+            for (const SolidId s : brep.sides_of(FaceId(f)))
+                if (s.is_valid() && (faces[s.index()].empty() || faces[s.index()].back() != FaceId(f))) faces[s.index()].emplace_back(f);
+        return faces;
+    }
+
     bool size_changed(const Vec3& old_place, double wanted) const {
         const double was = in_.old_sizing.at(old_place);
         return std::max(was / wanted, wanted / was) > size_change_that_releases;
@@ -94,7 +131,11 @@ class Keeper {
                 const bool may_be_near = !reach[r].is_empty() && reach[r].contains(p);
                 if (!may_be_resized && !may_be_near) continue;
                 const double wanted = in_.new_sizing.at(p), limit = in_.margin * wanted;
-                if ((may_be_resized && size_changed(in_.old_mesh.points[n], wanted)) || (may_be_near && regions()[r].changed.distance(p, limit) < limit))
+                const bool is_resized = may_be_resized && size_changed(in_.old_mesh.points[n], wanted);
+                if (!is_resized && !(may_be_near && regions()[r].changed.distance(p, limit) < limit)) continue;
+                if (r == 0 && !in_untouched_.empty() && in_untouched_[n] && (in_.same_sizes_asked || !is_resized))
+                    near_change_[n] = 1;
+                else
                     motions_[n] = dropped;
             }
         });
@@ -142,7 +183,8 @@ class Keeper {
         return std::any_of(pieces.begin(), pieces.end(), [&](EdgeId edge) { return place_on_edge(place, edge, p); });
     }
 
-    bool place_on_edge(Place& place, EdgeId edge, const Vec3& p) const {
+    bool place_on_edge(Place& place, EdgeId piece, const Vec3& p) const {
+        const EdgeId edge = merged_.edge_of[piece.index()];   // the one that has the chain
         place.entity = entity_of(edge);
         const auto [first, last] = range_of(in_.new_brep, edge);
         const auto is_within = [&](double t) { return t > first && t < last; };
@@ -429,11 +471,14 @@ class Keeper {
         EdgeId best;
         double least = std::numeric_limits<double>::infinity();
         const std::size_t r = std::size_t(motions_[nodes[0].index()]);
-        for (const EdgeId edge : regions()[r].new_edges_of[in_.old_mesh.segment_edges[segment].index()]) {
+        for (const EdgeId piece : regions()[r].new_edges_of[in_.old_mesh.segment_edges[segment].index()]) {
+            const EdgeId edge = merged_.edge_of[piece.index()];
+            const auto ends = in_.new_brep.ends_of(edge);
             const auto is_at = [&](NodeId n) {
                 const Entity entity = entities_[n.index()];
-                const auto ends = in_.new_brep.ends_of(edge);
-                return entity == entity_of(edge) || entity == entity_of(ends[0]) || entity == entity_of(ends[1]);
+                if (entity.dim == 1) return entity == entity_of(edge);
+                const VertexId vertex = merged_.vertex_of[std::size_t(entity.index)];
+                return merged_.vertex_of[ends[0].index()] == vertex || merged_.vertex_of[ends[1].index()] == vertex;
             };
             if (!is_at(nodes[0]) || !is_at(nodes[1])) continue;
             const double d = projector_.nearest(edge, middle).distance;
@@ -507,10 +552,14 @@ class Keeper {
     const KeepInput& in_;
     RunContext& context_;
     Projector projector_;
+    const MergedEntities merged_;
     // By old node: index of its carried region; then, where it stays, what it is on in the new shape (of inner nodes still the old solid).
     std::vector<std::int32_t> motions_;
     std::vector<Entity> entities_;
     std::vector<std::array<double, 2>> parameters_;
+    std::vector<char> untouched_solids_;   // by old solid; empty where there is only one
+    std::vector<char> in_untouched_;   // by old node: a tet of an untouched solid has it; empty where there is no such solid
+    std::vector<char> near_change_;    // likewise: and it stays for those tets only
     std::vector<char> is_untouched_;   // by old face: kept in place with all its edges
     std::vector<Box> face_boxes_;      // by new face, empty until asked for
 };

@@ -22,6 +22,7 @@ struct KeepInput {
     const SizingField& old_sizing;
     const SizingField& new_sizing;
     double margin = 1.5;                       ///< edge lengths between a kept node and the changed boundary
+    bool same_sizes_asked = true;              ///< the user asks for the same sizes as before
 };
 
 struct Kept {
@@ -37,7 +38,7 @@ struct Kept {
 
 /// A node stays under a motion when it is further from that motion's changed boundary than `margin` edge lengths, the wanted size there changed by less than
 /// a factor of 1.2, and it is verified to lie on its entity of the new shape. Tets stay when their four nodes do, under one motion, and when their
-/// connected region is verified to be inside a new solid.
+/// connected region is verified to be inside a new solid. A solid whose faces are all as they were keeps its mesh, whatever happens in a solid beside it.
 Kept keep(const KeepInput& input, RunContext& context);
 
 }  // namespace featuremesh

@@ -34,8 +34,8 @@ class NodeRegions {
 }  // namespace
 
 KeptTets::KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::span<const CarriedRegion> regions, const Brep& old_brep,
-                   const Brep& new_brep)
-    : old_(old), motions_(motions), regions_(regions), solid_count_(old_brep.solid_count()), occurs_(regions.size(), 0), is_kept_(old.tets.size()) {
+                   const Brep& new_brep, std::span<const char> near_change, std::span<const char> untouched_solids)
+    : old_(old), motions_(motions), regions_(regions), near_change_(near_change), untouched_solids_(untouched_solids), solid_count_(old_brep.solid_count()), occurs_(regions.size(), 0), is_kept_(old.tets.size()) {
     for (const std::int32_t motion : motions_)
         if (motion != dropped) occurs_[std::size_t(motion)] = 1;
     for (std::size_t t = 0; t < is_kept_.size(); ++t) is_kept_[t] = stays(t);
@@ -49,8 +49,14 @@ bool KeptTets::stays(std::size_t tet) const {
     const std::int32_t motion = motion_of(tet);
     const auto has_it = [&](NodeId n) { return motions_[n.index()] == motion; };
     const auto& [a, b, c, d] = old_.tets[tet];
-    if (motion == dropped || !has_it(b) || !has_it(c) || !has_it(d)) return false;
+    if (motion == dropped || !has_it(b) || !has_it(c) || !has_it(d) || !may_stay_near_change(tet)) return false;
     return old_.order == 1 || std::all_of(old_.tet_mids[tet].begin(), old_.tet_mids[tet].end(), has_it);
+}
+
+bool KeptTets::may_stay_near_change(std::size_t tet) const {
+    if (near_change_.empty() || untouched_solids_[old_.tet_solids[tet].index()]) return true;
+    const auto& corners = old_.tets[tet];
+    return std::none_of(corners.begin(), corners.end(), [&](NodeId n) { return near_change_[n.index()] != 0; });
 }
 
 void KeptTets::mark_rim() {

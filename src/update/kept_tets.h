@@ -18,8 +18,9 @@ constexpr std::int32_t dropped = -1;
 class KeptTets {
   public:
     /// Tets stay when all their nodes do, under one motion, and when their connected region is inside a new solid. `motions`: by old node, index of its
-    /// carried region.
-    KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::span<const CarriedRegion> regions, const Brep& old_brep, const Brep& new_brep);
+    /// carried region. `near_change`: by old node, it stays for the tets of untouched solids only (empty: no such node).
+    KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::span<const CarriedRegion> regions, const Brep& old_brep, const Brep& new_brep,
+             std::span<const char> near_change = {}, std::span<const char> untouched_solids = {});
 
     /// Old tets that do not stay, in order.
     std::span<const std::int32_t> dropped_tets() const { return dropped_; }
@@ -42,6 +43,7 @@ class KeptTets {
   private:
     std::int32_t motion_of(std::size_t tet) const { return motions_[old_.tets[tet][0].index()]; }
     bool stays(std::size_t tet) const;
+    bool may_stay_near_change(std::size_t tet) const;
     void mark_rim();
     bool settle_at_rim(const Brep& new_brep);
     std::vector<std::vector<std::int32_t>> pieces_of_rim(SolidId solid) const;
@@ -53,6 +55,7 @@ class KeptTets {
     const Mesh& old_;
     std::span<const std::int32_t> motions_;
     std::span<const CarriedRegion> regions_;
+    std::span<const char> near_change_, untouched_solids_;
     std::size_t solid_count_;
     std::vector<char> occurs_;   // by motion: a node has it
     std::vector<char> is_kept_, is_rim_, is_used_;

@@ -148,11 +148,12 @@ Kept nothing_kept(NextNumbers next) {
 
 std::string first_line(const char* text) { return std::string(text).substr(0, std::string(text).find('\n')); }
 
-/// The one operation: fills whatever is not meshed yet. What the libraries throw becomes one of our errors.
-Filled fill(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, RunContext& context) {
+/// What the libraries throw becomes one of our errors.
+template <class Work>
+auto with_our_errors(Work work) {
     const std::string advice = ". Try another size, or check the shape (Part: Check geometry).";
     try {
-        return fill_and_check(brep, sizing, std::move(kept), options, context);
+        return work();
     } catch (const Error&) {
         throw;
     } catch (const Standard_Failure& failure) {
@@ -162,6 +163,11 @@ Filled fill(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOp
     } catch (const std::exception& failure) {
         throw MeshError("The part could not be filled: " + first_line(failure.what()) + advice);
     }
+}
+
+/// The one operation: fills whatever is not meshed yet.
+Filled fill(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, RunContext& context) {
+    return with_our_errors([&] { return fill_and_check(brep, sizing, std::move(kept), options, context); });
 }
 
 /// Thinner tets than this tell of details of the part that no mesh of the wanted size can follow.
@@ -319,9 +325,16 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
 
     PartMeshResult result;
     Report& report = result.report;
-    report.difference = compare(old.part, part, resolution_of_changes * sizing.smallest(), context);
-    part.cells.owners_of_final_face = report.difference.owners_of_new_face;
     std::vector<double> margins{options.keep_margin, 2 * options.keep_margin};
+    try {
+        report.difference = with_our_errors([&] { return compare(old.part, part, resolution_of_changes * sizing.smallest(), context); });
+        part.cells.owners_of_final_face = report.difference.owners_of_new_face;
+    } catch (const Error& failure) {
+        context.check_cancelled();
+        report.fallbacks.push_back(std::string("full mesh: what changed could not be found: ") + failure.what());
+        margins.clear();
+        part = read_part(document, context);
+    }
     if (const std::string why = reason_for_full_mesh(old, options); !why.empty()) {
         report.fallbacks.push_back("full mesh: " + why);
         margins.clear();
@@ -329,12 +342,14 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     std::vector<std::int32_t> node_origin, tet_origin;
     std::optional<Filled> filled;
     for (const double margin : margins) {
-        Kept kept = keep({old.mesh, old.part.brep, part.brep, report.difference, old.sizing, sizing, margin}, context);
-        node_origin = kept.node_origin;
-        tet_origin = kept.tet_origin;
-        const std::vector<KeptByMotion> by_motion = kept.by_motion;
-        if (node_origin.empty()) report.fallbacks.push_back("full mesh: no element of the old mesh is clear of what changed");
         try {
+            Kept kept = with_our_errors([&] {
+                return keep({old.mesh, old.part.brep, part.brep, report.difference, old.sizing, sizing, margin, old.options.sizing == options.sizing}, context);
+            });
+            node_origin = kept.node_origin;
+            tet_origin = kept.tet_origin;
+            const std::vector<KeptByMotion> by_motion = kept.by_motion;
+            if (node_origin.empty()) report.fallbacks.push_back("full mesh: no element of the old mesh is clear of what changed");
             filled = fill(part.brep, sizing, std::move(kept), options, context);
             report.kept = by_motion;
             break;

@@ -14,9 +14,8 @@ constexpr double radius_of_a_gap = 0.8;
 
 /// Between the lattice and a seam there may be room for a point that neither has. Left empty, the mesh would get
 /// coarser with every update.
-std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<const Vec3> points,
-                                 const Cavity& cavity, std::span<const Ball> balls, const WantedSize& size,
-                                 const RunContext& context) {
+std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<const Vec3> points, const Cavity& cavity,
+                                 std::span<const Ball> balls, const WantedSize& size, const RunContext& context) {
     std::vector<std::pair<double, Vec3>> gaps;
     for (const auto& [a, b, c, d] : triangulation.tets) {
         const Ball ball = circumsphere(points[a], points[b], points[c], points[d]);

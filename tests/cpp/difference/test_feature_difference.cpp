@@ -56,6 +56,17 @@ TEST_CASE("equal parts made twice have no difference") {
         CHECK(d.regions[0].new_vertex_of[v] == VertexId(v));
 }
 
+TEST_CASE("solids that touch have partners of their own") {
+    // The edges of either lie on those of the other, and so do their corners.
+    const TopoDS_Shape blocks =
+        together({box({0, 0, 0}, {10, 10, 5}), box({0, 0, 5}, {10, 10, 5}), box({2, 0, 10}, {6, 10, 5})});
+    const PartState one = part({{"Blocks", Effect::adds, {blocks}, {}}});
+    const FeatureDifference d = diff(one, one);
+    for (std::size_t e = 0; e < d.regions[0].new_edge_of.size(); ++e) CHECK(d.regions[0].new_edge_of[e] == EdgeId(e));
+    for (std::size_t v = 0; v < d.regions[0].new_vertex_of.size(); ++v)
+        CHECK(d.regions[0].new_vertex_of[v] == VertexId(v));
+}
+
 TEST_CASE("a moved hole") {
     const FeatureDifference d = diff(part_with_cells(bracket({12, 12, 0})), part_with_cells(bracket({17, 12, 0})));
     CHECK_FALSE(d.is_empty());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an update leaves alone: mid-side nodes, other solids, places where the wanted size stays.
+#include <BOPAlgo_Builder.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
@@ -29,12 +30,24 @@ TopoDS_Shape together(const TopoDS_Shape& a, const TopoDS_Shape& b) {
     return compound;
 }
 
-/// Two plates with a hole each; the second one stays.
-RawDocument two_plates(double x) {
+/// Two plates with a hole each, one above the other; the upper one stays.
+RawDocument two_plates(double x, double z = 20) {
     PartDocument document;
     document.box("PlateA", {0, 0, 0}, {40, 20, 6}).cylinder("HoleA", {x, 10, -1}, 4, 8).cut("A", "PlateA", "HoleA");
-    document.box("PlateB", {0, 0, 20}, {40, 20, 6}).cylinder("HoleB", {20, 10, 19}, 4, 8).cut("B", "PlateB", "HoleB");
+    document.box("PlateB", {0, 0, z}, {40, 20, 6}).cylinder("HoleB", {20, 10, z - 1}, 4, 8).cut("B", "PlateB", "HoleB");
     return document.add("Part", "Part::Compound", together(document.shape("A"), document.shape("B")), {{"Links", "A", ""}, {"Links", "B", ""}}).finish();
+}
+
+/// Two blocks that share a face, at x = 20; the first one with a hole near it.
+RawDocument glued_blocks(double y) {
+    PartDocument document;
+    document.box("BlockA", {0, 0, 0}, {20, 30, 10}).cylinder("HoleA", {17, y, -1}, 2, 12).cut("A", "BlockA", "HoleA");
+    document.box("B", {20, 0, 0}, {20, 30, 10});
+    BOPAlgo_Builder glue;
+    glue.AddArgument(document.shape("A"));
+    glue.AddArgument(document.shape("B"));
+    glue.Perform();
+    return document.add("Part", "Part::FeaturePython", glue.Shape(), {{"Objects", "A", ""}, {"Objects", "B", ""}}).finish();
 }
 
 MeshOptions options_of(double size, int order = 1) {
@@ -110,6 +123,34 @@ TEST_CASE("an edit in one solid leaves the mesh of the other alone") {
     const auto& old = first.part_mesh->mesh;
     CHECK(in_second == std::size_t(std::count_if(old.tets.begin(), old.tets.end(), [&](const auto& tet) { return old.point(tet[0]).z > 15; })));
     CHECK(second.report.kept_tets_share < 1);
+}
+
+TEST_CASE("an edit in one solid leaves the mesh of another alone, however near that is") {
+    const auto first = meshed(two_plates(12, 7), options_of(2.5));
+    const auto second = updated(*first.part_mesh, two_plates(15, 7), options_of(2.5));
+    const PartMesh& now = *second.part_mesh;
+    CHECK(second.report.fallbacks.empty());
+    std::size_t released = 0;
+    for (std::size_t t = 0; t < now.mesh.tets.size(); ++t) released += now.mesh.point(now.mesh.tets[t][0]).z > 6.5 && now.tet_origin[t] < 0;
+    CHECK(released == 0);
+    CHECK(second.report.kept_tets_share < 0.95);
+}
+
+TEST_CASE("an edit in one solid leaves the mesh of one that shares a face with it alone") {
+    const auto first = meshed(glued_blocks(12), options_of(2.5));
+    const auto second = updated(*first.part_mesh, glued_blocks(15), options_of(2.5));
+    const PartMesh& now = *second.part_mesh;
+    REQUIRE(now.part.brep.solid_count() == 2);
+    CHECK(second.report.fallbacks.empty());
+    std::size_t released = 0, kept = 0;
+    for (std::size_t t = 0; t < now.mesh.tets.size(); ++t) {
+        const auto& [a, b, c, d] = now.mesh.tets[t];
+        if ((now.mesh.point(a) + now.mesh.point(b) + now.mesh.point(c) + now.mesh.point(d)).x < 4 * 20) continue;
+        ++(now.tet_origin[t] < 0 ? released : kept);
+    }
+    CHECK(released == 0);
+    CHECK(kept > 500);
+    CHECK(second.report.kept_tets_share < 0.9);
 }
 
 TEST_CASE("a changed local size releases only where the wanted size changed by more than 1.2 times") {

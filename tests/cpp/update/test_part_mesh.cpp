@@ -24,6 +24,17 @@ RawDocument block_and_cylinder(double x) {
     return PartDocument().box("Block", {0, 0, 0}, {60, 30, 8}).cylinder("Boss", {x, 15, 8}, 8, 16).fuse("Part", "Block", "Boss").finish();
 }
 
+/// A plate with two bosses, whose feet are given.
+RawDocument two_bosses(Vec3 a, Vec3 b) {
+    PartDocument document;
+    document.box("Plate", {0, 0, 0}, {60, 30, 8}).cylinder("A", a, 5, 10).fuse("WithA", "Plate", "A");
+    return document.cylinder("B", b, 5, 10).fuse("WithB", "WithA", "B").finish();
+}
+
+RawDocument plate_at(Vec3 p) {
+    return PartDocument().box("Plate", p, {60, 30, 8}).cylinder("Hole", p + Vec3{15, 15, -1}, 4, 10).cut("Part", "Plate", "Hole").finish();
+}
+
 MeshOptions options_of(double size, int order = 1) {
     MeshOptions options;
     options.sizing.size = size;
@@ -138,6 +149,28 @@ TEST_CASE("the nodes of a feature that moved are carried along") {
     const auto in_boss = std::count_if(old->mesh.points.begin(), old->mesh.points.end(), [](const Vec3& p) { return p.z > 8.001; });
     CHECK(double(now.report.kept[1].nodes) > 0.6 * double(in_boss));
     CHECK(now.report.fallbacks.empty());
+}
+
+TEST_CASE("features that move by motions of their own are each carried by its own") {
+    const MeshOptions options = options_of(2);
+    const auto old = meshed(two_bosses({12, 15, 8}, {45, 15, 8}), options).part_mesh;
+    const auto now = updated(*old, two_bosses({16, 15, 8}, {45, 10, 8}), options);
+    check_valid(*now.part_mesh);
+    check_kept(*old, *now.part_mesh);
+    CHECK(now.report.fallbacks.empty());
+    REQUIRE(now.report.kept.size() == 3);
+    for (const auto& kept : now.report.kept) CHECK(kept.tets > 100);
+    CHECK(now.report.kept_nodes_share > 0.6);
+}
+
+TEST_CASE("a whole part that moved is carried as it is") {
+    const MeshOptions options = options_of(2);
+    const auto old = meshed(plate_at({0, 0, 0}), options).part_mesh;
+    const auto now = updated(*old, plate_at({12, -7, 3}), options);
+    check_valid(*now.part_mesh);
+    check_kept(*old, *now.part_mesh);
+    CHECK(now.report.fallbacks.empty());
+    CHECK(now.report.kept_tets_share == 1);
 }
 
 TEST_CASE("a longer plate and a new hole are updated") {

@@ -90,6 +90,15 @@ RawDocument with_trench(double depth) {
     return plate().box("Trench", {27, -1, 6 - depth}, {6, 32, depth + 1}).cut("Part", "Plate", "Trench").finish();
 }
 
+/// The plate with a feature that rounds its upright edges, and that may be suppressed.
+RawDocument with_switched_fillet(bool suppressed) {
+    RawDocument document = with_fillet(5);
+    if (!suppressed) return document;
+    document.records.back().suppressed = true;
+    document.records.back().shape = document.records[document.records.size() - 2].shape;   // what is left is the shape before it
+    return document;
+}
+
 PartMeshResult meshed(const RawDocument& document, double size = 2.5) {
     MeshOptions options;
     options.sizing.size = size;
@@ -154,3 +163,7 @@ TEST_CASE("a trench cuts the part in two, and it is joined again") {
 TEST_CASE("two pockets are joined by a third, and parted") { check_there_and_back(with_pockets(false), with_pockets(true), 0.5); }
 
 TEST_CASE("a ring cuts a face into a frame and an island") { check_there_and_back(without_hole(), with_ring(), 0.3); }
+
+TEST_CASE("a feature is suppressed and unsuppressed") {
+    check_there_and_back(with_switched_fillet(false), with_switched_fillet(true), 0.5);
+}
