@@ -288,6 +288,29 @@ std::string names_of(const Mesh& mesh, const TrianglePairs& crossings) {
     return names;
 }
 
+std::string warning_of_contact(const Brep& brep, const Mesh& mesh, const TrianglePairs& crossings) {
+    std::set<std::pair<SolidId, SolidId>> solids;
+    for (const auto& [t, u] : crossings) {
+        const auto solid = [&](TriangleId triangle) {
+            const auto sides = brep.sides_of(mesh.triangle_faces[triangle.index()]);
+            return sides[0].is_valid() ? sides[0] : sides[1];
+        };
+        solids.insert(std::minmax(solid(t), solid(u)));
+    }
+    std::string names;
+    std::size_t count = 0;
+    for (const auto& [a, b] : solids) {
+        if (++count > 4) {
+            names += ", and others";
+            break;
+        }
+        names += (names.empty() ? "" : ", ") + name_of(entity_of(a)) + " and " + name_of(entity_of(b));
+    }
+    return "These solids touch or overlap without sharing faces: " + names + " (" + names_of(mesh, crossings) +
+           "). Each has a mesh of its own: no load passes between them, and where they overlap the material counts "
+           "twice. If that is not meant, fuse them or join them (Part: Boolean Fragments).";
+}
+
 }  // namespace
 
 SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kept, RunContext& context) {
@@ -302,9 +325,11 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
     std::set<std::string> refined;
     for (int attempt = 1;; ++attempt) {
         SurfaceResult result = SurfaceFiller(brep, merged, wanted, std::move(kept), context).fill();
-        const TrianglePairs crossings = crossing_triangles(brep, result.mesh, before.triangles, context);
+        const Crossings found = crossing_triangles(brep, result.mesh, before.triangles, context);
+        const TrianglePairs& crossings = found.within;
         if (crossings.empty()) {
-            const std::vector<std::string> notes = merged.warnings();
+            std::vector<std::string> notes = merged.warnings();
+            if (!found.between.empty()) notes.push_back(warning_of_contact(brep, result.mesh, found.between));
             result.report.warnings.insert(result.report.warnings.end(), notes.begin(), notes.end());
             for (const std::string& names : refined)
                 result.report.warnings.push_back(

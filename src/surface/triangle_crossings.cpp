@@ -101,7 +101,7 @@ class CrossingSearch {
           is_plane_(brep.face_count(), unknown),
           is_line_(brep.edge_count(), unknown) {}
 
-    std::vector<std::array<TriangleId, 2>> find(RunContext& context) {
+    Crossings find(RunContext& context) {
         Box region;
         for (std::size_t t = first_new_; t < mesh_.triangles.size(); ++t) region.add(box_of(mesh_, mesh_.triangles[t]));
         std::vector<char> is_near(mesh_.node_count(), 0);
@@ -121,12 +121,16 @@ class CrossingSearch {
         const BoxTree tree(boxes_);
         constexpr std::size_t chunk = 4096;
         std::vector<std::vector<std::array<TriangleId, 2>>> found((triangles_.size() + chunk - 1) / chunk);
+        const bool is_one_solid = brep_.solid_count() == 1;
         parallel_for(context, triangles_.size(), chunk, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                if (!is_exact_[i]) find_with(tree, i, found[begin / chunk]);
+                if (!is_exact_[i] || !is_one_solid) find_with(tree, i, found[begin / chunk]);
         });
-        std::vector<std::array<TriangleId, 2>> all;
-        for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+        Crossings all;
+        for (const auto& part : found)
+            for (const auto& pair : part)
+                (have_common_solid(face_of(pair[0].index()), face_of(pair[1].index())) ? all.within : all.between)
+                    .push_back(pair);
         return all;
     }
 
@@ -152,13 +156,19 @@ class CrossingSearch {
 
     void find_with(const BoxTree& tree, std::size_t i, std::vector<std::array<TriangleId, 2>>& found) const {
         tree.visit_overlaps(boxes_[i], [&](std::uint32_t j) {
-            if (j == i || (!is_exact_[j] && j < i)) return;
+            if (j == i || (is_exact_[j] == is_exact_[i] && j < i) || (is_exact_[i] && !is_exact_[j])) return;
             const std::size_t a = triangles_[i], b = triangles_[j];
-            if (std::max(a, b) < first_new_ || is_smooth_pair(a, b) ||
-                !do_cross(mesh_.triangles[a], mesh_.triangles[b]))
-                return;
+            if (std::max(a, b) < first_new_ || is_smooth_pair(a, b)) return;
+            if (is_exact_[i] && is_exact_[j] && have_common_solid(face_of(a), face_of(b))) return;
+            if (!do_cross(mesh_.triangles[a], mesh_.triangles[b])) return;
             found.push_back({TriangleId(std::max(a, b)), TriangleId(std::min(a, b))});
         });
+    }
+
+    FaceId face_of(std::size_t t) const { return mesh_.triangle_faces[t]; }
+    bool have_common_solid(FaceId f, FaceId g) const {
+        const auto a = brep_.sides_of(f), b = brep_.sides_of(g);
+        return std::any_of(a.begin(), a.end(), [&](SolidId s) { return s.is_valid() && (s == b[0] || s == b[1]); });
     }
 
     /// Two triangles of one face that share a node and have about one normal cannot cross: they do not overlap in the
@@ -216,8 +226,7 @@ class CrossingSearch {
 
 }  // namespace
 
-std::vector<std::array<TriangleId, 2>> crossing_triangles(const Brep& brep, const Mesh& mesh, std::size_t first_new,
-                                                          RunContext& context) {
+Crossings crossing_triangles(const Brep& brep, const Mesh& mesh, std::size_t first_new, RunContext& context) {
     if (first_new == mesh.triangles.size()) return {};
     return CrossingSearch(brep, mesh, first_new).find(context);
 }

@@ -12,10 +12,14 @@
 namespace featuremesh {
 
 /// Pairs of triangles, the first of them a new one (index at least `first_new`), that have more in common than their
-/// shared nodes and side. Exact. Only triangles that do not lie in their CAD face (on curved faces, or beside curved
-/// edges) can be in a pair twice; two that do lie in theirs cross only when the shape does, and such pairs are not
-/// looked for.
-std::vector<std::array<TriangleId, 2>> crossing_triangles(const Brep& brep, const Mesh& mesh, std::size_t first_new,
-                                                          RunContext& context);
+/// shared nodes and side. Exact.
+struct Crossings {
+    /// Of faces of one solid. Two triangles that lie in their planar CAD faces cross only when the shape does; such
+    /// pairs are not looked for.
+    std::vector<std::array<TriangleId, 2>> within;
+    /// Of faces that have no solid in common: the solids touch or overlap.
+    std::vector<std::array<TriangleId, 2>> between;
+};
+Crossings crossing_triangles(const Brep& brep, const Mesh& mesh, std::size_t first_new, RunContext& context);
 
 }  // namespace featuremesh

@@ -3,6 +3,8 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Solid.hxx>
 #include <TopoDS_Compound.hxx>
 
 #include "catch.h"
@@ -28,7 +30,7 @@ std::size_t crossings_of(const Mesh& mesh) {
     // The first face is a cylinder: its triangle does not lie in it, so the pair is looked at.
     const Brep brep(BRepPrimAPI_MakeCylinder(1, 1).Shape());
     RunContext context;
-    return crossing_triangles(brep, mesh, 0, context).size();
+    return crossing_triangles(brep, mesh, 0, context).within.size();
 }
 
 }  // namespace
@@ -56,20 +58,43 @@ TEST_CASE("a thin tube is meshed finer than asked where its walls would cross") 
     CHECK(euler_characteristic(result.mesh) == 0);
     CHECK(!result.report.warnings.empty());
     RunContext context;
-    CHECK(crossing_triangles(brep, result.mesh, 0, context).empty());
+    CHECK(crossing_triangles(brep, result.mesh, 0, context).within.empty());
 }
 
-TEST_CASE("a shape that crosses itself is refused with the names of its faces") {
-    TopoDS_Compound two;
+namespace {
+
+const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
+const TopoDS_Shape pin = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5, 5, 5), gp_Dir(0, 0, 1)), 3, 10).Shape();
+
+}  // namespace
+
+TEST_CASE("a solid that crosses itself is refused with the names of its faces") {
+    TopoDS_Solid both;
     BRep_Builder builder;
-    builder.MakeCompound(two);
-    builder.Add(two, BRepPrimAPI_MakeBox(10, 10, 10).Shape());
-    builder.Add(two, BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5, 5, 5), gp_Dir(0, 0, 1)), 3, 10).Shape());
-    const Brep brep(two);
+    builder.MakeSolid(both);
+    for (const TopoDS_Shape& part : {box, pin}) builder.Add(both, TopExp_Explorer(part, TopAbs_SHELL).Current());
+    const Brep brep(both);
     try {
         mesh_surface(brep, 2);
         FAIL("not refused");
     } catch (const MeshError& error) {
         CHECK(std::string(error.what()).find("Face6 and Face7") != std::string::npos);
+    }
+}
+
+TEST_CASE("solids that overlap or touch have each a mesh of its own, and a warning names them") {
+    const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(8, 8, 8), gp_Pnt(14, 15, 16)).Shape();
+    const TopoDS_Shape beside = BRepPrimAPI_MakeBox(gp_Pnt(10, 2, 3), gp_Pnt(14, 6, 7)).Shape();
+    for (const TopoDS_Shape& other : {pin, block, beside}) {
+        TopoDS_Compound two;
+        BRep_Builder builder;
+        builder.MakeCompound(two);
+        builder.Add(two, box);
+        builder.Add(two, other);
+        const Brep brep(two);
+        const SurfaceResult result = mesh_surface(brep, 2);
+        CHECK(findings(brep, result.mesh).empty());
+        REQUIRE(result.report.warnings.size() == 1);
+        CHECK(result.report.warnings[0].find("Solid1 and Solid2") != std::string::npos);
     }
 }
