@@ -16,6 +16,8 @@ struct Tolerances {
     double negligible() const { return 9e-7 * diagonal; }
     /// A tet of less volume than this, mm^3, is as good as flat.
     double least_volume() const { return 1.1e-12 * diagonal * diagonal * diagonal; }
+    /// The edge of an even tet of that volume: elements that are all over shorter are as good as flat.
+    double least_length() const { return 2.1e-4 * diagonal; }
     /// The volumes of the material cells add up to the final shape's within this share.
     static constexpr double volume_books = 1e-6;
     /// A direction cosine this far from 1 is another direction.

@@ -96,7 +96,7 @@ class FaceFiller {
         if (!is_lattice_) split_long_sides(patch_, geometry_, heart_);
         smooth(patch_, geometry_, heart_);
         if (split_folded(patch_, geometry_, heart_) > 0) smooth(patch_, geometry_, heart_);
-        raise_smallest_angles(patch_, geometry_, wanted_angle, heart_);
+        raise_smallest_angles(patch_, geometry_, wanted_angle, brep_.tolerances().least_length(), heart_);
         patch_.compact();
     }
 

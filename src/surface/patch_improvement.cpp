@@ -326,7 +326,8 @@ namespace {
 /// The operations of raise_smallest_angles on one triangle.
 class AngleRaiser {
   public:
-    AngleRaiser(TrianglePatch& patch, const PatchGeometry& geometry) : patch_(patch), geometry_(geometry) {
+    AngleRaiser(TrianglePatch& patch, const PatchGeometry& geometry, double least_length)
+        : patch_(patch), geometry_(geometry), least_length_(least_length) {
         for (int t = 0; t < static_cast<int>(patch.triangles.size()) && !has_needles_; ++t)
             has_needles_ = !patch.is_removed(t) && has_tiny_side(t);
     }
@@ -348,15 +349,16 @@ class AngleRaiser {
     }
 
     /// On a piece of an edge far shorter than wanted the angle stays small: nodes drawn near for its sake would make
-    /// triangles with hardly an area.
+    /// triangles with hardly an area, and tets with hardly a volume on them.
     bool has_tiny_side(int t) const {
-        constexpr double too_short = 1e-3;
+        constexpr double too_short = 1e-3, far_shorter = 0.1;
         const auto& c = patch_.corners(t);
         for (int i = 0; i < 3; ++i) {
             const int a = c[at(i)], b = c[at((i + 1) % 3)];
-            if (patch_.is_fixed[at(a)] && patch_.is_fixed[at(b)] &&
-                distance(patch_.place(a), patch_.place(b)) < too_short * patch_.wanted[at(a)])
-                return true;
+            if (!patch_.is_fixed[at(a)] || !patch_.is_fixed[at(b)]) continue;
+            const double wanted = patch_.wanted[at(a)];
+            const double least = std::max(too_short * wanted, std::min(least_length_, far_shorter * wanted));
+            if (distance(patch_.place(a), patch_.place(b)) < least) return true;
         }
         return false;
     }
@@ -509,6 +511,7 @@ class AngleRaiser {
 
     TrianglePatch& patch_;
     const PatchGeometry& geometry_;
+    double least_length_;
     bool has_needles_ = false;
     std::vector<int> star_;
 };
@@ -516,8 +519,8 @@ class AngleRaiser {
 }  // namespace
 
 void raise_smallest_angles(TrianglePatch& patch, const PatchGeometry& geometry, double wanted_angle,
-                           const Heartbeat& heart) {
-    AngleRaiser raiser(patch, geometry);
+                           double least_length, const Heartbeat& heart) {
+    AngleRaiser raiser(patch, geometry, least_length);
     for (int pass = 0; pass < 4; ++pass) {
         std::vector<std::pair<double, int>> bad;
         for (int t = 0; t < static_cast<int>(patch.triangles.size()); ++t)

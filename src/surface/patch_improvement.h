@@ -40,8 +40,9 @@ void smooth(TrianglePatch& patch, const PatchGeometry& geometry, const Heartbeat
 /// strongly curved face give. Returns how many.
 std::size_t split_folded(TrianglePatch& patch, const PatchGeometry& geometry, const Heartbeat& heart);
 /// Triangles with an angle below the given one, worst first: turns, moves, removals and splits, each only when the
-/// smallest angle around grows.
+/// smallest angle around grows. Beside a piece of an edge that is far shorter than wanted, and shorter than
+/// `least_length`, triangles stay needles.
 void raise_smallest_angles(TrianglePatch& patch, const PatchGeometry& geometry, double wanted_angle,
-                           const Heartbeat& heart);
+                           double least_length, const Heartbeat& heart);
 
 }  // namespace featuremesh

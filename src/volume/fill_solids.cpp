@@ -27,6 +27,8 @@ constexpr int most_rounds = 12;
 constexpr int most_crossing_rounds = 3;
 constexpr int most_local_recoveries = 5;
 constexpr int most_releases_at_flat_tets = 4;
+/// Tets are mended until they have the least volume; with this share of it they are still no reason to refuse a part.
+constexpr double tolerated_share = 0.92;
 
 std::vector<std::array<SolidId, 2>> sides_of_faces(const Brep& brep) {
     std::vector<std::array<SolidId, 2>> sides;
@@ -430,26 +432,50 @@ class Filling {
     }
 
     void require_thick(const Cavity& cavity, const TetComplex& complex) const {
-        std::set<Entity> near;
+        std::set<FaceId> near;
         std::size_t count = 0;
         for (const auto& tet : complex.tets) {
             if (tet[0] < 0) continue;
             const Vec3 &a = complex.points[tet[0]], &b = complex.points[tet[1]], &c = complex.points[tet[2]],
                        &d = complex.points[tet[3]];
-            if (!is_flat(complex, tet) && signed_volume(a, b, c, d) >= least_volume()) continue;
+            if (!is_flat(complex, tet) && signed_volume(a, b, c, d) >= tolerated_share * least_volume()) continue;
             ++count;
-            for (const int corner : tet)
-                if (corner < static_cast<int>(cavity.nodes.size()))
-                    near.insert(result_.mesh.entities[cavity.nodes[corner].index()]);
+            for (const FaceId face : nearest_faces(cavity, tet)) near.insert(face);
         }
         if (count == 0) return;
         std::string names;
         int listed = 0;
-        for (const Entity& entity : near)
-            if (listed++ < 4) names += (names.empty() ? "" : ", ") + name_of(entity);
+        for (const FaceId face : near)
+            if (listed++ < 4) names += (names.empty() ? "" : ", ") + name_of(entity_of(face));
         throw MeshError(std::to_string(count) + " tets without a volume to speak of remain " +
                         (names.empty() ? "inside the solid" : "at " + names) +
                         "; mesh finer there, or take out what is much smaller than the rest of the part");
+    }
+
+    /// The faces that most of its corners lie on.
+    std::vector<FaceId> nearest_faces(const Cavity& cavity, const std::array<int, 4>& tet) const {
+        std::map<FaceId, int> counts;
+        for (const int corner : tet) {
+            if (corner >= static_cast<int>(cavity.nodes.size())) continue;
+            std::set<FaceId> faces;
+            const Entity entity = result_.mesh.entities[cavity.nodes[corner].index()];
+            if (entity.dim == 2) faces.insert(FaceId(entity.index));
+            if (entity.dim == 1) insert_faces_of(EdgeId(entity.index), faces);
+            if (entity.dim == 0)
+                for (const EdgeId e : brep_.edges_of(VertexId(entity.index))) insert_faces_of(e, faces);
+            for (const FaceId face : faces) ++counts[face];
+        }
+        int most = 0;
+        for (const auto& [face, count] : counts) most = std::max(most, count);
+        std::vector<FaceId> nearest;
+        for (const auto& [face, count] : counts)
+            if (count == most) nearest.push_back(face);
+        return nearest;
+    }
+
+    void insert_faces_of(EdgeId edge, std::set<FaceId>& faces) const {
+        const auto around = brep_.faces_of(edge);
+        faces.insert(around.begin(), around.end());
     }
 
     void drop_released() {

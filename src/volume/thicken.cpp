@@ -15,9 +15,24 @@ namespace {
 
 /// Of six volumes against the product of three edges: some way above what the validation of a mesh refuses.
 constexpr double least_share = 3e-6;
-/// A step has to gain this factor, else passes would go on for nothing.
+/// A step that does not reach the aim has to gain this factor, else passes would go on for nothing.
 constexpr double least_gain = 1.05;
+bool is_gain(double before, double after) {
+    return before < 1 && after > 0 && (after >= 1 || after > std::max(0.0, before) * least_gain);
+}
 constexpr int most_passes = 12;
+
+double thickness_of_corners(const std::array<Vec3, 4>& p, double least_volume) {
+    const double six_volumes = dot(cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]);
+    double lengths = 0;  // the largest product of the three edges at a corner
+    for (std::size_t i = 0; i < 4; ++i) {
+        double squares = 1;
+        for (std::size_t j = 0; j < 4; ++j)
+            if (j != i) squares *= squared_length(p[j] - p[i]);
+        lengths = std::max(lengths, std::sqrt(squares));
+    }
+    return std::min(six_volumes / (6 * least_volume), six_volumes / (least_share * lengths));
+}
 
 std::vector<int> thin_tets(const TetComplex& complex, double least_volume) {
     std::vector<int> thin;
@@ -27,10 +42,155 @@ std::vector<int> thin_tets(const TetComplex& complex, double least_volume) {
     return thin;
 }
 
+/// A cavity that is filled from a new point. Grown across the triangle with the thinnest cone, as in Klingner and
+/// Shewchuk 2007.
+class ThickCavity {
+  public:
+    ThickCavity(CavityEditor& editor, double least_volume) : editor_(editor), least_volume_(least_volume) {}
+
+    /// Grows from `start` and moves the point, in turns; keeps the best met. False where the thinnest is no thicker.
+    bool plan(std::span<const int> start, Vec3 point) {
+        constexpr int rounds = 4;
+        best_ = 0;
+        for (int round = 0; round < rounds && best_ < 1; ++round) {
+            grow(start, point);
+            if (kept_ == 0) break;
+            rebuild();
+            point = climb(point);
+        }
+        return best_ > 0;
+    }
+
+    double thinnest_after() const { return best_; }
+    const Vec3& point() const { return best_point_; }
+    const std::vector<int>& removed() const { return best_removed_; }
+    std::vector<Tet> cones(int apex) const {
+        std::vector<Tet> cones;
+        for (const auto& f : best_faces_) cones.push_back({apex, f[0], f[1], f[2]});
+        return cones;
+    }
+
+  private:
+    struct Face {
+        int tet, face;
+        std::array<int, 3> corners;
+        double value;
+    };
+    static constexpr std::size_t most_tets = 60;
+
+    double cone(const std::array<int, 3>& f, const Vec3& apex) const {
+        const auto& p = editor_.complex().points;
+        return thickness_of_corners({apex, p[f[0]], p[f[1]], p[f[2]]}, least_volume_);
+    }
+
+    void add(int tet, const Vec3& point) {
+        const TetComplex& complex = editor_.complex();
+        tets_.push_back(tet);
+        editor_.mark(tet);
+        before_ = std::min(before_, thickness(complex, complex.tets[tet], least_volume_));
+        for (int face = 0; face < 4; ++face) {
+            const int next = complex.neighbours[tet][face];
+            if (next >= 0 && editor_.is_marked(next)) {
+                const int back = face_towards(complex.neighbours[next], tet);
+                std::erase_if(faces_, [&](const Face& f) { return f.tet == next && f.face == back; });
+                continue;
+            }
+            const auto& c = opposite_face[face];
+            const Tet& v = complex.tets[tet];
+            const std::array<int, 3> corners{v[c[0]], v[c[1]], v[c[2]]};
+            faces_.push_back({tet, face, corners, cone(corners, point)});
+        }
+    }
+
+    void reset(std::span<const int> start, const Vec3& point) {
+        tets_.clear(), faces_.clear();
+        before_ = 1;
+        editor_.begin_marks();
+        for (const int tet : start) add(tet, point);
+    }
+
+    const Face& thinnest() const {
+        return *std::min_element(faces_.begin(), faces_.end(), [](const Face& a, const Face& b) {
+            return a.value != b.value ? a.value < b.value : std::pair(a.tet, a.face) < std::pair(b.tet, b.face);
+        });
+    }
+
+    /// Sets kept_ to the number of tets of the best cavity met, 0 for none in which all cones have a volume.
+    void grow(std::span<const int> start, const Vec3& point) {
+        reset(start, point);
+        kept_ = 0;
+        double best = 0;
+        while (tets_.size() < most_tets && !faces_.empty()) {
+            const Face& worst = thinnest();
+            if (worst.value > best && !loses_fixed_vertex()) best = worst.value, kept_ = tets_.size();
+            if (worst.value >= 1) break;
+            const int next = editor_.complex().neighbours[worst.tet][worst.face];
+            if (next < 0) break;
+            add(next, point);
+        }
+        point_ = point;
+    }
+
+    void rebuild() {
+        const std::vector<int> kept(tets_.begin(), tets_.begin() + static_cast<std::ptrdiff_t>(kept_));
+        reset(kept, point_);
+    }
+
+    bool loses_fixed_vertex() const {
+        const TetComplex& complex = editor_.complex();
+        for (const int tet : tets_)
+            for (const int v : complex.tets[tet])
+                if (complex.is_fixed[v] && std::none_of(faces_.begin(), faces_.end(), [&](const Face& f) {
+                        return f.corners[0] == v || f.corners[1] == v || f.corners[2] == v;
+                    }))
+                    return true;
+        return false;
+    }
+
+    double thinnest_cone(const Vec3& point) const {
+        double least = 1;
+        for (const Face& f : faces_) least = std::min(least, cone(f.corners, point));
+        return least;
+    }
+
+    Vec3 climb(Vec3 point) {
+        double now = thinnest_cone(point), step = 0;
+        for (const Face& f : faces_)
+            for (const int v : f.corners)
+                step = std::max(step, 0.5 * distance(editor_.complex().points[static_cast<std::size_t>(v)], point));
+        const double least_step = 1e-4 * step;
+        while (step > least_step && now < 1) {
+            bool is_better = false;
+            for (int x = -1; x <= 1; ++x)
+                for (int y = -1; y <= 1; ++y)
+                    for (int z = -1; z <= 1; ++z) {
+                        const Vec3 trial = point + step * Vec3{double(x), double(y), double(z)};
+                        if (const double value = thinnest_cone(trial); value > now)
+                            now = value, point = trial, is_better = true;
+                    }
+            if (!is_better) step *= 0.5;
+        }
+        if (now > best_ && is_gain(before_, now)) {
+            best_ = now, best_point_ = point, best_removed_ = tets_;
+            best_faces_.clear();
+            for (const Face& f : faces_) best_faces_.push_back(f.corners);
+        }
+        return point;
+    }
+
+    CavityEditor& editor_;
+    double least_volume_, before_ = 1, best_ = 0;
+    std::size_t kept_ = 0;
+    Vec3 point_{}, best_point_{};
+    std::vector<int> tets_, best_removed_;
+    std::vector<Face> faces_;
+    std::vector<std::array<int, 3>> best_faces_;
+};
+
 class Thickener {
   public:
     Thickener(TetComplex& complex, double least_volume, RunContext& context)
-        : complex_(complex), least_volume_(least_volume), context_(context), editor_(complex) {}
+        : complex_(complex), least_volume_(least_volume), context_(context), editor_(complex), cavity_(editor_, least_volume) {}
 
     std::vector<int> run(std::vector<int> thin) {
         for (int pass = 0; pass < most_passes && !thin.empty(); ++pass) {
@@ -38,7 +198,7 @@ class Thickener {
             for (const int tet : thin) {
                 context_.progress(static_cast<double>(pass) / most_passes);
                 if (complex_.tets[tet][0] < 0 || thickness_of(complex_.tets[tet]) >= 1) continue;
-                gained = (remove_edge(tet) || collapse(tet) || move(tet)) || gained;
+                gained = (remove_edge(tet) || collapse(tet) || move(tet) || insert(tet)) || gained;
             }
             thin = thin_tets(complex_, least_volume_);
             if (!gained) break;
@@ -53,7 +213,6 @@ class Thickener {
         for (const int t : tets) least = std::min(least, thickness_of(complex_.tets[t]));
         return least;
     }
-    static bool is_gain(double before, double after) { return after > 0 && after > std::max(0.0, before) * least_gain; }
 
     bool remove_edge(int tet) {
         EdgeRing ring;
@@ -65,7 +224,9 @@ class Thickener {
                 const double least = std::min(thickness_of({a, b, c, ring.to}), thickness_of({b, a, c, ring.from}));
                 return least > 0 ? 1 / std::min(1.0, least) : std::numeric_limits<double>::infinity();
             };
-            const RingTriangulation best = triangulate_ring<WorstOf>(ring.size, 1 / (before * least_gain), cost);
+            // a cost of 1 is thick enough
+            const double limit = std::max(1 + 1e-12, 1 / (before * least_gain));
+            const RingTriangulation best = triangulate_ring<WorstOf>(ring.size, limit, cost);
             if (std::isinf(best.cost)) continue;
             std::array<Tet, 2 * EdgeRing::max_size> added;
             const int count = tets_of_triangulation(ring, best, added);
@@ -117,6 +278,34 @@ class Thickener {
         return gained;
     }
 
+    /// A new vertex in the tet, or on one of its inner edges: where boundary nodes alone make it, as across a thin wall
+    /// with a short edge on either side.
+    bool insert(int tet) {
+        const Tet& v = complex_.tets[tet];
+        const auto& p = complex_.points;
+        std::vector<std::pair<std::vector<int>, Vec3>> starts{{{tet}, (p[v[0]] + p[v[1]] + p[v[2]] + p[v[3]]) / 4}};
+        for (const auto& [from, to] : edge_corners) {
+            EdgeRing ring;
+            if (!find_ring(complex_, tet, from, to, ring)) continue;
+            const auto tets = ring.all_tets();
+            starts.emplace_back(std::vector<int>(tets.begin(), tets.end()), 0.5 * (p[ring.from] + p[ring.to]));
+        }
+        double best = 0;
+        Vec3 point{};
+        std::vector<int> removed;
+        std::vector<Tet> cones;
+        const int apex = static_cast<int>(p.size());
+        for (const auto& [start, middle] : starts) {
+            if (best >= 1 || !cavity_.plan(start, middle) || cavity_.thinnest_after() <= best) continue;
+            best = cavity_.thinnest_after();
+            point = cavity_.point(), removed = cavity_.removed(), cones = cavity_.cones(apex);
+        }
+        if (best <= 0) return false;
+        editor_.add_vertex(point);
+        editor_.replace(removed, cones);
+        return true;
+    }
+
     /// Hill climbing along the axes and the space diagonals, and towards the middle of the star.
     bool climb(int vertex) {
         Vec3& place = complex_.points[vertex];
@@ -155,6 +344,7 @@ class Thickener {
     double least_volume_;
     RunContext& context_;
     CavityEditor editor_;
+    ThickCavity cavity_;
     std::vector<int> star_;
 };
 
@@ -162,15 +352,7 @@ class Thickener {
 
 double thickness(const TetComplex& complex, const std::array<int, 4>& tet, double least_volume) {
     const auto& p = complex.points;
-    const double six_volumes = dot(cross(p[tet[1]] - p[tet[0]], p[tet[2]] - p[tet[0]]), p[tet[3]] - p[tet[0]]);
-    double lengths = 0;  // the largest product of the three edges at a corner
-    for (int i = 0; i < 4; ++i) {
-        double squares = 1;
-        for (int j = 0; j < 4; ++j)
-            if (j != i) squares *= squared_length(p[tet[j]] - p[tet[i]]);
-        lengths = std::max(lengths, std::sqrt(squares));
-    }
-    return std::min(six_volumes / (6 * least_volume), six_volumes / (least_share * lengths));
+    return thickness_of_corners({p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]}, least_volume);
 }
 
 std::vector<int> thicken(TetComplex& complex, double least_volume, RunContext& context) {

@@ -86,6 +86,16 @@ TopoDS_Shape cut_corner(double width) {
     return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 10)).Shape();
 }
 
+TopoDS_Shape wall_with_steps(double step) {
+    BRepBuilderAPI_MakePolygon outline;
+    const double top = 0.8, end = 30;
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {15.0, 0.0}, {15 + step, step}, {end, step}, {end, top + step},
+                               {15 + step, top + step}, {15.0, top}, {0.0, top}})
+        outline.Add(gp_Pnt(x, y, 0));
+    outline.Close();
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 0.4)).Shape();
+}
+
 TopoDS_Shape turned(const TopoDS_Shape& shape, double angle, const Vec3& shift) {
     gp_Trsf turn, move;
     turn.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(0.3, 0.5, 0.8)), angle);

@@ -33,6 +33,8 @@ TopoDS_Shape unglued_boxes();
 TopoDS_Shape slotted_block();
 /// A block 30 x 20 x 10 with a chamfer of this width along a vertical edge.
 TopoDS_Shape cut_corner(double width);
+/// A thin wall whose two sides have a step as high as this, opposite each other.
+TopoDS_Shape wall_with_steps(double step);
 TopoDS_Shape turned(const TopoDS_Shape& shape, double angle, const Vec3& shift);
 
 struct Part {

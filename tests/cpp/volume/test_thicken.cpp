@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/thicken.h"
 
+#include <algorithm>
+
 #include "box_of_tets.h"
 #include "catch.h"
 #include "core/errors.h"
@@ -39,12 +41,16 @@ TEST_CASE("a complex without thin tets is left as it is") {
 }
 
 TEST_CASE("no tet of a part with an edge of a hundred-thousandth of it is without volume") {
-    for (const double chamfer : {5e-4, 2e-3}) {
-        const Part part = prepare(cut_corner(chamfer), 2);
-        const Mesh mesh = fill(part).mesh;
-        CHECK(findings(part.brep, mesh).empty());
-        for (const auto& t : mesh.tets)
-            CHECK(signed_volume(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3])) >
-                  part.brep.tolerances().least_volume());
-    }
+    const auto [shape, size] = GENERATE(table<TopoDS_Shape, double>({{cut_corner(5e-4), 2},
+                                                                     {cut_corner(2e-3), 2},
+                                                                     {wall_with_steps(2e-4), 0.75},
+                                                                     {wall_with_steps(2e-4), 0.1},
+                                                                     {wall_with_steps(6e-5), 0.1}}));
+    const Part part = prepare(shape, size);
+    const Mesh mesh = fill(part).mesh;
+    CHECK(findings(part.brep, mesh).empty());
+    double least = 1e300;
+    for (const auto& t : mesh.tets)
+        least = std::min(least, signed_volume(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3])));
+    CHECK(least > 0.92 * part.brep.tolerances().least_volume());
 }
