@@ -141,11 +141,11 @@ void check_order(const EdgeChain& chain, EdgeId edge) {
                     " are not in the order of the edge. Mesh the part from scratch.");
 }
 
-/// The kept part of a chain: ends, kept nodes between them, and which neighbours are joined by a kept segment.
+/// The kept part of a chain: ends, nodes of vertices on the edge and kept nodes between them, and which neighbours are
+/// joined by a kept segment.
 EdgeChain kept_chain(const std::array<double, 2>& range, EdgeId edge, const std::array<NodeId, 2>& ends,
-                     const std::vector<NodeId>& kept_nodes, const std::vector<std::array<NodeId, 2>>& kept_segments,
-                     const Mesh& mesh) {
-    std::vector<std::pair<double, NodeId>> inner;
+                     std::vector<std::pair<double, NodeId>> inner, const std::vector<NodeId>& kept_nodes,
+                     const std::vector<std::array<NodeId, 2>>& kept_segments, const Mesh& mesh) {
     for (const NodeId n : kept_nodes) inner.emplace_back(mesh.parameters[n.index()][0], n);
     std::sort(inner.begin(), inner.end());
     EdgeChain chain;
@@ -184,6 +184,7 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
         if (merged.edge_of[e] != EdgeId(e) || merged.is_point[e]) continue;
         ++between[shared_ends(EdgeId(e))];
     }
+    std::vector<EdgeId> followers;
     for (std::size_t e = 0; e < brep.edge_count(); ++e) {
         const EdgeId edge(e);
         const Activity activity(name_of(entity_of(edge)));
@@ -193,7 +194,7 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
             if (!kept.nodes[e].empty() || !kept.segments[e].empty())
                 throw MeshError("Kept nodes of " + name_of(entity_of(edge)) +
                                 " belong to an edge in the same place. Mesh the part from scratch.");
-            follow_owner(brep, edge, mesh);
+            followers.push_back(edge);
             continue;
         }
         auto ends = brep.ends_of(edge);
@@ -202,8 +203,10 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
                             " has no end points. Check the feature that made it (Part: Check geometry).");
         std::array<double, 2> range;
         BRep_Tool::Range(brep.edge(edge), range[0], range[1]);
-        const EdgeChain base =
-            kept_chain(range, edge, {node_of(ends[0]), node_of(ends[1])}, kept.nodes[e], kept.segments[e], mesh);
+        std::vector<std::pair<double, NodeId>> passed;
+        for (const auto& [t, vertex] : merged.vertices_on[e]) passed.emplace_back(t, node_of(vertex));
+        const EdgeChain base = kept_chain(range, edge, {node_of(ends[0]), node_of(ends[1])}, std::move(passed),
+                                          kept.nodes[e], kept.segments[e], mesh);
         const auto nodes = shared_ends(edge);
         EdgeChain& chain = chains_[e];
         const bool is_whole = base.is_kept.size() == 1;
@@ -227,16 +230,26 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
         }
         chain.nodes.push_back(base.nodes.back()), chain.t.push_back(base.t.back());
     }
+    for (const EdgeId edge : followers) follow_owner(brep, edge, mesh);
 }
 
 void EdgeChains::follow_owner(const Brep& brep, EdgeId edge, const Mesh& mesh) {
     const EdgeChain& owner = chains_[merged_.edge_of[edge.index()].index()];
     const BRepAdaptor_Curve curve(brep.edge(edge));
     EdgeChain& chain = chains_[edge.index()];
-    chain = owner;
-    if (chain.nodes.empty()) return;
-    if (chain.nodes.front() != node_of(brep.ends_of(edge)[0])) std::reverse(chain.nodes.begin(), chain.nodes.end());
-    std::fill(chain.is_kept.begin(), chain.is_kept.end(), 1);
+    chain = {};
+    if (owner.nodes.empty()) return;
+    const auto ends = brep.ends_of(edge);
+    const auto place = [&](VertexId v) { return std::find(owner.nodes.begin(), owner.nodes.end(), node_of(v)); };
+    const auto [first, last] = std::minmax({place(ends[0]), place(ends[1])});
+    if (last == owner.nodes.end())
+        throw MeshError(name_of(entity_of(edge)) + " lies on " +
+                        name_of(entity_of(merged_.edge_of[edge.index()])) +
+                        " but does not begin and end there. Check the feature that made them (Part: Check geometry).");
+    chain.nodes.assign(first, last + 1);
+    if (place(ends[1]) < place(ends[0])) std::reverse(chain.nodes.begin(), chain.nodes.end());
+    chain.is_kept.assign(chain.nodes.size() - 1, 1);
+    chain.t.resize(chain.nodes.size());
     for (std::size_t i = 0; i < chain.nodes.size(); ++i)
         chain.t[i] = projector_.nearest(edge, mesh.point(chain.nodes[i])).t;
     chain.t.front() = curve.FirstParameter(), chain.t.back() = curve.LastParameter();
@@ -248,14 +261,16 @@ void EdgeChains::follow_owner(const Brep& brep, EdgeId edge, const Mesh& mesh) {
 
 EdgeChains::Piece EdgeChains::owner_of(const Piece& piece) const {
     const EdgeId owner = merged_.edge_of[piece.edge.index()];
-    const EdgeChain& chain = chains_[piece.edge.index()];
-    const bool is_turned = chain.nodes.front() != chains_[owner.index()].nodes.front();
-    return {owner, is_turned ? chain.piece_count() - 1 - piece.index : piece.index};
+    if (owner == piece.edge) return piece;
+    const std::vector<NodeId>& nodes = chains_[piece.edge.index()].nodes;
+    const std::vector<NodeId>& all = chains_[owner.index()].nodes;
+    const auto place = [&](NodeId n) { return std::find(all.begin(), all.end(), n) - all.begin(); };
+    return {owner, static_cast<std::size_t>(std::min(place(nodes[piece.index]), place(nodes[piece.index + 1])))};
 }
 
 std::vector<EdgeId> EdgeChains::sharers_of(EdgeId edge) const {
     std::vector<EdgeId> sharers;
-    for (std::size_t e = edge.index(); e < chains_.size(); ++e)
+    for (std::size_t e = 0; e < chains_.size(); ++e)
         if (merged_.edge_of[e] == edge) sharers.emplace_back(e);
     return sharers;
 }

@@ -26,7 +26,7 @@ inline std::uint64_t node_pair_key(NodeId a, NodeId b) {
 }
 
 /// The nodes of one CAD edge by growing edge parameter, vertices included. Empty for an edge that no solid's face uses
-/// and for a pole, and for an edge that is a point. Edges that are one chain have the same nodes.
+/// and for a pole, and for an edge that is a point. Edges that are one chain, or a part of one, have the same nodes.
 struct EdgeChain {
     std::vector<NodeId> nodes;
     std::vector<double> t;
@@ -66,7 +66,7 @@ class EdgeChains {
     void add_segments(Mesh& mesh) const;
 
   private:
-    /// The owner's nodes, with their places on this edge.
+    /// The owner's nodes between the ends, with their places on this edge.
     void follow_owner(const Brep& brep, EdgeId edge, const Mesh& mesh);
 
     const MergedEntities& merged_;

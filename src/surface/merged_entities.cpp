@@ -70,6 +70,73 @@ Vec3 point_at(const BRepAdaptor_Curve& curve, double share) {
 
 constexpr std::array<double, 5> probes{0.5, 0.25, 0.75, 0.1, 0.9};
 
+/// A hull of a curve: no point of it is further from the nearest of these than the reach.
+struct CurveSamples {
+    std::vector<Vec3> points;
+    double reach = 0;
+
+    CurveSamples(const BRepAdaptor_Curve& curve, double tolerance) {
+        const int pieces = curve.GetType() == GeomAbs_Line ? 1 : 24;
+        for (int i = 0; i <= pieces; ++i) points.push_back(point_at(curve, double(i) / pieces));
+        for (std::size_t i = 1; i < points.size(); ++i)
+            reach = std::max(reach, distance(points[i - 1], points[i]));
+        reach = (pieces == 1 ? 0.5 : 1.0) * reach + tolerance;
+    }
+    bool may_hold(const Vec3& p, double tolerance) const {
+        if (points.size() == 2) {
+            const Vec3 along = points[1] - points[0];
+            const double share = dot(p - points[0], along) / std::max(squared_length(along), 1e-300);
+            return distance(p, points[0] + std::clamp(share, 0.0, 1.0) * along) <= tolerance;
+        }
+        return std::any_of(points.begin(), points.end(), [&](const Vec3& q) { return distance(p, q) <= reach; });
+    }
+    Box box() const {
+        Box box;
+        for (const Vec3& p : points) box.add(p);
+        const double margin = points.size() == 2 ? 0 : reach;
+        box.low = box.low - Vec3{margin, margin, margin};
+        box.high = box.high + Vec3{margin, margin, margin};
+        return box;
+    }
+};
+
+/// By edge, the vertices of the same solids that lie on it away from its ends.
+std::vector<std::vector<std::pair<double, VertexId>>> find_vertices_on(const Brep& brep,
+                                                                       const std::vector<VertexId>& vertex_of,
+                                                                       const Projector& projector, double tolerance) {
+    std::vector<std::vector<std::pair<double, VertexId>>> found(brep.edge_count());
+    const std::vector<std::vector<SolidId>> solids = solids_of_vertices(brep);
+    std::vector<std::pair<double, std::size_t>> by_x;
+    for (std::size_t v = 0; v < vertex_of.size(); ++v)
+        if (vertex_of[v] == VertexId(v)) by_x.emplace_back(brep.point_of(VertexId(v)).x, v);
+    std::sort(by_x.begin(), by_x.end());
+    for (std::size_t e = 0; e < found.size(); ++e) {
+        const auto ends = brep.ends_of(EdgeId(e));
+        if (brep.is_degenerated(EdgeId(e)) || !ends[0].is_valid() || !ends[1].is_valid() || ends[0] == ends[1]) continue;
+        const CurveSamples samples(BRepAdaptor_Curve(brep.edge(EdgeId(e))), tolerance);
+        const Box box = samples.box();
+        const auto is_outside = [&](const Vec3& p) {
+            return p.y < box.low.y - tolerance || p.y > box.high.y + tolerance || p.z < box.low.z - tolerance ||
+                   p.z > box.high.z + tolerance;
+        };
+        for (auto it = std::lower_bound(by_x.begin(), by_x.end(), std::pair(box.low.x - tolerance, std::size_t{0}));
+             it != by_x.end() && it->first <= box.high.x + tolerance; ++it) {
+            const VertexId vertex(it->second);
+            const Vec3 p = brep.point_of(vertex);
+            if (vertex == vertex_of[ends[0].index()] || vertex == vertex_of[ends[1].index()] || is_outside(p) ||
+                !samples.may_hold(p, tolerance) || !share(solids[vertex.index()], solids[ends[0].index()]))
+                continue;
+            const OnEdge nearest = projector.nearest(EdgeId(e), p);
+            if (nearest.distance > tolerance || distance(nearest.point, brep.point_of(ends[0])) <= 2 * tolerance ||
+                distance(nearest.point, brep.point_of(ends[1])) <= 2 * tolerance)
+                continue;
+            found[e].emplace_back(nearest.t, vertex);
+        }
+        std::sort(found[e].begin(), found[e].end());
+    }
+    return found;
+}
+
 /// Both of whose ends are this vertex.
 bool is_point(const Brep& brep, EdgeId edge, VertexId vertex, double tolerance) {
     const BRepAdaptor_Curve curve(brep.edge(edge));
@@ -87,6 +154,8 @@ bool runs_along(const Brep& brep, const Projector& projector, EdgeId edge, EdgeI
     });
 }
 
+std::array<VertexId, 2> sorted(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
+
 std::string listed(const std::vector<Entity>& entities) {
     constexpr std::size_t most = 6;
     std::string names;
@@ -103,30 +172,68 @@ MergedEntities::MergedEntities(const Brep& brep)
     : vertex_of(merge_vertices(brep, brep.tolerances().negligible())),
       is_point(brep.edge_count(), 0),
       is_flat(brep.face_count(), 0) {
+    join_edges(brep);
+    find_flat_faces(brep);
+}
+
+std::vector<VertexId> MergedEntities::sequence_of(const Brep& brep, EdgeId edge) const {
+    const auto ends = brep.ends_of(edge);
+    std::vector<VertexId> sequence{vertex_of[ends[0].index()]};
+    for (const auto& [t, vertex] : vertices_on[edge.index()]) sequence.push_back(vertex);
+    sequence.push_back(vertex_of[ends[1].index()]);
+    return sequence;
+}
+
+void MergedEntities::join_edges(const Brep& brep) {
     const double tolerance = brep.tolerances().negligible();
     const Projector projector(brep);
-    std::map<std::array<VertexId, 2>, std::vector<EdgeId>> between;
+    vertices_on = find_vertices_on(brep, vertex_of, projector, tolerance);
+    std::vector<EdgeId> order;  // those with most vertices on them first: others may be parts of them
     for (std::size_t e = 0; e < brep.edge_count(); ++e) {
-        const EdgeId edge(e);
-        edge_of.push_back(edge);
-        auto ends = brep.ends_of(edge);
-        if (brep.is_degenerated(edge) || !ends[0].is_valid() || !ends[1].is_valid()) continue;
-        const bool was_closed = ends[0] == ends[1];
-        for (VertexId& v : ends) v = vertex_of[v.index()];
-        if (ends[0] == ends[1] && !was_closed) is_point[e] = featuremesh::is_point(brep, edge, ends[0], tolerance);
-        if (ends[0] == ends[1]) continue;
-        std::sort(ends.begin(), ends.end());
-        for (const EdgeId other : between[ends])
+        edge_of.emplace_back(e);
+        const auto ends = brep.ends_of(EdgeId(e));
+        if (brep.is_degenerated(EdgeId(e)) || !ends[0].is_valid() || !ends[1].is_valid()) continue;
+        if (vertex_of[ends[0].index()] != vertex_of[ends[1].index()])
+            order.emplace_back(e);
+        else if (ends[0] != ends[1])
+            is_point[e] = featuremesh::is_point(brep, EdgeId(e), vertex_of[ends[0].index()], tolerance);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](EdgeId a, EdgeId b) {
+        return vertices_on[a.index()].size() > vertices_on[b.index()].size();
+    });
+    std::map<std::array<VertexId, 2>, std::vector<EdgeId>> between;
+    for (const EdgeId edge : order) {
+        const std::vector<VertexId> sequence = sequence_of(brep, edge);
+        for (const EdgeId other : between[sorted(sequence.front(), sequence.back())])
             if (runs_along(brep, projector, edge, other, tolerance)) {
-                edge_of[e] = other;
+                edge_of[edge.index()] = other;
                 break;
             }
-        if (edge_of[e] == edge) between[ends].push_back(edge);
+        if (edge_of[edge.index()] != edge) continue;
+        for (std::size_t i = 0; i < sequence.size(); ++i)
+            for (std::size_t j = i + 1; j < sequence.size(); ++j)
+                between[sorted(sequence[i], sequence[j])].push_back(edge);
     }
+}
+
+void MergedEntities::find_flat_faces(const Brep& brep) {
     for (std::size_t f = 0; f < brep.face_count(); ++f) {
-        std::map<EdgeId, int> sides;
-        for (const EdgeId e : brep.edges_of(FaceId(f)))
-            if (!brep.is_degenerated(e) && !is_point[e.index()]) ++sides[edge_of[e.index()]];
+        std::map<std::pair<EdgeId, std::ptrdiff_t>, int> sides;  // stretches of chains between vertices
+        for (const EdgeId e : brep.edges_of(FaceId(f))) {
+            if (brep.is_degenerated(e) || is_point[e.index()]) continue;
+            const EdgeId owner = edge_of[e.index()];
+            const auto ends = brep.ends_of(e);
+            if (!ends[0].is_valid() || !ends[1].is_valid() || ends[0] == ends[1]) {
+                ++sides[{owner, 0}];
+                continue;
+            }
+            const std::vector<VertexId> sequence = sequence_of(brep, owner);
+            const auto place = [&](VertexId v) {
+                return std::find(sequence.begin(), sequence.end(), vertex_of[v.index()]) - sequence.begin();
+            };
+            const auto [first, last] = std::minmax({place(ends[0]), place(ends[1])});
+            for (std::ptrdiff_t i = first; i < last; ++i) ++sides[{owner, i}];
+        }
         is_flat[f] = !brep.edges_of(FaceId(f)).empty() &&
                      std::all_of(sides.begin(), sides.end(), [](const auto& side) { return side.second == 2; });
     }

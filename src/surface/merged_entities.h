@@ -3,25 +3,35 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "features/brep.h"
 
 namespace featuremesh {
 
-/// Vertices of one solid in the same place within Tolerances::negligible() share a node. Then an edge may be a point,
-/// two edges may be one chain (a solid that touches itself along an edge; the long sides of a sliver), and a face whose
-/// edges are so in pairs has no triangles.
+/// Vertices of one solid in the same place within Tolerances::negligible() share a node, and an edge goes through the
+/// nodes of the vertices that lie on it. Then an edge may be a point, an edge may have its chain in common with another
+/// or a part of it (a solid that touches itself along an edge; the long sides of a sliver), and a face whose edges are
+/// so in pairs has no triangles.
 struct MergedEntities {
     explicit MergedEntities(const Brep& brep);
 
     std::vector<VertexId> vertex_of;  ///< by vertex: the one that has the node, mostly itself
-    std::vector<EdgeId> edge_of;      ///< by edge: the one that has the chain, mostly itself
+    std::vector<EdgeId> edge_of;      ///< by edge: the one that has the chain, or a longer one, mostly itself
+    /// By edge: vertices of other edges on it, as vertex_of gives them, by growing edge parameter.
+    std::vector<std::vector<std::pair<double, VertexId>>> vertices_on;
     std::vector<char> is_point;       ///< by edge: it has no chain
     std::vector<char> is_flat;        ///< by face: it has no triangles
 
     /// What the user should know of it.
     std::vector<std::string> warnings() const;
+
+  private:
+    /// The vertices along an edge that is not closed, its ends first and last.
+    std::vector<VertexId> sequence_of(const Brep& brep, EdgeId edge) const;
+    void join_edges(const Brep& brep);
+    void find_flat_faces(const Brep& brep);
 };
 
 }  // namespace featuremesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/merged_entities.h"
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -33,6 +34,14 @@ TopoDS_Shape touching_columns() {
     return prism({{0, 0}, {10, 0}, {10, 10}, {20, 10}, {20, 20}, {10, 20}, {10, 10}, {0, 10}}, 15);
 }
 
+/// A step as low as nobody sees, with a slot that ends at it: the slot's corners split only the lower long edge of the
+/// sliver between the levels.
+TopoDS_Shape block_with_step_and_slot() {
+    const TopoDS_Shape block = prism({{-10, 0}, {20, 0}, {20, 10 + 1e-5}, {0, 10 + 1e-5}, {0, 10}, {-10, 10}}, 30);
+    const TopoDS_Shape slot = BRepPrimAPI_MakeBox(gp_Pnt(-5, 4, 10), gp_Pnt(0, 10, 18)).Shape();
+    return BRepAlgoAPI_Cut(block, slot).Shape();
+}
+
 }  // namespace
 
 TEST_CASE("a sliver of a face and the edges across it get no elements of their own") {
@@ -62,6 +71,21 @@ TEST_CASE("edges of one solid in the same place are one chain") {
     std::sort(points.begin(), points.end(), less);
     CHECK(std::adjacent_find(points.begin(), points.end()) == points.end());
     CHECK(area(mesh) == Approx(4 * 100 + 80 * 15));
+}
+
+TEST_CASE("an edge goes through the vertices that lie on it, and slivers beside it have no triangles") {
+    const Brep brep(block_with_step_and_slot());
+    const MergedEntities merged(brep);
+    std::size_t passed = 0;
+    int parts = 0;
+    for (const auto& vertices : merged.vertices_on) passed += vertices.size();
+    for (std::size_t e = 0; e < brep.edge_count(); ++e) parts += merged.edge_of[e] != EdgeId(e);
+    CHECK(passed == 2);
+    CHECK(parts == 3);
+    CHECK(std::count(merged.is_flat.begin(), merged.is_flat.end(), 1) == 1);
+    const Mesh mesh = mesh_surface(brep, 3).mesh;
+    CHECK(smallest_angle(mesh) > 25);
+    CHECK(euler_characteristic(mesh) == 2);
 }
 
 TEST_CASE("nothing is merged in a plain shape, with seams and closed edges") {
