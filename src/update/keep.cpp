@@ -81,7 +81,7 @@ class Keeper {
         const std::vector<std::vector<FaceId>> old_faces = faces_of_solids(in_.old_brep), new_faces = faces_of_solids(in_.new_brep);
         std::vector<FaceId> kept_as(in_.old_brep.face_count());
         for (const FaceChange& change : in_.difference.faces)
-            if (change.verdict == FaceVerdict::kept) kept_as[change.old_face.index()] = change.new_face;
+            if (change.verdict == BoundaryVerdict::kept) kept_as[change.old_face.index()] = change.new_face;
         untouched_solids_.assign(old_faces.size(), 0);
         for (std::size_t s = 0; s < old_faces.size(); ++s) {
             std::vector<FaceId> now;
