@@ -79,6 +79,15 @@ py::list tets_of_each_feature(const PartMesh& part) {
     return out;
 }
 
+static_assert(sizeof(SizeSource) == 4 * sizeof(double), "arrays are handed over as they lie");
+
+py::dict arrays_of_part(const py::object& self) {
+    const auto& part = self.cast<const PartMesh&>();
+    py::dict arrays = arrays_of(part.mesh, self);
+    if (!part.adopted_sizes.empty()) arrays["adopted_sizes"] = view<double>(part.adopted_sizes, self);
+    return arrays;
+}
+
 }  // namespace
 
 py::dict arrays_of(const Mesh& mesh, const py::object& owner) {
@@ -137,11 +146,17 @@ Mesh mesh_from(const py::dict& arrays) {
     return mesh;
 }
 
+std::vector<SizeSource> adopted_sizes_from(const py::dict& arrays) {
+    std::vector<SizeSource> sizes;
+    if (arrays.contains("adopted_sizes")) read<double>(arrays, "adopted_sizes", sizes);
+    return sizes;
+}
+
 void define_mesh(py::module_& module) {
     py::class_<PartMesh, std::shared_ptr<PartMesh>>(module, "PartMesh", "A part with its mesh; never changes.")
         .def_property_readonly("order", [](const PartMesh& p) { return p.mesh.order; })
         .def_property_readonly("corner_count", [](const PartMesh& p) { return p.mesh.corner_count; })
-        .def("arrays", [](const py::object& self) { return arrays_of(self.cast<const PartMesh&>().mesh, self); },
+        .def("arrays", &arrays_of_part,
              "All arrays of the mesh by name, read-only views; points in mm, indices counted from 0.")
         .def("node_origin", [](const py::object& self) { return view<std::int32_t>(self.cast<const PartMesh&>().node_origin, self); },
              "(n,) index of the node in the mesh before the update, -1 for a new one.")

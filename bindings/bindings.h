@@ -25,6 +25,7 @@ RawDocument raw_document_from(const py::dict& raw);
 py::dict to_dict(const FeatureDifference& difference);
 py::dict arrays_of(const Mesh& mesh, const py::object& owner);
 Mesh mesh_from(const py::dict& arrays);
+std::vector<SizeSource> adopted_sizes_from(const py::dict& arrays);
 py::object motion_matrix(const RigidMotion& motion);
 
 using Progress = std::optional<py::function>;

@@ -17,6 +17,7 @@
 #include "mesh/validation.h"
 #include "surface/mid_side_nodes.h"
 #include "surface/turned_triangles.h"
+#include "update/adopted_sizes.h"
 #include "update/foreign_fit.h"
 #include "update/keep.h"
 
@@ -320,7 +321,9 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     const auto start = std::chrono::steady_clock::now();
     if (options == old.options && document == old.document) return unchanged(old, context);
     PartState part = read_part(document, context, &old.part);
-    const SizingField sizing = make_sizing(part.brep, options.sizing, {}, context);
+    const std::string why_full = reason_for_full_mesh(old, options);
+    const std::vector<SizeSource> adopted_sizes = why_full.empty() ? old.adopted_sizes : std::vector<SizeSource>{};
+    const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
     refuse_too_many(part.brep, sizing, options);
 
     PartMeshResult result;
@@ -335,8 +338,8 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
         margins.clear();
         part = read_part(document, context);
     }
-    if (const std::string why = reason_for_full_mesh(old, options); !why.empty()) {
-        report.fallbacks.push_back("full mesh: " + why);
+    if (!why_full.empty()) {
+        report.fallbacks.push_back("full mesh: " + why_full);
         margins.clear();
     }
     std::vector<std::int32_t> node_origin, tet_origin;
@@ -370,7 +373,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     node_origin = node_origins(old.mesh, filled->mesh, node_origin);
     tet_origin = extended(without(tet_origin, filled->released), filled->mesh.tets.size());
     auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled->mesh),
-                                                   std::move(node_origin), std::move(tet_origin), std::move(filled->used_active)});
+                                                   std::move(node_origin), std::move(tet_origin), std::move(filled->used_active), adopted_sizes});
     record_kept(*now, report.kept, report);
     record_run(now->part, context, total, report);
     result.part_mesh = std::move(now);
@@ -381,7 +384,8 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, cons
     const auto start = std::chrono::steady_clock::now();
     if (options.order != foreign.order) throw InputError("An adopted mesh keeps its element order.");
     PartState part = read_part(document, context);
-    const SizingField sizing = make_sizing(part.brep, options.sizing, {}, context);
+    const std::vector<SizeSource> adopted_sizes = local_sizes(foreign);
+    const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
     refuse_too_many(part.brep, sizing, options);
     PartMeshResult result;
     Report& report = result.report;
@@ -417,21 +421,22 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, cons
     node_origin = node_origins(foreign, filled->mesh, node_origin);
     tet_origin = extended(without(tet_origin, filled->released), filled->mesh.tets.size());
     auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled->mesh),
-                                                   std::move(node_origin), std::move(tet_origin), {}});
+                                                   std::move(node_origin), std::move(tet_origin), {}, adopted_sizes});
     record_kept(*now, report.kept, report);
     record_run(now->part, context, total, report);
     result.part_mesh = std::move(now);
     return result;
 }
 
-std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& options, Mesh mesh, RunContext& context) {
+std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& options, Mesh mesh, RunContext& context,
+                                             std::vector<SizeSource> adopted_sizes) {
     PartState part = read_part(document, context);
     const std::vector<std::string> broken = broken_invariants(mesh, expectation_of(part.brep), context);
     if (!broken.empty()) throw StateError("The saved mesh does not fit the part: " + broken.front() + ".");
-    const SizingField sizing = make_sizing(part.brep, options.sizing, {}, context);
+    const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
     const std::size_t nodes = mesh.node_count(), tets = mesh.tets.size();
     return std::make_shared<const PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(mesh),
-                                                     std::vector<std::int32_t>(nodes, -1), std::vector<std::int32_t>(tets, -1), {}});
+                                                     std::vector<std::int32_t>(nodes, -1), std::vector<std::int32_t>(tets, -1), {}, std::move(adopted_sizes)});
 }
 
 }  // namespace featuremesh

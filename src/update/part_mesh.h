@@ -23,6 +23,7 @@ struct PartMesh {
     std::vector<std::int32_t> node_origin;     ///< by node: its index in the mesh before the update, -1 for a new one
     std::vector<std::int32_t> tet_origin;      ///< by tet, likewise
     std::vector<Vec3> active_points;           ///< start positions that survived without being kept, for pictures
+    std::vector<SizeSource> adopted_sizes = {};   ///< of another maker's mesh that this one comes from: updates go on in its sizes where they are finer
 };
 
 struct PartMeshResult {
@@ -47,10 +48,12 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
 
 /// Makes another maker's mesh of the part ours: what fits the part's shape stays bit for bit with its numbers, the rest is filled anew and
 /// reported. Of `foreign` the nodes, tets, numbers and counters count; its triangles and segments only give theirs their numbers. options.order is its
-/// order. Throws InputError when nothing of it fits.
+/// order. Where its edges are clearly shorter than the wanted size they are the wanted size from then on, until a mesh is made from scratch.
+/// Throws InputError when nothing of it fits.
 PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, const Mesh& foreign, RunContext& context);
 
 /// Rebuilds the state of a part whose mesh was saved. Throws StateError when mesh and part do not fit.
-std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& options, Mesh mesh, RunContext& context);
+std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& options, Mesh mesh, RunContext& context,
+                                             std::vector<SizeSource> adopted_sizes = {});
 
 }  // namespace featuremesh

@@ -80,6 +80,31 @@ void check_kept(const Mesh& foreign, const PartMesh& now) {
     }
 }
 
+/// The plane face of all points with this x.
+Entity face_at(const RawDocument& document, double x) {
+    RunContext context;
+    const Brep brep = read_part(document, context).brep;
+    for (std::size_t f = 0; f < brep.face_count(); ++f) {
+        const auto edges = brep.edges_of(FaceId(f));
+        if (std::all_of(edges.begin(), edges.end(), [&](EdgeId e) { return std::abs(brep.point_of(brep.ends_of(e)[0]).x - x) < 1e-9; }))
+            return entity_of(FaceId(f));
+    }
+    throw std::out_of_range("no such face");
+}
+
+/// Of the tets around the hole at (54, 15), mm.
+double mean_side_near(const Mesh& mesh) {
+    double sum = 0;
+    int count = 0;
+    for (const auto& tet : mesh.tets) {
+        const Vec3 a = mesh.point(tet[0]), b = mesh.point(tet[1]);
+        if (std::hypot(a.x - 54, a.y - 15) > 5) continue;
+        sum += distance(a, b);
+        ++count;
+    }
+    return sum / count;
+}
+
 std::size_t inner_node(const Mesh& mesh, int dim) {
     for (std::size_t n = 0; n < mesh.corner_count; ++n)
         if (mesh.entities[n].dim == dim) return n;
@@ -123,6 +148,24 @@ TEST_CASE("an adopted mesh is updated locally") {
         CHECK(second.report.kept_nodes_share > 0.5);
         check_kept(first.part_mesh->mesh, *second.part_mesh);
         check_valid(*second.part_mesh);
+    }
+}
+
+TEST_CASE("an adopted mesh keeps its grading where it is updated, saved and restored or not") {
+    MeshOptions coarse = options_of(1), graded = options_of(1);
+    coarse.sizing.size = graded.sizing.size = 3;
+    graded.sizing.local = {{face_at(plate(52, 2), 60), 1.0}};
+    RunContext context;
+    const auto source = mesh_part(plate(52, 2), graded, context).part_mesh;
+    const auto first = adopt_part(plate(52, 2), coarse, foreign_copy(source->mesh), context).part_mesh;
+    const auto restored = restore_part(plate(52, 2), coarse, first->mesh, context, first->adopted_sizes);
+    const double full = mean_side_near(mesh_part(plate(54, 2), graded, context).part_mesh->mesh);
+    for (const auto& old : {first, restored}) {
+        const auto now = update_part(*old, plate(54, 2), coarse, context);
+        CHECK(now.report.fallbacks.empty());
+        CHECK(mean_side_near(now.part_mesh->mesh) < 1.25 * full);
+        CHECK(mean_side_near(now.part_mesh->mesh) > 0.8 * full);
+        check_valid(*now.part_mesh);
     }
 }
 
