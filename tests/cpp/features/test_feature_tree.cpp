@@ -397,3 +397,53 @@ TEST_CASE("a second link and a clone have the volumes of what they show") {
         for (const bool plate_too : {false, true})
             check_copied(interpret(plate_and(type, link, to_trsf(like.global_placement), plate_too, like)), plate_too);
 }
+
+TEST_CASE("several originals repeated by a row and its mirror image") {
+    const TopoDS_Shape pad = box(-40, 0, 0, 80, 20, 5), slot = box(4, 3, -1, 3, 4, 7),
+                       hole = cylinder({6, 14, -1}, {0, 0, 1}, 2, 7);
+    const TopoDS_Shape first = cut(pad, slot), second = cut(first, hole);
+    TopoDS_Shape after = second;
+    for (const double x : {15.0, -7.0, -22.0}) after = cut(after, box(x == 15 ? 19 : x, 3, -1, 3, 4, 7));
+    for (const double x : {21.0, -6.0, -21.0}) after = cut(after, cylinder({x, 14, -1}, {0, 0, 1}, 2, 7));
+    DocumentMaker maker;
+    maker.add("Sketch", "Sketcher::SketchObject");
+    maker.add("Pad", "PartDesign::Pad", {}, pad, pad);
+    maker.add("Slot", "PartDesign::Pocket", {{"BaseFeature", "Pad", ""}}, first, slot);
+    maker.add("Hole", "PartDesign::Pocket", {{"BaseFeature", "Slot", ""}}, second, hole);
+    maker.add("Row", "PartDesign::LinearPattern", {{"Direction", "Sketch", "H_Axis"}}).numbers = {{"Length", 15},
+                                                                                                 {"Occurrences", 2}};
+    maker.add("Image", "PartDesign::Mirrored", {{"MirrorPlane", "Sketch", "V_Axis"}});
+    maker.add("Multi", "PartDesign::MultiTransform",
+              {{"BaseFeature", "Hole", ""},
+               {"Originals", "Slot", ""},
+               {"Originals", "Hole", ""},
+               {"Transformations", "Row", ""},
+               {"Transformations", "Image", ""}},
+              after);
+    const FeatureTree tree = interpret(maker.done());
+    const Feature& multi = named(tree, "Multi");
+    CHECK(multi.volume_source == "instances");
+    REQUIRE(multi.volumes.size() == 6);
+    double removed = 0;
+    for (const FeatureVolume& v : multi.volumes) {
+        CHECK(v.effect == Effect::removes);
+        removed += volume(v);
+    }
+    CHECK(removed == Approx(3 * (84 + 28 * pi)));
+    CHECK(named(tree, "Row").volumes.empty());
+}
+
+TEST_CASE("a body that begins with another object's solid") {
+    const TopoDS_Shape block = box(0, 0, 0, 20, 10, 5), tool = box(3, 2, 2, 4, 3, 5);
+    DocumentMaker maker;
+    maker.add("Block", "Part::Box", {}, block);
+    maker.add("Base", "PartDesign::FeatureBase", {{"BaseFeature", "Block", ""}}, block);
+    maker.add("Pocket", "PartDesign::Pocket", {{"BaseFeature", "Base", ""}}, cut(block, tool), tool);
+    maker.add("Body", "PartDesign::Body", body_links({"Base", "Pocket"}), cut(block, tool));
+    const FeatureTree tree = interpret(maker.done());
+    REQUIRE(named(tree, "Block").volumes.size() == 1);
+    CHECK(volume(named(tree, "Block").volumes[0]) == Approx(1000));
+    CHECK(named(tree, "Base").role == Role::base);
+    CHECK(named(tree, "Base").volumes.empty());
+    CHECK(named(tree, "Pocket").operands == std::vector<FeatureId>{*tree.find("Base")});
+}
