@@ -125,6 +125,7 @@ def add_bench(subparsers):
     bench.add_argument("--repeat", type=int, default=5, metavar="N", help="runs of each, for the median (default: %(default)s)")
     bench.add_argument("--threads", type=int, default=1, metavar="N", help="threads of each mesher (default: %(default)s)")
     bench.add_argument("--netgen", action="store_true", help="measure Netgen, too, once for each case")
+    bench.add_argument("--ours", action="store_true", help="measure the full mesh and the update only, without Gmsh")
     bench.add_argument("--list", action="store_true", help="list the cases and stop")
     bench.add_argument("--history", action="store_true", help="what was measured before on this machine, and stop")
 

@@ -139,6 +139,7 @@ def bench(given):
     options += ["--list"] if given.list else []
     options += ["--history"] if given.history else []
     options += ["--netgen"] if given.netgen else []
+    options += ["--ours"] if given.ours else []
     for case in given.case or []:
         options += ["--case", case]
     if not (given.list or given.history):

@@ -50,10 +50,10 @@ struct CellModel {
     std::vector<std::vector<Owner>> owners_of_final_face;  ///< by FaceId of the final shape
     std::vector<double> feature_volumes;                   ///< mm^3, by FeatureId: what its volumes fill together
     CellReport report;
-    /// After an edit: cells and faces are left out, and of the owners of final faces only those within `edited` are
-    /// known.
+    /// After an edit: cells and faces are left out, and of the owners of final faces only those in the changed volumes
+    /// are known.
     bool is_summary = false;
-    Box edited;
+    std::vector<Owner> owners_within_edit;  ///< whose volumes are changed ones or lie within them; sorted
 };
 
 /// By FeatureId: the sum of the cells it owns, mm^3.

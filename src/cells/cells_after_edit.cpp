@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cells/cells_after_edit.h"
 
-#include <BRepPrimAPI_MakeBox.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
+#include <set>
 
 #include "cells/fuse.h"
 #include "cells/replay.h"
@@ -33,6 +34,7 @@ struct Piece {
     std::uint64_t print;
     Box box;
     bool is_changed = true;
+    std::optional<Owner> old_owner = {};  ///< of its partner, for a new piece
 };
 
 using Pieces = std::vector<Piece>;
@@ -72,13 +74,15 @@ class Pairing {
         std::size_t next = 0;
         for (std::size_t n = 0; n < new_.features.size(); ++n) {
             const auto o = old_.find(new_.features[n].name);
+            if (!o && !is_local(new_.features[n])) return false;
             if (!o) continue;
             if (o->index() < next) return false;  // the order changed
             next = o->index() + 1;
             if (!is_combined_alike(old_.features[o->index()], new_.features[n]) || !pair(*o, FeatureId(n)))
                 return false;
         }
-        return true;
+        return std::all_of(old_.features.begin(), old_.features.end(),
+                           [&](const Feature& f) { return new_.find(f.name) || is_local(f); });
     }
 
   private:
@@ -94,11 +98,15 @@ class Pairing {
                operands(old_, was, new_) == operands(new_, is, old_);
     }
 
-    /// Names of the operands that the other tree has too.
+    /// Names of the operands; in place of one that the other tree does not have those that it works on itself, for
+    /// without its own volumes it passes them on.
     static std::vector<std::string> operands(const FeatureTree& tree, const Feature& f, const FeatureTree& other) {
         std::vector<std::string> names;
-        for (const FeatureId id : f.operands)
-            if (other.find(tree[id].name)) names.push_back(tree[id].name);
+        for (const FeatureId id : f.operands) {
+            const Feature& operand = tree[id];
+            const std::vector<std::string> passed = other.find(operand.name) ? std::vector{operand.name} : operands(tree, operand, other);
+            names.insert(names.end(), passed.begin(), passed.end());
+        }
         return names;
     }
 
@@ -120,6 +128,7 @@ class Pairing {
             if (partner - was.begin() < last) return false;
             last = partner - was.begin();
             (*partner)->is_changed = piece->is_changed = false;
+            piece->old_owner = (*partner)->owner;
         }
         return true;
     }
@@ -131,53 +140,92 @@ class Pairing {
     Pieces old_pieces, new_pieces;
 };
 
-/// What the pieces of one state are within the box.
+/// Cells of one state, of which those in a changed piece are told apart.
 struct LocalCells {
-    std::vector<Cell> cells;
-    std::vector<CellFace> faces;  ///< their cells by index in `cells`; none for outside the box or all pieces
-    double material = 0;          ///< mm^3
-    std::vector<bool> is_material;
-};
+    std::vector<Cell> with, without;  ///< the same cells with all their owners, and with those pieces only that stayed
+    std::vector<CellFace> faces_with, faces_without;
+    std::vector<bool> is_edited;  ///< by cell: in a changed piece; only around those are the owners complete
+    std::vector<bool> material_with, material_without;
 
-class LocalFuse {
-  public:
-    LocalFuse(const FeatureTree& tree, const Pieces& pieces, const Box& box, RunContext& context)
-        : tree_(tree), marker_{FeatureId(tree.features.size()), 0}, context_(context) {
-        for (const Piece& piece : pieces)
-            if (piece.box.overlaps(box)) arguments_.push_back({piece.owner, piece.solid});
-        arguments_.push_back({marker_, BRepPrimAPI_MakeBox(to_pnt(box.low), to_pnt(box.high)).Solid()});
+    /// Material that the changed pieces make, mm^3.
+    double gain() const {
+        double sum = 0;
+        for (std::size_t c = 0; c < with.size(); ++c)
+            if (is_edited[c]) sum += (material_with[c] - material_without[c]) * with[c].volume;
+        return sum;
+    }
+    /// By feature: what the changed pieces add to it, mm^3.
+    std::vector<double> gains(std::size_t feature_count) const {
+        std::vector<double> sums = volumes_of_features(edited(with), feature_count);
+        const std::vector<double> others = volumes_of_features(edited(without), feature_count);
+        for (std::size_t f = 0; f < feature_count; ++f) sums[f] -= others[f];
+        return sums;
     }
 
-    std::size_t argument_count() const { return arguments_.size(); }
+  private:
+    std::vector<Cell> edited(const std::vector<Cell>& cells) const {
+        std::vector<Cell> list;
+        for (std::size_t c = 0; c < cells.size(); ++c)
+            if (is_edited[c]) list.push_back(cells[c]);
+        return list;
+    }
+};
+
+/// The changed pieces of one state and all others that may reach into them.
+class LocalFuse {
+  public:
+    LocalFuse(const FeatureTree& tree, const Pieces& pieces, RunContext& context) : tree_(tree), context_(context) {
+        std::vector<const Piece*> changed;
+        for (const Piece& piece : pieces)
+            if (piece.is_changed) changed.push_back(&piece);
+        for (const Piece& piece : pieces)
+            if (piece.is_changed) {
+                arguments_.push_back({{FeatureId(tree.features.size() + owners_.size()), 0}, piece.solid});
+                owners_.push_back(piece.owner);
+            } else if (std::any_of(changed.begin(), changed.end(),
+                                   [&](const Piece* c) { return c->box.overlaps(piece.box); })) {
+                arguments_.push_back({piece.owner, piece.solid});
+            }
+    }
+
+    std::size_t argument_count() const { return owners_.empty() ? 0 : arguments_.size(); }
 
     std::optional<LocalCells> run() const {
+        LocalCells local;
+        if (owners_.empty()) return local;
         FusedComplex complex = fuse(arguments_, {0, seconds_for_a_fuse}, context_);
         if (!complex.trouble.empty() || !complex.offenders.empty()) return std::nullopt;
-        LocalCells local;
-        std::vector<CellId> new_id(complex.cells.size());
-        for (std::size_t c = 0; c < complex.cells.size(); ++c) {
-            Cell& cell = complex.cells[c];
-            if (std::erase(cell.owners, marker_) == 0) continue;
-            new_id[c] = CellId(local.cells.size());
-            local.cells.push_back(std::move(cell));
+        local.with = local.without = std::move(complex.cells);
+        local.faces_with = local.faces_without = std::move(complex.faces);
+        for (std::size_t c = 0; c < local.with.size(); ++c) {
+            local.is_edited.push_back(erase_markers(local.without[c].owners));
+            resolve_markers(local.with[c].owners);
         }
-        for (CellFace& face : complex.faces) {
-            if (std::erase(face.owners, marker_) > 0 && face.owners.empty()) continue;  // the side of the box
-            for (CellId& id : face.cells)
-                if (id.is_valid()) id = new_id[id.index()];
-            if (face.cells[0].is_valid() || face.cells[1].is_valid()) local.faces.push_back(std::move(face));
+        for (std::size_t f = 0; f < local.faces_with.size(); ++f) {
+            erase_markers(local.faces_without[f].owners);
+            resolve_markers(local.faces_with[f].owners);
         }
-        local.is_material = replay(tree_, local.cells);
-        for (std::size_t c = 0; c < local.cells.size(); ++c)
-            if (local.is_material[c]) local.material += local.cells[c].volume;
+        local.material_with = replay(tree_, local.with);
+        local.material_without = replay(tree_, local.without);
         return local;
     }
 
   private:
+    bool is_marker(const Owner& owner) const { return owner.feature.index() >= tree_.features.size(); }
+    bool erase_markers(std::vector<Owner>& owners) const {
+        return std::erase_if(owners, [&](const Owner& owner) { return is_marker(owner); }) > 0;
+    }
+    void resolve_markers(std::vector<Owner>& owners) const {
+        for (Owner& owner : owners)
+            if (is_marker(owner)) owner = owners_[owner.feature.index() - tree_.features.size()];
+        std::sort(owners.begin(), owners.end());
+        owners.erase(std::unique(owners.begin(), owners.end()), owners.end());
+    }
+
     const FeatureTree& tree_;
-    const Owner marker_;
     RunContext& context_;
-    std::vector<FuseArgument> arguments_;
+    std::vector<FuseArgument> arguments_;  // a changed piece has a marker for its owner
+    std::vector<Owner> owners_;            // by marker
 };
 
 double volume_of(const Brep& shape) {
@@ -186,68 +234,134 @@ double volume_of(const Brep& shape) {
     return volume;
 }
 
-/// The final shape says what is material; the tree only foretells it.
-bool tells_the_truth(const LocalCells& local, const Brep& final_shape, double final_volume) {
-    std::vector<std::unique_ptr<SolidProbe>> probes;
-    for (std::size_t s = 0; s < final_shape.solid_count(); ++s)
-        probes.push_back(std::make_unique<SolidProbe>(final_shape.solid(SolidId(s))));
-    for (std::size_t c = 0; c < local.cells.size(); ++c) {
-        if (local.cells[c].volume <= Tolerances::volume_books * final_volume) continue;
-        const auto inner = point_inside(local.cells[c].solid);
-        if (!inner) return false;
-        const auto holders = std::count_if(probes.begin(), probes.end(),
-                                           [&](const auto& probe) { return probe->side_of(*inner) == Side::inside; });
-        if (holders > 1 || (holders == 1) != local.is_material[c]) return false;
-    }
-    return true;
+using Probes = std::vector<std::unique_ptr<SolidProbe>>;
+
+Probes probes_of_changed(const Pieces& pieces) {
+    Probes probes;
+    for (const Piece& piece : pieces)
+        if (piece.is_changed) probes.push_back(std::make_unique<SolidProbe>(piece.solid));
+    return probes;
 }
 
-/// Owners of the final faces that cell faces between material and void lie on.
-std::vector<std::vector<Owner>> owners_in_box(const LocalCells& local, const Brep& final_shape, const Box& box) {
-    std::vector<std::vector<Owner>> owners(final_shape.face_count());
-    std::vector<std::unique_ptr<FaceProbe>> probes;
-    for (std::size_t f = 0; f < final_shape.face_count(); ++f) {
-        auto probe = std::make_unique<FaceProbe>(final_shape.face(FaceId(f)));
-        probes.push_back(probe->box().overlaps(box) ? std::move(probe) : nullptr);
+bool is_outside(const Probes& probes, const Vec3& p) {
+    return std::all_of(probes.begin(), probes.end(),
+                       [&](const auto& probe) { return probe->side_of(p) == Side::outside; });
+}
+
+/// The new state where something changed: within the new pieces, and where old ones were that no new one covers.
+class NewState {
+  public:
+    NewState(const LocalCells& was, const LocalCells& is, const Pieces& new_pieces, const Brep& final_shape)
+        : was_(was), is_(is), new_probes_(probes_of_changed(new_pieces)), final_shape_(final_shape) {}
+
+    /// The final shape says what is material; the tree only foretells it.
+    bool tells_the_truth(double final_volume) const {
+        Probes solids;
+        for (std::size_t s = 0; s < final_shape_.solid_count(); ++s)
+            solids.push_back(std::make_unique<SolidProbe>(final_shape_.solid(SolidId(s))));
+        const auto is_true = [&](const Cell& cell, bool is_material, bool may_be_covered) {
+            if (cell.volume <= Tolerances::volume_books * final_volume) return true;
+            const auto inner = point_inside(cell.solid);
+            if (!inner) return false;
+            if (may_be_covered && !is_outside(new_probes_, *inner)) return true;
+            const auto holders = std::count_if(solids.begin(), solids.end(), [&](const auto& probe) {
+                return probe->side_of(*inner) == Side::inside;
+            });
+            return holders <= 1 && (holders == 1) == is_material;
+        };
+        for (std::size_t c = 0; c < is_.with.size(); ++c)
+            if (is_.is_edited[c] && !is_true(is_.with[c], is_.material_with[c], false)) return false;
+        for (std::size_t c = 0; c < was_.without.size(); ++c)
+            if (was_.is_edited[c] && !is_true(was_.without[c], was_.material_without[c], true)) return false;
+        return true;
     }
-    const auto is_material = [&](CellId id) { return id.is_valid() && local.is_material[id.index()]; };
-    for (const CellFace& face : local.faces) {
-        if (is_material(face.cells[0]) == is_material(face.cells[1])) continue;
-        const FaceProbe probe(face.face);
-        if (!probe.inner_point()) continue;
-        const Vec3 p = *probe.inner_point();
-        if (!box.contains(p)) continue;
-        // The point is on the final boundary: where only one face comes near it, that face's trim need not be asked.
+
+    /// Owners of the final faces that cell faces between material and void lie on.
+    std::vector<std::vector<Owner>> owners_of_final_faces() {
+        owners_.resize(final_shape_.face_count());
+        for (std::size_t f = 0; f < final_shape_.face_count(); ++f) {
+            const Box box = box_of(final_shape_.face(FaceId(f)));
+            boxes_.push_back(box.grown(on_face));
+        }
+        final_faces_.resize(boxes_.size());
+        add_owners(is_.faces_with, is_.is_edited, is_.material_with, false);
+        add_owners(was_.faces_without, was_.is_edited, was_.material_without, true);
+        for (auto& list : owners_) {
+            std::sort(list.begin(), list.end());
+            list.erase(std::unique(list.begin(), list.end()), list.end());
+        }
+        return std::move(owners_);
+    }
+
+  private:
+    void add_owners(const std::vector<CellFace>& faces, const std::vector<bool>& is_edited,
+                    const std::vector<bool>& material, bool may_be_covered) {
+        const auto has = [](const std::vector<bool>& marks, CellId id) { return id.is_valid() && marks[id.index()]; };
+        for (const CellFace& face : faces) {
+            const auto& [one, other] = face.cells;
+            if (has(material, one) == has(material, other) || !(has(is_edited, one) || has(is_edited, other))) continue;
+            const FaceProbe probe(face.face);
+            if (!probe.inner_point()) continue;
+            const Vec3 p = *probe.inner_point();
+            if (!may_be_covered || is_outside(new_probes_, p)) give(face.owners, p, probe.normal_at(p));
+        }
+    }
+
+    /// The point is on the final boundary: where only one face comes near it, that face's trim need not be asked.
+    void give(const std::vector<Owner>& owners, const Vec3& p, const Vec3& normal) {
         std::vector<std::size_t> near;
-        for (std::size_t f = 0; f < probes.size(); ++f)
-            if (probes[f] && probes[f]->box().grown(on_face).contains(p) &&
-                probes[f]->distance_to_surface(p) < on_face &&
-                std::abs(dot(probes[f]->normal_at(p), probe.normal_at(p))) > same_normal)
+        for (std::size_t f = 0; f < boxes_.size(); ++f) {
+            if (!boxes_[f].contains(p)) continue;
+            if (!final_faces_[f]) final_faces_[f] = std::make_unique<FaceProbe>(final_shape_.face(FaceId(f)));
+            if (final_faces_[f]->distance_to_surface(p) < on_face &&
+                std::abs(dot(final_faces_[f]->normal_at(p), normal)) > same_normal)
                 near.push_back(f);
+        }
         for (const std::size_t f : near)
-            if (near.size() == 1 || probes[f]->contains(p, on_face))
-                owners[f].insert(owners[f].end(), face.owners.begin(), face.owners.end());
+            if (near.size() == 1 || final_faces_[f]->contains(p, on_face))
+                owners_[f].insert(owners_[f].end(), owners.begin(), owners.end());
     }
-    for (auto& list : owners) {
-        std::sort(list.begin(), list.end());
-        list.erase(std::unique(list.begin(), list.end()), list.end());
-    }
-    return owners;
-}
 
-/// Around everything that changed, with sides that lie in no plane of the part.
-Box box_around_changes(const Pieces& old_pieces, const Pieces& new_pieces) {
-    Box box;
-    for (const Pieces* pieces : {&old_pieces, &new_pieces})
-        for (const Piece& piece : *pieces)
-            if (piece.is_changed) box.add(piece.box);
-    return box.is_empty() ? box : box.grown(0.0371 * box.diagonal());
+    const LocalCells& was_;
+    const LocalCells& is_;
+    Probes new_probes_;
+    const Brep& final_shape_;
+    std::vector<Box> boxes_;
+    std::vector<std::unique_ptr<FaceProbe>> final_faces_;  // built when first asked for
+    std::vector<std::vector<Owner>> owners_;
+};
+
+/// Owners of the new tree none of whose pieces reaches out of the changed ones.
+std::vector<Owner> owners_within_edit(const Pairing& pairing, const LocalCells& was, const LocalCells& is) {
+    std::set<Owner> within, outside;
+    const auto sort_out = [](const LocalCells& local, std::set<Owner>& in, std::set<Owner>& out) {
+        for (std::size_t c = 0; c < local.with.size(); ++c)
+            (local.is_edited[c] ? in : out).insert(local.without[c].owners.begin(), local.without[c].owners.end());
+    };
+    sort_out(is, within, outside);
+    std::set<Owner> fused = within;
+    fused.insert(outside.begin(), outside.end());
+    for (const Piece& piece : pairing.new_pieces)
+        if (piece.is_changed)
+            within.insert(piece.owner);
+        else if (fused.count(piece.owner) == 0)
+            outside.insert(piece.owner);
+    std::set<Owner> old_within, old_outside;
+    sort_out(was, old_within, old_outside);
+    for (const Piece& piece : pairing.new_pieces)
+        if (piece.old_owner && old_within.count(*piece.old_owner) && !old_outside.count(*piece.old_owner)) {
+            within.insert(piece.owner);
+            outside.erase(piece.owner);
+        }
+    std::vector<Owner> owners;
+    std::set_difference(within.begin(), within.end(), outside.begin(), outside.end(), std::back_inserter(owners));
+    return owners;
 }
 
 std::vector<double> feature_volumes(const CellsBefore& before, const FeatureTree& tree, const LocalCells& was,
                                     const LocalCells& is) {
-    const std::vector<double> lost = volumes_of_features(was.cells, before.tree.features.size());
-    std::vector<double> volumes = volumes_of_features(is.cells, tree.features.size());
+    const std::vector<double> lost = was.gains(before.tree.features.size());
+    std::vector<double> volumes = is.gains(tree.features.size());
     for (std::size_t f = 0; f < volumes.size(); ++f)
         if (const auto old = before.tree.find(tree.features[f].name))
             volumes[f] += before.cells.feature_volumes[old->index()] - lost[old->index()];
@@ -264,28 +378,23 @@ std::optional<CellModel> cells_after_edit(const CellsBefore& before, const Featu
         return std::nullopt;
     Pairing pairing(before.tree, tree);
     if (!pairing.run()) return std::nullopt;
-    const Box box = box_around_changes(pairing.old_pieces, pairing.new_pieces);
     CellModel model;
     model.is_summary = true;
-    model.edited = box;
-    model.owners_of_final_face.resize(final_shape.face_count());
+    const LocalFuse old_fuse(before.tree, pairing.old_pieces, context), new_fuse(tree, pairing.new_pieces, context);
+    if (double(old_fuse.argument_count() + new_fuse.argument_count()) >
+        2 + share_that_pays * double(pairing.new_pieces.size()))
+        return std::nullopt;
+    const auto was = old_fuse.run(), is = new_fuse.run();
+    if (!was || !is) return std::nullopt;
     const double volume = volume_of(final_shape);
-    LocalCells was, is;
-    if (!box.is_empty()) {
-        const LocalFuse old_fuse(before.tree, pairing.old_pieces, box, context),
-            new_fuse(tree, pairing.new_pieces, box, context);
-        if (double(old_fuse.argument_count() + new_fuse.argument_count()) >
-            2 + share_that_pays * double(pairing.new_pieces.size()))
-            return std::nullopt;
-        auto old_cells = old_fuse.run(), new_cells = new_fuse.run();
-        if (!old_cells || !new_cells || !tells_the_truth(*new_cells, final_shape, volume)) return std::nullopt;
-        was = std::move(*old_cells), is = std::move(*new_cells);
-        model.owners_of_final_face = owners_in_box(is, final_shape, box);
-    }
-    model.report.material_volume = old_report.material_volume - was.material + is.material;
+    NewState now(*was, *is, pairing.new_pieces, final_shape);
+    if (!now.tells_the_truth(volume)) return std::nullopt;
+    model.owners_of_final_face = now.owners_of_final_faces();
+    model.owners_within_edit = owners_within_edit(pairing, *was, *is);
+    model.report.material_volume = old_report.material_volume - was->gain() + is->gain();
     model.report.final_volume = volume;
     if (std::abs(model.report.material_volume - volume) > Tolerances::volume_books * volume) return std::nullopt;
-    model.feature_volumes = feature_volumes(before, tree, was, is);
+    model.feature_volumes = feature_volumes(before, tree, *was, *is);
     return model;
 }
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "features/occt_geometry.h"
-
 namespace featuremesh {
 
 namespace {
@@ -42,8 +40,8 @@ class OwnerHeritage {
 
   private:
     bool reaches_out(const Owner& owner) const {
-        const Box volume = box_of(new_.tree[owner.feature].volumes[std::size_t(owner.volume)].shape);
-        return !new_.cells.edited.contains(volume.low) || !new_.cells.edited.contains(volume.high);
+        const auto& within = new_.cells.owners_within_edit;
+        return !std::binary_search(within.begin(), within.end(), owner);
     }
 
     const PartState& old_;

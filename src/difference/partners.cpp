@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "difference/face_area.h"
@@ -171,6 +172,20 @@ class PartnerFinder {
         return share > 0 ? share : barely;
     }
 
+    /// The whole edge is on edges of the other state's face, so no point of it is inside: to ask for one is what the
+    /// kernel is slowest at.
+    bool runs_along_border(EdgeId edge, bool is_new, const BoundaryFace& other) const {
+        const Stretch& own = (is_new ? match_.new_edges : match_.old_edges)[edge.index()];
+        if (own.curve < 0) return false;
+        double covered = 0;
+        std::set<EdgeId> edges;   // a seam is used twice
+        for (const EdgeUse& use : other.uses) {
+            const Stretch& border = (is_new ? match_.old_edges : match_.new_edges)[use.edge.index()];
+            if (border.curve == own.curve && edges.insert(use.edge).second) covered += overlap(own, border);
+        }
+        return covered >= own.last - own.first - tolerance(own.curve);
+    }
+
     /// Whether a point of the border of one face is inside the other state's face.
     bool reaches_into(FaceId id, bool is_new, FaceId other) const {
         const BoundaryModel& model = is_new ? pair_.new_model : pair_.old_model;
@@ -179,6 +194,7 @@ class PartnerFinder {
         if (target.carrier.kind == SurfaceKind::free_form) return true;
         const RigidMotion motion = is_new ? pair_.motion.inverse() : pair_.motion;
         for (const EdgeUse& use : model.faces()[id.index()].uses) {
+            if (runs_along_border(use.edge, is_new, target)) continue;
             const CurveCarrier& curve = model.edges()[use.edge.index()].curve;
             for (int i = 0; i < 8; ++i) {
                 const Vec3 p = motion.apply(point_at(curve, curve.first + (curve.last - curve.first) * i / 8));

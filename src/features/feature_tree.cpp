@@ -31,7 +31,8 @@ Effect within(Effect context, Effect step) {
 /// Walks from the final object down to the leaves and gives each feature its volumes, once.
 class Interpreter {
   public:
-    Interpreter(const RawDocument& document, RunContext& context) : view_(document), context_(context) {
+    Interpreter(const RawDocument& document, RunContext& context, const FeatureTree* before)
+        : view_(document), context_(context), before_(before) {
         tree_.object = document.final_object;
         for (std::size_t i = 0; i < document.records.size(); ++i) {
             meanings_.push_back(meaning_of(document.records[i]));
@@ -290,6 +291,13 @@ class Interpreter {
         return true;
     }
 
+    /// What the feature added and removed before the edit.
+    const ShapeDifference* known_difference(int i) const {
+        if (!before_) return nullptr;
+        const auto id = before_->find(record(i).name);
+        return id ? (*before_)[*id].difference.get() : nullptr;
+    }
+
     bool take_difference(int i) {
         const Activity activity("feature " + feature(i).label);
         const TopoDS_Shape& after = feature(i).after;
@@ -302,7 +310,8 @@ class Interpreter {
         ShapeDifference& difference = known->second;
         if (is_new) {
             const double start = thread_seconds();
-            difference = difference_of(feature(i).before, after, std::min(8.0, seconds_left_), context_);
+            difference = difference_of(feature(i).before, after, std::min(8.0, seconds_left_), context_,
+                                       known_difference(i));
             seconds_left_ = std::max(0.5, seconds_left_ - (thread_seconds() - start));
         }
         if (!difference.closed) {
@@ -318,6 +327,7 @@ class Interpreter {
             feature(i).volumes.push_back({solid, Effect::removes, counts ? instance++ : 0, {}, Effect::removes});
         for (const auto& solid : difference.added)
             feature(i).volumes.push_back({solid, Effect::adds, counts ? instance++ : 0, {}, Effect::adds});
+        feature(i).difference = std::make_shared<const ShapeDifference>(difference);
         feature(i).volume_source = "before and after";
         return true;
     }
@@ -345,6 +355,7 @@ class Interpreter {
 
     DocumentView view_;
     RunContext& context_;
+    const FeatureTree* before_;
     FeatureTree tree_;
     std::vector<TypeMeaning> meanings_;
     std::vector<bool> visited_;
@@ -386,7 +397,9 @@ std::optional<FeatureId> FeatureTree::find(const std::string& name) const {
     return std::nullopt;
 }
 
-FeatureTree interpret(const RawDocument& document, RunContext& context) { return Interpreter(document, context).run(); }
+FeatureTree interpret(const RawDocument& document, RunContext& context, const FeatureTree* before) {
+    return Interpreter(document, context, before).run();
+}
 
 FeatureTree interpret(const RawDocument& document) {
     RunContext context;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <TopoDS_Shape.hxx>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "core/ids.h"
 #include "core/run_context.h"
 #include "features/raw_document.h"
+#include "features/shape_difference.h"
 
 namespace featuremesh {
 
@@ -45,6 +47,7 @@ struct Feature {
     bool suppressed = false;
     std::string error;           ///< FreeCAD's message; such a feature counts as changed
     std::string volume_source;   ///< how the volumes were had: "own", "before and after", "instances", "copies", "shape"
+    std::shared_ptr<const ShapeDifference> difference;  ///< where the volumes are from before and after
     TopoDS_Shape before, after;  ///< what FreeCAD shows before and after it, where it changes a shape; may be null
     Combination combination = Combination::volumes;
     std::vector<FeatureId> operands;  ///< whose results are combined; always earlier features
@@ -62,8 +65,9 @@ struct FeatureTree {
     std::optional<FeatureId> find(const std::string& name) const;
 };
 
-/// Interprets the records. Throws InputError when the final object has no solid, and Cancelled.
-FeatureTree interpret(const RawDocument& document, RunContext& context);
+/// Interprets the records. `before`: the tree before an edit, whose features that did the same are not looked into again.
+/// Throws InputError when the final object has no solid, and Cancelled.
+FeatureTree interpret(const RawDocument& document, RunContext& context, const FeatureTree* before = nullptr);
 FeatureTree interpret(const RawDocument& document);
 
 }  // namespace featuremesh

@@ -2,13 +2,17 @@
 #include "features/same_faces.h"
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Curve2d.hxx>
 #include <BRepTools.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "features/occt_geometry.h"
 
@@ -95,6 +99,60 @@ class SignatureIndex {
     double size_ = 0;
 };
 
+/// The edges of some faces, known again by identity or, since sharing is lost when a document is saved, by points.
+class EdgeIndex {
+  public:
+    explicit EdgeIndex(const std::vector<TopoDS_Shape>& faces) {
+        for (const TopoDS_Shape& face : faces) TopExp::MapShapes(face, TopAbs_EDGE, edges_);
+        for (int i = 1; i <= edges_.Extent(); ++i)
+            if (const auto points = points_of(TopoDS::Edge(edges_(i)))) sorted_.emplace_back(key_of(*points), *points);
+        std::sort(sorted_.begin(), sorted_.end());
+        for (const auto& [key, points] : sorted_)
+            for (const double x : points) size_ = std::max(size_, std::abs(x));
+    }
+
+    bool has(const TopoDS_Edge& edge) const {
+        if (edges_.Contains(edge)) return true;
+        const auto wanted = points_of(edge);
+        if (!wanted) return false;
+        const double close = 1e-9 * size_, key = key_of(*wanted);
+        auto it = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{key - 4 * close, Points{}});
+        for (; it != sorted_.end() && it->first <= key + 4 * close; ++it)
+            if (are_near(it->second, *wanted, close) || are_near(it->second, turned(*wanted), close)) return true;
+        return false;
+    }
+
+  private:
+    using Points = std::array<double, 12>;
+
+    static std::optional<Points> points_of(const TopoDS_Edge& edge) {
+        const BRepAdaptor_Curve curve(edge);
+        if (!curve.Is3DCurve() && !curve.IsCurveOnSurface()) return std::nullopt;
+        const double first = curve.FirstParameter(), last = curve.LastParameter();
+        Points points;
+        std::size_t i = 0;
+        for (const double share : {0.0, 0.25, 0.75, 1.0}) {
+            const Vec3 p = to_vec3(curve.Value(first + share * (last - first)));
+            for (const double x : {p.x, p.y, p.z}) points[i++] = x;
+        }
+        return points;
+    }
+    /// The same for both directions.
+    static double key_of(const Points& p) { return (p[0] + p[9]) + (p[3] + p[6]); }
+    static Points turned(const Points& p) {
+        return {p[9], p[10], p[11], p[6], p[7], p[8], p[3], p[4], p[5], p[0], p[1], p[2]};
+    }
+    static bool are_near(const Points& a, const Points& b, double close) {
+        for (std::size_t i = 0; i < a.size(); ++i)
+            if (std::abs(a[i] - b[i]) > close) return false;
+        return true;
+    }
+
+    TopTools_IndexedMapOfShape edges_;
+    std::vector<std::pair<double, Points>> sorted_;
+    double size_ = 0;
+};
+
 }  // namespace
 
 std::vector<TopoDS_Shape> unshared_faces(const TopoDS_Shape& shape, const TopoDS_Shape& other) {
@@ -110,6 +168,69 @@ std::vector<TopoDS_Shape> unshared_faces(const TopoDS_Shape& shape, const TopoDS
     const SignatureIndex index(other_faces);
     std::erase_if(left, [&](const TopoDS_Face& face) { return index.has(Signature(face)); });
     return {left.begin(), left.end()};
+}
+
+ChangeOutline::ChangeOutline(const std::vector<TopoDS_Shape>& vanished, const std::vector<TopoDS_Shape>& appeared)
+    : vanished_(faces_of(vanished, appeared, size_)), appeared_(faces_of(appeared, vanished, size_)) {}
+
+std::vector<ChangeOutline::Face> ChangeOutline::faces_of(const std::vector<TopoDS_Shape>& faces,
+                                                         const std::vector<TopoDS_Shape>& others, double& size) {
+    const EdgeIndex left_out(others);
+    std::vector<Face> list;
+    for (const TopoDS_Shape& shape : faces) {
+        const TopoDS_Face& face = TopoDS::Face(shape);
+        const BRepAdaptor_Surface surface(face, false);
+        Face& outline = list.emplace_back();
+        outline.kind = static_cast<int>(surface.GetType());
+        const auto add = [&](double u, double v) {
+            const Vec3 p = to_vec3(surface.Value(u, v)), n = outward_normal(surface, face, u, v);
+            const std::array<double, 12> terms{p.x,       p.y,       p.z,       p.x * p.x, p.y * p.y, p.z * p.z,
+                                               p.x * p.y, p.y * p.z, p.z * p.x, n.x,       n.y,       n.z};
+            for (std::size_t i = 0; i < terms.size(); ++i) outline.moments[i] += terms[i];
+            ++outline.points;
+            size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+        };
+        for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+            const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+            if (left_out.has(edge)) continue;
+            const BRepAdaptor_Curve2d trace(edge, face);
+            const double first = trace.FirstParameter(), last = trace.LastParameter();
+            for (const double share : {0.0, 0.25, 0.75, 1.0}) {
+                const gp_Pnt2d uv = trace.Value(first + share * (last - first));
+                add(uv.X(), uv.Y());
+            }
+        }
+        if (outline.points == 0 || surface.GetType() <= GeomAbs_Torus) continue;
+        double u1 = 0, u2 = 0, v1 = 0, v2 = 0;  // a free-form surface may bulge between the same edges
+        BRepTools::UVBounds(face, u1, u2, v1, v2);
+        add((u1 + u2) / 2, (v1 + v2) / 2);
+    }
+    return list;
+}
+
+bool ChangeOutline::matches(const ChangeOutline& other) const {
+    const double size = std::max(size_, other.size_);
+    return match(vanished_, other.vanished_, size) && match(appeared_, other.appeared_, size);
+}
+
+bool ChangeOutline::match(const std::vector<Face>& a, const std::vector<Face>& b, double size) {
+    if (a.size() != b.size()) return false;
+    std::vector<char> is_taken(b.size(), 0);
+    for (const Face& face : a) {
+        const auto is_same = [&](const Face& f) {
+            if (f.kind != face.kind || f.points != face.points || f.points == 0) return false;
+            const double first = 1e-9 * size * f.points, second = first * size;
+            for (std::size_t i = 0; i < f.moments.size(); ++i)
+                if (std::abs(f.moments[i] - face.moments[i]) > (i < 3 ? first : i < 9 ? second : 1e-6 * f.points))
+                    return false;
+            return true;
+        };
+        std::size_t i = 0;
+        while (i < b.size() && (is_taken[i] || !is_same(b[i]))) ++i;
+        if (i == b.size()) return false;
+        is_taken[i] = 1;
+    }
+    return true;
 }
 
 }  // namespace featuremesh

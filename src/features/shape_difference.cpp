@@ -123,7 +123,7 @@ ShapeDifference by_booleans(const Change& change, double seconds, RunContext& co
 }  // namespace
 
 ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& after, double seconds,
-                              RunContext& context) {
+                              RunContext& context, const ShapeDifference* known) {
     if (solids_of(before).empty()) return {solids_of(after), {}, true};
     if (solids_of(after).empty()) return {{}, solids_of(before), true};
     ShapeDifference result;
@@ -131,9 +131,13 @@ ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& af
     const auto left = [&] { return std::max(0.0, end - thread_seconds()); };
     try {
         const Change change(before, after);
+        // The volumes lie between the faces that only one of the shapes has, and nothing else counts.
+        const ChangeOutline outline(change.vanished, change.appeared);
+        if (known && known->closed && outline.matches(known->outline) && change.is_explained_by(*known)) return *known;
         result = between_faces(change, true, 0.7 * left(), context);
         if (!result.closed) result = between_faces(change, false, 0.7 * left(), context);
         if (!result.closed) result = by_booleans(change, left() / 2, context);
+        result.outline = outline;
     } catch (const Standard_Failure&) {
         result = {};  // not closed: the caller takes the feature as opaque and says so
     }

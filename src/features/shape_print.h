@@ -8,9 +8,9 @@ class TopoDS_Shape;
 
 namespace featuremesh {
 
-/// 64 bits of everything the kernel would save of the shape but triangulations. Equal for shapes with the same
-/// geometry, topology and place, whatever document they were read from; different ones share it by chance as rarely as
-/// a memory error.
+/// 64 bits of topology, orientations, places, surfaces, curves in space and points. Left out is what the kernel adds to
+/// a shape that others are cut with: curves in parameter planes (they follow from the rest) and tolerances. Equal for
+/// the same shape whatever document it was read from; different ones share it by chance as rarely as a memory error.
 std::uint64_t print_of(const TopoDS_Shape& shape);
 
 }  // namespace featuremesh

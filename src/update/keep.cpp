@@ -372,6 +372,7 @@ class Keeper {
         const Mesh& old = in_.old_mesh;
         const std::vector<char> backed = backed_by_kept_tets(tets, new_index);
         std::map<std::tuple<std::size_t, FaceId, FaceId>, bool> flipped;
+        auto flip = flipped.end();
         for (std::size_t t = 0; t < old.triangles.size(); ++t) {
             const auto& nodes = old.triangles[t];
             if (!backed[t] || !survives(nodes, new_index)) continue;
@@ -381,8 +382,11 @@ class Keeper {
                 for (const NodeId n : nodes) kept.is_rim[std::size_t(new_index[n.index()])] = 1;
                 continue;
             }
-            const auto [flip, is_new] = flipped.try_emplace({r, old_face, face}, false);
-            if (is_new) flip->second = is_flipped(t, face);
+            if (flip == flipped.end() || flip->first != std::tuple{r, old_face, face}) {   // most triangles are on the face of the one before
+                bool is_new = false;
+                std::tie(flip, is_new) = flipped.try_emplace({r, old_face, face}, false);
+                if (is_new) flip->second = is_flipped(t, face);
+            }
             std::array<NodeId, 3> triangle;
             for (int k = 0; k < 3; ++k) triangle[k] = NodeId(new_index[nodes[k].index()]);
             if (flip->second) std::swap(triangle[1], triangle[2]);

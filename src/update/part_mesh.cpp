@@ -292,7 +292,7 @@ std::string reason_for_full_mesh(const PartMesh& old, const MeshOptions& options
 
 PartState read_part(const RawDocument& document, RunContext& context, const PartState* before) {
     RunContext::Step step(context, "read");
-    FeatureTree tree = interpret(document, context);
+    FeatureTree tree = interpret(document, context, before ? &before->tree : nullptr);
     Brep brep(tree.final_shape);
     std::optional<CellModel> cells;
     if (before) cells = cells_after_edit({before->tree, before->cells}, tree, brep, context);

@@ -9,6 +9,7 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <array>
 #include <numbers>
 
 #include "catch.h"
@@ -16,6 +17,7 @@
 #include "documents.h"
 #include "features/same_faces.h"
 #include "features/shape_difference.h"
+#include "features/shape_print.h"
 #include "features/solid_probe.h"
 
 using namespace featuremesh;
@@ -94,6 +96,52 @@ TEST_CASE("a concave fillet adds, a convex one removes") {
     for (const TopoDS_Shape& solid : difference.removed) removed += flux(solid, {});
     CHECK(added == Approx((1 - pi / 4) * 10));
     CHECK(removed == Approx((1 - pi / 4) * 40));
+}
+
+namespace {
+
+/// A step with a fillet in its corner and a hole beside it, before and after the fillet.
+std::array<TopoDS_Shape, 2> filleted_step(double hole_x, double radius) {
+    const TopoDS_Shape step = cut(fused(box(0, 0, 0, 30, 10, 10), box(0, 0, 10, 10, 10, 10)),
+                                  cylinder({hole_x, 5, -1}, {0, 0, 1}, 2, 12));
+    BRepFilletAPI_MakeFillet fillet(step);
+    for (TopExp_Explorer it(step, TopAbs_EDGE); it.More(); it.Next()) {
+        const BRepAdaptor_Curve curve(TopoDS::Edge(it.Current()));
+        const gp_Pnt middle = curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2);
+        if (middle.Distance({10, 5, 10}) < 1e-6) fillet.Add(radius, TopoDS::Edge(it.Current()));
+    }
+    return {step, fillet.Shape()};
+}
+
+}  // namespace
+
+TEST_CASE("what a feature did before an edit elsewhere need not be found again") {
+    RunContext context;
+    const auto [before, after] = filleted_step(20, 1);
+    const ShapeDifference known = difference_of(before, after, 8.0, context);
+    REQUIRE(known.closed);
+    const auto again = [&](double hole_x, double radius) {
+        const auto [step, fillet] = filleted_step(hole_x, radius);
+        const ShapeDifference found = difference_of(step, fillet, 8.0, context, &known);
+        REQUIRE(found.closed);
+        REQUIRE(found.added.size() == 1);
+        CHECK(flux(found.added[0], {}) == Approx((1 - pi / 4) * 10 * radius * radius));
+        return found.added[0].IsSame(known.added[0]);
+    };
+    CHECK(again(20, 1));
+    CHECK(again(25, 1));  // the face that the fillet takes a corner from has its hole elsewhere
+    CHECK_FALSE(again(20, 1.001));
+}
+
+TEST_CASE("a shape keeps its print when others are cut with it, and no other shape has it") {
+    const TopoDS_Shape tool = cylinder({5, 5, -1}, {0, 0, 1}, 2, 12);
+    const std::uint64_t print = print_of(tool);
+    cut(box(0, 0, 0, 10, 10, 10), tool);
+    CHECK(print_of(tool) == print);
+    CHECK(print_of(BRepBuilderAPI_Copy(tool).Shape()) == print);
+    CHECK(print_of(cylinder({5, 5, -1}, {0, 0, 1}, 2, 12.000001)) != print);
+    CHECK(print_of(cylinder({5, 5.000001, -1}, {0, 0, 1}, 2, 12)) != print);
+    CHECK(print_of(tool.Reversed()) != print);
 }
 
 TEST_CASE("a difference that is not worth its time is left open, and one that is not wanted any more ends") {

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <cmath>
 #include <random>
 
 #include "catch.h"
@@ -61,4 +65,29 @@ TEST_CASE("normals point out of the solid") {
             volume += signed_volume({}, mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]));
         CHECK(volume == Approx(brep.volume_of(SolidId(0))).epsilon(0.06));
     }
+}
+
+TEST_CASE("in a face with many holes each point is inside or in a hole") {
+    TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), 50, 40, 2).Shape();
+    for (int i = 0; i < 20; ++i) {
+        const gp_Ax2 axis(gp_Pnt(5 + 10 * (i % 5), 5 + 10 * (i / 5), -1), gp_Dir(0, 0, 1));
+        plate = BRepAlgoAPI_Cut(plate, BRepPrimAPI_MakeCylinder(axis, 3, 4).Shape()).Shape();
+    }
+    const Brep brep(plate);
+    const Projector projector(brep);
+    FaceId top;
+    for (std::size_t f = 0; f < brep.face_count(); ++f)
+        if (std::abs(projector.nearest(FaceId(f), {25, 20, 2}).distance) < 1e-9 && brep.edges_of(FaceId(f)).size() > 20)
+            top = FaceId(f);
+    REQUIRE(top.is_valid());
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> share(-0.1, 1.1);
+    for (int i = 0; i < 500; ++i) {
+        const Vec3 p{50 * share(random), 40 * share(random), 2};
+        const double x = p.x - 10 * std::floor(p.x / 10) - 5, y = p.y - 10 * std::floor(p.y / 10) - 5;
+        const bool is_in_plate = p.x > 0 && p.x < 50 && p.y > 0 && p.y < 40;
+        CHECK(projector.is_inside_trim(top, projector.nearest(top, p).uv) == (is_in_plate && std::hypot(x, y) > 3));
+    }
+    CHECK(projector.is_inside_trim(top, projector.nearest(top, {8, 5, 2}).uv));   // its border counts
+    CHECK(projector.is_inside_trim(top, projector.nearest(top, {0, 7, 2}).uv));
 }

@@ -126,6 +126,24 @@ TEST_CASE("the mesh does not know how the cells were had") {
     CHECK(one->mesh.node_numbers == two->mesh.node_numbers);
 }
 
+TEST_CASE("a feature added to a chain or taken out of it is fused without the rest of the part") {
+    RandomEdits edits(9);
+    RunContext context;
+    const auto all = edits.rounds;
+    for (const std::ptrdiff_t at : {0, 7, 15}) {
+        auto fewer = all;
+        fewer.erase(fewer.begin() + at);
+        const PartState whole = read_part(document_of(all), context), part = read_part(document_of(fewer), context);
+        const PartState added = read_part(document_of(all), context, &part), removed = read_part(document_of(fewer), context, &whole);
+        CHECK(added.cells.is_summary);
+        CHECK(removed.cells.is_summary);
+        check_same_books(added, whole);
+        check_same_books(removed, part);
+        CHECK(compare(part, added, 2.0, context).owners_of_new_face == whole.cells.owners_of_final_face);
+        CHECK(compare(whole, removed, 2.0, context).owners_of_new_face == part.cells.owners_of_final_face);
+    }
+}
+
 TEST_CASE("features that were reordered, or that failed, are read from nothing") {
     RandomEdits edits(5);
     RunContext context;

@@ -40,10 +40,10 @@ def read_document(part):
     """
     if not has_shape(part):
         raise UserError(translate("FeatureMesh", "%s has no shape to mesh") % describe(part) + _what_leaves_nothing(part))
-    frames = _frames(part)
+    frames, children = _frames(part)
     shapes = _ShapeList()
     home = part.Document
-    records = [_record(obj, frames[obj], shapes, home) for obj in _in_dependency_order(part, frames)]
+    records = [_record(obj, frames[obj], shapes, home) for obj in _in_dependency_order(part, children)]
     return {"final_object": key_of(part, home), "records": records, "shapes": shapes.to_bytes()}
 
 
@@ -157,7 +157,7 @@ def refuse_errors(part):
 
 def dependencies(part):
     """The objects the part's shape comes from, in dependency order, itself last."""
-    return _in_dependency_order(part, _frames(part))
+    return _in_dependency_order(part, _frames(part)[1])
 
 
 # Which objects, in which order and frame
@@ -196,8 +196,8 @@ def _frame_of_child(obj, own, child):
 
 
 def _frames(part):
-    """By object the placement from its parent's frame into the final one; volume-carrying links decide first."""
-    frames = {part: versions.parent_frame(part)}
+    """By object the placement from its parent's frame into the final one, and what it depends on; volume-carrying links decide first."""
+    frames, children = {part: versions.parent_frame(part)}, {}
     strong, weak = deque([part]), deque()
     while strong or weak:
         if strong:
@@ -207,7 +207,9 @@ def _frames(part):
             if obj in frames:
                 continue
             frames[obj] = frame
-        for child, relative, carries_volume in _children(obj):
+        found = _children(obj)
+        children[obj] = [child for child, _, _ in found]
+        for child, relative, carries_volume in found:
             if child in frames:
                 continue
             frame = frames[obj].multiply(relative)
@@ -216,11 +218,11 @@ def _frames(part):
                 strong.append(child)
             else:
                 weak.append((child, frame))
-    return frames
+    return frames, children
 
 
-def _in_dependency_order(part, frames):
-    """The objects of `frames`, each after all it depends on. Without recursion: boolean chains can be deep."""
+def _in_dependency_order(part, children):
+    """The part and what it depends on, each object after all that it does. Without recursion: boolean chains can be deep."""
     ordered, opened, done = [], set(), set()
     stack = [part]
     while stack:
@@ -233,8 +235,7 @@ def _in_dependency_order(part, frames):
             ordered.append(obj)
         else:
             opened.add(obj)
-            children = [child for child, _, _ in _children(obj)]
-            stack.extend(child for child in reversed(children) if child not in opened and child in frames)
+            stack.extend(child for child in reversed(children[obj]) if child not in opened)
     return ordered
 
 
