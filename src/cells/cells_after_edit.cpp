@@ -104,7 +104,8 @@ class Pairing {
         std::vector<std::string> names;
         for (const FeatureId id : f.operands) {
             const Feature& operand = tree[id];
-            const std::vector<std::string> passed = other.find(operand.name) ? std::vector{operand.name} : operands(tree, operand, other);
+            const std::vector<std::string> passed =
+                other.find(operand.name) ? std::vector{operand.name} : operands(tree, operand, other);
             names.insert(names.end(), passed.begin(), passed.end());
         }
         return names;

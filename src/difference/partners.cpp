@@ -178,7 +178,7 @@ class PartnerFinder {
         const Stretch& own = (is_new ? match_.new_edges : match_.old_edges)[edge.index()];
         if (own.curve < 0) return false;
         double covered = 0;
-        std::set<EdgeId> edges;   // a seam is used twice
+        std::set<EdgeId> edges;  // a seam is used twice
         for (const EdgeUse& use : other.uses) {
             const Stretch& border = (is_new ? match_.old_edges : match_.new_edges)[use.edge.index()];
             if (border.curve == own.curve && edges.insert(use.edge).second) covered += overlap(own, border);

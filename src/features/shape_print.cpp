@@ -61,7 +61,8 @@ class Printer {
 
   private:
     void add(const TopoDS_Shape& shape) {
-        buffer_.add(static_cast<std::uint64_t>(shape.ShapeType()) * 8 + static_cast<std::uint64_t>(shape.Orientation()));
+        buffer_.add(static_cast<std::uint64_t>(shape.ShapeType()) * 8 +
+                    static_cast<std::uint64_t>(shape.Orientation()));
         if (shape.ShapeType() == TopAbs_FACE)
             add_face(TopoDS::Face(shape));
         else if (shape.ShapeType() == TopAbs_EDGE)
@@ -96,7 +97,8 @@ class Printer {
         const gp_Trsf& motion = place.Transformation();
         bool moves = false;
         for (int row = 1; row <= 3; ++row)
-            for (int column = 1; column <= 4; ++column) moves |= motion.Value(row, column) != (row == column ? 1.0 : 0.0);
+            for (int column = 1; column <= 4; ++column)
+                moves |= motion.Value(row, column) != (row == column ? 1.0 : 0.0);
         for (int row = 1; moves && row <= 3; ++row)
             for (int column = 1; column <= 4; ++column) add_number(motion.Value(row, column));
     }

@@ -69,7 +69,7 @@ void check_nodes(const std::vector<std::array<NodeId, count>>& elements, std::si
     bool is_within = true;
     for (const auto& element : elements)
         for (const NodeId n : element) is_within &= n.value >= 0 && n.index() >= begin && n.index() < end;
-    if (is_within) return;   // the common case, looked at many at a time
+    if (is_within) return;  // the common case, looked at many at a time
     for (std::size_t i = 0; i < elements.size(); ++i)
         for (NodeId n : elements[i])
             if (n.value < 0 || n.index() < begin || n.index() >= end)
@@ -115,8 +115,8 @@ void check_numbers(std::initializer_list<std::span<const Number>> lists, Number 
     }
     if (count == 0) return;
     if (low < 1 || high >= next) {
-        findings.add(std::string(kind) + " number out of range", std::to_string(low) + " to " + std::to_string(high) +
-                                                                     ", the next one is " + std::to_string(next));
+        findings.add(std::string(kind) + " number out of range",
+                     std::to_string(low) + " to " + std::to_string(high) + ", the next one is " + std::to_string(next));
         return;
     }
     constexpr Number sparse = 64;  // a bit for each number between takes less than the numbers themselves

@@ -102,8 +102,8 @@ namespace {
 
 /// A step with a fillet in its corner and a hole beside it, before and after the fillet.
 std::array<TopoDS_Shape, 2> filleted_step(double hole_x, double radius) {
-    const TopoDS_Shape step = cut(fused(box(0, 0, 0, 30, 10, 10), box(0, 0, 10, 10, 10, 10)),
-                                  cylinder({hole_x, 5, -1}, {0, 0, 1}, 2, 12));
+    const TopoDS_Shape step =
+        cut(fused(box(0, 0, 0, 30, 10, 10), box(0, 0, 10, 10, 10, 10)), cylinder({hole_x, 5, -1}, {0, 0, 1}, 2, 12));
     BRepFilletAPI_MakeFillet fillet(step);
     for (TopExp_Explorer it(step, TopAbs_EDGE); it.More(); it.Next()) {
         const BRepAdaptor_Curve curve(TopoDS::Edge(it.Current()));

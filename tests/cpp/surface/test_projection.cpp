@@ -88,6 +88,6 @@ TEST_CASE("in a face with many holes each point is inside or in a hole") {
         const bool is_in_plate = p.x > 0 && p.x < 50 && p.y > 0 && p.y < 40;
         CHECK(projector.is_inside_trim(top, projector.nearest(top, p).uv) == (is_in_plate && std::hypot(x, y) > 3));
     }
-    CHECK(projector.is_inside_trim(top, projector.nearest(top, {8, 5, 2}).uv));   // its border counts
+    CHECK(projector.is_inside_trim(top, projector.nearest(top, {8, 5, 2}).uv));  // its border counts
     CHECK(projector.is_inside_trim(top, projector.nearest(top, {0, 7, 2}).uv));
 }

@@ -134,7 +134,8 @@ TEST_CASE("a feature added to a chain or taken out of it is fused without the re
         auto fewer = all;
         fewer.erase(fewer.begin() + at);
         const PartState whole = read_part(document_of(all), context), part = read_part(document_of(fewer), context);
-        const PartState added = read_part(document_of(all), context, &part), removed = read_part(document_of(fewer), context, &whole);
+        const PartState added = read_part(document_of(all), context, &part),
+                        removed = read_part(document_of(fewer), context, &whole);
         CHECK(added.cells.is_summary);
         CHECK(removed.cells.is_summary);
         check_same_books(added, whole);
