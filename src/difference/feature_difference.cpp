@@ -56,16 +56,18 @@ std::optional<Box> domain_of(const MovedFeatures& moved, bool everything_moved, 
     return moved.new_place.grown(std::max(8 * resolution, 0.5 * moved.new_place.diagonal()));
 }
 
-CarriedRegion carry(const BoundaryPair& pair, double resolution, BoundaryMatch& match) {
+CarriedRegion find_region(const BoundaryPair& pair, BoundaryMatch& match) {
     CarriedRegion region;
     region.motion = pair.motion;
     match = match_boundaries(pair);
-    std::vector<SpaceTriangle> triangles;
-    for (const CarrierGroup& group : match.groups) append_trim_difference(pair, match, group, resolution, triangles);
-    region.changed =
-        pair.domain ? ChangedBoundary(std::move(triangles), *pair.domain) : ChangedBoundary(std::move(triangles));
     find_partners(pair, match, region);
     return region;
+}
+
+ChangedBoundary changed_boundary(const BoundaryPair& pair, const BoundaryMatch& match, double resolution) {
+    std::vector<SpaceTriangle> triangles;
+    for (const CarrierGroup& group : match.groups) append_trim_difference(pair, match, group, resolution, triangles);
+    return pair.domain ? ChangedBoundary(std::move(triangles), *pair.domain) : ChangedBoundary(std::move(triangles));
 }
 
 std::vector<std::string> names_of_unmoved(const std::vector<FeatureChange>& changes) {
@@ -103,7 +105,8 @@ FeatureDifference compare_states(const PartState& old_state, const PartState& ne
     FeatureDifference difference;
     BoundaryMatch match;
     const BoundaryPair in_place{old_model, new_model, RigidMotion{}, std::nullopt, sameness};
-    difference.regions.push_back(carry(in_place, resolution, match));
+    difference.regions.push_back(find_region(in_place, match));
+    difference.regions[0].changed = changed_boundary(in_place, match, resolution);
     difference.faces = face_changes(in_place, match, difference.regions[0]);
     context.progress(0.6);
 
@@ -112,9 +115,11 @@ FeatureDifference compare_states(const PartState& old_state, const PartState& ne
         MovedFeatures& moved = verdicts.moved[m];
         const BoundaryPair pair{old_model, new_model, moved.motion,
                                 domain_of(moved, verdicts.everything_moved, resolution), sameness};
-        CarriedRegion region = carry(pair, resolution, match);
+        CarriedRegion region = find_region(pair, match);
         region.features = std::move(moved.features);
         region.volumes = std::move(moved.additive_volumes);
+        // A hole takes no material along, so nobody will ask.
+        region.changed = region.volumes.empty() ? ChangedBoundary({}, Box{}) : changed_boundary(pair, match, resolution);
         difference.regions.push_back(std::move(region));
         context.progress(0.6 + 0.4 * double(m + 1) / double(verdicts.moved.size()));
     }

@@ -80,7 +80,9 @@ struct CarriedRegion {
     std::vector<std::string> features;  ///< that moved with it; all that stayed for the identity
     /// Old volumes (additive, moved rigidly by `motion`) whose material prefers this motion; empty for the identity.
     std::vector<TopoDS_Shape> volumes;
-    ChangedBoundary changed;          ///< in the new state's place: old boundary under the motion against the new one
+    /// In the new state's place: old boundary under the motion against the new one. All of space for another motion than
+    /// the identity that carries no volume.
+    ChangedBoundary changed;
     std::vector<FaceId> new_face_of;  ///< by old FaceId: the new face on the same carrier under the motion; none
     std::vector<EdgeId> new_edge_of;  ///< by old EdgeId, same curve under the motion (trims may differ); none
     std::vector<VertexId> new_vertex_of;  ///< by old VertexId; none
