@@ -103,10 +103,6 @@
       <translation>%d Features haben sich geändert, %d nicht; Flächen: %s</translation>
     </message>
     <message>
-      <source>; edges: %s</source>
-      <translation>; Kanten: %s</translation>
-    </message>
-    <message>
       <source>%d nodes, %d tets in %.2f s</source>
       <translation>%d Knoten, %d Tetraeder in %.2f s</translation>
     </message>
@@ -245,6 +241,10 @@
     <message>
       <source>: %s leaves nothing of it</source>
       <translation>: %s lässt nichts davon übrig</translation>
+    </message>
+    <message>
+      <source>; edges: %s</source>
+      <translation>; Kanten: %s</translation>
     </message>
     <message>
       <source>&lt;b&gt;Show what was kept&lt;/b&gt; colours what stayed and what is new; &lt;b&gt;Show the quality&lt;/b&gt; finds the worst elements.</source>
