@@ -19,10 +19,17 @@ namespace featuremesh {
 namespace {
 
 /// The parameter of a segment's end: chains run from the edge's first parameter to its last, so an end on a vertex is
-/// the first or the last one.
-double parameter_at(const Mesh& mesh, NodeId node, bool is_start, const BRepAdaptor_Curve& curve) {
+/// the first or the last one, unless the edge goes on there (MergedEntities::vertices_on).
+double parameter_at(const Mesh& mesh, std::size_t segment, bool is_start, const BRepAdaptor_Curve& curve,
+                    const Projector& projector, double negligible) {
+    const NodeId node = mesh.segments[segment][is_start ? 0 : 1];
     if (mesh.entities[node.index()].dim == 1) return mesh.parameters[node.index()][0];
-    return is_start ? curve.FirstParameter() : curve.LastParameter();
+    const double end = is_start ? curve.FirstParameter() : curve.LastParameter();
+    const gp_Pnt p = curve.Value(end);
+    const double off = distance({p.X(), p.Y(), p.Z()}, mesh.point(node));
+    if (off <= negligible) return end;
+    const OnEdge nearest = projector.nearest(mesh.segment_edges[segment], mesh.point(node));
+    return nearest.distance + negligible < off ? nearest.t : end;
 }
 
 /// The parameter half way between two parameters in arc length.
@@ -36,14 +43,15 @@ double half_way(const BRepAdaptor_Curve& curve, double from, double to) {
 
 void place_on_edges(const Brep& brep, const Projector& projector, const std::vector<bool>& is_new, Mesh& mesh) {
     std::vector<std::optional<BRepAdaptor_Curve>> curves(brep.edge_count());
+    const double negligible = brep.tolerances().negligible();
     for (std::size_t i = 0; i < mesh.segments.size(); ++i) {
         const NodeId mid = mesh.segment_mids[i];
         if (!is_new[mid.index()]) continue;
         const EdgeId edge = mesh.segment_edges[i];
         auto& curve = curves[edge.index()];
         if (!curve) curve.emplace(brep.edge(edge));
-        const double t = half_way(*curve, parameter_at(mesh, mesh.segments[i][0], true, *curve),
-                                  parameter_at(mesh, mesh.segments[i][1], false, *curve));
+        const double t = half_way(*curve, parameter_at(mesh, i, true, *curve, projector, negligible),
+                                  parameter_at(mesh, i, false, *curve, projector, negligible));
         mesh.points[mid.index()] = projector.on_edge(edge, t);
         mesh.parameters[mid.index()] = {t, 0};
     }

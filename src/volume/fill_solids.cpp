@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -170,7 +171,12 @@ class Filling {
                 fills_[i] = grow_fill(cavity, old.nodes, old.fill, context_, is_main);
                 return;
             }
-        fills_[i] = fill_cavity(cavity, seam_balls(result_.mesh, cavity), active_, size_, context_, is_main);
+        try {
+            fills_[i] = fill_cavity(cavity, seam_balls(result_.mesh, cavity), active_, size_, context_, is_main);
+        } catch (const MeshError&) {
+            require_distinct(cavity);
+            throw;
+        }
     }
 
     void mend(int round) {
@@ -300,6 +306,30 @@ class Filling {
             throw MeshError("the surface mesh does not close at " + names_of_faces(cavities_[i], open) +
                             "; check the shape there, or try another size");
         }
+    }
+
+    /// Throws with the names of the faces where two nodes are in one place.
+    void require_distinct(const Cavity& cavity) const {
+        std::vector<std::size_t> order(cavity.points.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        const auto place = [&](std::size_t i) {
+            const Vec3& p = cavity.points[i];
+            return std::tuple(p.x, p.y, p.z);
+        };
+        std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return std::pair(place(a), a) < std::pair(place(b), b);
+        });
+        std::set<FaceId> faces;
+        for (std::size_t i = 1; i < order.size(); ++i)
+            if (place(order[i - 1]) == place(order[i]))
+                for (const std::size_t n : {order[i - 1], order[i]}) faces.merge(faces_at(cavity.nodes[n]));
+        if (faces.empty()) return;
+        std::string names;
+        std::size_t listed = 0;
+        for (const FaceId face : faces)
+            if (listed++ < 6) names += (names.empty() ? "" : ", ") + name_of(entity_of(face));
+        throw MeshError("the shape touches itself: nodes of " + names +
+                        " lie in the same place; repair it there (Part: Check geometry)");
     }
 
     [[noreturn]] void throw_crossing(const Cavity& cavity, const std::vector<int>& crossing) const {
@@ -457,13 +487,7 @@ class Filling {
         std::map<FaceId, int> counts;
         for (const int corner : tet) {
             if (corner >= static_cast<int>(cavity.nodes.size())) continue;
-            std::set<FaceId> faces;
-            const Entity entity = result_.mesh.entities[cavity.nodes[corner].index()];
-            if (entity.dim == 2) faces.insert(FaceId(entity.index));
-            if (entity.dim == 1) insert_faces_of(EdgeId(entity.index), faces);
-            if (entity.dim == 0)
-                for (const EdgeId e : brep_.edges_of(VertexId(entity.index))) insert_faces_of(e, faces);
-            for (const FaceId face : faces) ++counts[face];
+            for (const FaceId face : faces_at(cavity.nodes[corner])) ++counts[face];
         }
         int most = 0;
         for (const auto& [face, count] : counts) most = std::max(most, count);
@@ -471,6 +495,16 @@ class Filling {
         for (const auto& [face, count] : counts)
             if (count == most) nearest.push_back(face);
         return nearest;
+    }
+
+    std::set<FaceId> faces_at(NodeId node) const {
+        std::set<FaceId> faces;
+        const Entity entity = result_.mesh.entities[node.index()];
+        if (entity.dim == 2) faces.insert(FaceId(entity.index));
+        if (entity.dim == 1) insert_faces_of(EdgeId(entity.index), faces);
+        if (entity.dim == 0)
+            for (const EdgeId e : brep_.edges_of(VertexId(entity.index))) insert_faces_of(e, faces);
+        return faces;
     }
 
     void insert_faces_of(EdgeId edge, std::set<FaceId>& faces) const {

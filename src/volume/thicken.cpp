@@ -42,21 +42,20 @@ std::vector<int> thin_tets(const TetComplex& complex, double least_volume) {
     return thin;
 }
 
-/// A cavity that is filled from a new point. Grown across the triangle with the thinnest cone, as in Klingner and
-/// Shewchuk 2007.
+/// A cavity that is filled from a new point, as in Klingner and Shewchuk 2007.
 class ThickCavity {
   public:
     ThickCavity(CavityEditor& editor, double least_volume) : editor_(editor), least_volume_(least_volume) {}
 
     /// Grows from `start` and moves the point, in turns; keeps the best met. False where the thinnest is no thicker.
     bool plan(std::span<const int> start, Vec3 point) {
-        constexpr int rounds = 4;
+        constexpr int rounds = 6;
         best_ = 0;
+        reset(start, point);
         for (int round = 0; round < rounds && best_ < 1; ++round) {
-            grow(start, point);
-            if (kept_ == 0) break;
-            rebuild();
-            point = climb(point);
+            if (!make_visible(point)) break;
+            if (!loses_fixed_vertex()) point = climb(point);
+            if (!give_room(point)) break;
         }
         return best_ > 0;
     }
@@ -109,31 +108,33 @@ class ThickCavity {
         for (const int tet : start) add(tet, point);
     }
 
-    const Face& thinnest() const {
-        return *std::min_element(faces_.begin(), faces_.end(), [](const Face& a, const Face& b) {
-            return a.value != b.value ? a.value < b.value : std::pair(a.tet, a.face) < std::pair(b.tet, b.face);
-        });
-    }
+    int next_of(const Face& f) const { return editor_.complex().neighbours[f.tet][f.face]; }
 
-    /// Sets kept_ to the number of tets of the best cavity met, 0 for none in which all cones have a volume.
-    void grow(std::span<const int> start, const Vec3& point) {
-        reset(start, point);
-        kept_ = 0;
-        double best = 0;
-        while (tets_.size() < most_tets && !faces_.empty()) {
-            const Face& worst = thinnest();
-            if (worst.value > best && !loses_fixed_vertex()) best = worst.value, kept_ = tets_.size();
-            if (worst.value >= 1) break;
-            const int next = editor_.complex().neighbours[worst.tet][worst.face];
-            if (next < 0) break;
+    /// Adds the tets behind triangles that do not see the point. False where such a triangle is the boundary.
+    bool make_visible(const Vec3& point) {
+        for (;;) {
+            const auto hidden =
+                std::find_if(faces_.begin(), faces_.end(), [](const Face& f) { return !(f.value > 0); });
+            if (hidden == faces_.end()) return true;
+            const int next = next_of(*hidden);
+            if (next < 0 || tets_.size() >= most_tets) return false;
             add(next, point);
         }
-        point_ = point;
     }
 
-    void rebuild() {
-        const std::vector<int> kept(tets_.begin(), tets_.begin() + static_cast<std::ptrdiff_t>(kept_));
-        reset(kept, point_);
+    /// Adds the tets behind the thinnest cones, so that the point can move further.
+    bool give_room(const Vec3& point) {
+        constexpr std::size_t most_at_once = 4;
+        std::vector<std::pair<double, int>> behind;
+        for (Face& f : faces_) {
+            f.value = cone(f.corners, point);
+            if (next_of(f) >= 0) behind.emplace_back(f.value, next_of(f));
+        }
+        std::sort(behind.begin(), behind.end());
+        std::size_t added = 0;
+        for (const auto& [value, tet] : behind)
+            if (added < most_at_once && tets_.size() < most_tets && !editor_.is_marked(tet)) add(tet, point), ++added;
+        return added > 0;
     }
 
     bool loses_fixed_vertex() const {
@@ -180,8 +181,7 @@ class ThickCavity {
 
     CavityEditor& editor_;
     double least_volume_, before_ = 1, best_ = 0;
-    std::size_t kept_ = 0;
-    Vec3 point_{}, best_point_{};
+    Vec3 best_point_{};
     std::vector<int> tets_, best_removed_;
     std::vector<Face> faces_;
     std::vector<std::array<int, 3>> best_faces_;

@@ -2,14 +2,19 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <TopoDS_Wire.hxx>
 
 #include "catch.h"
 #include "mesh/quality.h"
@@ -49,6 +54,18 @@ TopoDS_Shape sheet_with_cusps() {
         if (middle.Distance(gp_Pnt(3, 10, 3)) < 1e-6) fillet.Add(2, TopoDS::Edge(it.Current()));
     }
     return fillet.Shape();
+}
+
+/// A step as low as nobody sees, with a slot that ends at it: the upper edge of the step goes through the corners of
+/// the slot.
+TopoDS_Shape block_with_step_and_slot() {
+    BRepBuilderAPI_MakePolygon outline;
+    for (const auto& [x, y] : {std::pair{-10.0, 0.0}, {20.0, 0.0}, {20.0, 10 + 1e-5}, {0.0, 10 + 1e-5}, {0.0, 10.0}, {-10.0, 10.0}})
+        outline.Add(gp_Pnt(x, y, 0));
+    outline.Close();
+    const TopoDS_Shape block =
+        BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 30)).Shape();
+    return BRepAlgoAPI_Cut(block, BRepPrimAPI_MakeBox(gp_Pnt(-5, 4, 10), gp_Pnt(0, 10, 18)).Shape()).Shape();
 }
 
 Mesh curved_mesh(const Brep& brep, double size) {
@@ -101,4 +118,16 @@ TEST_CASE("coarse 10-node meshes of strongly curved parts are unfolded and on th
         CHECK(measure_quality(mesh).min_scaled_jacobian > 0.199);
         CHECK(distance_from_entities(brep, mesh) < 1e-8);
     }
+}
+
+TEST_CASE("mid-side nodes of an edge that goes through other vertices lie between its nodes") {
+    const Mesh mesh = curved_mesh(Brep(block_with_step_and_slot()), 3);
+    double furthest = 0;
+    for (std::size_t s = 0; s < mesh.segments.size(); ++s) {
+        const auto& [a, b] = mesh.segments[s];
+        const Vec3 middle = 0.5 * (mesh.point(a) + mesh.point(b));
+        furthest = std::max(furthest, distance(middle, mesh.point(mesh.segment_mids[s])));
+    }
+    CHECK(furthest < 1e-4);
+    CHECK(broken_invariants(mesh).empty());
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Solid.hxx>
 #include <algorithm>
 #include <random>
 #include <set>
@@ -217,4 +220,21 @@ TEST_CASE("a surface that does not close is refused by the name of its face") {
         message = error.what();
     }
     CHECK(message.find(name_of(entity_of(face))) != std::string::npos);
+}
+
+TEST_CASE("a solid with two faces in the same place is refused with their names") {
+    TopoDS_Solid both;
+    const BRep_Builder builder;
+    builder.MakeSolid(both);
+    for (const TopoDS_Shape& part : {box_part({0, 0, 0}, {10, 10, 10}), box_part({10, 0, 0}, {10, 10, 10})})
+        builder.Add(both, TopExp_Explorer(part, TopAbs_SHELL).Current());
+    const Part part = prepare(both, 2.5);
+    try {
+        fill(part);
+        FAIL("not refused");
+    } catch (const MeshError& error) {
+        INFO(error.what());
+        CHECK(std::string(error.what()).find("Face2") != std::string::npos);
+        CHECK(std::string(error.what()).find("Face7") != std::string::npos);
+    }
 }
