@@ -18,6 +18,7 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 RunContext::Step::Step(RunContext& context, std::string name)
     : context_(context), name_(std::move(name)), outer_(std::exchange(context.step_, name_)), activity_(name_), start_(Clock::now()) {
     context_.last_report_ = {};
+    context_.share_ = 0;
 }
 
 RunContext::Step::~Step() {
@@ -28,17 +29,18 @@ RunContext::Step::~Step() {
 }
 
 void RunContext::progress(double share) {
+    if (std::this_thread::get_id() == starter_) share_ = share;
     check_cancelled();
-    if (!on_progress || seconds_since(last_report_) < 0.02) return;
-    last_report_ = Clock::now();
-    if (!on_progress(step_, share)) {
-        cancel();
-        throw Cancelled();
-    }
 }
 
 void RunContext::check_cancelled() const {
+    if (outer_) outer_->check_cancelled();
     if (cancelled_) throw Cancelled();
+    if (!on_progress || std::this_thread::get_id() != starter_ || seconds_since(last_report_) < 0.02) return;
+    last_report_ = Clock::now();
+    if (on_progress(step_, share_)) return;
+    cancelled_ = true;
+    throw Cancelled();
 }
 
 void parallel_for(RunContext& context, std::size_t count, std::size_t grain,

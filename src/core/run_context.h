@@ -4,11 +4,13 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include "core/activity.h"
 
@@ -36,10 +38,14 @@ class RunContext {
         std::chrono::steady_clock::time_point start_;
     };
 
-    /// Tells the caller how far the current step is; throws Cancelled when the caller says stop. Cheap (throttled to 20 ms).
+    /// Tells the caller how far the current step is; throws Cancelled when the caller says stop. Cheap (throttled to 20 ms). Threads other than the one
+    /// that made this object only look whether to stop.
     void progress(double share);
-    /// Throws Cancelled when somebody asked to stop. Cheap enough for every thousandth round of a loop, from any thread.
+    /// Throws Cancelled when somebody asked to stop; on the thread that made this object the caller is asked, too. Cheap enough for every thousandth
+    /// round of a loop, from any thread.
     void check_cancelled() const;
+    /// Work that this object stands for ends when that of `outer`, which lives longer, is cancelled.
+    void end_with(const RunContext& outer) { outer_ = &outer; }
     /// Asks the work to stop, from any thread.
     void cancel() { cancelled_ = true; }
     void log(std::string_view line) const {
@@ -51,8 +57,24 @@ class RunContext {
   private:
     std::string step_;
     std::map<std::string, double> seconds_;
-    std::chrono::steady_clock::time_point last_report_{};
-    std::atomic<bool> cancelled_{false};
+    const std::thread::id starter_ = std::this_thread::get_id();
+    const RunContext* outer_ = nullptr;
+    double share_ = 0;
+    mutable std::chrono::steady_clock::time_point last_report_{};
+    mutable std::atomic<bool> cancelled_{false};
+};
+
+/// Looks whether to stop in every few thousandth round of a loop of cheap rounds.
+class RoundWatch {
+  public:
+    explicit RoundWatch(const RunContext& context) : context_(context) {}
+    void operator()() {
+        if (++rounds_ % 32768 == 0) context_.check_cancelled();
+    }
+
+  private:
+    const RunContext& context_;
+    std::uint32_t rounds_ = 0;
 };
 
 /// Runs body(begin, end) over chunks of [0, count) on `context.threads` threads. The chunks depend on `grain` only, never on the

@@ -142,15 +142,18 @@ bool has_curved_side(const Mesh& mesh, TetId tet) {
 namespace {
 
 template <class Visit>
-void for_each_side(const Mesh& mesh, Visit visit) {
+void for_each_side(const Mesh& mesh, const RunContext& context, Visit visit) {
+    RoundWatch watch(context);
     for (std::size_t i = 0; i < mesh.segments.size(); ++i)
         visit(mesh.segments[i][0], mesh.segments[i][1], entity_of(mesh.segment_edges[i]), 1, i, 0);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (int s = 0; s < 3; ++s)
             visit(mesh.triangles[i][s], mesh.triangles[i][(s + 1) % 3], entity_of(mesh.triangle_faces[i]), 2, i, s);
-    for (std::size_t i = 0; i < mesh.tets.size(); ++i)
+    for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+        watch();
         for (int s = 0; s < 6; ++s)
             visit(mesh.tets[i][tet_sides[s][0]], mesh.tets[i][tet_sides[s][1]], entity_of(mesh.tet_solids[i]), 3, i, s);
+    }
 }
 
 NodeId& mid_of(Mesh& mesh, int dim, std::size_t element, int side) {
@@ -163,13 +166,13 @@ NodeId mid_of(const Mesh& mesh, int dim, std::size_t element, int side) {
 }
 
 /// Takes over the kept mid-side nodes of the sides that are still there, in their old order.
-void take_over_kept_mids(Mesh& mesh, const Mesh& kept, SideTable& sides) {
+void take_over_kept_mids(Mesh& mesh, const Mesh& kept, const RunContext& context, SideTable& sides) {
     SideTable kept_sides(mesh.corner_count);
-    for_each_side(kept, [&](NodeId a, NodeId b, Entity, int dim, std::size_t element, int side) {
+    for_each_side(kept, context, [&](NodeId a, NodeId b, Entity, int dim, std::size_t element, int side) {
         kept_sides.value(a, b) = mid_of(kept, dim, element, side).value;
     });
     std::vector<std::array<NodeId, 2>> side_of(kept.points.size());
-    for_each_side(mesh, [&](NodeId a, NodeId b, Entity, int, std::size_t, int) {
+    for_each_side(mesh, context, [&](NodeId a, NodeId b, Entity, int, std::size_t, int) {
         const std::int32_t old = kept_sides.find(a, b);
         if (old >= 0) side_of[static_cast<std::size_t>(old)] = {a, b};
     });
@@ -186,16 +189,16 @@ void take_over_kept_mids(Mesh& mesh, const Mesh& kept, SideTable& sides) {
 
 }  // namespace
 
-std::vector<NodeId> add_mid_side_nodes(Mesh& mesh, const Mesh* kept) {
+std::vector<NodeId> add_mid_side_nodes(Mesh& mesh, const Mesh* kept, const RunContext& context) {
     mesh.order = 2;
     mesh.corner_count = mesh.points.size();
     mesh.segment_mids.resize(mesh.segments.size());
     mesh.triangle_mids.resize(mesh.triangles.size());
     mesh.tet_mids.resize(mesh.tets.size());
     SideTable sides(mesh.corner_count);
-    if (kept && kept->order == 2) take_over_kept_mids(mesh, *kept, sides);
+    if (kept && kept->order == 2) take_over_kept_mids(mesh, *kept, context, sides);
     std::vector<NodeId> added;
-    for_each_side(mesh, [&](NodeId a, NodeId b, Entity entity, int dim, std::size_t element, int side) {
+    for_each_side(mesh, context, [&](NodeId a, NodeId b, Entity entity, int dim, std::size_t element, int side) {
         std::int32_t& mid = sides.value(a, b);
         if (mid < 0) {
             added.push_back(mesh.add_node((mesh.point(a) + mesh.point(b)) * 0.5, entity));

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/run_context.h"
 #include "mesh/mesh.h"
 
 namespace featuremesh {
@@ -31,6 +32,6 @@ bool has_curved_side(const Mesh& mesh, TetId tet);
 
 /// Gives every side of a 4-node mesh that has no mid-side node yet one at its middle. Sides of kept elements keep theirs. The nodes' entities are
 /// those of the segments and triangles the side belongs to, else the solid. Returns the new nodes.
-std::vector<NodeId> add_mid_side_nodes(Mesh& mesh, const Mesh* kept = nullptr);
+std::vector<NodeId> add_mid_side_nodes(Mesh& mesh, const Mesh* kept = nullptr, const RunContext& context = {});
 
 }  // namespace featuremesh

@@ -38,7 +38,9 @@ std::array<std::uint32_t, count> values_of(const std::array<NodeId, count>& node
 
 }  // namespace
 
-TriangleUses::TriangleUses(const Mesh& mesh, std::span<const char> only) : begin_(mesh.points.size() + 1, 0) {
+TriangleUses::TriangleUses(const Mesh& mesh, std::span<const char> only, const RunContext& context)
+    : begin_(mesh.points.size() + 1, 0) {
+    RoundWatch watch(context);
     const auto is_wanted = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         return only.empty() || (only[a] && only[b] && only[c]);
     };
@@ -54,6 +56,7 @@ TriangleUses::TriangleUses(const Mesh& mesh, std::span<const char> only) : begin
     const auto for_each_use = [&](auto visit) {
         const std::size_t tet_count = only.empty() ? mesh.tets.size() : wanted_tets.size();
         for (std::size_t i = 0; i < tet_count; ++i) {
+            watch();
             const std::size_t t = only.empty() ? i : wanted_tets[i];
             auto n = values_of(mesh.tets[t]);
             // the face opposite the j-th smallest node is outward in growing order when j and the parity of the sorting

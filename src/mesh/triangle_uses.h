@@ -29,7 +29,7 @@ struct TriangleUse {
 class TriangleUses {
   public:
     /// All triangles, or those whose three nodes are marked in `only`.
-    explicit TriangleUses(const Mesh& mesh, std::span<const char> only = {});
+    explicit TriangleUses(const Mesh& mesh, std::span<const char> only = {}, const RunContext& context = {});
 
     std::size_t bucket_count() const { return begin_.size() - 1; }
     /// Sorts the uses with this smallest node and calls visit(uses of one triangle) for each of its triangles, tets

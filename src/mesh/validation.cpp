@@ -252,7 +252,7 @@ void check_triangle(const Mesh& mesh, const Expectation& expected, std::span<con
 
 void check_triangles_against_tets(const Mesh& mesh, const Expectation& expected, RunContext& context,
                                   Findings& findings) {
-    TriangleUses uses(mesh, expected.is_unproven);
+    TriangleUses uses(mesh, expected.is_unproven, context);
     std::vector<Findings> parts((uses.bucket_count() + grain - 1) / grain);
     parallel_for(context, uses.bucket_count(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t smallest = begin; smallest < end; ++smallest)
@@ -315,7 +315,8 @@ void check_segments(const Mesh& mesh, const Expectation& expected, Findings& fin
             findings.add("segment that is no triangle's side", segment_name(mesh, i));
 }
 
-void check_mid_side_nodes(const Mesh& mesh, Findings& findings) {
+void check_mid_side_nodes(const Mesh& mesh, const RunContext& context, Findings& findings) {
+    RoundWatch watch(context);
     SideTable sides(mesh.corner_count);
     std::vector<bool> is_taken(mesh.points.size(), false);
     const auto check = [&](NodeId a, NodeId b, NodeId mid) {
@@ -330,9 +331,11 @@ void check_mid_side_nodes(const Mesh& mesh, Findings& findings) {
         if (is_taken[mid.index()]) findings.add("one mid-side node for two sides", describe(mesh, mid));
         is_taken[mid.index()] = true;
     };
-    for (std::size_t i = 0; i < mesh.tets.size(); ++i)
+    for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+        watch();
         for (int s = 0; s < 6; ++s)
             check(mesh.tets[i][tet_sides[s][0]], mesh.tets[i][tet_sides[s][1]], mesh.tet_mids[i][s]);
+    }
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (int s = 0; s < 3; ++s)
             check(mesh.triangles[i][s], mesh.triangles[i][(s + 1) % 3], mesh.triangle_mids[i][s]);
@@ -365,6 +368,7 @@ std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& 
     check_numbers({mesh.node_numbers}, mesh.next_node_number, "node", findings);
     check_numbers({mesh.segment_numbers, mesh.triangle_numbers, mesh.tet_numbers}, mesh.next_element_number, "element",
                   findings);
+    context.check_cancelled();
     if (mesh.order == 1 && !expected.is_unproven.empty())
         check_unproven_tets(mesh, expected, context, findings);
     else
@@ -375,7 +379,7 @@ std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& 
         check_triangles_against_tets(mesh, expected, context, findings);
     check_segments(mesh, expected, findings);
     if (mesh.order == 2) {
-        check_mid_side_nodes(mesh, findings);
+        check_mid_side_nodes(mesh, context, findings);
         check_jacobians(mesh, context, findings);
     }
     return findings.messages();

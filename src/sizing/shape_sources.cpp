@@ -13,6 +13,7 @@
 #include <string>
 
 #include "sizing/face_sources.h"
+#include "sizing/lost_sizes.h"
 #include "sizing/wall_rays.h"
 
 namespace featuremesh {
@@ -29,13 +30,10 @@ LocalSizes local_sizes(const Brep& brep, const SizingOptions& options, RunContex
     const std::array<std::size_t, 4> counts{brep.vertex_count(), brep.edge_count(), brep.face_count(),
                                             brep.solid_count()};
     for (int dim = 0; dim < 4; ++dim) by_dim[dim]->assign(counts[dim], options.size);
+    for (const std::string& line : lost_sizes(brep, options)) context.log(line);
     for (const LocalSize& local : options.local) {
         const auto [dim, index] = local.entity;
-        if (dim < 0 || dim > 3 || index < 0 || static_cast<std::size_t>(index) >= counts[dim]) {
-            context.log("The local size at " + name_of(local.entity) +
-                        " is left out: the part has no such entity any more.");
-            continue;
-        }
+        if (dim < 0 || dim > 3 || index < 0 || static_cast<std::size_t>(index) >= counts[dim]) continue;
         double& size = (*by_dim[dim])[static_cast<std::size_t>(index)];
         size = std::min(size, local.size);
     }

@@ -114,7 +114,7 @@ Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh
     if (kept)
         for (std::size_t n = 0; n < mesh.points.size(); ++n)
             is_movable[n] = mesh.node_numbers[n] >= kept->next_node_number;
-    const std::vector<NodeId> added = add_mid_side_nodes(mesh, kept);
+    const std::vector<NodeId> added = add_mid_side_nodes(mesh, kept, context);
     std::vector<bool> is_new(mesh.points.size(), false);
     for (NodeId n : added) is_new[n.index()] = true;
     place_on_edges(brep, projector, is_new, mesh);

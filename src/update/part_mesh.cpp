@@ -15,6 +15,7 @@
 #include "cells/cells_after_edit.h"
 #include "core/errors.h"
 #include "mesh/validation.h"
+#include "sizing/lost_sizes.h"
 #include "surface/mid_side_nodes.h"
 #include "surface/turned_triangles.h"
 #include "update/adopted_sizes.h"
@@ -202,7 +203,8 @@ void record_fill(const Filled& filled, Report& report) {
     report.warnings.insert(report.warnings.end(), filled.volume.warnings.begin(), filled.volume.warnings.end());
 }
 
-void record_run(const PartState& part, const RunContext& context, double total, Report& report) {
+void record_run(const PartState& part, const MeshOptions& options, const RunContext& context, double total, Report& report) {
+    for (const std::string& line : lost_sizes(part.brep, options.sizing)) report.warnings.push_back(line);
     report.seconds = context.seconds();
     for (const char* step : {"read", "cells", "difference", "keep", "surface", "volume", "optimise", "validate", "measure"})
         report.seconds.try_emplace(step, 0.0);
@@ -275,7 +277,7 @@ PartMeshResult unchanged(const PartMesh& old, RunContext& context) {
     const double total = seconds_since(start);
     record_mesh(old.mesh, old.sizing, old.options, context, report);
     record_kept(*now, {{RigidMotion{}, report.difference.regions[0].features, now->node_origin.size(), now->tet_origin.size()}}, report);
-    record_run(now->part, context, total, report);
+    record_run(now->part, now->options, context, total, report);
     result.part_mesh = std::move(now);
     return result;
 }
@@ -310,7 +312,7 @@ PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunCo
     PartMeshResult result;
     record_mesh(filled.mesh, sizing, options, context, result.report);
     record_fill(filled, result.report);
-    record_run(part, context, total, result.report);
+    record_run(part, options, context, total, result.report);
     const std::size_t nodes = filled.mesh.node_count(), tets = filled.mesh.tets.size();
     result.part_mesh = std::make_shared<const PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled.mesh),
                                                                  std::vector<std::int32_t>(nodes, -1), std::vector<std::int32_t>(tets, -1), {}});
@@ -375,7 +377,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled->mesh),
                                                    std::move(node_origin), std::move(tet_origin), std::move(filled->used_active), adopted_sizes});
     record_kept(*now, report.kept, report);
-    record_run(now->part, context, total, report);
+    record_run(now->part, now->options, context, total, report);
     result.part_mesh = std::move(now);
     return result;
 }
@@ -423,7 +425,7 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, cons
     auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled->mesh),
                                                    std::move(node_origin), std::move(tet_origin), {}, adopted_sizes});
     record_kept(*now, report.kept, report);
-    record_run(now->part, context, total, report);
+    record_run(now->part, now->options, context, total, report);
     result.part_mesh = std::move(now);
     return result;
 }

@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "core/errors.h"
+
 namespace featuremesh {
 
 namespace {
@@ -19,21 +21,34 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 /// Where two facets meet at a tiny angle the library may add points without end, and offers no way to stop it: its
-/// vertices count themselves, and the one too many throws.
+/// vertices count themselves, and the one too many throws. So does a vertex or cell that is made after a cancel.
 struct TooManyPoints {};
 class VertexBudget {
   public:
-    explicit VertexBudget(std::size_t limit) { left_ = limit; }
-    ~VertexBudget() { left_ = std::numeric_limits<std::size_t>::max(); }
+    VertexBudget(std::size_t limit, const RunContext& context) {
+        left_ = limit;
+        context_ = &context;
+    }
+    ~VertexBudget() {
+        left_ = std::numeric_limits<std::size_t>::max();
+        context_ = nullptr;
+    }
     static void spend() {
         if (left_ == 0) throw TooManyPoints();
         --left_;
     }
+    static void look() {
+        if (context_ && ++looks_ % 1024 == 0) context_->check_cancelled();
+    }
 
   private:
     static thread_local std::size_t left_;
+    static thread_local const RunContext* context_;
+    static thread_local std::uint32_t looks_;
 };
 thread_local std::size_t VertexBudget::left_ = std::numeric_limits<std::size_t>::max();
+thread_local const RunContext* VertexBudget::context_ = nullptr;
+thread_local std::uint32_t VertexBudget::looks_ = 0;
 
 template <class Base = CGAL::Triangulation_vertex_base_3<Kernel>>
 struct CountedVertex : Base {
@@ -45,9 +60,23 @@ struct CountedVertex : Base {
     CountedVertex() { VertexBudget::spend(); }
 };
 
+/// Runs in every constructor.
+struct Look {
+    Look() { VertexBudget::look(); }
+};
+
+template <class Base = CGAL::Triangulation_cell_base_with_info_3<int, Kernel>>
+struct WatchedCell : Base {
+    template <class TDS>
+    struct Rebind_TDS {
+        using Other = WatchedCell<typename Base::template Rebind_TDS<TDS>::Other>;
+    };
+    using Base::Base;
+    [[no_unique_address]] Look look;
+};
+
 using VertexBase = CGAL::Conforming_constrained_Delaunay_triangulation_vertex_base_3<Kernel, CountedVertex<>>;
-using CellBase = CGAL::Conforming_constrained_Delaunay_triangulation_cell_base_3<
-    Kernel, CGAL::Triangulation_cell_base_with_info_3<int, Kernel>>;
+using CellBase = CGAL::Conforming_constrained_Delaunay_triangulation_cell_base_3<Kernel, WatchedCell<>>;
 using Constrained = CGAL::Conforming_constrained_Delaunay_triangulation_3<
     Kernel, CGAL::Triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>>;
 using Vertex = Constrained::Triangulation::Vertex_handle;
@@ -195,11 +224,12 @@ ConstrainedTriangulation given_up() {
 
 }  // namespace
 
-ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<const Vec3> seeds) {
+ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<const Vec3> seeds,
+                                              const RunContext& context) {
     std::vector<Point> points;
     append_converted(cavity.points, points);
     append_converted(seeds, points);
-    const VertexBudget budget(2 * points.size() + 5000);
+    const VertexBudget budget(2 * points.size() + 5000, context);
     try {
         const Constrained constrained(points, corners_of(cavity.facets));
         return Reading(constrained, points, cavity).read();
@@ -207,6 +237,8 @@ ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<co
         ConstrainedTriangulation result;
         for (const auto facet : error.failed_faces()) result.failed.push_back(static_cast<int>(facet));
         return result;
+    } catch (const Cancelled&) {
+        throw;
     } catch (const TooManyPoints&) {
         return given_up();
     } catch (const std::runtime_error&) {  // the library found no place for a point

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/geometry.h"
+#include "core/run_context.h"
 #include "volume/facet_split.h"
 #include "volume/triangulation.h"
 
@@ -20,7 +21,8 @@ struct ConstrainedTriangulation {
 
 /// By CGAL's conforming constrained Delaunay triangulation (Si and Gaertner 2005, Diazzi et al. 2023) with each facet a
 /// constraint of its own. Facets must not cut one another: see `crossing_facets`.
-ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<const Vec3> seeds);
+ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<const Vec3> seeds,
+                                              const RunContext& context = {});
 
 /// Facets that cut or overlap others, or have no area; ascending.
 std::vector<int> crossing_facets(const Cavity& cavity);

@@ -35,35 +35,36 @@ std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<c
 
 }  // namespace
 
-CavityFill flood_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangulation triangulation) {
+CavityFill flood_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangulation triangulation,
+                        const RunContext& context) {
     CavityFill fill;
     fill.points = std::move(points);
     fill.triangulation = std::move(triangulation);
-    fill.places = find_facets(fill.triangulation, fill.points.size(), cavity.facets);
+    fill.places = find_facets(fill.triangulation, fill.points.size(), cavity.facets, context);
     if (!fill.places.missing.empty()) return fill;
-    fill.regions = flood_regions(fill.triangulation, cavity.facets, fill.places);
+    fill.regions = flood_regions(fill.triangulation, cavity.facets, fill.places, context);
     fill.is_leaky = fill.regions.empty();
     return fill;
 }
 
 CavityFill fill_cavity(const Cavity& cavity, std::span<const Ball> balls, std::span<const Vec3> active,
-                       const WantedSize& size, RunContext& context, bool is_main) {
+                       const WantedSize& size, RunContext& context) {
     std::vector<Vec3> points = cavity.points;
     const std::vector<Vec3> seeds =
         find_seeds(cavity.points, cavity.facets, balls, active, size, SeedOptions{}, context);
     points.insert(points.end(), seeds.begin(), seeds.end());
     const auto delaunay = std::make_shared<GrowingDelaunay>();
-    delaunay->insert(points, context, is_main);
-    Triangulation triangulation = delaunay->tets();
+    delaunay->insert(points, context);
+    Triangulation triangulation = delaunay->tets(context);
     if (!balls.empty()) {
         const std::vector<Vec3> more = points_in_gaps(triangulation, points, cavity, balls, size, context);
         if (!more.empty()) {
-            delaunay->insert(more, context, is_main);
+            delaunay->insert(more, context);
             points.insert(points.end(), more.begin(), more.end());
-            triangulation = delaunay->tets();
+            triangulation = delaunay->tets(context);
         }
     }
-    CavityFill fill = flood_cavity(cavity, std::move(points), std::move(triangulation));
+    CavityFill fill = flood_cavity(cavity, std::move(points), std::move(triangulation), context);
     if (balls.empty() || fill.is_complete()) return fill;
     fill.delaunay = delaunay;
     fill.point_of.resize(fill.points.size());
@@ -72,7 +73,7 @@ CavityFill fill_cavity(const Cavity& cavity, std::span<const Ball> balls, std::s
 }
 
 CavityFill grow_fill(const Cavity& cavity, std::span<const NodeId> old_nodes, const CavityFill& old,
-                     RunContext& context, bool is_main) {
+                     RunContext& context) {
     std::vector<int> new_place;  // by point of the old fill
     std::vector<Vec3> points = cavity.points, added;
     std::vector<int> place_of_added;
@@ -89,17 +90,18 @@ CavityFill grow_fill(const Cavity& cavity, std::span<const NodeId> old_nodes, co
         new_place.push_back(static_cast<int>(points.size()));
         points.push_back(old.points[s]);
     }
-    if (!added.empty()) old.delaunay->insert(added, context, is_main);
+    if (!added.empty()) old.delaunay->insert(added, context);
     std::vector<int> point_of;
     for (const int p : old.point_of) point_of.push_back(new_place[static_cast<std::size_t>(p)]);
     point_of.insert(point_of.end(), place_of_added.begin(), place_of_added.end());
-    CavityFill fill = flood_cavity(cavity, std::move(points), old.delaunay->tets(point_of));
+    CavityFill fill = flood_cavity(cavity, std::move(points), old.delaunay->tets(context, point_of), context);
     fill.delaunay = old.delaunay;
     fill.point_of = std::move(point_of);
     return fill;
 }
 
-TetComplex make_complex(const Cavity& cavity, const CavityFill& fill) {
+TetComplex make_complex(const Cavity& cavity, const CavityFill& fill, const RunContext& context) {
+    RoundWatch watch(context);
     const Triangulation& all = fill.triangulation;
     std::vector<int> new_index(all.tets.size(), -1);
     int count = 0;
@@ -112,6 +114,7 @@ TetComplex make_complex(const Cavity& cavity, const CavityFill& fill) {
     complex.tet_of_vertex.assign(fill.points.size(), -1);
     complex.tets.reserve(count), complex.neighbours.reserve(count), complex.regions.reserve(count);
     for (std::size_t t = 0; t < all.tets.size(); ++t) {
+        watch();
         if (new_index[t] < 0) continue;
         auto& neighbours = complex.neighbours.emplace_back();
         for (int k = 0; k < 4; ++k) {

@@ -27,16 +27,17 @@ struct CavityFill {
 
 /// Fills what is between the facets as Delaunay has it. What `balls` hold is kept free of seeds.
 CavityFill fill_cavity(const Cavity& cavity, std::span<const Ball> balls, std::span<const Vec3> active,
-                       const WantedSize& size, RunContext& context, bool is_main = true);
+                       const WantedSize& size, RunContext& context);
 
 /// The same for a cavity that has grown by a few nodes since: they are added to its triangulation, seeds stay.
 CavityFill grow_fill(const Cavity& cavity, std::span<const NodeId> old_nodes, const CavityFill& old,
-                     RunContext& context, bool is_main);
+                     RunContext& context);
 
 /// Marks and floods the facets of a triangulation of the points.
-CavityFill flood_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangulation triangulation);
+CavityFill flood_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangulation triangulation,
+                        const RunContext& context = {});
 
 /// The tets that lie in a region, for local operations; the cavity's own points are fixed.
-TetComplex make_complex(const Cavity& cavity, const CavityFill& fill);
+TetComplex make_complex(const Cavity& cavity, const CavityFill& fill, const RunContext& context);
 
 }  // namespace featuremesh

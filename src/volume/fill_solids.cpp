@@ -140,9 +140,8 @@ class Filling {
         cavities_ = separate_cavities(find_cavity(result_.mesh, sides_, is_released_, may_be_open_));
         fills_.assign(cavities_.size(), {});
         is_finished_.assign(cavities_.size(), 0);
-        const bool is_parallel = context_.threads > 1 && cavities_.size() > 1;
         parallel_for(context_, cavities_.size(), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) fill(i, !is_parallel);
+            for (std::size_t i = begin; i < end; ++i) fill(i);
         });
         known_.clear();
         finished_.clear();
@@ -150,7 +149,7 @@ class Filling {
         return std::all_of(fills_.begin(), fills_.end(), [](const CavityFill& f) { return f.is_complete(); });
     }
 
-    void fill(std::size_t i, bool is_main) {
+    void fill(std::size_t i) {
         const Cavity& cavity = cavities_[i];
         for (KnownFill& known : finished_)
             if (known.nodes == cavity.nodes) {
@@ -162,17 +161,17 @@ class Filling {
             if (known.nodes != cavity.nodes) continue;
             std::vector<Vec3> points = cavity.points;
             points.insert(points.end(), known.seeds.begin(), known.seeds.end());
-            fills_[i] = flood_cavity(cavity, std::move(points), std::move(known.triangulation));
+            fills_[i] = flood_cavity(cavity, std::move(points), std::move(known.triangulation), context_);
             if (known.is_best || (fills_[i].is_complete() && !has_inverted_tet(fills_[i]))) return;
         }
         for (OutgrownFill& old : outgrown_)
             if (cavity.nodes.size() <= old.nodes.size() + old.fill.places.missing.size() &&
                 std::includes(cavity.nodes.begin(), cavity.nodes.end(), old.nodes.begin(), old.nodes.end())) {
-                fills_[i] = grow_fill(cavity, old.nodes, old.fill, context_, is_main);
+                fills_[i] = grow_fill(cavity, old.nodes, old.fill, context_);
                 return;
             }
         try {
-            fills_[i] = fill_cavity(cavity, seam_balls(result_.mesh, cavity), active_, size_, context_, is_main);
+            fills_[i] = fill_cavity(cavity, seam_balls(result_.mesh, cavity), active_, size_, context_);
         } catch (const MeshError&) {
             require_distinct(cavity);
             throw;
@@ -250,8 +249,8 @@ class Filling {
             return;
         }
         std::optional<ConstrainedTriangulation> local;
-        if (local_recoveries_++ < most_local_recoveries) local = recover_locally(cavity, fill);
-        ConstrainedTriangulation constrained = local ? std::move(*local) : constrained_delaunay(cavity, seeds);
+        if (local_recoveries_++ < most_local_recoveries) local = recover_locally(cavity, fill, context_);
+        ConstrainedTriangulation constrained = local ? std::move(*local) : constrained_delaunay(cavity, seeds, context_);
         if (constrained.is_given_up || !constrained.failed.empty()) {
             const std::vector<int>& bad = constrained.is_given_up ? fill.places.missing : constrained.failed;
             log("triangles that constraints did not bring back", bad.size());
@@ -260,7 +259,7 @@ class Filling {
             return;
         }
         log("points that constraints added", constrained.split.added.size());
-        if (auto whole = withdraw_points(cavity, constrained, seeds)) {
+        if (auto whole = withdraw_points(cavity, constrained, seeds, context_)) {
             result_.report.recovery_points += constrained.split.added.size();
             finished_.push_back({cavity.nodes, std::move(*whole)});
             return;
@@ -356,7 +355,8 @@ class Filling {
         const bool is_parallel = context_.threads > 1 && cavities_.size() > 1;
         parallel_for(context_, cavities_.size(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                RunContext alone;  // progress is told by the caller's own thread only
+                RunContext alone;
+                alone.end_with(context_);
                 reports[i] = optimise(i, is_parallel ? alone : context_);
             }
         });
@@ -371,7 +371,7 @@ class Filling {
     }
 
     std::pair<OdtReport, SliverReport> optimise(std::size_t i, RunContext& context) {
-        complexes_[i] = make_complex(cavities_[i], fills_[i]);
+        complexes_[i] = make_complex(cavities_[i], fills_[i], context_);
         fills_[i] = {};
         const OdtReport odt =
             optimise_odt(complexes_[i], sizing_, {options_.odt_sweeps, !sizing_.is_uniform()}, context);
@@ -423,7 +423,7 @@ class Filling {
         for (std::size_t t = 0; t < complex.tets.size(); ++t)
             if (complex.tets[t][0] >= 0) live.push_back(t), fill.triangulation.tets.push_back(complex.tets[t]);
         fill.regions.assign(live.size(), 0);
-        fill.places = find_facets(fill.triangulation, fill.points.size(), cavity.facets);
+        fill.places = find_facets(fill.triangulation, fill.points.size(), cavity.facets, context_);
         const FacetSplit flips = flip_flat(cavity, fill, result_.mesh, least_volume());
         if (flips.pieces.empty() || !tets_in_the_way(flips, cavity, result_.mesh, is_released_).empty()) return;
         std::map<int, std::array<int, 3>> new_corners;
@@ -515,7 +515,9 @@ class Filling {
     void drop_released() {
         Mesh& mesh = result_.mesh;
         std::size_t kept = 0;
+        RoundWatch watch(context_);
         for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+            watch();
             if (is_released_[i]) {
                 result_.released.push_back(TetId(i));
                 result_.released_nodes.push_back(mesh.tets[i]);
@@ -533,7 +535,9 @@ class Filling {
         Mesh& mesh = result_.mesh;
         std::vector<NodeId> node(complex.points.size());
         std::copy(cavity.nodes.begin(), cavity.nodes.end(), node.begin());
+        RoundWatch watch(context_);
         for (std::size_t t = 0; t < complex.tets.size(); ++t) {
+            watch();
             const auto& tet = complex.tets[t];
             if (tet[0] < 0) continue;
             const Entity solid = entity_of(SolidId(complex.regions[t]));

@@ -54,12 +54,15 @@ class FacetTable {
 
 }  // namespace
 
-FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets) {
+FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets,
+                        const RunContext& context) {
+    RoundWatch watch(context);
     const FacetTable table(point_count, facets);
     FacetPlaces places;
     places.facet_at.assign(4 * triangulation.tets.size(), -1);
     std::vector<std::uint8_t> is_found(facets.size(), 0);
     for (std::size_t t = 0; t < triangulation.tets.size(); ++t) {
+        watch();
         const auto& tet = triangulation.tets[t];
         int count = 0;
         for (const int corner : tet) count += table.is_corner(corner);
@@ -77,14 +80,16 @@ FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_co
 }
 
 std::vector<int> flood_regions(const Triangulation& triangulation, std::span<const Facet> facets,
-                               const FacetPlaces& places) {
+                               const FacetPlaces& places, const RunContext& context) {
+    RoundWatch watch(context);
     constexpr int unknown = -2;
     std::vector<int> regions(triangulation.tets.size(), unknown), stack;
     const auto agrees = [&](int tet, int region) {
         if (regions[tet] == unknown) regions[tet] = region, stack.push_back(tet);
         return regions[tet] == region;
     };
-    for (std::size_t t = 0; t < triangulation.tets.size(); ++t)
+    for (std::size_t t = 0; t < triangulation.tets.size(); ++t) {
+        watch();
         for (int k = 0; k < 4; ++k) {
             const int facet = places.facet_at[4 * t + k];
             if (facet < 0) continue;
@@ -92,7 +97,9 @@ std::vector<int> flood_regions(const Triangulation& triangulation, std::span<con
             const bool is_before = is_odd(side_of(triangulation.tets[t], k)) != is_odd(facets[facet].corners);
             if (!agrees(static_cast<int>(t), facets[facet].regions[is_before])) return {};
         }
+    }
     while (!stack.empty()) {
+        watch();
         const int tet = stack.back();
         stack.pop_back();
         for (int k = 0; k < 4; ++k) {

@@ -35,9 +35,9 @@ class Neighbourhood {
 
     bool is_small() const { return 2 * inner_count_ < static_cast<std::size_t>(fill_.triangulation.tets.size()); }
 
-    std::optional<ConstrainedTriangulation> recover() const {
+    std::optional<ConstrainedTriangulation> recover(const RunContext& context) const {
         if (!crossing_facets(sub_).empty()) return {};  // what is missing reaches through the border
-        ConstrainedTriangulation local = constrained_delaunay(sub_, {});
+        ConstrainedTriangulation local = constrained_delaunay(sub_, {}, context);
         if (local.is_given_up || !local.failed.empty()) return {};
         for (const auto& piece : local.split.pieces)
             if (facet_of_sub_[piece.facet] < 0 || is_border_[piece.facet]) return {};
@@ -227,11 +227,12 @@ class Neighbourhood {
 
 }  // namespace
 
-std::optional<ConstrainedTriangulation> recover_locally(const Cavity& cavity, const CavityFill& fill) {
+std::optional<ConstrainedTriangulation> recover_locally(const Cavity& cavity, const CavityFill& fill,
+                                                        const RunContext& context) {
     for (const double reach : {1.5, 4.0}) {
         const Neighbourhood near(cavity, fill, reach);
         if (!near.is_small()) return {};
-        auto recovered = near.recover();
+        auto recovered = near.recover(context);
         if (recovered && recovered->failed.empty()) return recovered;
     }
     return {};

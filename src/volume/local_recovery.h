@@ -12,6 +12,7 @@ namespace featuremesh {
 /// As constrained_delaunay for the whole cavity, but only the tets near missing facets are made anew: what a few
 /// missing triangles cost no longer depends on the size of the mesh. None when added points would have to cut the
 /// border of that neighbourhood.
-std::optional<ConstrainedTriangulation> recover_locally(const Cavity& cavity, const CavityFill& fill);
+std::optional<ConstrainedTriangulation> recover_locally(const Cavity& cavity, const CavityFill& fill,
+                                                        const RunContext& context = {});
 
 }  // namespace featuremesh

@@ -19,7 +19,7 @@ constexpr double smallest_volume_share = 0.05;
 /// Width of a block in longest edges. A move is at most half of one, so edges never get longer than two, and what one
 /// vertex looks at or queues ends less than two edges away.
 constexpr double block_width = 6;
-constexpr std::size_t tets_between_reports = 1 << 17;
+constexpr std::size_t tets_between_reports = 1 << 15;
 constexpr std::size_t tets_per_chunk = 1 << 13;
 
 /// Sums over a star: weight * 6 V * (circumcentre - vertex), weight * 6 V, and 6 V.

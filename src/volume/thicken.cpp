@@ -34,11 +34,14 @@ double thickness_of_corners(const std::array<Vec3, 4>& p, double least_volume) {
     return std::min(six_volumes / (6 * least_volume), six_volumes / (least_share * lengths));
 }
 
-std::vector<int> thin_tets(const TetComplex& complex, double least_volume) {
+std::vector<int> thin_tets(const TetComplex& complex, double least_volume, const RunContext& context) {
     std::vector<int> thin;
-    for (std::size_t t = 0; t < complex.tets.size(); ++t)
+    RoundWatch watch(context);
+    for (std::size_t t = 0; t < complex.tets.size(); ++t) {
+        watch();
         if (complex.tets[t][0] >= 0 && thickness(complex, complex.tets[t], least_volume) < 1)
             thin.push_back(static_cast<int>(t));
+    }
     return thin;
 }
 
@@ -200,7 +203,7 @@ class Thickener {
                 if (complex_.tets[tet][0] < 0 || thickness_of(complex_.tets[tet]) >= 1) continue;
                 gained = (remove_edge(tet) || collapse(tet) || move(tet) || insert(tet)) || gained;
             }
-            thin = thin_tets(complex_, least_volume_);
+            thin = thin_tets(complex_, least_volume_, context_);
             if (!gained) break;
         }
         return thin;
@@ -356,7 +359,7 @@ double thickness(const TetComplex& complex, const std::array<int, 4>& tet, doubl
 }
 
 std::vector<int> thicken(TetComplex& complex, double least_volume, RunContext& context) {
-    std::vector<int> thin = thin_tets(complex, least_volume);
+    std::vector<int> thin = thin_tets(complex, least_volume, context);
     if (thin.empty()) return thin;
     return Thickener(complex, least_volume, context).run(std::move(thin));
 }

@@ -29,27 +29,40 @@ std::string words(const Vec3& p) {
     return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) + ")";
 }
 
+/// Points by number, for CGAL; sorting by them ends when the work is cancelled.
+struct WatchedPoints {
+    using key_type = std::size_t;
+    using value_type = Kernel::Point_3;
+    using reference = const value_type&;
+    using category = boost::readable_property_map_tag;
+
+    const value_type* points;
+    RoundWatch* watch;
+    friend reference get(const WatchedPoints& map, key_type i) {
+        (*map.watch)();
+        return map.points[i];
+    }
+};
+
 /// Along a Hilbert curve, so that each point is found near the one before.
-std::vector<std::size_t> insertion_order(const std::vector<Kernel::Point_3>& points) {
+std::vector<std::size_t> insertion_order(const std::vector<Kernel::Point_3>& points, const RunContext& context) {
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    using Map = CGAL::Pointer_property_map<Kernel::Point_3>::const_type;
-    const CGAL::Spatial_sort_traits_adapter_3<Kernel, Map> traits(CGAL::make_property_map(points));
+    RoundWatch watch(context);
+    const CGAL::Spatial_sort_traits_adapter_3<Kernel, WatchedPoints> traits(WatchedPoints{points.data(), &watch});
     CGAL::spatial_sort<CGAL::Sequential_tag>(order.begin(), order.end(), traits);
     return order;
 }
 
 /// Numbers the points from `first` on.
-void insert_all(Delaunay& delaunay, std::span<const Vec3> points, std::size_t first, RunContext& context,
-                bool is_main) {
+void insert_all(Delaunay& delaunay, std::span<const Vec3> points, std::size_t first, RunContext& context) {
     std::vector<Kernel::Point_3> converted;
     converted.reserve(points.size());
     for (const Vec3& p : points) converted.emplace_back(p.x, p.y, p.z);
-    const std::vector<std::size_t> order = insertion_order(converted);
+    const std::vector<std::size_t> order = insertion_order(converted, context);
     Delaunay::Vertex_handle last;
     for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i % 1000 == 0)
-            is_main ? context.progress(0.7 * static_cast<double>(i) / order.size()) : context.check_cancelled();
+        if (i % 1000 == 0) context.progress(0.7 * static_cast<double>(i) / order.size());
         last = last == Delaunay::Vertex_handle() ? delaunay.insert(converted[order[i]])
                                                  : delaunay.insert(converted[order[i]], last->cell());
         last->info() = static_cast<int>(first + order[i]);
@@ -60,12 +73,14 @@ void insert_all(Delaunay& delaunay, std::span<const Vec3> points, std::size_t fi
     if (delaunay.dimension() < 3) throw MeshError("all nodes to fill between lie in one plane; mesh the part finer");
 }
 
-Triangulation extract(const Delaunay& delaunay, std::span<const int> number_of) {
+Triangulation extract(const Delaunay& delaunay, std::span<const int> number_of, const RunContext& context) {
+    RoundWatch watch(context);
     Triangulation result;
     const std::size_t count = delaunay.number_of_finite_cells();
     result.tets.reserve(count);
     result.neighbours.resize(count);
     for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell) {
+        watch();
         const std::array<int, 4> tet{cell->vertex(0)->info(), cell->vertex(1)->info(), cell->vertex(2)->info(),
                                      cell->vertex(3)->info()};
         const bool is_infinite = *std::min_element(tet.begin(), tet.end()) < 0;
@@ -75,9 +90,11 @@ Triangulation extract(const Delaunay& delaunay, std::span<const int> number_of) 
         if (!number_of.empty())
             for (int& corner : result.tets.back()) corner = number_of[static_cast<std::size_t>(corner)];
     }
-    for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)
+    for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell) {
+        watch();
         if (cell->info() >= 0)
             for (int k = 0; k < 4; ++k) result.neighbours[cell->info()][k] = cell->neighbor(k)->info();
+    }
     return result;
 }
 
@@ -90,18 +107,18 @@ struct GrowingDelaunay::Data {
 GrowingDelaunay::GrowingDelaunay() : data_(std::make_unique<Data>()) { data_->delaunay.infinite_vertex()->info() = -1; }
 GrowingDelaunay::~GrowingDelaunay() = default;
 
-void GrowingDelaunay::insert(std::span<const Vec3> points, RunContext& context, bool is_main) {
-    insert_all(data_->delaunay, points, data_->delaunay.number_of_vertices(), context, is_main);
+void GrowingDelaunay::insert(std::span<const Vec3> points, RunContext& context) {
+    insert_all(data_->delaunay, points, data_->delaunay.number_of_vertices(), context);
 }
 
-Triangulation GrowingDelaunay::tets(std::span<const int> number_of) const {
-    return extract(data_->delaunay, number_of);
+Triangulation GrowingDelaunay::tets(const RunContext& context, std::span<const int> number_of) const {
+    return extract(data_->delaunay, number_of, context);
 }
 
-Triangulation delaunay(std::span<const Vec3> points, RunContext& context, bool is_main) {
+Triangulation delaunay(std::span<const Vec3> points, RunContext& context) {
     GrowingDelaunay delaunay;
-    delaunay.insert(points, context, is_main);
-    return delaunay.tets();
+    delaunay.insert(points, context);
+    return delaunay.tets(context);
 }
 
 }  // namespace featuremesh

@@ -25,9 +25,9 @@ class GrowingDelaunay {
     GrowingDelaunay();
     ~GrowingDelaunay();
     /// Points count on from those before. Throws MeshError when two points coincide or all lie in one plane.
-    void insert(std::span<const Vec3> points, RunContext& context, bool is_main);
+    void insert(std::span<const Vec3> points, RunContext& context);
     /// The tets so far; `number_of` gives the points other numbers (empty: their own).
-    Triangulation tets(std::span<const int> number_of = {}) const;
+    Triangulation tets(const RunContext& context, std::span<const int> number_of = {}) const;
 
   private:
     struct Data;
@@ -35,9 +35,8 @@ class GrowingDelaunay {
 };
 
 /// The Delaunay triangulation; the order of `points` and of the tets is the same for the same input. Throws MeshError
-/// when two points coincide or all lie in one plane. Progress is told as `first_share` to `last_share` of the step when
-/// `is_main` (the caller's own thread).
-Triangulation delaunay(std::span<const Vec3> points, RunContext& context, bool is_main = true);
+/// when two points coincide or all lie in one plane.
+Triangulation delaunay(std::span<const Vec3> points, RunContext& context);
 
 /// Which of the facets are triangles of the tets, and where: (tet, corner opposite) seen from behind and from before,
 /// -1 for none.
@@ -45,11 +44,12 @@ struct FacetPlaces {
     std::vector<int> facet_at;  ///< by 4 tet + corner: the facet there, or -1
     std::vector<int> missing;   ///< facets that are no triangle of the tets
 };
-FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets);
+FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets,
+                        const RunContext& context = {});
 
 /// By tet: the region it is in, or -1, by flooding from the facets up to the facets. Empty when a region leaks into
 /// another.
 std::vector<int> flood_regions(const Triangulation& triangulation, std::span<const Facet> facets,
-                               const FacetPlaces& places);
+                               const FacetPlaces& places, const RunContext& context = {});
 
 }  // namespace featuremesh

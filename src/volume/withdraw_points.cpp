@@ -18,7 +18,6 @@ namespace {
 using Corners = std::array<int, 3>;
 using Pair = std::array<int, 2>;
 
-bool is_odd(const Corners& c) { return ((c[0] > c[1]) + (c[0] > c[2]) + (c[1] > c[2])) % 2 == 1; }
 Pair pair_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// The cavity with its cut facets replaced by their pieces, added points after its own.
@@ -65,14 +64,16 @@ class Withdrawal {
     }
 
     /// A point that finds no room may find some once others are gone, or have made room.
-    bool run() {
+    bool run(const RunContext& context) {
         constexpr int most_rounds = 12;
         std::vector<int> open;
         for (int p = first_; p < last_; ++p) open.push_back(p);
         for (int round = 0; !open.empty() && round < most_rounds; ++round) {
             std::vector<int> left;
-            for (const int p : open)
+            for (const int p : open) {
+                context.check_cancelled();
                 if (!withdraw(p)) left.push_back(p);
+            }
             for (const int p : left) make_room(p);
             open = std::move(left);
         }
@@ -298,14 +299,14 @@ class Withdrawal {
 }  // namespace
 
 std::optional<CavityFill> withdraw_points(const Cavity& cavity, const ConstrainedTriangulation& recovered,
-                                          std::span<const Vec3> seeds) {
+                                          std::span<const Vec3> seeds, const RunContext& context) {
     const Cavity cut = cut_cavity(cavity, recovered.split);
     std::vector<Vec3> points = cut.points;
     points.insert(points.end(), seeds.begin(), seeds.end());
-    CavityFill fill = flood_cavity(cut, std::move(points), recovered.triangulation);
+    CavityFill fill = flood_cavity(cut, std::move(points), recovered.triangulation, context);
     if (!fill.is_complete()) return {};
     Withdrawal withdrawal(cavity, recovered.split, std::move(fill));
-    if (!withdrawal.run()) return {};
+    if (!withdrawal.run(context)) return {};
     CavityFill result = withdrawal.result();
     if (!result.is_complete()) return {};
     return result;

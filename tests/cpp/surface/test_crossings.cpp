@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
 
 #include "catch.h"
 #include "core/errors.h"
@@ -97,4 +102,18 @@ TEST_CASE("solids that overlap or touch have each a mesh of its own, and a warni
         REQUIRE(result.report.warnings.size() == 1);
         CHECK(result.report.warnings[0].find("Solid1 and Solid2") != std::string::npos);
     }
+}
+
+TEST_CASE("a face whose boundary crosses itself is refused by its name and those of the edges") {
+    BRepBuilderAPI_MakePolygon outline(gp_Pnt(0, 0, 0), gp_Pnt(20, 0, 0), gp_Pnt(20, 10, 0), gp_Pnt(5, -5, 0), true);
+    const Brep brep(BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 6)).Shape());
+    std::string message;
+    try {
+        mesh_surface(brep, 2);
+    } catch (const MeshError& error) {
+        message = error.what();
+    }
+    CHECK(message.find("Face") != std::string::npos);
+    CHECK(message.find("Edge") != std::string::npos);
+    CHECK(message.find("Check geometry") != std::string::npos);
 }

@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <GProp_GProps.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <TopoDS_Face.hxx>
+
+#include <cmath>
 
 #include "catch.h"
 #include "core/errors.h"
@@ -10,6 +19,36 @@
 
 using namespace featuremesh;
 using namespace featuremesh::testing;
+
+namespace {
+
+/// A block 30 x 20 under a wavy face whose parameters run a hundred times faster at one end than at the other.
+TopoDS_Shape wild_spline_block() {
+    TColgp_Array2OfPnt poles(1, 6, 1, 5);
+    for (int i = 1; i <= 6; ++i)
+        for (int j = 1; j <= 5; ++j)
+            poles(i, j) = gp_Pnt(30 * std::pow((i - 1) / 5.0, 2.5), 20 * std::pow((j - 1) / 4.0, 0.5),
+                                 10 + std::sin(1.7 * i + j));
+    TColStd_Array1OfReal u(1, 4), v(1, 3);
+    TColStd_Array1OfInteger u_times(1, 4), v_times(1, 3);
+    u(1) = 0, u(2) = 0.01, u(3) = 0.7, u(4) = 1, v(1) = 0, v(2) = 0.9, v(3) = 1;
+    u_times(1) = u_times(4) = v_times(1) = v_times(3) = 4, u_times(2) = u_times(3) = v_times(2) = 1;
+    const Handle(Geom_BSplineSurface) surface = new Geom_BSplineSurface(poles, u, v, u_times, v_times, 3, 3);
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(surface, 1e-7).Face(), gp_Vec(0, 0, -10)).Shape();
+}
+
+}  // namespace
+
+TEST_CASE("a face with a wild parametrisation is meshed evenly") {
+    const Brep brep(wild_spline_block());
+    const Mesh mesh = mesh_surface(brep, 1.5).mesh;
+    CHECK(findings(brep, mesh) == std::vector<std::string>{});
+    CHECK(euler_characteristic(mesh) == 2);
+    CHECK(smallest_angle(mesh) > 20);
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(brep.shape(), properties);
+    CHECK(area(mesh) == Approx(properties.Mass()).epsilon(0.02));
+}
 
 TEST_CASE("every kind of face is covered by a closed, well-shaped surface mesh") {
     for (const NamedShape& s : named_shapes()) {

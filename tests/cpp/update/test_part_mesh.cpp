@@ -268,3 +268,17 @@ TEST_CASE("where 10-node tets would stay folded, the part is meshed finer, and t
     const auto& warnings = result.report.warnings;
     CHECK(std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) { return w.find("finer than asked at Face1") != std::string::npos; }));
 }
+
+TEST_CASE("a local size on a face that no longer exists is a warning that names it, in a mesh and in an update") {
+    MeshOptions options = options_of(5);
+    options.sizing.local = {{entity_of(FaceId(6)), 2}, {entity_of(FaceId(41)), 2}};
+    const PartMeshResult drilled = meshed(plate_with_hole(20), options);
+    const auto is_named = [](const PartMeshResult& result, const std::string& name) {
+        const auto& warnings = result.report.warnings;
+        return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& w) { return w.find("local size at " + name + " ") != std::string::npos; });
+    };
+    CHECK(is_named(drilled, "Face42"));
+    CHECK_FALSE(is_named(drilled, "Face7"));
+    const PartMeshResult plain = updated(*drilled.part_mesh, PartDocument().box("Part", {0, 0, 0}, {60, 30, 6}).finish(), options);
+    CHECK(is_named(plain, "Face7"));
+}

@@ -65,6 +65,11 @@ TopoDS_Shape tube_part(double radius, double length) {
 
 TopoDS_Shape touching_cylinders() { return glued(cylinder(0, 0, 0, 5, 12), cylinder(10, 0, 0, 5, 12)); }
 
+TopoDS_Shape cylinders_at_a_point() {
+    const gp_Ax2 across(gp_Pnt(10, -8, 6), gp::DY());
+    return glued(cylinder(0, 0, 0, 5, 12), BRepPrimAPI_MakeCylinder(across, 5, 16).Shape());
+}
+
 TopoDS_Shape unglued_boxes() {
     TopoDS_Compound both;
     const BRep_Builder builder;

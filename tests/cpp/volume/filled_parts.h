@@ -27,6 +27,8 @@ TopoDS_Shape wedge_part(double angle_deg);
 TopoDS_Shape tube_part(double radius, double length);
 /// Two cylinders, one solid each, that share nothing but a line.
 TopoDS_Shape touching_cylinders();
+/// Two cylinders across one another that share nothing but a point.
+TopoDS_Shape cylinders_at_a_point();
 /// Two boxes that touch without sharing anything: a compound that nobody glued.
 TopoDS_Shape unglued_boxes();
 /// A long block with a slot 0.3 wide at one end.

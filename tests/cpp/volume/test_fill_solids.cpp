@@ -85,7 +85,8 @@ TEST_CASE("parts of all kinds are filled") {
          {"drilled, turned, far away", turned(drilled_part(), 0.777, {1e5, 7e4, -1e5}), 3.0},
          {"two solids", two_solids(), 3.0},
          {"hollow", hollow_part(), 2.5},
-         {"touching", touching_cylinders(), 2.5},
+         {"touching along a line", touching_cylinders(), 2.5},
+         {"touching at a point", cylinders_at_a_point(), 2.5},
          {"unglued", unglued_boxes(), 2.5}}));
     INFO(name);
     const Part part = prepare(shape, size);
@@ -237,4 +238,23 @@ TEST_CASE("a solid with two faces in the same place is refused with their names"
         CHECK(std::string(error.what()).find("Face2") != std::string::npos);
         CHECK(std::string(error.what()).find("Face7") != std::string::npos);
     }
+}
+
+TEST_CASE("with two elements across, no tet has its corners on two opposite walls only") {
+    const auto [name, shape, size] = GENERATE(table<std::string, TopoDS_Shape, double>(
+        {{"plate", turned(box_part({0, 0, 0}, {20, 24, 3}), 0.6, {}), 6.0}, {"tube", tube_part(8, 10), 4.0}}));
+    INFO(name);
+    SizingOptions options;
+    options.size = size;
+    options.elements_across_gap = 2;
+    const Part part = prepare(shape, options);
+    const Mesh mesh = fill(part).mesh;
+    CHECK(findings(part.brep, mesh) == "");
+    CHECK(std::all_of(mesh.tets.begin(), mesh.tets.end(), [&](const std::array<NodeId, 4>& tet) {
+        const auto is_inside = [&](NodeId n) { return mesh.entities[n.index()].dim == 3; };
+        const auto is_at_rim = [&](NodeId n) { return mesh.entities[n.index()].dim < 2; };
+        return std::any_of(tet.begin(), tet.end(), is_inside) || std::any_of(tet.begin(), tet.end(), is_at_rim);
+    }));
+    options.elements_across_gap = 0;
+    CHECK(fill(prepare(shape, options)).mesh.tets.size() < mesh.tets.size() / 4);
 }

@@ -152,18 +152,18 @@ TEST_CASE("a triangulation that points are added to is that of all of them") {
     for (int i = 0; i < 60; ++i) points.push_back({unit(random), unit(random), unit(random)});
     RunContext context;
     GrowingDelaunay growing;
-    growing.insert(std::span(points).first(50), context, true);
-    growing.insert(std::span(points).subspan(50), context, true);
+    growing.insert(std::span(points).first(50), context);
+    growing.insert(std::span(points).subspan(50), context);
     const auto sorted = [](std::vector<std::array<int, 4>> tets) {
         for (auto& tet : tets) std::sort(tet.begin(), tet.end());
         std::sort(tets.begin(), tets.end());
         return tets;
     };
-    CHECK(sorted(growing.tets().tets) == sorted(delaunay(points, context).tets));
+    CHECK(sorted(growing.tets(context).tets) == sorted(delaunay(points, context).tets));
     std::vector<int> reversed(points.size());
     std::iota(reversed.rbegin(), reversed.rend(), 0);
     std::vector<Vec3> other_way(points.rbegin(), points.rend());
-    CHECK(sorted(growing.tets(reversed).tets) == sorted(delaunay(other_way, context).tets));
+    CHECK(sorted(growing.tets(context, reversed).tets) == sorted(delaunay(other_way, context).tets));
 }
 
 TEST_CASE("flooding stays within closed facets and sees a leak") {
