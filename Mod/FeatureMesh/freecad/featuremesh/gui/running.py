@@ -10,7 +10,7 @@ from PySide import QtCore, QtGui
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
-_STEPS = {
+STEPS = {
     "": QT_TRANSLATE_NOOP("FeatureMesh", "starting"),
     "waiting": QT_TRANSLATE_NOOP("FeatureMesh", "waiting for other work"),
     "read": QT_TRANSLATE_NOOP("FeatureMesh", "reading the part"),
@@ -26,7 +26,7 @@ _STEPS = {
 
 def step_in_words(step):
     """The engine's step in the user's language."""
-    return translate("FeatureMesh", _STEPS.get(step, step))
+    return translate("FeatureMesh", STEPS.get(step, step))
 
 
 class RunningJob:
