@@ -12,12 +12,23 @@ namespace {
 /// In wanted edge lengths; the circumspheres of the lattice's tets have 0.65.
 constexpr double radius_of_a_gap = 0.8;
 
+/// By point: whether it is a corner of the seam with kept tets.
+std::vector<char> seam_points(std::size_t point_count, const Cavity& cavity) {
+    std::vector<char> is_seam(point_count, 0);
+    for (std::size_t f = 0; f < cavity.facets.size(); ++f)
+        if (cavity.tet_of_facet[f].is_valid())
+            for (const int c : cavity.facets[f].corners) is_seam[c] = 1;
+    return is_seam;
+}
+
 /// Between the lattice and a seam there may be room for a point that neither has. Left empty, the mesh would get
-/// coarser with every update.
+/// coarser with every update. Elsewhere a mesh from scratch has such room, too.
 std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<const Vec3> points, const Cavity& cavity,
                                  std::span<const Ball> balls, const WantedSize& size, const RunContext& context) {
+    const std::vector<char> is_seam = seam_points(points.size(), cavity);
     std::vector<std::pair<double, Vec3>> gaps;
     for (const auto& [a, b, c, d] : triangulation.tets) {
+        if (!(is_seam[a] || is_seam[b] || is_seam[c] || is_seam[d])) continue;
         const Ball ball = circumsphere(points[a], points[b], points[c], points[d]);
         if (!(ball.radius > radius_of_a_gap * size.at(ball.center) && ball.radius < 2 * size.largest)) continue;
         gaps.emplace_back(-ball.radius, ball.center);

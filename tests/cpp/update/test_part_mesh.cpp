@@ -192,6 +192,17 @@ TEST_CASE("a longer plate and a new hole are updated") {
     CHECK(two.report.fallbacks.empty());
 }
 
+TEST_CASE("what an edit adds is as fine as in a full mesh") {
+    const auto block = [](double length) {
+        return PartDocument().box("Block", {0, 0, 0}, {length, 30, 20}).cylinder("Hole", {12, 15, -1}, 4, 22).cut("Part", "Block", "Hole").finish();
+    };
+    const MeshOptions options = options_of(2.2);
+    const auto longer = updated(*meshed(block(40), options).part_mesh, block(60), options);
+    const auto full = meshed(block(60), options);
+    CHECK(double(longer.report.tets) < 1.01 * double(full.report.tets));
+    CHECK(double(longer.report.tets) > 0.98 * double(full.report.tets));
+}
+
 TEST_CASE("the same edit gives the same bytes for any number of threads, live or restored") {
     const MeshOptions options = options_of(2.5);
     const auto one = meshed(plate_with_hole(15), options, 1).part_mesh, two = meshed(plate_with_hole(15), options, 2).part_mesh;
