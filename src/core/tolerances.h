@@ -14,6 +14,8 @@ struct Tolerances {
     double same_geometry() const { return 1e-7 > 1e-9 * diagonal ? 1e-7 : 1e-9 * diagonal; }
     /// Two vertices of a solid nearer than this share a node: elements between them would have no volume to speak of.
     double negligible() const { return 9e-7 * diagonal; }
+    /// Nodes of an edge keep as far from other edges that touch it: nearer, two chains could not be told apart.
+    double contact() const { return 1.1e-5 * diagonal; }
     /// A tet of less volume than this, mm^3, is as good as flat.
     double least_volume() const { return 1.1e-12 * diagonal * diagonal * diagonal; }
     /// The edge of an even tet of that volume: elements that are all over shorter are as good as flat.

@@ -135,6 +135,13 @@ int fewest_pieces(const Measure& measure, bool is_closed, bool has_twin) {
 /// Halves go up whatever the rounding errors, so that equal edges get equal chains.
 int rounded(double pieces) { return static_cast<int>(std::floor(pieces + 0.5 + 1e-6)); }
 
+std::vector<std::vector<Vec3>> points_of(const std::vector<EdgeChain>& chains, const Mesh& mesh) {
+    std::vector<std::vector<Vec3>> points(chains.size());
+    for (std::size_t e = 0; e < chains.size(); ++e)
+        for (const NodeId n : chains[e].nodes) points[e].push_back(mesh.point(n));
+    return points;
+}
+
 void check_order(const EdgeChain& chain, EdgeId edge) {
     if (std::is_sorted(chain.t.begin(), chain.t.end(), std::less_equal<>())) return;
     throw MeshError("The kept nodes of " + name_of(entity_of(edge)) +
@@ -174,6 +181,7 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
                        RunContext& context)
     : merged_(merged), projector_(brep), chains_(brep.edge_count()), vertex_nodes_(vertex_nodes(brep, merged, mesh)) {
     const KeptOnEdges kept = kept_on_edges(brep, mesh);
+    const std::size_t first_new_node = mesh.node_count();
     std::map<std::array<NodeId, 2>, int> between;
     const auto shared_ends = [&](EdgeId edge) {
         const auto [first, last] = brep.ends_of(edge);
@@ -230,7 +238,62 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
         }
         chain.nodes.push_back(base.nodes.back()), chain.t.push_back(base.t.back());
     }
+    keep_off_contacts(brep, sizing, first_new_node, mesh);
     for (const EdgeId edge : followers) follow_owner(brep, edge, mesh);
+}
+
+void EdgeChains::keep_off_contacts(const Brep& brep, const WantedLength& sizing, std::size_t first_new_node,
+                                   Mesh& mesh) {
+    std::optional<ChainNeighbours> neighbours;  // many updates need none
+    for (std::size_t e = 0; e < chains_.size(); ++e) {
+        EdgeChain& chain = chains_[e];
+        const auto is_free = [&](std::size_t i) {
+            const std::size_t n = chain.nodes[i].index();
+            return n >= first_new_node && mesh.entities[n] == entity_of(EdgeId(e));
+        };
+        for (std::size_t begin = 1; begin + 1 < chain.nodes.size(); ++begin) {
+            std::size_t end = begin;
+            while (is_free(end)) ++end;
+            if (end == begin) continue;
+            if (!neighbours) neighbours.emplace(brep, projector_, points_of(chains_, mesh));
+            begin = keep_off_contacts(brep, sizing, *neighbours, EdgeId(e), {begin, end}, mesh);
+        }
+    }
+}
+
+std::size_t EdgeChains::keep_off_contacts(const Brep& brep, const WantedLength& sizing,
+                                          const ChainNeighbours& neighbours, EdgeId edge,
+                                          const std::array<std::size_t, 2>& run, Mesh& mesh) {
+    const auto [begin, end] = run;
+    EdgeChain& chain = chains_[edge.index()];
+    const auto touches = [&](const Vec3& p) { return neighbours.is_on_another(edge, p, brep.tolerances().contact()); };
+    if (std::none_of(chain.nodes.begin() + std::ptrdiff_t(begin), chain.nodes.begin() + std::ptrdiff_t(end),
+                     [&](NodeId n) { return touches(mesh.point(n)); }))
+        return end;
+    const BRepAdaptor_Curve curve(brep.edge(edge));
+    const Measure measure(curve, sizing, chain.t[begin - 1], chain.t[end]);
+    const std::size_t pieces = end - begin + 1;
+    constexpr std::size_t most_added = 3;
+    for (std::size_t more = pieces + 1; more <= pieces + most_added; ++more) {
+        std::vector<double> t;
+        for (std::size_t k = 1; k < more; ++k) t.push_back(measure.at_share(double(k) / double(more)));
+        if (std::any_of(t.begin(), t.end(), [&](double at) { return touches(to_vec(curve.Value(at))); })) continue;
+        for (std::size_t k = 0; k < t.size(); ++k) {
+            const std::size_t i = begin + k;
+            const Vec3 p = to_vec(curve.Value(t[k]));
+            if (i < end) {
+                const std::size_t n = chain.nodes[i].index();
+                chain.t[i] = t[k], mesh.points[n] = p, mesh.parameters[n] = {t[k], 0};
+                continue;
+            }
+            const auto at = static_cast<std::ptrdiff_t>(i);
+            chain.nodes.insert(chain.nodes.begin() + at, mesh.add_node(p, entity_of(edge), {t[k], 0}));
+            chain.t.insert(chain.t.begin() + at, t[k]);
+            chain.is_kept.insert(chain.is_kept.begin() + at, 0);
+        }
+        return begin + t.size();
+    }
+    return end;
 }
 
 void EdgeChains::follow_owner(const Brep& brep, EdgeId edge, const Mesh& mesh) {
@@ -243,8 +306,7 @@ void EdgeChains::follow_owner(const Brep& brep, EdgeId edge, const Mesh& mesh) {
     const auto place = [&](VertexId v) { return std::find(owner.nodes.begin(), owner.nodes.end(), node_of(v)); };
     const auto [first, last] = std::minmax({place(ends[0]), place(ends[1])});
     if (last == owner.nodes.end())
-        throw MeshError(name_of(entity_of(edge)) + " lies on " +
-                        name_of(entity_of(merged_.edge_of[edge.index()])) +
+        throw MeshError(name_of(entity_of(edge)) + " lies on " + name_of(entity_of(merged_.edge_of[edge.index()])) +
                         " but does not begin and end there. Check the feature that made them (Part: Check geometry).");
     chain.nodes.assign(first, last + 1);
     if (place(ends[1]) < place(ends[0])) std::reverse(chain.nodes.begin(), chain.nodes.end());

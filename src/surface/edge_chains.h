@@ -9,6 +9,7 @@
 #include "core/run_context.h"
 #include "features/brep.h"
 #include "mesh/mesh.h"
+#include "surface/chain_neighbours.h"
 #include "surface/merged_entities.h"
 #include "surface/projection.h"
 #include "surface/wanted_length.h"
@@ -40,7 +41,8 @@ class EdgeChains {
   public:
     /// Keeps the mesh's nodes and segments on edges and fills the gaps by the sizing field along the arc length: equal
     /// shares, at least one piece, a curve at least one per quarter turn, two edges between the same two vertices never
-    /// the same chain. New nodes are appended to `mesh`.
+    /// the same chain. Where edges of one solid touch between their vertices, nodes keep off the place. New nodes are
+    /// appended to `mesh`.
     EdgeChains(const Brep& brep, const MergedEntities& merged, const WantedLength& sizing, Mesh& mesh,
                RunContext& context);
 
@@ -66,6 +68,11 @@ class EdgeChains {
     void add_segments(Mesh& mesh) const;
 
   private:
+    /// Divides runs of new nodes into more pieces where one of them lies on another edge.
+    void keep_off_contacts(const Brep& brep, const WantedLength& sizing, std::size_t first_new_node, Mesh& mesh);
+    /// The same for the nodes from the first to before the second of `run`; where it ends now.
+    std::size_t keep_off_contacts(const Brep& brep, const WantedLength& sizing, const ChainNeighbours& neighbours,
+                                  EdgeId edge, const std::array<std::size_t, 2>& run, Mesh& mesh);
     /// The owner's nodes between the ends, with their places on this edge.
     void follow_owner(const Brep& brep, EdgeId edge, const Mesh& mesh);
 

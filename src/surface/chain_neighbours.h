@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which CAD edges pass through a point of another edge.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "features/brep.h"
+#include "surface/projection.h"
+
+namespace featuremesh {
+
+/// The edges of a part by where their chains run.
+class ChainNeighbours {
+  public:
+    /// `chains`: by edge, the points of its chain; none for an edge without.
+    ChainNeighbours(const Brep& brep, const Projector& projector, std::vector<std::vector<Vec3>> chains);
+
+    /// Whether another edge of the same solid, with no end in common with this one, passes by p nearer than `reach` mm,
+    /// while the edges are not both straight.
+    bool is_on_another(EdgeId edge, const Vec3& p, double reach) const;
+
+  private:
+    struct Extent {
+        Box box;
+        double sagitta = 0;  ///< no point of the edge is further from its chain, mm
+        bool is_straight = false;
+    };
+    bool may_touch(EdgeId a, EdgeId b) const;
+    bool is_near_chain(std::size_t edge, const Vec3& p, double reach) const;
+
+    const Brep& brep_;
+    const Projector& projector_;
+    std::vector<std::vector<Vec3>> chains_;
+    std::vector<Extent> extents_;                         ///< by edge
+    std::vector<std::pair<double, std::size_t>> by_low_;  ///< lowest x of the box, edge
+    double widest_ = 0;                                   ///< box along x, mm
+};
+
+}  // namespace featuremesh
