@@ -220,39 +220,72 @@ void find_partners(const BoundaryPair& pair, const BoundaryMatch& match, Carried
 }
 
 namespace {
-/// What became of one old face; marks the new faces that overlap it.
-FaceChange change_of(FaceId f, const BoundaryPair& pair, const BoundaryMatch& match, const CarriedRegion& region,
-                     std::vector<char>& has_partner) {
-    const PartnerFinder finder(pair, match);
-    FaceChange change{BoundaryVerdict::vanished, f, FaceId(), area_of(pair.old_model.brep().face(f)), 0};
-    for (const FaceId partner : region.new_faces_of[f.index()]) {
-        const bool kept = finder.same_trim(f, partner);
-        if (!kept && !finder.do_overlap(f, partner)) continue;
-        has_partner[partner.index()] = 1;
-        if (change.new_face.is_valid() && !kept) continue;
-        change.verdict = kept ? BoundaryVerdict::kept : BoundaryVerdict::trimmed_differently;
-        change.new_face = partner;
+/// What became of the old faces. Faces of one solid do not overlap: one that has a twin, a face of the same border, has
+/// nothing to do with any other.
+class FaceHistory {
+  public:
+    FaceHistory(const BoundaryPair& pair, const BoundaryMatch& match, const CarriedRegion& region)
+        : pair_(pair),
+          match_(match),
+          region_(region),
+          finder_(pair, match),
+          twins_of_(match.group_of_old_face.size()),
+          has_twin_(match.group_of_new_face.size(), 0),
+          has_partner_(match.group_of_new_face.size(), 0) {
+        for (std::size_t f = 0; f < twins_of_.size(); ++f)
+            for (const FaceId partner : region.new_faces_of[f])
+                if (finder_.same_trim(FaceId(f), partner)) twins_of_[f].push_back(partner), has_twin_[partner.index()] = 1;
     }
-    if (!change.new_face.is_valid()) return change;
-    if (match.groups[std::size_t(match.group_of_old_face[f.index()])].is_unchanged())
-        change.verdict = BoundaryVerdict::kept;
-    change.new_area =
-        change.verdict == BoundaryVerdict::kept ? change.old_area : area_of(pair.new_model.brep().face(change.new_face));
-    return change;
-}
+
+    std::vector<FaceChange> changes() {
+        std::vector<FaceChange> changes;
+        for (std::size_t f = 0; f < twins_of_.size(); ++f) changes.push_back(change_of(FaceId(f)));
+        for (std::size_t f = 0; f < has_partner_.size(); ++f)
+            if (!has_partner_[f])
+                changes.push_back(
+                    {BoundaryVerdict::appeared, FaceId(), FaceId(f), 0, area_of(pair_.new_model.brep().face(FaceId(f)))});
+        return changes;
+    }
+
+  private:
+    bool is_known_apart(FaceId old_face, FaceId new_face) const {
+        return pair_.old_model.brep().solid_count() == 1 && pair_.new_model.brep().solid_count() == 1 &&
+               (!twins_of_[old_face.index()].empty() || has_twin_[new_face.index()]);
+    }
+
+    /// Marks the new faces that overlap the old one.
+    FaceChange change_of(FaceId f) {
+        FaceChange change{BoundaryVerdict::vanished, f, FaceId(), area_of(pair_.old_model.brep().face(f)), 0};
+        for (const FaceId partner : region_.new_faces_of[f.index()]) {
+            const std::vector<FaceId>& twins = twins_of_[f.index()];
+            const bool kept = std::find(twins.begin(), twins.end(), partner) != twins.end();
+            if (!kept && (is_known_apart(f, partner) || !finder_.do_overlap(f, partner))) continue;
+            has_partner_[partner.index()] = 1;
+            if (change.new_face.is_valid() && !kept) continue;
+            change.verdict = kept ? BoundaryVerdict::kept : BoundaryVerdict::trimmed_differently;
+            change.new_face = partner;
+        }
+        if (!change.new_face.is_valid()) return change;
+        if (match_.groups[std::size_t(match_.group_of_old_face[f.index()])].is_unchanged())
+            change.verdict = BoundaryVerdict::kept;
+        change.new_area = change.verdict == BoundaryVerdict::kept
+                              ? change.old_area
+                              : area_of(pair_.new_model.brep().face(change.new_face));
+        return change;
+    }
+
+    const BoundaryPair& pair_;
+    const BoundaryMatch& match_;
+    const CarriedRegion& region_;
+    const PartnerFinder finder_;
+    std::vector<std::vector<FaceId>> twins_of_;  // by old face
+    std::vector<char> has_twin_, has_partner_;   // by new face
+};
 }  // namespace
 
 std::vector<FaceChange> face_changes(const BoundaryPair& pair, const BoundaryMatch& match,
                                      const CarriedRegion& region) {
-    std::vector<FaceChange> changes;
-    std::vector<char> has_partner(match.group_of_new_face.size(), 0);
-    for (std::size_t f = 0; f < match.group_of_old_face.size(); ++f)
-        changes.push_back(change_of(FaceId(f), pair, match, region, has_partner));
-    for (std::size_t f = 0; f < has_partner.size(); ++f)
-        if (!has_partner[f])
-            changes.push_back(
-                {BoundaryVerdict::appeared, FaceId(), FaceId(f), 0, area_of(pair.new_model.brep().face(FaceId(f)))});
-    return changes;
+    return FaceHistory(pair, match, region).changes();
 }
 
 }  // namespace featuremesh

@@ -197,7 +197,10 @@ class Keeper {
 
     // Where a face's boundary is the old one a point that was inside still is: everywhere, or far from all that changed.
     bool is_untouched(const Place& place, std::size_t old_face, const Vec3& p) const {
-        if (place.motion == 0 && is_untouched_[old_face]) return true;
+        return (place.motion == 0 && is_untouched_[old_face]) || is_far_from_changes(place, p);
+    }
+
+    bool is_far_from_changes(const Place& place, const Vec3& p) const {
         const Box changed = regions()[std::size_t(place.motion)].changed.box();
         if (changed.is_empty()) return false;
         return !changed.grown(2 * in_.margin * in_.new_sizing.largest()).contains(p) || !changed.grown(2 * in_.margin * in_.new_sizing.at(p)).contains(p);
@@ -206,7 +209,11 @@ class Keeper {
     bool place_on_faces(Place& place, std::size_t old_face, const Vec3& p) {
         const auto& pieces = regions()[std::size_t(place.motion)].new_faces_of[old_face];
         if (pieces.size() == 1) return place_on_face(place, pieces[0], p, is_untouched(place, old_face, p));
-        return std::any_of(pieces.begin(), pieces.end(), [&](FaceId face) { return may_hold(face, p) && place_on_face(place, face, p, false); });
+        std::vector<FaceId> near;
+        for (const FaceId face : pieces)
+            if (may_hold(face, p)) near.push_back(face);
+        const bool is_clear = near.size() == 1 && is_far_from_changes(place, p);
+        return std::any_of(near.begin(), near.end(), [&](FaceId face) { return place_on_face(place, face, p, is_clear); });
     }
 
     bool may_hold(FaceId face, const Vec3& p) {
@@ -454,13 +461,16 @@ class Keeper {
 
     void take_segments(Kept& kept, const std::vector<std::int32_t>& new_index) const {
         const Mesh& old = in_.old_mesh;
+        std::map<std::tuple<std::size_t, EdgeId, EdgeId>, bool> turned;
         for (std::size_t s = 0; s < old.segments.size(); ++s) {
             const auto& nodes = old.segments[s];
             if (!survives(nodes, new_index)) continue;
             const EdgeId edge = edge_of(s);
             if (!edge.is_valid()) continue;
             std::array<NodeId, 2> segment{NodeId(new_index[nodes[0].index()]), NodeId(new_index[nodes[1].index()])};
-            if (runs_backwards(kept.mesh, segment, edge)) std::swap(segment[0], segment[1]);
+            const auto [turn, is_new] = turned.try_emplace({std::size_t(motions_[nodes[0].index()]), old.segment_edges[s], edge}, false);
+            if (is_new) turn->second = runs_backwards(kept.mesh, segment, edge);
+            if (turn->second) std::swap(segment[0], segment[1]);
             kept.mesh.segments.push_back(segment);
             kept.mesh.segment_edges.push_back(edge);
             kept.mesh.segment_numbers.push_back(old.segment_numbers[s]);
@@ -471,24 +481,27 @@ class Keeper {
     // The piece of its edge that an old segment is on: both its nodes are, and of several (two arcs between two vertices) it is the nearest.
     EdgeId edge_of(std::size_t segment) const {
         const auto& nodes = in_.old_mesh.segments[segment];
+        std::vector<EdgeId> candidates;
+        const std::size_t r = std::size_t(motions_[nodes[0].index()]);
+        for (const EdgeId piece : regions()[r].new_edges_of[in_.old_mesh.segment_edges[segment].index()])
+            if (const EdgeId edge = merged_.edge_of[piece.index()]; is_at(edge, nodes[0]) && is_at(edge, nodes[1])) candidates.push_back(edge);
+        if (candidates.size() < 2) return candidates.empty() ? EdgeId() : candidates[0];
         const Vec3 middle = (carried(nodes[0].index()) + carried(nodes[1].index())) / 2.0;
         EdgeId best;
         double least = std::numeric_limits<double>::infinity();
-        const std::size_t r = std::size_t(motions_[nodes[0].index()]);
-        for (const EdgeId piece : regions()[r].new_edges_of[in_.old_mesh.segment_edges[segment].index()]) {
-            const EdgeId edge = merged_.edge_of[piece.index()];
-            const auto ends = in_.new_brep.ends_of(edge);
-            const auto is_at = [&](NodeId n) {
-                const Entity entity = entities_[n.index()];
-                if (entity.dim == 1) return entity == entity_of(edge);
-                const VertexId vertex = merged_.vertex_of[std::size_t(entity.index)];
-                return merged_.vertex_of[ends[0].index()] == vertex || merged_.vertex_of[ends[1].index()] == vertex;
-            };
-            if (!is_at(nodes[0]) || !is_at(nodes[1])) continue;
+        for (const EdgeId edge : candidates) {
             const double d = projector_.nearest(edge, middle).distance;
             if (d < least) least = d, best = edge;
         }
         return best;
+    }
+
+    bool is_at(EdgeId edge, NodeId node) const {
+        const Entity entity = entities_[node.index()];
+        if (entity.dim == 1) return entity == entity_of(edge);
+        const auto ends = in_.new_brep.ends_of(edge);
+        const VertexId vertex = merged_.vertex_of[std::size_t(entity.index)];
+        return merged_.vertex_of[ends[0].index()] == vertex || merged_.vertex_of[ends[1].index()] == vertex;
     }
 
     // The new edge may be parametrised the other way round.

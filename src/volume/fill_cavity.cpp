@@ -24,7 +24,8 @@ std::vector<char> seam_points(std::size_t point_count, const Cavity& cavity) {
 /// Between the lattice and a seam there may be room for a point that neither has. Left empty, the mesh would get
 /// coarser with every update. Elsewhere a mesh from scratch has such room, too.
 std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<const Vec3> points, const Cavity& cavity,
-                                 std::span<const Ball> balls, const WantedSize& size, const RunContext& context) {
+                                 const SeedRegion& region, std::span<const Ball> balls, const WantedSize& size,
+                                 const RunContext& context) {
     const std::vector<char> is_seam = seam_points(points.size(), cavity);
     std::vector<std::pair<double, Vec3>> gaps;
     for (const auto& [a, b, c, d] : triangulation.tets) {
@@ -41,7 +42,7 @@ std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<c
     for (const auto& [radius, center] : gaps) centers.push_back(center);
     SeedOptions options;
     options.spacing = radius_of_a_gap;
-    return seeds_with_room(centers, cavity.points, cavity.facets, balls, size, options, context);
+    return seeds_with_room(centers, region, balls, size, options, context);
 }
 
 }  // namespace
@@ -61,14 +62,14 @@ CavityFill flood_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangul
 CavityFill fill_cavity(const Cavity& cavity, std::span<const Ball> balls, std::span<const Vec3> active,
                        const WantedSize& size, RunContext& context) {
     std::vector<Vec3> points = cavity.points;
-    const std::vector<Vec3> seeds =
-        find_seeds(cavity.points, cavity.facets, balls, active, size, SeedOptions{}, context);
+    const SeedRegion region(cavity.points, cavity.facets);
+    const std::vector<Vec3> seeds = find_seeds(region, balls, active, size, SeedOptions{}, context);
     points.insert(points.end(), seeds.begin(), seeds.end());
     const auto delaunay = std::make_shared<GrowingDelaunay>();
     delaunay->insert(points, context);
     Triangulation triangulation = delaunay->tets(context);
     if (!balls.empty()) {
-        const std::vector<Vec3> more = points_in_gaps(triangulation, points, cavity, balls, size, context);
+        const std::vector<Vec3> more = points_in_gaps(triangulation, points, cavity, region, balls, size, context);
         if (!more.empty()) {
             delaunay->insert(more, context);
             points.insert(points.end(), more.begin(), more.end());

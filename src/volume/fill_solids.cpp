@@ -179,7 +179,6 @@ class Filling {
     }
 
     void mend(int round) {
-        if (round == 0) require_closed();
         if (round >= most_rounds) throw_unrecovered();
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
             CavityFill& fill = fills_[i];
@@ -241,6 +240,7 @@ class Filling {
                 outgrown_.push_back({cavity.nodes, std::move(fill)});
             return;
         }
+        require_closed(cavity);
         const std::vector<int> crossing = crossing_facets(cavity);
         if (!crossing.empty()) {
             if (++crossing_rounds_ > most_crossing_rounds) throw_crossing(cavity, crossing);
@@ -297,14 +297,11 @@ class Filling {
         return names.empty() ? "the surface" : names;
     }
 
-    void require_closed() const {
-        for (std::size_t i = 0; i < cavities_.size(); ++i) {
-            if (fills_[i].is_complete()) continue;
-            const std::vector<int> open = open_facets(cavities_[i]);
-            if (open.empty()) continue;
-            throw MeshError("the surface mesh does not close at " + names_of_faces(cavities_[i], open) +
-                            "; check the shape there, or try another size");
-        }
+    void require_closed(const Cavity& cavity) const {
+        const std::vector<int> open = open_facets(cavity);
+        if (open.empty()) return;
+        throw MeshError("the surface mesh does not close at " + names_of_faces(cavity, open) +
+                        "; check the shape there, or try another size");
     }
 
     /// Throws with the names of the faces where two nodes are in one place.

@@ -10,7 +10,6 @@
 #include <unordered_set>
 
 #include "volume/distance_to_triangle.h"
-#include "volume/region_locator.h"
 
 namespace featuremesh {
 
@@ -45,23 +44,20 @@ struct HashPoint {
 
 class SeedOctree {
   public:
-    SeedOctree(std::span<const Vec3> points, std::span<const Facet> facets, std::span<const Ball> balls,
-               const WantedSize& size, const SeedOptions& options, const RunContext& context)
-        : points_(points),
-          facets_(facets),
+    SeedOctree(const SeedRegion& region, std::span<const Ball> balls, const WantedSize& size,
+               const SeedOptions& options, const RunContext& context)
+        : points_(region.points()),
+          facets_(region.facets()),
+          boxes_(region.boxes()),
+          locator_(region.locator()),
           balls_(balls),
           size_(size),
           options_(options),
           context_(context),
-          locator_(points, facets),
-          unit_(lattice_constant(size.largest) / root_edge) {
-        boxes_.resize(facets.size());
-        for (std::size_t i = 0; i < facets.size(); ++i)
-            for (const int c : facets[i].corners) boxes_[i].add(points[c]);
-    }
+          unit_(lattice_constant(size.largest) / root_edge) {}
 
     std::vector<Vec3> lattice_points() {
-        if (!facets_.empty()) split_root(root_cube(), all_neighbours());
+        if (!facets_.empty()) split_root(whole());
         std::vector<Vec3> seeds;
         seeds.reserve(lattice_.size());
         for (const LatticePoint& at : lattice_) seeds.push_back(nudged(at));
@@ -73,7 +69,7 @@ class SeedOctree {
         std::vector<std::uint8_t> is_good(candidates.size(), 0);
         std::vector<int> all(candidates.size());
         std::iota(all.begin(), all.end(), 0);
-        if (!facets_.empty()) mark_clear(root_cube(), all_neighbours(), candidates, all, is_good);
+        if (!facets_.empty()) mark_clear(whole(), candidates, all, is_good);
         std::vector<Vec3> good;
         for (std::size_t i = 0; i < candidates.size(); ++i)
             if (is_good[i]) good.push_back(candidates[i]);
@@ -81,30 +77,30 @@ class SeedOctree {
     }
 
   private:
-    Neighbours all_neighbours() const {
-        Neighbours all;
-        all.facets.resize(facets_.size());
-        all.balls.resize(balls_.size());
-        std::iota(all.facets.begin(), all.facets.end(), 0);
-        std::iota(all.balls.begin(), all.balls.end(), 0);
-        return all;
-    }
+    /// A cube, the size wanted at its center, and what may be nearer to a point of it than the clearance.
+    struct Place {
+        Cube cube;
+        double size = 0;
+        Neighbours close;
+    };
+
     static bool holds(const Box& box, const Vec3& p) {
         return p.x >= box.low.x && p.y >= box.low.y && p.z >= box.low.z && p.x < box.high.x && p.y < box.high.y &&
                p.z < box.high.z;
     }
 
-    void mark_clear(const Cube& cube, const Neighbours& candidates, std::span<const Vec3> points,
-                    const std::vector<int>& among, std::vector<std::uint8_t>& is_good) const {
-        const Box box = box_of(cube);
+    void mark_clear(const Place& at, std::span<const Vec3> points, const std::vector<int>& among,
+                    std::vector<std::uint8_t>& is_good) const {
+        const Box box = box_of(at.cube);
         std::vector<int> here;
         for (const int i : among)
             if (holds(box, points[i])) here.push_back(i);
         if (here.empty()) return;
-        const Neighbours close = near(cube, wanted(box.center()), candidates);
-        if (here.size() > 2 && !close.is_empty() && cube.edge > 2)
-            return visit_children(cube, [&](const Cube& child) { mark_clear(child, close, points, here, is_good); });
-        for (const int i : here) is_good[i] = is_clear(points[i], wanted(points[i]), close);
+        if (here.size() > 2 && !at.close.is_empty() && at.cube.edge > 2) {
+            for (const Place& octant : octants(at)) mark_clear(octant, points, here, is_good);
+            return;
+        }
+        for (const int i : here) is_good[i] = is_clear(points[i], wanted(points[i]), at.close);
     }
 
     Vec3 place(const LatticePoint& at) const {
@@ -136,19 +132,71 @@ class SeedOctree {
         return cube;
     }
 
-    /// What may be nearer to a point of the cube than the clearance; `size` is wanted at the cube's center.
-    Neighbours near(const Cube& cube, double size, const Neighbours& candidates) const {
-        const Box box = box_of(cube);
-        const double reach = size_.is_uniform ? size : std::min(size_.largest, size + 0.5 * box.diagonal());
-        const Box grown = box.grown(options_.clearance * reach);
-        Neighbours found;
-        for (const int i : candidates.facets)
-            if (grown.overlaps(boxes_[i])) found.facets.push_back(i);
-        for (const int i : candidates.balls) {
-            const double r = balls_[i].radius;
-            if (squared_distance_to_box(balls_[i].center, box) < r * r) found.balls.push_back(i);
+    Place whole() const {
+        Place root{root_cube(), 0, {}};
+        root.size = wanted_in(root.cube);
+        root.close.facets.resize(facets_.size());
+        root.close.balls.resize(balls_.size());
+        std::iota(root.close.facets.begin(), root.close.facets.end(), 0);
+        std::iota(root.close.balls.begin(), root.close.balls.end(), 0);
+        return root;
+    }
+
+    double reach(const Cube& cube, double size) const {
+        return options_.clearance *
+               (size_.is_uniform ? size : std::min(size_.largest, size + 0.5 * box_of(cube).diagonal()));
+    }
+
+    /// The eight octants of a cube, with what of its neighbours may be near to each: each neighbour is looked at once.
+    std::array<Place, 8> octants(const Place& parent) const {
+        std::array<Place, 8> places;
+        double widest = 0;
+        for (int k = 0; k < 8; ++k) {
+            places[k].cube = octant(parent.cube, k);
+            places[k].size = wanted_in(places[k].cube);
+            widest = std::max(widest, reach(places[k].cube, places[k].size));
         }
-        return found;
+        const Box first = box_of(places[0].cube), last = box_of(places[7].cube);
+        const Box first_grown = first.grown(widest), last_grown = last.grown(widest);
+        deal_out(
+            parent.close.facets, [&](int i) { return octants_overlapped(first_grown, last_grown, boxes_[i]); }, places,
+            &Neighbours::facets);
+        deal_out(
+            parent.close.balls,
+            [&](int i) {
+                const auto& [c, r] = balls_[i];
+                return octants_overlapped(first, last, {c - Vec3{r, r, r}, c + Vec3{r, r, r}});
+            },
+            places, &Neighbours::balls);
+        return places;
+    }
+
+    template <class OctantsOf>
+    static void deal_out(const std::vector<int>& items, OctantsOf octants_of, std::array<Place, 8>& places,
+                         std::vector<int> Neighbours::*list) {
+        std::vector<std::uint8_t> near(items.size());
+        std::array<std::size_t, 8> counts{};
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            near[i] = static_cast<std::uint8_t>(octants_of(items[i]));
+            for (int k = 0; k < 8; ++k) counts[k] += near[i] >> k & 1;
+        }
+        for (int k = 0; k < 8; ++k) {
+            std::vector<int>& own = places[k].close.*list;
+            own.reserve(counts[k]);
+            for (std::size_t i = 0; i < items.size() && own.size() < counts[k]; ++i)
+                if (near[i] >> k & 1) own.push_back(items[i]);
+        }
+    }
+
+    /// Bit k for octant k; `first` and `last` are the octants of the lowest and the highest corner.
+    static unsigned octants_overlapped(const Box& first, const Box& last, const Box& box) {
+        constexpr unsigned low[3] = {0x55, 0x33, 0x0f};
+        unsigned octants = 0xff;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(box.low[axis] <= first.high[axis] && box.high[axis] >= first.low[axis])) octants &= ~low[axis];
+            if (!(box.low[axis] <= last.high[axis] && box.high[axis] >= last.low[axis])) octants &= low[axis];
+        }
+        return octants;
     }
 
     static double squared_distance_to_box(const Vec3& p, const Box& b) {
@@ -157,27 +205,22 @@ class SeedOctree {
         return squared_length(off);
     }
 
-    template <class Visit>
-    static void visit_children(const Cube& cube, Visit visit) {
+    static Cube octant(const Cube& cube, int k) {
         const std::int64_t half = cube.edge / 2;
-        for (int k = 0; k < 8; ++k)
-            visit(Cube{
-                {cube.low[0] + (k & 1 ? half : 0), cube.low[1] + (k & 2 ? half : 0), cube.low[2] + (k & 4 ? half : 0)},
-                half});
+        return {{cube.low[0] + (k & 1 ? half : 0), cube.low[1] + (k & 2 ? half : 0), cube.low[2] + (k & 4 ? half : 0)},
+                half};
     }
 
     double wanted_in(const Cube& cube) const { return wanted(box_of(cube).center()); }
 
-    void split_root(const Cube& cube, const Neighbours& candidates) {
+    void split_root(const Place& at) {
         context_.check_cancelled();
-        const double size = wanted_in(cube);
-        const Neighbours close = near(cube, size, candidates);
-        if (close.is_empty()) {
-            if (is_free_cube_inside(cube, size)) fill_free(cube);
-        } else if (cube.edge > root_edge) {
-            visit_children(cube, [&](const Cube& child) { split_root(child, close); });
+        if (at.close.is_empty()) {
+            if (is_free_cube_inside(at.cube, at.size)) fill_free(at.cube);
+        } else if (at.cube.edge > root_edge) {
+            for (const Place& octant : octants(at)) split_root(octant);
         } else {
-            refine(cube, size, close);
+            refine(at);
         }
     }
 
@@ -187,22 +230,24 @@ class SeedOctree {
     }
 
     void fill_free(const Cube& cube) {
-        if (!is_cell(cube, wanted_in(cube))) return visit_children(cube, [&](const Cube& child) { fill_free(child); });
+        if (!is_cell(cube, wanted_in(cube))) {
+            for (int k = 0; k < 8; ++k) fill_free(octant(cube, k));
+            return;
+        }
         visit_points(cube, [&](const LatticePoint& at) { lattice_.push_back(at); });
     }
 
-    void refine(const Cube& cube, double size, const Neighbours& close) {
-        if (close.is_empty()) {
-            if (is_free_cube_inside(cube, size)) fill_free(cube);
+    void refine(const Place& at) {
+        if (at.close.is_empty()) {
+            if (is_free_cube_inside(at.cube, at.size)) fill_free(at.cube);
             return;
         }
-        if (!is_cell(cube, size))
-            return visit_children(cube, [&](const Cube& child) {
-                const double child_size = wanted_in(child);
-                refine(child, child_size, near(child, child_size, close));
-            });
-        visit_points(cube, [&](const LatticePoint& at) {
-            if (is_clear(place(at), size, close)) lattice_.push_back(at);
+        if (!is_cell(at.cube, at.size)) {
+            for (const Place& octant : octants(at)) refine(octant);
+            return;
+        }
+        visit_points(at.cube, [&](const LatticePoint& point) {
+            if (is_clear(place(point), at.size, at.close)) lattice_.push_back(point);
         });
     }
 
@@ -249,13 +294,13 @@ class SeedOctree {
 
     std::span<const Vec3> points_;
     std::span<const Facet> facets_;
+    std::span<const Box> boxes_;
+    const RegionLocator& locator_;
     std::span<const Ball> balls_;
     const WantedSize& size_;
     const SeedOptions& options_;
     const RunContext& context_;
-    RegionLocator locator_;
     double unit_;
-    std::vector<Box> boxes_;
     std::unordered_set<LatticePoint, HashPoint> seen_corners_;
     std::vector<LatticePoint> lattice_;
 };
@@ -287,25 +332,29 @@ std::vector<Vec3> thinned(const std::vector<Vec3>& points, const WantedSize& siz
 
 }  // namespace
 
-std::vector<Vec3> find_seeds(std::span<const Vec3> points, std::span<const Facet> facets, std::span<const Ball> balls,
-                             std::span<const Vec3> active, const WantedSize& size, const SeedOptions& options,
-                             const RunContext& context) {
+SeedRegion::SeedRegion(std::span<const Vec3> points, std::span<const Facet> facets)
+    : points_(points), facets_(facets), boxes_(facets.size()), locator_(points, facets) {
+    for (std::size_t i = 0; i < facets.size(); ++i)
+        for (const int c : facets[i].corners) boxes_[i].add(points[c]);
+}
+
+std::vector<Vec3> find_seeds(const SeedRegion& region, std::span<const Ball> balls, std::span<const Vec3> active,
+                             const WantedSize& size, const SeedOptions& options, const RunContext& context) {
     std::vector<Vec3> seeds;
     std::vector<Ball> occupied(balls.begin(), balls.end());
     if (!active.empty()) {
-        seeds = seeds_with_room(active, points, facets, balls, size, options, context);
+        seeds = seeds_with_room(active, region, balls, size, options, context);
         for (const Vec3& p : seeds) occupied.push_back({p, options.spacing * size.at(p)});
     }
-    const std::vector<Vec3> lattice = SeedOctree(points, facets, occupied, size, options, context).lattice_points();
+    const std::vector<Vec3> lattice = SeedOctree(region, occupied, size, options, context).lattice_points();
     seeds.insert(seeds.end(), lattice.begin(), lattice.end());
     return seeds;
 }
 
-std::vector<Vec3> seeds_with_room(std::span<const Vec3> candidates, std::span<const Vec3> points,
-                                  std::span<const Facet> facets, std::span<const Ball> balls, const WantedSize& size,
-                                  const SeedOptions& options, const RunContext& context) {
-    return thinned(SeedOctree(points, facets, balls, size, options, context).clear_points(candidates), size,
-                   options.spacing);
+std::vector<Vec3> seeds_with_room(std::span<const Vec3> candidates, const SeedRegion& region,
+                                  std::span<const Ball> balls, const WantedSize& size, const SeedOptions& options,
+                                  const RunContext& context) {
+    return thinned(SeedOctree(region, balls, size, options, context).clear_points(candidates), size, options.spacing);
 }
 
 }  // namespace featuremesh
