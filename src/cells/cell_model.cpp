@@ -21,9 +21,9 @@ namespace featuremesh {
 
 namespace {
 
-// An attempt gets half of what is left.
-constexpr double most_seconds = 14;  // of the processor, for all attempts together; what is fused in that time is worth
+constexpr double most_seconds = 24;  // of the processor, for all attempts together; what is fused in that time is worth
                                      // it, see docs/design/cells.md
+constexpr double share_of_attempt = 0.6;  // of what is left
 
 void add_solids(std::vector<FuseArgument>& arguments, const Owner& owner, const TopoDS_Shape& shape) {
     for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) arguments.push_back({owner, it.Current()});
@@ -174,7 +174,7 @@ class CellBuilder {
     /// Also tells who offends where the kernel only says that somebody does.
     bool attempt_one_by_one() {
         note("the volumes are fused one by one");
-        return take(fuse_one_by_one(volumes(), {0, seconds_left() / 2}, context_));
+        return take(fuse_one_by_one(volumes(), {0, share_of_attempt * seconds_left()}, context_));
     }
 
     bool attempt_with_final_shape() {
@@ -191,7 +191,7 @@ class CellBuilder {
     bool attempt(const std::vector<FuseArgument>& arguments, double fuzzy) {
         if (seconds_left() <= 0) return note("out of time"), false;
         context_.check_cancelled();
-        return take(fuse(arguments, {fuzzy, seconds_left() / 2}, context_));
+        return take(fuse(arguments, {fuzzy, share_of_attempt * seconds_left()}, context_));
     }
 
     bool take(FusedComplex complex) {

@@ -4,8 +4,12 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -23,6 +27,8 @@ using Integrand = std::function<double(double)>;
 
 constexpr double relative_error = 1e-10;
 constexpr int deepest = 14;
+constexpr double loose = 1e-8;         // tolerance of an edge over the size of its face from which its ribbon counts
+constexpr double ribbon_error = 1e-9;  // of the size's cube; two curves that were fitted to one another are rough
 
 struct Estimate {
     double value = 0, error = 0;
@@ -78,11 +84,32 @@ std::vector<double> smooth_stretches(const Curve& curve) {
     return {bounds.begin(), bounds.end()};
 }
 
-double along(const Integrand& f, const std::vector<double>& stretches, double scale) {
+double along(const Integrand& f, const std::vector<double>& stretches, double error) {
     double sum = 0;
-    for (std::size_t i = 0; i + 1 < stretches.size(); ++i)
-        sum += integrate(f, stretches[i], stretches[i + 1], relative_error * scale);
+    for (std::size_t i = 0; i + 1 < stretches.size(); ++i) sum += integrate(f, stretches[i], stretches[i + 1], error);
     return sum;
+}
+
+struct CurvePoint {
+    Vec3 point, derivative;
+};
+
+CurvePoint point_on(const BRepAdaptor_Curve& curve, double t) {
+    gp_Pnt p;
+    gp_Vec d;
+    curve.D1(t, p, d);
+    return {to_vec3(p), to_vec3(d)};
+}
+
+/// Flux through the ribbon between a face's border, as its surface has it, and the edge's own curve in space, per unit
+/// of their parameter. The face on the other side ends at the same curve: with the ribbons the faces of a shape close,
+/// however loose its edges are; without them its volume depends on the apex and on how its faces were split.
+double ribbon(const CurvePoint& border, const CurvePoint& edge, const Vec3& apex) {
+    return dot(border.point - apex, cross(edge.point - border.point, (border.derivative + edge.derivative) / 2)) / 3;
+}
+
+bool has_ribbon(const TopoDS_Edge& edge, double size) {
+    return BRep_Tool::Tolerance(edge) > loose * size && !BRep_Tool::Degenerated(edge);
 }
 
 template <class Visit>
@@ -96,6 +123,49 @@ double sum_over_edges(const TopoDS_Face& face, const Visit& visit) {
     return sum;
 }
 
+/// From where one edge of a border ends to where the next begins; a vertex is as wide as its tolerance.
+struct Gap {
+    Vec3 from, to;
+};
+
+/// At each vertex what ends there goes on with what begins nearest to it. `end_of(edge, first)` is the edge's end at
+/// the first or the last parameter: a point in space or in the parameter plane.
+template <class EndOf>
+std::vector<Gap> gaps_of_border(const TopoDS_Face& face, const EndOf& end_of) {
+    TopTools_IndexedMapOfShape vertices;
+    std::vector<std::vector<Vec3>> ends, starts;
+    const auto add = [&](std::vector<std::vector<Vec3>>& lists, const TopoDS_Vertex& vertex, const Vec3& end) {
+        if (vertex.IsNull()) return;
+        const int index = vertices.Add(vertex);
+        ends.resize(vertices.Extent());
+        starts.resize(vertices.Extent());
+        lists[index - 1].push_back(end);
+    };
+    for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next()) {
+        const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+        if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED) continue;
+        const bool forward = edge.Orientation() == TopAbs_FORWARD;
+        add(forward ? starts : ends, TopExp::FirstVertex(edge), end_of(edge, true));
+        add(forward ? ends : starts, TopExp::LastVertex(edge), end_of(edge, false));
+    }
+    std::vector<Gap> gaps;
+    for (std::size_t v = 0; v < ends.size(); ++v)
+        for (const Vec3& end : ends[v]) {
+            const auto next = std::min_element(starts[v].begin(), starts[v].end(), [&](const Vec3& a, const Vec3& b) {
+                return squared_length(a - end) < squared_length(b - end);
+            });
+            if (next == starts[v].end()) break;
+            if (!(*next == end)) gaps.push_back({end, *next});
+            starts[v].erase(next);
+        }
+    return gaps;
+}
+
+Vec3 end_in_space(const TopoDS_Edge& edge, bool first) {
+    const BRepAdaptor_Curve curve(edge);
+    return to_vec3(curve.Value(first ? curve.FirstParameter() : curve.LastParameter()));
+}
+
 // In space, not in the parameter plane: the faces on both sides of an edge then see the same curve.
 double flux_of_plane(const TopoDS_Face& face, const BRepAdaptor_Surface& surface, const Vec3& apex, double size) {
     gp_Pnt origin;
@@ -103,17 +173,25 @@ double flux_of_plane(const TopoDS_Face& face, const BRepAdaptor_Surface& surface
     surface.D1(0, 0, origin, du, dv);
     const Vec3 o = box_of(face).center(), normal = normalized(to_vec3(du.Crossed(dv)));
     const double height = dot(to_vec3(origin) - apex, normal);
-    const double twice_area = sum_over_edges(face, [&](const TopoDS_Edge& edge) {
-        const BRepAdaptor_Curve curve(edge);
-        const Integrand swept = [&](double t) {
-            gp_Pnt p;
-            gp_Vec d;
-            curve.D1(t, p, d);
-            return dot(cross(to_vec3(p) - o, to_vec3(d)), normal);
-        };
-        return along(swept, smooth_stretches(curve), size * size);
-    });
-    return height * twice_area / 6;
+    double across_gaps = 0;
+    for (const Gap& gap : gaps_of_border(face, end_in_space))
+        across_gaps += dot(cross(gap.from - o, gap.to - gap.from), normal) * height / 6;
+    return across_gaps + sum_over_edges(face, [&](const TopoDS_Edge& edge) {
+               const BRepAdaptor_Curve curve(edge);
+               const std::vector<double> stretches = smooth_stretches(curve);
+               const Integrand swept = [&](double t) {
+                   const CurvePoint c = point_on(curve, t);
+                   return dot(cross(c.point - o, c.derivative), normal);
+               };
+               const double share = along(swept, stretches, relative_error * size * size) * height / 6;
+               if (!has_ribbon(edge, size)) return share;
+               const Integrand off_plane = [&](double t) {
+                   const CurvePoint c = point_on(curve, t);
+                   const Vec3 foot = c.point - normal * dot(c.point - to_vec3(origin), normal);
+                   return ribbon({foot, c.derivative - normal * dot(c.derivative, normal)}, c, apex);
+               };
+               return share + along(off_plane, stretches, ribbon_error * size * size * size);
+           });
 }
 
 /// The flux through a curved face by Green's theorem: minus the integral over its border of H du, H the flux up to v.
@@ -137,16 +215,24 @@ class CurvedFace {
 
     double value() const {
         if (face_.NbChildren() == 0) return over_natural_bounds();
-        return -sum_over_edges(face_, [&](const TopoDS_Edge& edge) {
-            const BRepAdaptor_Curve2d curve(edge, face_);
-            const Integrand share = [&](double t) {
-                gp_Pnt2d uv;
-                gp_Vec2d d;
-                curve.D1(t, uv, d);
-                return d.X() == 0 ? 0.0 : up_to(uv.X(), uv.Y()) * d.X();
-            };
-            return along(share, smooth_stretches(curve), size_ * size_ * size_);
-        });
+        double across_gaps = 0;
+        for (const Gap& gap : gaps_of_border(face_, [&](const TopoDS_Edge&edge, bool first) {
+                 const BRepAdaptor_Curve2d curve(edge, face_);
+                 const gp_Pnt2d uv = curve.Value(first ? curve.FirstParameter() : curve.LastParameter());
+                 return Vec3{uv.X(), uv.Y(), 0};
+             }))
+            across_gaps -= up_to((gap.from.x + gap.to.x) / 2, (gap.from.y + gap.to.y) / 2) * (gap.to.x - gap.from.x);
+        return across_gaps + sum_over_edges(face_, [&](const TopoDS_Edge& edge) {
+                   const BRepAdaptor_Curve2d curve(edge, face_);
+                   const Integrand share = [&](double t) {
+                       gp_Pnt2d uv;
+                       gp_Vec2d d;
+                       curve.D1(t, uv, d);
+                       return d.X() == 0 ? 0.0 : up_to(uv.X(), uv.Y()) * d.X();
+                   };
+                   const double up_to_border = -along(share, smooth_stretches(curve), relative_error * cube());
+                   return has_ribbon(edge, size_) ? up_to_border + beyond_border(edge, curve) : up_to_border;
+               });
     }
 
   private:
@@ -155,6 +241,22 @@ class CurvedFace {
         gp_Vec du, dv;
         surface_.D1(u, v, p, du, dv);
         return dot(to_vec3(p) - apex_, cross(to_vec3(du), to_vec3(dv))) / 3;
+    }
+
+    double cube() const { return size_ * size_ * size_; }
+
+    double beyond_border(const TopoDS_Edge& edge, const BRepAdaptor_Curve2d& curve) const {
+        const BRepAdaptor_Curve in_space(edge);
+        const Integrand share = [&](double t) {
+            gp_Pnt2d uv;
+            gp_Vec2d d;
+            curve.D1(t, uv, d);
+            gp_Pnt p;
+            gp_Vec du, dv;
+            surface_.D1(uv.X(), uv.Y(), p, du, dv);
+            return ribbon({to_vec3(p), to_vec3(du) * d.X() + to_vec3(dv) * d.Y()}, point_on(in_space, t), apex_);
+        };
+        return along(share, smooth_stretches(in_space), ribbon_error * cube());
     }
 
     double up_to(double u, double v) const {
@@ -174,7 +276,7 @@ class CurvedFace {
         TColStd_Array1OfReal bounds(1, surface_.NbUIntervals(GeomAbs_CN) + 1);
         surface_.UIntervals(bounds, GeomAbs_CN);
         const double top = surface_.LastVParameter();
-        return along([&](double u) { return up_to(u, top); }, {bounds.begin(), bounds.end()}, size_ * size_ * size_);
+        return along([&](double u) { return up_to(u, top); }, {bounds.begin(), bounds.end()}, relative_error * cube());
     }
 
     TopoDS_Face face_;

@@ -7,6 +7,9 @@
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_Line.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <array>
@@ -41,6 +44,35 @@ TEST_CASE("the shares of the faces add up, cut and whole") {
     CHECK(flux(cut(one, other), {}) + common == Approx(1000).epsilon(1e-7));
     CHECK(flux(cut(other, one), {7, 0, 0}) + common == Approx(flux(other, {})).epsilon(1e-7));
     CHECK(flux(one.Reversed(), {}) == Approx(-1000));
+}
+
+namespace {
+
+/// The shape with another curve under the first edge of its kind that has `middle` for its middle.
+TopoDS_Shape with_loose_edge(const TopoDS_Shape& shape, const gp_Pnt& middle, const Handle(Geom_Curve) & curve) {
+    const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape).Shape();
+    for (TopExp_Explorer it(copy, TopAbs_EDGE); it.More(); it.Next()) {
+        const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+        const BRepAdaptor_Curve old(edge);
+        if (old.Value((old.FirstParameter() + old.LastParameter()) / 2).Distance(middle) > 1e-6) continue;
+        BRep_Builder().UpdateEdge(edge, curve, 0.01);
+        return copy;
+    }
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("edges beside their faces make no difference to a volume") {
+    // a circle a hundredth too wide on top of a cylinder, and a line that leaves a box's top edge at both ends
+    const TopoDS_Shape round = with_loose_edge(cylinder({0, 0, 0}, {0, 0, 1}, 4, 10), {-4, 0, 10},
+                                               new Geom_Circle(gp_Ax2({0, 0, 10}, {0, 0, 1}, {1, 0, 0}), 4.01));
+    const TopoDS_Shape square =
+        with_loose_edge(box(0, 0, 0, 10, 10, 10), {5, 0, 10}, new Geom_Line({0, -0.01, 10}, {10, 0.02, 0}));
+    for (const Vec3 apex : {Vec3{0, 0, 0}, Vec3{30, -40, 50}}) {
+        CHECK(flux(round, apex) == Approx(160 * pi).epsilon(1e-9));
+        CHECK(flux(square, apex) == Approx(1000).epsilon(1e-6));
+    }
 }
 
 TEST_CASE("points in, out and on") {
