@@ -165,6 +165,11 @@ NodeId mid_of(const Mesh& mesh, int dim, std::size_t element, int side) {
     return mid_of(const_cast<Mesh&>(mesh), dim, element, side);
 }
 
+Number number_of(const Mesh& mesh, int dim, std::size_t element) {
+    const auto& numbers = dim == 1 ? mesh.segment_numbers : dim == 2 ? mesh.triangle_numbers : mesh.tet_numbers;
+    return numbers[element];
+}
+
 /// Takes over the kept mid-side nodes of the sides that are still there, in their old order.
 void take_over_kept_mids(Mesh& mesh, const Mesh& kept, const RunContext& context, SideTable& sides) {
     SideTable kept_sides(mesh.corner_count);
@@ -172,7 +177,8 @@ void take_over_kept_mids(Mesh& mesh, const Mesh& kept, const RunContext& context
         kept_sides.value(a, b) = mid_of(kept, dim, element, side).value;
     });
     std::vector<std::array<NodeId, 2>> side_of(kept.points.size());
-    for_each_side(mesh, context, [&](NodeId a, NodeId b, Entity, int, std::size_t, int) {
+    for_each_side(mesh, context, [&](NodeId a, NodeId b, Entity, int dim, std::size_t element, int) {
+        if (number_of(mesh, dim, element) >= kept.next_element_number) return;  // a kept corner may have been moved
         const std::int32_t old = kept_sides.find(a, b);
         if (old >= 0) side_of[static_cast<std::size_t>(old)] = {a, b};
     });

@@ -92,6 +92,7 @@ struct Filled {
     SurfaceReport surface;
     VolumeReport volume;
     std::vector<TetId> released;
+    std::vector<NodeId> moved;
     std::vector<Vec3> used_active;
 };
 
@@ -112,7 +113,7 @@ Filled fill_once(const Brep& brep, const SizingField& sizing, Kept kept, const M
         mesh = std::move(second.mesh);
     }
     validate(mesh, brep, unproven_nodes(mesh, std::move(kept.is_rim), kept_tets - volume.released.size(), volume.released_nodes), context);
-    return {std::move(mesh), std::move(surface.report), std::move(volume.report), std::move(volume.released), std::move(volume.used_active)};
+    return {std::move(mesh), std::move(surface.report), std::move(volume.report), std::move(volume.released), std::move(volume.moved), std::move(volume.used_active)};
 }
 
 /// Where 10-node tets would be folded whatever is done to them, everything that is not kept is filled again with shorter edges there.
@@ -240,8 +241,10 @@ std::vector<std::int32_t> without(const std::vector<std::int32_t>& origins, cons
 }
 
 /// Kept corner nodes stay in front; kept mid-side nodes are found by their numbers, which are never given twice.
-std::vector<std::int32_t> node_origins(const Mesh& old, const Mesh& mesh, const std::vector<std::int32_t>& corners) {
+std::vector<std::int32_t> node_origins(const Mesh& old, const Filled& filled, const std::vector<std::int32_t>& corners) {
+    const Mesh& mesh = filled.mesh;
     std::vector<std::int32_t> origins = extended(corners, mesh.node_count());
+    for (const NodeId n : filled.moved) origins[n.index()] = -1;
     if (old.order == 1 || mesh.order == 1) return origins;
     std::vector<std::pair<Number, std::int32_t>> of_number;
     for (std::size_t n = old.corner_count; n < old.node_count(); ++n) of_number.emplace_back(old.node_numbers[n], std::int32_t(n));
@@ -372,7 +375,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     const double total = seconds_since(start);
     record_mesh(filled->mesh, sizing, options, context, report);
     record_fill(*filled, report);
-    node_origin = node_origins(old.mesh, filled->mesh, node_origin);
+    node_origin = node_origins(old.mesh, *filled, node_origin);
     tet_origin = extended(without(tet_origin, filled->released), filled->mesh.tets.size());
     auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled->mesh),
                                                    std::move(node_origin), std::move(tet_origin), std::move(filled->used_active), adopted_sizes});
@@ -420,7 +423,7 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, cons
     const double total = seconds_since(start);
     record_mesh(filled->mesh, sizing, options, context, report);
     record_fill(*filled, report);
-    node_origin = node_origins(foreign, filled->mesh, node_origin);
+    node_origin = node_origins(foreign, *filled, node_origin);
     tet_origin = extended(without(tet_origin, filled->released), filled->mesh.tets.size());
     auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled->mesh),
                                                    std::move(node_origin), std::move(tet_origin), {}, adopted_sizes});

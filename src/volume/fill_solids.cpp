@@ -17,6 +17,7 @@
 #include "volume/flip_facets.h"
 #include "volume/local_recovery.h"
 #include "volume/optimise.h"
+#include "volume/seam_mending.h"
 #include "volume/thicken.h"
 #include "volume/withdraw_points.h"
 
@@ -27,7 +28,6 @@ namespace {
 constexpr int most_rounds = 12;
 constexpr int most_crossing_rounds = 3;
 constexpr int most_local_recoveries = 5;
-constexpr int most_releases_at_flat_tets = 4;
 /// Tets are mended until they have the least volume; with this share of it they are still no reason to refuse a part.
 constexpr double tolerated_share = 0.92;
 
@@ -116,20 +116,20 @@ class Filling {
     }
 
     VolumeResult run() {
-        for (int attempt = 0; attempt == 0 || (attempt <= most_releases_at_flat_tets && release_at_flat_tets());
-             ++attempt) {
-            {
-                const RunContext::Step step(context_, "volume");
-                for (int round = 0; !fill_all() || flip_flat_tets(round); ++round) mend(round);
-                note_used_active();
-            }
+        {
+            const RunContext::Step step(context_, "volume");
+            for (int round = 0; !fill_all() || flip_flat_tets(round); ++round) mend(round);
+            note_used_active();
+        }
+        {
             const RunContext::Step step(context_, "optimise");
             optimise_all();
         }
         for (std::size_t i = 0; i < cavities_.size(); ++i)
-            if (!is_thick_[i]) require_thick(cavities_[i], complexes_[i]);
+            if (!is_thick_[i]) require_thick(cavities_[i], regions_[i].complex);
         drop_released();
-        for (std::size_t i = 0; i < cavities_.size(); ++i) append(cavities_[i], complexes_[i]);
+        for (const SeamRegion& region : regions_) move_nodes(region);
+        for (const SeamRegion& region : regions_) append(region);
         return std::move(result_);
     }
 
@@ -343,11 +343,11 @@ class Filling {
     }
 
     void optimise_all() {
-        complexes_.assign(cavities_.size(), {});
+        regions_.assign(cavities_.size(), {});
         is_thick_.assign(cavities_.size(), 0);
         VolumeReport& report = result_.report;
         report.odt_energy_before = report.odt_energy_after = 0;
-        report.slivers_before = report.slivers_left = 0;
+        report.slivers_before = report.slivers_left = report.released_for_quality = 0;
         std::vector<std::pair<OdtReport, SliverReport>> reports(cavities_.size());
         const bool is_parallel = context_.threads > 1 && cavities_.size() > 1;
         parallel_for(context_, cavities_.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -361,55 +361,28 @@ class Filling {
             report.odt_energy_before += reports[i].first.energy_before;
             report.odt_energy_after += reports[i].first.energy_after;
             report.slivers_before += reports[i].second.before;
-            report.slivers_left += reports[i].second.left;
-            is_thick_[i] = thicken(complexes_[i], least_volume(), context_).empty();
-            if (!is_thick_[i]) leave_out_flat_tets(cavities_[i], complexes_[i]);
+        }
+        mend_seams(regions_, result_.mesh, is_released_, options_.target_dihedral_deg, context_);
+        for (std::size_t i = 0; i < cavities_.size(); ++i) {
+            TetComplex& complex = regions_[i].complex;
+            is_thick_[i] = thicken(complex, least_volume(), context_).empty();
+            const bool is_mended = regions_[i].taken_count() > 0;
+            report.released_for_quality += give_back(regions_[i], result_.mesh, is_released_);
+            report.slivers_left +=
+                is_mended ? regions_[i].count_bad(options_.target_dihedral_deg) : reports[i].second.left;
+            if (!is_thick_[i]) leave_out_flat_tets(cavities_[i], complex);
         }
     }
 
     std::pair<OdtReport, SliverReport> optimise(std::size_t i, RunContext& context) {
-        complexes_[i] = make_complex(cavities_[i], fills_[i], context_);
+        regions_[i] = SeamRegion(cavities_[i], make_complex(cavities_[i], fills_[i], context_));
         fills_[i] = {};
+        TetComplex& complex = regions_[i].complex;
         const OdtReport odt =
-            optimise_odt(complexes_[i], sizing_, {options_.odt_sweeps, !sizing_.is_uniform()}, context);
+            optimise_odt(complex, sizing_, {options_.odt_sweeps, !sizing_.is_uniform()}, context);
         SliverOptions sliver_options;
         sliver_options.target_dihedral_deg = options_.target_dihedral_deg;
-        return {odt, remove_slivers(complexes_[i], sliver_options, context)};
-    }
-
-    /// Where four kept nodes in one plane (a square of the lattice) are held by kept tets on both of its sides, only a
-    /// tet without height fits between them. One of the kept tets goes for each. False when there is none.
-    bool release_at_flat_tets() {
-        bool is_changed = false;
-        for (std::size_t i = 0; i < cavities_.size(); ++i) {
-            std::map<std::array<int, 3>, TetId> behind;
-            for (const auto& tet : complexes_[i].tets) {
-                if (tet[0] < 0 || !is_flat(complexes_[i], tet)) continue;
-                if (behind.empty()) behind = seam_of(cavities_[i]);
-                for (int k = 0; k < 4; ++k) {
-                    std::array<int, 3> side{tet[(k + 1) % 4], tet[(k + 2) % 4], tet[(k + 3) % 4]};
-                    std::sort(side.begin(), side.end());
-                    const auto it = behind.find(side);
-                    if (it == behind.end()) continue;
-                    release(it->second);
-                    is_changed = true;
-                    break;
-                }
-            }
-        }
-        if (is_changed) context_.log("boundary recovery: kept tets are released where only flat tets fit between them");
-        return is_changed;
-    }
-
-    static std::map<std::array<int, 3>, TetId> seam_of(const Cavity& cavity) {
-        std::map<std::array<int, 3>, TetId> seam;
-        for (std::size_t f = 0; f < cavity.facets.size(); ++f) {
-            if (!cavity.tet_of_facet[f].is_valid()) continue;
-            std::array<int, 3> corners = cavity.facets[f].corners;
-            std::sort(corners.begin(), corners.end());
-            seam.emplace(corners, cavity.tet_of_facet[f]);
-        }
-        return seam;
+        return {odt, remove_slivers(complex, sliver_options, context)};
     }
 
     /// The optimiser may have moved a tet without height to where it lies under two triangles of a face.
@@ -528,10 +501,20 @@ class Filling {
         result_.report.released_tets = result_.released.size();
     }
 
-    void append(const Cavity& cavity, const TetComplex& complex) {
+    /// A node that has been moved is a new one in the place of the old.
+    void move_nodes(const SeamRegion& region) {
+        for (const auto& [node, vertex] : region.moved_nodes(result_.mesh)) {
+            result_.mesh.points[node.index()] = region.complex.points[static_cast<std::size_t>(vertex)];
+            result_.mesh.node_numbers[node.index()] = result_.mesh.next_node_number++;
+            result_.moved.push_back(node);
+        }
+    }
+
+    void append(const SeamRegion& region) {
         Mesh& mesh = result_.mesh;
-        std::vector<NodeId> node(complex.points.size());
-        std::copy(cavity.nodes.begin(), cavity.nodes.end(), node.begin());
+        const TetComplex& complex = region.complex;
+        std::vector<NodeId> node;
+        for (std::size_t v = 0; v < complex.points.size(); ++v) node.push_back(region.node_of(static_cast<int>(v)));
         RoundWatch watch(context_);
         for (std::size_t t = 0; t < complex.tets.size(); ++t) {
             watch();
@@ -566,8 +549,8 @@ class Filling {
     std::vector<KnownFill> finished_;        ///< by withdrawn points; nothing outside
     std::vector<std::uint8_t> is_finished_;  ///< by cavity
     std::vector<OutgrownFill> outgrown_;
-    std::vector<TetComplex> complexes_;
-    std::vector<char> is_thick_;  ///< by complex: all its tets have a volume to speak of
+    std::vector<SeamRegion> regions_;  ///< by cavity
+    std::vector<char> is_thick_;       ///< by cavity: all its tets have a volume to speak of
     int crossing_rounds_ = 0, local_recoveries_ = 0;
     VolumeResult result_;
 };

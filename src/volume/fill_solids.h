@@ -26,7 +26,8 @@ struct VolumeReport {
     std::size_t recovered_triangles = 0,
                 recovery_points =
                     0;  ///< boundary triangles missing at first; points added to get them back, most of them inside
-    std::size_t released_tets = 0;  ///< kept tets that had to go so that the seam holds
+    std::size_t released_tets = 0;         ///< kept tets that had to go so that the seam holds, or for the quality there
+    std::size_t released_for_quality = 0;  ///< of these: those without which tets at the seam would be bad
     double odt_energy_before = 0,
            odt_energy_after = 0;                       ///< sum of V S / 20 over the new tets (Alliez et al. 2005), mm^5
     std::size_t slivers_before = 0, slivers_left = 0;  ///< new tets below the target
@@ -38,11 +39,12 @@ struct VolumeResult {
     VolumeReport report;
     std::vector<TetId> released;                        ///< kept tets (as counted in the input) that were given up
     std::vector<std::array<NodeId, 4>> released_nodes;  ///< their nodes
+    std::vector<NodeId> moved;                          ///< inner kept nodes that are elsewhere now, with new numbers
     std::vector<Vec3> used_active;                      ///< the start positions that were of use
 };
 
 /// Takes a 4-node mesh whose surface is complete and whose tets (if any) are kept; gives it back with every solid full.
-/// Kept nodes keep their bits and places in the arrays; kept tets stay in front in their order but for the released
+/// Kept nodes keep their places in the arrays, and their bits but for the moved ones; kept tets stay in front in their order but for the released
 /// ones. `active` are start positions for inner nodes that survived without being kept. `rim` marks the nodes of the
 /// input at which something is not kept; it spares the search for them (empty: searched). The same bytes for any number
 /// of threads. Throws MeshError that names the faces where the boundary could not be recovered.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "core/run_context.h"
 #include "sizing/sizing_field.h"
@@ -26,6 +27,7 @@ OdtReport optimise_odt(TetComplex& complex, const SizingField& sizing, const Odt
 struct SliverOptions {
     double target_dihedral_deg = 30;
     int passes = 30;               ///< at most; they end when nothing gains any more
+    std::vector<int> among;        ///< only these tets, and what changes on their account; empty: all
 };
 struct SliverReport {
     std::size_t before = 0, left = 0;

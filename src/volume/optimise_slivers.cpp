@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "volume/cavity_editor.h"
 #include "volume/cone_refill.h"
@@ -37,8 +38,11 @@ class SliverRemover {
           tried_at_(complex.tets.size(), 0) {}
 
     SliverReport run() {
-        changed_.resize(complex_.tets.size());
-        for (std::size_t t = 0; t < changed_.size(); ++t) changed_[t] = static_cast<int>(t);
+        changed_ = options_.among;
+        if (changed_.empty()) {
+            changed_.resize(complex_.tets.size());
+            std::iota(changed_.begin(), changed_.end(), 0);
+        }
         std::vector<Candidate> worst_first = rank_changed();
         report_.before = count_missing(worst_first);
         for (int pass = 0; pass < options_.passes && !worst_first.empty(); ++pass) {
@@ -180,7 +184,7 @@ class SliverRemover {
     bool move_corners(int tet) {
         bool gained = false;
         for (int v : complex_.tets[tet])
-            if (!complex_.is_fixed[v] && move(v)) gained = true;
+            if (complex_.is_fixed[v] != 1 && move(v)) gained = true;
         return gained;
     }
 

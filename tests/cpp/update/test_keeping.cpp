@@ -190,3 +190,23 @@ TEST_CASE("a mesh that is updated again and again stays as fine and as good as a
     CHECK(double(last.report.tets) > 0.96 * double(full.report.tets));
     CHECK(double(last.report.tets) < 1.06 * double(full.report.tets));
 }
+
+TEST_CASE("tets at the seam are as good as elsewhere after every update") {
+    const int order = GENERATE(1, 2);
+    const MeshOptions options = options_of(3, order);
+    auto part = meshed(thick_plate(20), options).part_mesh;
+    double worst = 0;
+    std::size_t released = 0;
+    for (int i = 1; i <= (order == 1 ? 24 : 12); ++i) {
+        const RawDocument edited = thick_plate(20 + 0.8 * (i % 7));
+        const auto update = updated(*part, edited, options);
+        const double full = meshed(edited, options).report.quality.min_dihedral;
+        worst = std::max(worst, full - update.report.quality.min_dihedral);
+        released += update.report.volume.released_for_quality;
+        CHECK(update.report.fallbacks.empty());
+        part = update.part_mesh;
+    }
+    CHECK(worst < 1);
+    CHECK(released > 0);
+    CHECK(released < 200);
+}

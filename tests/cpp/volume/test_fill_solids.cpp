@@ -61,8 +61,13 @@ Vec3 center_of(const Mesh& mesh, std::size_t t) {
 void check_kept(const Mesh& before, const VolumeResult& result) {
     const Mesh& after = result.mesh;
     REQUIRE(after.node_count() >= before.node_count());
-    CHECK(std::equal(before.points.begin(), before.points.end(), after.points.begin()));
-    CHECK(std::equal(before.node_numbers.begin(), before.node_numbers.end(), after.node_numbers.begin()));
+    const std::set<NodeId> moved(result.moved.begin(), result.moved.end());
+    for (std::size_t n = 0; n < before.node_count(); ++n) {
+        const bool is_moved = moved.contains(NodeId(n));
+        REQUIRE((after.points[n] == before.points[n]) == !is_moved);
+        REQUIRE((after.node_numbers[n] == before.node_numbers[n]) == !is_moved);
+        if (is_moved) REQUIRE(before.entities[n].dim == 3);
+    }
     const std::set<TetId> released(result.released.begin(), result.released.end());
     CHECK(released.size() == result.report.released_tets);
     std::size_t place = 0;

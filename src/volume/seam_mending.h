@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Kept tets are released where tets at the seam would be bad with them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "core/run_context.h"
+#include "mesh/mesh.h"
+#include "volume/seam_region.h"
+
+namespace featuremesh {
+
+/// Takes the kept tets around bad tets at the seam into their regions, a ring more each time, and removes slivers there.
+/// `is_released` by TetId: what is taken in is marked.
+void mend_seams(std::span<SeamRegion> regions, const Mesh& mesh, std::span<std::uint8_t> is_released,
+                double target_dihedral_deg, RunContext& context);
+
+/// What was taken in and is as it was is kept after all. Gives the number of those that are not.
+std::size_t give_back(SeamRegion& region, const Mesh& mesh, std::span<std::uint8_t> is_released);
+
+}  // namespace featuremesh

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/seam_region.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "volume/cavity_editor.h"
+#include "volume/tet_measures.h"
+#include "volume/tet_topology.h"
+
+namespace featuremesh {
+
+SeamRegion::SeamRegion(const Cavity& cavity, TetComplex filled)
+    : complex(std::move(filled)), nodes_(cavity.nodes), is_at_seam_(cavity.nodes.size(), 0) {
+    for (std::size_t f = 0; f < cavity.facets.size(); ++f)
+        if (cavity.tet_of_facet[f].is_valid())
+            for (const int v : cavity.facets[f].corners) is_at_seam_[static_cast<std::size_t>(v)] = 1;
+}
+
+std::vector<int> SeamRegion::bad_tets_at_seam(double target_dihedral_deg) const {
+    const double target = flatness_of_angle(target_dihedral_deg);
+    const auto is_at_seam = [&](int v) {
+        return v < static_cast<int>(is_at_seam_.size()) && is_at_seam_[static_cast<std::size_t>(v)] != 0;
+    };
+    std::vector<int> bad;
+    for (std::size_t t = 0; t < complex.tets.size(); ++t) {
+        const Tet& tet = complex.tets[t];
+        if (tet[0] < 0 || std::none_of(tet.begin(), tet.end(), is_at_seam)) continue;
+        if (is_bad(tet, target)) bad.push_back(static_cast<int>(t));
+    }
+    return bad;
+}
+
+std::size_t SeamRegion::count_bad(double target_dihedral_deg) const {
+    const double target = flatness_of_angle(target_dihedral_deg);
+    return static_cast<std::size_t>(std::count_if(complex.tets.begin(), complex.tets.end(), [&](const Tet& tet) {
+        return tet[0] >= 0 && is_bad(tet, target);
+    }));
+}
+
+bool SeamRegion::is_bad(const Tet& tet, double target_flatness) const {
+    const auto& p = complex.points;
+    return flatness(p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]) > target_flatness;
+}
+
+std::vector<int> SeamRegion::with_rings(std::vector<int> tets, int rings) const {
+    if (tets.empty()) return tets;
+    std::vector<char> is_in(complex.points.size(), 0);
+    for (int ring = 0; ring < rings; ++ring) {
+        for (const int t : tets)
+            for (const int v : complex.tets[t]) is_in[static_cast<std::size_t>(v)] = 1;
+        tets.clear();
+        for (std::size_t t = 0; t < complex.tets.size(); ++t) {
+            const Tet& tet = complex.tets[t];
+            if (tet[0] >= 0 && std::any_of(tet.begin(), tet.end(), [&](int v) { return is_in[v] != 0; }))
+                tets.push_back(static_cast<int>(t));
+        }
+    }
+    return tets;
+}
+
+std::vector<NodeId> SeamRegion::nodes_of(std::span<const int> tets) const {
+    std::vector<NodeId> nodes;
+    for (const int t : tets)
+        for (const int v : complex.tets[t])
+            if (const NodeId n = node_of(v); n.is_valid()) nodes.push_back(n);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+}
+
+int SeamRegion::vertex_of(NodeId node, const Mesh& mesh) {
+    const auto at = std::lower_bound(vertices_.begin(), vertices_.end(), std::pair(node, 0));
+    if (at != vertices_.end() && at->first == node) return at->second;
+    const int vertex = static_cast<int>(complex.points.size());
+    complex.points.push_back(mesh.point(node));
+    complex.is_fixed.push_back(1);
+    complex.tet_of_vertex.push_back(-1);
+    nodes_.resize(complex.points.size());
+    nodes_.back() = node;
+    vertices_.insert(at, {node, vertex});
+    return vertex;
+}
+
+std::vector<int> SeamRegion::take_in(const Mesh& mesh, std::span<const TetId> tets) {
+    if (vertices_.empty()) {
+        for (std::size_t v = 0; v < nodes_.size(); ++v) vertices_.emplace_back(nodes_[v], static_cast<int>(v));
+        std::sort(vertices_.begin(), vertices_.end());
+    }
+    std::vector<int> places;
+    for (const TetId tet : tets) {
+        const int place = static_cast<int>(complex.tets.size());
+        std::array<int, 4> corners;
+        for (int k = 0; k < 4; ++k) corners[k] = vertex_of(mesh.tets[tet.index()][k], mesh);
+        complex.tets.push_back(corners);
+        complex.neighbours.push_back({-1, -1, -1, -1});
+        complex.regions.push_back(mesh.tet_solids[tet.index()].value);
+        taken_.push_back({tet, place, corners});
+        places.push_back(place);
+        for (const int v : corners) complex.tet_of_vertex[v] = place;
+    }
+    is_at_seam_.resize(complex.points.size(), 0);
+    for (const int t : places)
+        for (const int v : complex.tets[t]) is_at_seam_[static_cast<std::size_t>(v)] = 1;
+    link_open_sides();
+    return places;
+}
+
+void SeamRegion::link_open_sides() {
+    struct Side {
+        std::array<int, 3> corners;
+        int region, tet, face;
+        auto key() const { return std::tie(corners, region); }
+    };
+    std::vector<Side> open;
+    for (std::size_t t = 0; t < complex.tets.size(); ++t)
+        for (int face = 0; complex.tets[t][0] >= 0 && face < 4; ++face)
+            if (complex.neighbours[t][face] < 0)
+                open.push_back({sorted_face(complex.tets[t], face), complex.regions[t], static_cast<int>(t), face});
+    std::sort(open.begin(), open.end(), [](const Side& a, const Side& b) {
+        return std::tie(a.corners, a.region, a.tet) < std::tie(b.corners, b.region, b.tet);
+    });
+    for (std::size_t i = 1; i < open.size(); ++i) {
+        const Side &a = open[i - 1], &b = open[i];
+        if (a.key() != b.key()) continue;
+        complex.neighbours[a.tet][a.face] = b.tet;
+        complex.neighbours[b.tet][b.face] = a.tet;
+    }
+}
+
+void SeamRegion::free_inner_nodes(const Mesh& mesh) {
+    std::vector<int> star;
+    for (std::size_t v = 0; v < nodes_.size(); ++v) {
+        if (!nodes_[v].is_valid() || mesh.entities[nodes_[v].index()].dim < 3) continue;
+        if (gather_star(complex, static_cast<int>(v), star)) complex.is_fixed[v] = 2;
+    }
+}
+
+bool SeamRegion::is_moved(int vertex, const Mesh& mesh) const {
+    const NodeId node = node_of(vertex);
+    return node.is_valid() && complex.points[static_cast<std::size_t>(vertex)] != mesh.point(node);
+}
+
+std::vector<std::pair<NodeId, int>> SeamRegion::moved_nodes(const Mesh& mesh) const {
+    std::vector<std::pair<NodeId, int>> moved;
+    for (int v = 0; v < static_cast<int>(nodes_.size()); ++v)
+        if (is_moved(v, mesh)) moved.emplace_back(nodes_[static_cast<std::size_t>(v)], v);
+    return moved;
+}
+
+std::vector<TetId> SeamRegion::give_back(const Mesh& mesh) {
+    std::vector<TetId> given;
+    for (const Taken& taken : taken_) {
+        std::array<int, 4>& now = complex.tets[static_cast<std::size_t>(taken.place)];
+        if (now != taken.corners) continue;
+        if (std::any_of(now.begin(), now.end(), [&](int v) { return is_moved(v, mesh); })) continue;
+        now = {-1, -1, -1, -1};
+        given.push_back(taken.tet);
+    }
+    taken_.clear();
+    return given;
+}
+
+}  // namespace featuremesh
