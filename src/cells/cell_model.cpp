@@ -62,7 +62,7 @@ class CellBuilder {
     }
 
   private:
-    double seconds_left() const { return most_seconds - (thread_seconds() - start_); }
+    double seconds_left() const { return most_seconds - (used_seconds(context_) - start_); }
     void note(std::string text) { notes_.push_back(std::move(text)); }
     void distrust(FeatureId id) { untrusted_.insert(id); }
 
@@ -353,7 +353,7 @@ class CellBuilder {
     RunContext& context_;
     double final_volume_;
     double overlap_ = 0;  // mm^3 that the final shape's solids count more than once
-    double start_ = thread_seconds();
+    double start_ = used_seconds(context_);
     CellModel model_;
     bool fused_ = false;  // did the last attempt give cells at all? Otherwise variations of it are a waste of time
     std::vector<std::string> notes_;

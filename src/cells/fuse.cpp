@@ -12,6 +12,7 @@
 #include <map>
 
 #include "core/errors.h"
+#include "core/on_threads.h"
 #include "features/deadline.h"
 #include "features/flux.h"
 #include "features/occt_geometry.h"
@@ -60,9 +61,9 @@ class Builder {
         for (int i = 1; i <= different.Extent(); ++i) builder_.AddArgument(different(i));
         builder_.SetNonDestructive(true);
         builder_.SetFuzzyValue(options.fuzzy);
-        builder_.SetRunParallel(false);
+        builder_.SetRunParallel(context.threads > 1);
         try {
-            builder_.Perform(deadline->Start());
+            on_threads(context, [&] { builder_.Perform(deadline->Start()); });
         } catch (const Standard_Failure& failure) {
             trouble_ = std::string("the kernel gave up: ") + failure.GetMessageString();
         }
@@ -229,11 +230,11 @@ FusedComplex fuse(std::vector<FuseArgument> arguments, const FuseOptions& option
 FusedComplex fuse_one_by_one(std::vector<FuseArgument> arguments, const FuseOptions& options, RunContext& context) {
     FusedComplex complex;
     std::vector<Owner> left_out;
-    const double end = thread_seconds() + options.seconds;
+    const double end = used_seconds(context) + options.seconds;
     try {
         const std::vector<double> volumes = turn_outwards(arguments, context);
         for (const FuseArgument& argument : arguments) {
-            const double left = end - thread_seconds();
+            const double left = end - used_seconds(context);
             if (left <= 0) return {{}, {}, "one by one they take too long", {}};
             Sources sources;
             sources.add(complex);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/errors.h"
+#include "core/on_threads.h"
 
 namespace featuremesh {
 
@@ -54,8 +55,12 @@ void parallel_for(RunContext& context, std::size_t count, std::size_t grain,
         for (std::size_t chunk = 0; chunk < chunks; ++chunk) run_chunk(chunk);
         return;
     }
+    on_threads(context, [&] { tbb::parallel_for(std::size_t{0}, chunks, run_chunk); });
+}
+
+void on_threads(const RunContext& context, const std::function<void()>& work) {
     tbb::task_arena arena(context.threads);
-    arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, run_chunk); });
+    arena.execute(work);
 }
 
 }  // namespace featuremesh

@@ -3,35 +3,42 @@
 #pragma once
 
 #include <Message_ProgressIndicator.hxx>
+#include <atomic>
 #include <ctime>
 #include <exception>
+#include <mutex>
 
 #include "core/run_context.h"
 
 namespace featuremesh {
 
-/// Processor seconds that the calling thread has used. What is worth its time must not depend on how busy the machine
-/// is.
-inline double thread_seconds() {
+inline double processor_seconds(clockid_t clock) {
     timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    clock_gettime(clock, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Handed to a kernel algorithm that runs in this thread, says "break" when the processor seconds are over or the
-/// caller of `context` wants to stop. Throws nothing into the kernel, which would not survive it.
+/// Processor seconds that work for `context` has used: those of the calling thread, or of all threads if it may use
+/// several. What is worth its time must depend neither on how busy the machine is nor on the number of threads.
+inline double used_seconds(const RunContext& context) {
+    return processor_seconds(context.threads > 1 ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_THREAD_CPUTIME_ID);
+}
+
+/// Handed to a kernel algorithm, which asks it from all its threads: says "break" when the processor seconds are over
+/// or the caller of `context` wants to stop. Throws nothing into the kernel, which would not survive it.
 class Deadline : public Message_ProgressIndicator {
     DEFINE_STANDARD_RTTI_INLINE(Deadline, Message_ProgressIndicator)
 
   public:
-    Deadline(double seconds, RunContext& context) : end_(thread_seconds() + seconds), context_(context) {}
+    Deadline(double seconds, RunContext& context) : end_(used_seconds(context) + seconds), context_(context) {}
 
     Standard_Boolean UserBreak() override {
         if (broken_) return true;
         try {
             context_.progress(0.5);
-            broken_ = thread_seconds() >= end_;
+            if (used_seconds(context_) >= end_) broken_ = true;
         } catch (...) {
+            const std::lock_guard<std::mutex> guard(thrown_mutex_);
             thrown_ = std::current_exception();
             broken_ = true;
         }
@@ -50,8 +57,9 @@ class Deadline : public Message_ProgressIndicator {
   private:
     double end_;
     RunContext& context_;
+    std::mutex thrown_mutex_;
     std::exception_ptr thrown_;
-    bool broken_ = false;
+    std::atomic<bool> broken_{false};
 };
 
 }  // namespace featuremesh

@@ -309,10 +309,10 @@ class Interpreter {
         const auto [known, is_new] = differences_.try_emplace(i);
         ShapeDifference& difference = known->second;
         if (is_new) {
-            const double start = thread_seconds();
-            difference = difference_of(feature(i).before, after, std::min(8.0, seconds_left_), context_,
-                                       known_difference(i));
-            seconds_left_ = std::max(0.5, seconds_left_ - (thread_seconds() - start));
+            const double start = used_seconds(context_);
+            difference =
+                difference_of(feature(i).before, after, std::min(8.0, seconds_left_), context_, known_difference(i));
+            seconds_left_ = std::max(0.5, seconds_left_ - (used_seconds(context_) - start));
         }
         if (!difference.closed) {
             note(i,
@@ -360,7 +360,7 @@ class Interpreter {
     std::vector<TypeMeaning> meanings_;
     std::vector<bool> visited_;
     std::map<int, ShapeDifference> differences_;  // by record: the source of a copy is evaluated more than once
-    double seconds_left_ = 16;  // for what was added and removed by all features together
+    double seconds_left_ = 16;                    // for what was added and removed by all features together
 };
 
 }  // namespace

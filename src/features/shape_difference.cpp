@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/on_threads.h"
 #include "features/deadline.h"
 #include "features/flux.h"
 #include "features/occt_geometry.h"
@@ -80,7 +81,8 @@ ShapeDifference between_faces(const Change& change, bool glued, double seconds, 
     maker.SetAvoidInternalShapes(true);
     maker.SetNonDestructive(true);
     maker.SetGlue(glued ? BOPAlgo_GlueShift : BOPAlgo_GlueOff);
-    maker.Perform(deadline->Start());
+    maker.SetRunParallel(context.threads > 1);
+    on_threads(context, [&] { maker.Perform(deadline->Start()); });
     if (deadline->is_over() || maker.HasErrors()) return result;
     const SolidProbe before(change.before);
     const SolidProbe after(change.after);
@@ -106,7 +108,8 @@ std::vector<TopoDS_Shape> cut(const TopoDS_Shape& from, const TopoDS_Shape& tool
     algorithm.SetArguments(arguments);
     algorithm.SetTools(tools);
     algorithm.SetNonDestructive(true);
-    algorithm.Build(deadline->Start());
+    algorithm.SetRunParallel(context.threads > 1);
+    on_threads(context, [&] { algorithm.Build(deadline->Start()); });
     done = !deadline->is_over() && algorithm.IsDone() && done;
     return done ? solids_of(algorithm.Shape()) : std::vector<TopoDS_Shape>();
 }
@@ -127,8 +130,8 @@ ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& af
     if (solids_of(before).empty()) return {solids_of(after), {}, true};
     if (solids_of(after).empty()) return {{}, solids_of(before), true};
     ShapeDifference result;
-    const double end = thread_seconds() + seconds;
-    const auto left = [&] { return std::max(0.0, end - thread_seconds()); };
+    const double end = used_seconds(context) + seconds;
+    const auto left = [&] { return std::max(0.0, end - used_seconds(context)); };
     try {
         const Change change(before, after);
         // The volumes lie between the faces that only one of the shapes has, and nothing else counts.

@@ -307,12 +307,33 @@ TEST_CASE("a tree without any volume is one opaque cell") {
     CHECK(model.report.fallbacks.size() == 1);
 }
 
-TEST_CASE("a cancelled fuse throws") {
+TEST_CASE("a cancelled fuse throws, on any number of threads") {
     const Part part = Part().add("A", box(0, 0, 0, 10, 10, 10)).add("B", box(5, 5, 5, 10, 10, 10));
     const Brep brep(part.tree().final_shape);
     RunContext context;
+    context.threads = GENERATE(1, 4);
     context.on_progress = [](std::string_view, double) { return false; };
     CHECK_THROWS_AS(build_cells(part.tree(), brep, context), Cancelled);
+}
+
+TEST_CASE("the cells are the same for any number of threads") {
+    Part part = Part().add("A", box(0, 0, 0, 60, 60, 20));
+    for (int i = 0; i < 12; ++i) {
+        const gp_Pnt foot{8.0 + 11 * (i % 4), 10.0 + 18 * (i / 4), -1};
+        part.remove("Hole" + std::to_string(i), cylinder(foot, {0.2, 0.05 * i, 1}, 5, 30));
+    }
+    RunContext one, four;
+    four.threads = 4;
+    const Brep brep(part.tree().final_shape);
+    const CellModel a = build_cells(part.tree(), brep, one), b = build_cells(part.tree(), brep, four);
+    REQUIRE(a.cells.size() == b.cells.size());
+    REQUIRE(a.faces.size() == b.faces.size());
+    for (std::size_t c = 0; c < a.cells.size(); ++c) {
+        CHECK(a.cells[c].volume == b.cells[c].volume);
+        CHECK(a.cells[c].owners == b.cells[c].owners);
+        CHECK(a.cells[c].box.low == b.cells[c].box.low);
+    }
+    for (std::size_t f = 0; f < a.faces.size(); ++f) CHECK(a.faces[f].owners == b.faces[f].owners);
 }
 
 TEST_CASE("overlapping solids of the final shape are reported") {
