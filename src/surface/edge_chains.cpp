@@ -109,21 +109,45 @@ bool is_used(const Brep& brep, EdgeId edge) {
     });
 }
 
-std::vector<NodeId> vertex_nodes(const Brep& brep, const MergedEntities& merged, Mesh& mesh) {
-    std::vector<NodeId> nodes(brep.vertex_count());
-    const auto shared = [&](std::size_t v) -> NodeId& { return nodes[merged.vertex_of[v].index()]; };
-    for (std::size_t n = 0; n < mesh.node_count(); ++n)
-        if (mesh.entities[n].dim == 0) shared(static_cast<std::size_t>(mesh.entities[n].index)) = NodeId(n);
-    for (std::size_t v = 0; v < nodes.size(); ++v) {
-        const VertexId vertex(v);
-        const auto edges = brep.edges_of(vertex);
-        if (!shared(v).is_valid() &&
-            std::any_of(edges.begin(), edges.end(), [&](EdgeId e) { return is_used(brep, e); }))
-            shared(v) = mesh.add_node(brep.point_of(merged.vertex_of[v]), entity_of(merged.vertex_of[v]));
-        nodes[v] = shared(v);
+/// The node of every used vertex, in the order of their numbers; but the two ends of an edge too short for a projection
+/// to tell them apart in the order of the edge, so that nodes sorted along the edges beside it by parameter and number
+/// are a chain there, too.
+class VertexNodes {
+  public:
+    VertexNodes(const Brep& brep, const MergedEntities& merged, Mesh& mesh)
+        : brep_(brep), merged_(merged), mesh_(mesh), nodes_(brep.vertex_count()), is_asked_(brep.vertex_count(), 0) {}
+
+    std::vector<NodeId> make() {
+        for (std::size_t n = 0; n < mesh_.node_count(); ++n)
+            if (mesh_.entities[n].dim == 0) shared(VertexId(std::size_t(mesh_.entities[n].index))) = NodeId(n);
+        for (std::size_t v = 0; v < nodes_.size(); ++v) number(VertexId(v));
+        for (std::size_t v = 0; v < nodes_.size(); ++v) nodes_[v] = shared(VertexId(v));
+        return std::move(nodes_);
     }
-    return nodes;
-}
+
+  private:
+    NodeId& shared(VertexId vertex) { return nodes_[merged_.vertex_of[vertex.index()].index()]; }
+
+    void number(VertexId vertex) {
+        if (is_asked_[vertex.index()]++ || shared(vertex).is_valid()) return;
+        const auto edges = brep_.edges_of(vertex);
+        if (std::none_of(edges.begin(), edges.end(), [&](EdgeId e) { return is_used(brep_, e); })) return;
+        for (const EdgeId e : edges) {
+            const auto [first, last] = brep_.ends_of(e);
+            if (last == vertex && first.is_valid() && first != last &&
+                distance(brep_.point_of(first), brep_.point_of(last)) < brep_.tolerances().contact())
+                number(first);
+        }
+        const VertexId owner = merged_.vertex_of[vertex.index()];
+        if (!shared(owner).is_valid()) shared(owner) = mesh_.add_node(brep_.point_of(owner), entity_of(owner));
+    }
+
+    const Brep& brep_;
+    const MergedEntities& merged_;
+    Mesh& mesh_;
+    std::vector<NodeId> nodes_;
+    std::vector<char> is_asked_;
+};
 
 /// Fewest pieces by which a whole edge stays a curve of its own: a quarter turn at most per piece, a closed one three.
 int fewest_pieces(const Measure& measure, bool is_closed, bool has_twin) {
@@ -179,7 +203,10 @@ EdgeChain kept_chain(const std::array<double, 2>& range, EdgeId edge, const std:
 
 EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const WantedLength& sizing, Mesh& mesh,
                        RunContext& context)
-    : merged_(merged), projector_(brep), chains_(brep.edge_count()), vertex_nodes_(vertex_nodes(brep, merged, mesh)) {
+    : merged_(merged),
+      projector_(brep),
+      chains_(brep.edge_count()),
+      vertex_nodes_(VertexNodes(brep, merged, mesh).make()) {
     const KeptOnEdges kept = kept_on_edges(brep, mesh);
     const std::size_t first_new_node = mesh.node_count();
     std::map<std::array<NodeId, 2>, int> between;

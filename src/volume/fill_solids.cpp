@@ -15,6 +15,7 @@
 #include "volume/facet_split.h"
 #include "volume/fill_cavity.h"
 #include "volume/flip_facets.h"
+#include "volume/lean_needles.h"
 #include "volume/local_recovery.h"
 #include "volume/optimise.h"
 #include "volume/seam_mending.h"
@@ -129,7 +130,9 @@ class Filling {
             if (!is_thick_[i]) require_thick(cavities_[i], regions_[i].complex);
         drop_released();
         for (const SeamRegion& region : regions_) move_nodes(region);
+        const std::size_t kept_tets = result_.mesh.tets.size();
         for (const SeamRegion& region : regions_) append(region);
+        lean(kept_tets);
         return std::move(result_);
     }
 
@@ -250,7 +253,8 @@ class Filling {
         }
         std::optional<ConstrainedTriangulation> local;
         if (local_recoveries_++ < most_local_recoveries) local = recover_locally(cavity, fill, context_);
-        ConstrainedTriangulation constrained = local ? std::move(*local) : constrained_delaunay(cavity, seeds, context_);
+        ConstrainedTriangulation constrained =
+            local ? std::move(*local) : constrained_delaunay(cavity, seeds, context_);
         if (constrained.is_given_up || !constrained.failed.empty()) {
             const std::vector<int>& bad = constrained.is_given_up ? fill.places.missing : constrained.failed;
             log("triangles that constraints did not bring back", bad.size());
@@ -312,9 +316,8 @@ class Filling {
             const Vec3& p = cavity.points[i];
             return std::tuple(p.x, p.y, p.z);
         };
-        std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-            return std::pair(place(a), a) < std::pair(place(b), b);
-        });
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t a, std::size_t b) { return std::pair(place(a), a) < std::pair(place(b), b); });
         std::set<FaceId> faces;
         for (std::size_t i = 1; i < order.size(); ++i)
             if (place(order[i - 1]) == place(order[i]))
@@ -531,6 +534,15 @@ class Filling {
             ++result_.report.new_tets;
         }
         mesh.corner_count = mesh.points.size();
+    }
+
+    void lean(std::size_t kept_tets) {
+        std::vector<TriangleId> triangles;
+        for (const Cavity& cavity : cavities_)
+            for (const TriangleId t : cavity.triangle_of_facet)
+                if (t.is_valid()) triangles.push_back(t);
+        lean_needles(brep_, projector_, triangles, kept_tets, result_.mesh);
+        result_.report.new_tets = result_.mesh.tets.size() - kept_tets;
     }
 
     const Brep& brep_;
