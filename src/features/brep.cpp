@@ -154,6 +154,17 @@ std::span<const FaceId> Brep::faces_of(EdgeId edge) const { return data_->faces_
 std::span<const EdgeId> Brep::edges_of(VertexId vertex) const { return data_->edges_of_vertex[vertex.index()]; }
 std::array<VertexId, 2> Brep::ends_of(EdgeId edge) const { return data_->ends[edge.index()]; }
 std::array<SolidId, 2> Brep::sides_of(FaceId face) const { return data_->sides[face.index()]; }
+std::vector<FaceId> Brep::faces_at(Entity entity) const {
+    std::vector<FaceId> faces;
+    const auto add_faces_of = [&](EdgeId e) { faces.insert(faces.end(), faces_of(e).begin(), faces_of(e).end()); };
+    if (entity.dim == 2) faces.emplace_back(entity.index);
+    if (entity.dim == 1) add_faces_of(EdgeId(entity.index));
+    if (entity.dim == 0)
+        for (const EdgeId e : edges_of(VertexId(entity.index))) add_faces_of(e);
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
+}
 bool Brep::is_degenerated(EdgeId id) const { return BRep_Tool::Degenerated(edge(id)); }
 bool Brep::is_seam(EdgeId edge_id, FaceId face_id) const { return BRepTools::IsReallyClosed(edge(edge_id), face(face_id)); }
 

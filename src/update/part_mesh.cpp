@@ -26,6 +26,7 @@ namespace featuremesh {
 
 namespace {
 
+constexpr double elements_that_bend = 2;          // across a wall: none may span it
 constexpr double resolution_of_changes = 0.5;   // edge lengths; what is changed reaches this much further than it must
 
 double peak_memory_mb() {
@@ -105,7 +106,9 @@ Filled fill_once(const Brep& brep, const SizingField& sizing, Kept kept, const M
         for (std::size_t t = kept_triangles; t < surface.mesh.triangles.size(); ++t)
             for (const NodeId n : surface.mesh.triangles[t]) kept.is_rim[n.index()] = 1;
     }
-    VolumeResult volume = fill_solids(brep, sizing, std::move(surface.mesh), kept.active, options.volume, context, kept.is_rim);
+    VolumeOptions volume_options = options.volume;
+    volume_options.splits_wall_tets |= options.sizing.elements_across_gap >= elements_that_bend;
+    VolumeResult volume = fill_solids(brep, sizing, std::move(surface.mesh), kept.active, volume_options, context, kept.is_rim);
     Mesh mesh = std::move(volume.mesh);
     if (options.order == 2) {
         second = try_second_order(brep, std::move(mesh), kept.curved.order == 2 ? &kept.curved : nullptr, context);
@@ -290,6 +293,8 @@ std::string reason_for_full_mesh(const PartMesh& old, const MeshOptions& options
     if (old.options.order != options.order) return "the element order changed";
     const double ratio = options.sizing.size / old.options.sizing.size;
     if (std::max(ratio, 1 / ratio) > 1.2) return "the global size changed by more than 1.2 times";
+    if (options.sizing.elements_across_gap >= elements_that_bend && old.options.sizing.elements_across_gap < elements_that_bend)
+        return "elements may not span thin walls any more";
     return {};
 }
 

@@ -20,6 +20,7 @@
 #include "volume/optimise.h"
 #include "volume/seam_mending.h"
 #include "volume/thicken.h"
+#include "volume/wall_tets.h"
 #include "volume/withdraw_points.h"
 
 namespace featuremesh {
@@ -29,6 +30,7 @@ namespace {
 constexpr int most_rounds = 12;
 constexpr int most_crossing_rounds = 3;
 constexpr int most_local_recoveries = 5;
+constexpr int rounds_at_walls = 2;
 /// Tets are mended until they have the least volume; with this share of it they are still no reason to refuse a part.
 constexpr double tolerated_share = 0.92;
 
@@ -96,6 +98,13 @@ bool is_flat(const TetComplex& complex, const std::array<int, 4>& tet) {
     const Vec3 &a = complex.points[tet[0]], u = complex.points[tet[1]] - a, v = complex.points[tet[2]] - a,
                w = complex.points[tet[3]] - a;
     return !(dot(cross(u, v), w) > 1.01e-6 * length(u) * length(v) * length(w));
+}
+
+std::vector<int> tets_with_vertices_from(const TetComplex& complex, int first) {
+    std::vector<int> tets;
+    for (std::size_t t = 0; t < complex.tets.size(); ++t)
+        if (*std::max_element(complex.tets[t].begin(), complex.tets[t].end()) >= first) tets.push_back(static_cast<int>(t));
+    return tets;
 }
 
 /// The filling of one mesh, round by round: what does not hold is released or recovered, and filled again.
@@ -321,7 +330,8 @@ class Filling {
         std::set<FaceId> faces;
         for (std::size_t i = 1; i < order.size(); ++i)
             if (place(order[i - 1]) == place(order[i]))
-                for (const std::size_t n : {order[i - 1], order[i]}) faces.merge(faces_at(cavity.nodes[n]));
+                for (const std::size_t n : {order[i - 1], order[i]})
+                    for (const FaceId face : faces_at(cavity.nodes[n])) faces.insert(face);
         if (faces.empty()) return;
         std::string names;
         std::size_t listed = 0;
@@ -366,6 +376,7 @@ class Filling {
             report.slivers_before += reports[i].second.before;
         }
         mend_seams(regions_, result_.mesh, is_released_, options_.target_dihedral_deg, context_);
+        if (options_.splits_wall_tets) split_wall_tets();
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
             TetComplex& complex = regions_[i].complex;
             is_thick_[i] = thicken(complex, least_volume(), context_).empty();
@@ -374,6 +385,27 @@ class Filling {
             report.slivers_left +=
                 is_mended ? regions_[i].count_bad(options_.target_dihedral_deg) : reports[i].second.left;
             if (!is_thick_[i]) leave_out_flat_tets(cavities_[i], complex);
+        }
+    }
+
+    void split_wall_tets() {
+        const OppositeWalls walls(brep_, result_.mesh, projector_);
+        for (SeamRegion& region : regions_) {
+            const auto is_spanning = [&](const std::array<int, 4>& tet) {
+                return walls.are_spanned_by(
+                    {region.node_of(tet[0]), region.node_of(tet[1]), region.node_of(tet[2]), region.node_of(tet[3])});
+            };
+            const int first_new = static_cast<int>(region.complex.points.size());
+            // mending what was split may make others, so the last word is a split
+            for (int round = 0; round <= rounds_at_walls; ++round) {
+                const std::size_t count = split_tets(region.complex, is_spanning);
+                result_.report.split_wall_tets += count;
+                if (count == 0 || round == rounds_at_walls) break;
+                SliverOptions options;
+                options.target_dihedral_deg = options_.target_dihedral_deg;
+                options.among = tets_with_vertices_from(region.complex, first_new);
+                remove_slivers(region.complex, options, context_);
+            }
         }
     }
 
@@ -470,20 +502,7 @@ class Filling {
         return nearest;
     }
 
-    std::set<FaceId> faces_at(NodeId node) const {
-        std::set<FaceId> faces;
-        const Entity entity = result_.mesh.entities[node.index()];
-        if (entity.dim == 2) faces.insert(FaceId(entity.index));
-        if (entity.dim == 1) insert_faces_of(EdgeId(entity.index), faces);
-        if (entity.dim == 0)
-            for (const EdgeId e : brep_.edges_of(VertexId(entity.index))) insert_faces_of(e, faces);
-        return faces;
-    }
-
-    void insert_faces_of(EdgeId edge, std::set<FaceId>& faces) const {
-        const auto around = brep_.faces_of(edge);
-        faces.insert(around.begin(), around.end());
-    }
+    std::vector<FaceId> faces_at(NodeId node) const { return brep_.faces_at(result_.mesh.entities[node.index()]); }
 
     void drop_released() {
         Mesh& mesh = result_.mesh;

@@ -18,6 +18,7 @@ namespace featuremesh {
 struct VolumeOptions {
     double target_dihedral_deg = 30;  ///< sliver removal works on tets below it (and above 180 minus it)
     int odt_sweeps = 3;               ///< over the nodes that gain
+    bool splits_wall_tets = false;    ///< no tet is left whose corners all lie on two opposite walls
     bool operator==(const VolumeOptions&) const = default;
 };
 
@@ -28,6 +29,7 @@ struct VolumeReport {
                     0;  ///< boundary triangles missing at first; points added to get them back, most of them inside
     std::size_t released_tets = 0;         ///< kept tets that had to go so that the seam holds, or for the quality there
     std::size_t released_for_quality = 0;  ///< of these: those without which tets at the seam would be bad
+    std::size_t split_wall_tets = 0;
     double odt_energy_before = 0,
            odt_energy_after = 0;                       ///< sum of V S / 20 over the new tets (Alliez et al. 2005), mm^5
     std::size_t slivers_before = 0, slivers_left = 0;  ///< new tets below the target

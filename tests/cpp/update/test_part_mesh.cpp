@@ -293,3 +293,28 @@ TEST_CASE("a local size on a face that no longer exists is a warning that names 
     const PartMeshResult plain = updated(*drilled.part_mesh, PartDocument().box("Part", {0, 0, 0}, {60, 30, 6}).finish(), options);
     CHECK(is_named(plain, "Face7"));
 }
+
+TEST_CASE("with two elements across asked, no tet spans the walls of an open box, in either order") {
+    const RawDocument document =
+        PartDocument().box("Block", {0, 0, 0}, {41, 32.8, 4}).box("Inside", {1, 1, 1}, {39, 30.8, 4}).cut("Part", "Block", "Inside").finish();
+    MeshOptions options;
+    options.sizing.size = 10;
+    options.sizing.elements_across_gap = 2;
+    options.order = GENERATE(1, 2);
+    const PartMeshResult result = meshed(document, options);
+    const Mesh& mesh = result.part_mesh->mesh;
+    CHECK(result.report.volume.split_wall_tets > 0);
+    const std::array<std::array<std::pair<double Vec3::*, double>, 2>, 5> walls{{{{{&Vec3::x, 0}, {&Vec3::x, 1}}},
+                                                                               {{{&Vec3::x, 40}, {&Vec3::x, 41}}},
+                                                                               {{{&Vec3::y, 0}, {&Vec3::y, 1}}},
+                                                                               {{{&Vec3::y, 31.8}, {&Vec3::y, 32.8}}},
+                                                                               {{{&Vec3::z, 0}, {&Vec3::z, 1}}}}};
+    CHECK(std::none_of(mesh.tets.begin(), mesh.tets.end(), [&](const auto& tet) {
+        return std::any_of(walls.begin(), walls.end(), [&](const auto& wall) {
+            const auto on = [&](int side) {
+                return std::count_if(tet.begin(), tet.end(), [&](NodeId n) { return std::abs(mesh.point(n).*wall[side].first - wall[side].second) < 1e-6; });
+            };
+            return on(0) > 0 && on(1) > 0 && on(0) + on(1) == 4;
+        });
+    }));
+}

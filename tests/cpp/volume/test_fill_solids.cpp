@@ -3,6 +3,8 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <functional>
 #include <random>
 #include <set>
 
@@ -245,21 +247,63 @@ TEST_CASE("a solid with two faces in the same place is refused with their names"
     }
 }
 
+namespace {
+
+using IsOn = std::function<bool(const Vec3&)>;
+
+TopoDS_Shape open_box() {
+    return BRepAlgoAPI_Cut(box_part({0, 0, 0}, {41, 32.8, 4}), box_part({1, 1, 1}, {39, 30.8, 3})).Shape();
+}
+
+IsOn plane(double Vec3::* axis, double at) {
+    return [=](const Vec3& p) { return std::abs(p.*axis - at) < 1e-6; };
+}
+IsOn cylinder(double radius) {
+    return [=](const Vec3& p) { return std::abs(std::hypot(p.x, p.y) - radius) < 1e-6; };
+}
+
+/// Tets with all corners on two opposite walls, and some on one of them only.
+std::size_t count_spanning(const Mesh& mesh, const std::vector<std::array<IsOn, 2>>& walls) {
+    std::size_t count = 0;
+    for (const auto& tet : mesh.tets)
+        for (const auto& [a, b] : walls) {
+            int only_a = 0, only_b = 0, on_any = 0;
+            for (const NodeId n : tet) {
+                const bool is_on_a = a(mesh.point(n)), is_on_b = b(mesh.point(n));
+                only_a += is_on_a && !is_on_b, only_b += is_on_b && !is_on_a, on_any += is_on_a || is_on_b;
+            }
+            count += on_any == 4 && only_a > 0 && only_b > 0;
+        }
+    return count;
+}
+
+}  // namespace
+
 TEST_CASE("with two elements across, no tet has its corners on two opposite walls only") {
-    const auto [name, shape, size] = GENERATE(table<std::string, TopoDS_Shape, double>(
-        {{"plate", turned(box_part({0, 0, 0}, {20, 24, 3}), 0.6, {}), 6.0}, {"tube", tube_part(8, 10), 4.0}}));
+    const std::vector<std::array<IsOn, 2>> box_walls{{plane(&Vec3::x, 0), plane(&Vec3::x, 1)},
+                                                     {plane(&Vec3::x, 40), plane(&Vec3::x, 41)},
+                                                     {plane(&Vec3::y, 0), plane(&Vec3::y, 1)},
+                                                     {plane(&Vec3::y, 31.8), plane(&Vec3::y, 32.8)},
+                                                     {plane(&Vec3::z, 0), plane(&Vec3::z, 1)}};
+    const auto [name, shape, size, walls] = GENERATE_COPY(table<std::string, TopoDS_Shape, double, std::vector<std::array<IsOn, 2>>>(
+        {{"plate", box_part({0, 0, 0}, {20, 24, 3}), 6.0, {{plane(&Vec3::z, 0), plane(&Vec3::z, 3)}}},
+         {"tube", tube_part(8, 10), 4.0, {{cylinder(8), cylinder(7)}}},
+         {"open box", open_box(), 10.0, box_walls}}));
     INFO(name);
     SizingOptions options;
     options.size = size;
     options.elements_across_gap = 2;
     const Part part = prepare(shape, options);
-    const Mesh mesh = fill(part).mesh;
-    CHECK(findings(part.brep, mesh) == "");
-    CHECK(std::all_of(mesh.tets.begin(), mesh.tets.end(), [&](const std::array<NodeId, 4>& tet) {
-        const auto is_inside = [&](NodeId n) { return mesh.entities[n.index()].dim == 3; };
-        const auto is_at_rim = [&](NodeId n) { return mesh.entities[n.index()].dim < 2; };
-        return std::any_of(tet.begin(), tet.end(), is_inside) || std::any_of(tet.begin(), tet.end(), is_at_rim);
-    }));
+    VolumeOptions volume_options;
+    volume_options.splits_wall_tets = true;
+    RunContext context;
+    const VolumeResult result = fill_solids(part.brep, part.sizing, part.surface, {}, volume_options, context);
+    CHECK(findings(part.brep, result.mesh) == "");
+    CHECK(count_spanning(result.mesh, walls) == 0);
+    CHECK(measure_quality(result.mesh).min_dihedral > 25);
+    const bool is_box = name == "open box";
+    CHECK((count_spanning(fill(part).mesh, walls) > 0) == is_box);
+    CHECK((result.report.split_wall_tets > 0) == is_box);
     options.elements_across_gap = 0;
-    CHECK(fill(prepare(shape, options)).mesh.tets.size() < mesh.tets.size() / 4);
+    CHECK(fill(prepare(shape, options)).mesh.tets.size() < result.mesh.tets.size() / 4);
 }
