@@ -53,11 +53,11 @@ class CellBuilder {
         if (volumes().empty()) return opaque("no feature has a volume of its own");
         if (attempt(volumes(), 0)) return finish();
         if (replace_offenders() && attempt(volumes(), 0)) return finish();
-        if (fused_ && attempt_fuzzy()) return finish();
+        if (!out_of_time_ && attempt_fuzzy()) return finish();
         if (attempt_one_by_one()) return finish();
         for (const FeatureId step : steps_to_start_from())
             if (collapse_before(step) && attempt(volumes(), 0)) return finish();
-        if (fused_ && attempt_with_final_shape()) return finish();
+        if (!out_of_time_ && attempt_with_final_shape()) return finish();
         return opaque("no fuse of the volumes adds up to the final shape");
     }
 
@@ -195,8 +195,8 @@ class CellBuilder {
     }
 
     bool take(FusedComplex complex) {
-        fused_ = complex.trouble.empty();
-        if (!fused_) return note("fuse: " + complex.trouble), false;
+        out_of_time_ = complex.out_of_time;
+        if (!complex.trouble.empty()) return note("fuse: " + complex.trouble), false;
         model_ = {};
         model_.cells = std::move(complex.cells);
         model_.faces = std::move(complex.faces);
@@ -355,7 +355,7 @@ class CellBuilder {
     double overlap_ = 0;  // mm^3 that the final shape's solids count more than once
     double start_ = used_seconds(context_);
     CellModel model_;
-    bool fused_ = false;  // did the last attempt give cells at all? Otherwise variations of it are a waste of time
+    bool out_of_time_ = false;  // was the last attempt? Then variations of it are a waste of time
     std::vector<std::string> notes_;
     std::set<FeatureId> offenders_, untrusted_;
     std::map<FeatureId, std::vector<TopoDS_Shape>> replaced_;  // other volumes than the tree's, all counted as volume 0

@@ -67,13 +67,15 @@ class Builder {
         } catch (const Standard_Failure& failure) {
             trouble_ = std::string("the kernel gave up: ") + failure.GetMessageString();
         }
-        if (deadline->is_over())
+        out_of_time_ = deadline->is_over();
+        if (out_of_time_)
             trouble_ = "it took longer than " + std::to_string(static_cast<int>(options.seconds)) + " s";
         else if (trouble_.empty() && builder_.HasErrors())
             trouble_ = "the kernel could not intersect the volumes";
     }
 
     const std::string& trouble() const { return trouble_; }
+    bool out_of_time() const { return out_of_time_; }
 
     std::vector<TopoDS_Shape> images(const TopoDS_Shape& shape) {
         if (!used_) return {shape};
@@ -87,7 +89,7 @@ class Builder {
 
   private:
     BOPAlgo_Builder builder_;
-    bool used_ = false;
+    bool used_ = false, out_of_time_ = false;
     std::string trouble_;
 };
 
@@ -206,7 +208,7 @@ void check_arguments(FusedComplex& complex, const std::vector<FuseArgument>& arg
 
 FusedComplex fuse_sources(const Sources& sources, const FuseOptions& options, RunContext& context) {
     Builder builder(sources.solids, options, context);
-    if (!builder.trouble().empty()) return {{}, {}, builder.trouble(), {}};
+    if (!builder.trouble().empty()) return {{}, {}, builder.trouble(), builder.out_of_time(), {}};
     return Collector(sources, builder, context).take();
 }
 
@@ -235,7 +237,7 @@ FusedComplex fuse_one_by_one(std::vector<FuseArgument> arguments, const FuseOpti
         const std::vector<double> volumes = turn_outwards(arguments, context);
         for (const FuseArgument& argument : arguments) {
             const double left = end - used_seconds(context);
-            if (left <= 0) return {{}, {}, "one by one they take too long", {}};
+            if (left <= 0) return {{}, {}, "one by one they take too long", true, {}};
             Sources sources;
             sources.add(complex);
             sources.add(argument);

@@ -25,6 +25,7 @@ struct FusedComplex {
     std::vector<Cell> cells;
     std::vector<CellFace> faces;
     std::string trouble;           ///< what went wrong, in words; empty when nothing did
+    bool out_of_time = false;      ///< is it that it took too long?
     std::vector<Owner> offenders;  ///< arguments whose cells do not add up to their own volume
 };
 
