@@ -63,7 +63,7 @@ def read_tree(raw: dict) -> dict[str, Any]:
 def compare(old: dict, new: dict, resolution: float = 0.0) -> dict[str, Any]:
     """The feature difference: {"features": [{"name", "label", "verdict", "motion", "old_volume", "new_volume", "old_faces", "new_faces", "detail"}],
     "faces": [{"verdict", "old_face", "new_face", "old_area", "new_area", "inner"}],
-    "edges": [{"verdict", "old_edge", "new_edge", "old_length", "new_length", "inner"}], "notes", "changed_boundary": (k,3,3) array}"""
+    "edges": [{"verdict", "old_edge", "new_edge", "old_length", "new_length", "inner"}], "notes", "changed_boundary": (k,3,3) array}; areas, mm^2, of faces that changed"""
 def estimate_tets(raw: dict, options: dict) -> float: ...
 def write_activity_of_crash_to(descriptor: int) -> None:
     """From now on a crash of the process first writes what its thread was working on ("surface, Face12") to the file descriptor."""

@@ -45,7 +45,7 @@ class CellBuilder {
     CellBuilder(const FeatureTree& tree, const Brep& final_shape, RunContext& context)
         : tree_(tree), final_shape_(final_shape), context_(context), final_volume_(volume_of(final_shape)) {
         for (std::size_t i = 0; i < final_shape.solid_count(); ++i)
-            probes_.push_back(std::make_unique<SolidProbe>(final_shape.solid(SolidId(i))));
+            probes_.push_back(std::make_unique<SolidProbe>(final_shape, SolidId(i)));
     }
 
     /// One attempt after the other until the books close; the last cannot fail.

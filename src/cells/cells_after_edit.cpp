@@ -259,7 +259,7 @@ class NewState {
     bool tells_the_truth(double final_volume) const {
         Probes solids;
         for (std::size_t s = 0; s < final_shape_.solid_count(); ++s)
-            solids.push_back(std::make_unique<SolidProbe>(final_shape_.solid(SolidId(s))));
+            solids.push_back(std::make_unique<SolidProbe>(final_shape_, SolidId(s)));
         const auto is_true = [&](const Cell& cell, bool is_material, bool may_be_covered) {
             if (cell.volume <= Tolerances::volume_books * final_volume) return true;
             const auto inner = point_inside(cell.solid);
@@ -281,7 +281,7 @@ class NewState {
     std::vector<std::vector<Owner>> owners_of_final_faces() {
         owners_.resize(final_shape_.face_count());
         for (std::size_t f = 0; f < final_shape_.face_count(); ++f) {
-            const Box box = box_of(final_shape_.face(FaceId(f)));
+            const Box& box = final_shape_.box_of(FaceId(f));
             boxes_.push_back(box.grown(on_face));
         }
         final_faces_.resize(boxes_.size());

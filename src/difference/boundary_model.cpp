@@ -4,8 +4,6 @@
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Precision.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 
 namespace featuremesh {
 
@@ -46,13 +44,9 @@ void BoundaryModel::take_edge(EdgeId id) {
 void BoundaryModel::take_face(FaceId id) {
     BoundaryFace face;
     face.carrier = carrier_of(brep_.face(id));
-    for (TopExp_Explorer e(brep_.face(id), TopAbs_EDGE); e.More(); e.Next()) {
-        const EdgeId edge = brep_.find(TopoDS::Edge(e.Current()));
-        if (!edge.is_valid() || edges_[edge.index()].is_degenerated) continue;
-        const TopAbs_Orientation orientation = e.Current().Orientation();
-        face.uses.push_back(
-            {edge, orientation == TopAbs_FORWARD, orientation == TopAbs_INTERNAL || orientation == TopAbs_EXTERNAL});
-    }
+    for (const FaceEdge& use : brep_.uses_in(id))
+        if (!edges_[use.edge.index()].is_degenerated)
+            face.uses.push_back({use.edge, use.is_forward, use.is_internal || use.is_external});
     const auto [behind, before] = brep_.sides_of(id);
     face.material_behind = behind.is_valid();
     face.material_before = before.is_valid();
@@ -64,7 +58,7 @@ void BoundaryModel::take_face(FaceId id) {
 // A point of a plane, a cylinder or a cone lies between two points of the border, so the edges' box holds the face.
 Box BoundaryModel::box_of_face(const BoundaryFace& face, FaceId id) const {
     const SurfaceCarrier& c = face.carrier;
-    if (c.kind == SurfaceKind::free_form) return box_of(brep_.face(id));
+    if (c.kind == SurfaceKind::free_form) return brep_.box_of(id);
     Box box;
     if (c.kind == SurfaceKind::sphere || c.kind == SurfaceKind::torus) {
         box.add(to_vec3(c.position.Location()));

@@ -41,7 +41,7 @@ enum class BoundaryVerdict { kept, vanished, appeared, trimmed_differently };
 struct FaceChange {
     BoundaryVerdict verdict = BoundaryVerdict::kept;
     FaceId old_face, new_face;          ///< none where there is no partner
-    double old_area = 0, new_area = 0;  ///< mm^2
+    double old_area = 0, new_area = 0;  ///< mm^2, of faces that changed
     bool inner = false;  ///< vanished into the material, or appeared out of it; see tell_inner_faces
 };
 

@@ -255,7 +255,7 @@ class FaceHistory {
 
     /// Marks the new faces that overlap the old one.
     FaceChange change_of(FaceId f) {
-        FaceChange change{BoundaryVerdict::vanished, f, FaceId(), area_of(pair_.old_model.brep().face(f)), 0};
+        FaceChange change{BoundaryVerdict::vanished, f, FaceId(), 0, 0};
         for (const FaceId partner : region_.new_faces_of[f.index()]) {
             const std::vector<FaceId>& twins = twins_of_[f.index()];
             const bool kept = std::find(twins.begin(), twins.end(), partner) != twins.end();
@@ -265,12 +265,11 @@ class FaceHistory {
             change.verdict = kept ? BoundaryVerdict::kept : BoundaryVerdict::trimmed_differently;
             change.new_face = partner;
         }
-        if (!change.new_face.is_valid()) return change;
-        if (match_.groups[std::size_t(match_.group_of_old_face[f.index()])].is_unchanged())
+        if (change.new_face.is_valid() && match_.groups[std::size_t(match_.group_of_old_face[f.index()])].is_unchanged())
             change.verdict = BoundaryVerdict::kept;
-        change.new_area = change.verdict == BoundaryVerdict::kept
-                              ? change.old_area
-                              : area_of(pair_.new_model.brep().face(change.new_face));
+        if (change.verdict == BoundaryVerdict::kept) return change;
+        change.old_area = area_of(pair_.old_model.brep().face(f));
+        if (change.new_face.is_valid()) change.new_area = area_of(pair_.new_model.brep().face(change.new_face));
         return change;
     }
 

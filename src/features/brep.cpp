@@ -20,6 +20,7 @@
 
 #include "core/errors.h"
 #include "features/flux.h"
+#include "features/occt_geometry.h"
 
 namespace featuremesh {
 
@@ -31,10 +32,12 @@ struct Brep::Data {
     std::vector<TopoDS_Edge> edge;
     std::vector<TopoDS_Vertex> vertex;
     std::vector<std::vector<EdgeId>> edges_of_face, edges_of_vertex;
+    std::vector<std::vector<FaceEdge>> uses_in_face;
     std::vector<std::vector<FaceId>> faces_of_edge;
     std::vector<std::array<VertexId, 2>> ends;
     std::vector<std::array<SolidId, 2>> sides;
     std::vector<double> volumes;
+    std::vector<Box> box_of_face;
     Box box;
 };
 
@@ -98,15 +101,23 @@ Brep::Brep(const TopoDS_Shape& shape) {
         throw InputError("The shape has no solid. Mesh a body or a Part object whose result is a solid.");
 
     data->edges_of_face.resize(data->face.size());
+    data->uses_in_face.resize(data->face.size());
     data->faces_of_edge.resize(data->edge.size());
     data->edges_of_vertex.resize(data->vertex.size());
     data->sides.resize(data->face.size());
-    for (std::size_t f = 0; f < data->face.size(); ++f)
+    for (std::size_t f = 0; f < data->face.size(); ++f) {
+        data->box_of_face.push_back(featuremesh::box_of(data->face[f]));
         for (TopExp_Explorer it(data->face[f], TopAbs_EDGE); it.More(); it.Next()) {
             const auto edge = id_in<EdgeKind>(data->edges, it.Current());
-            add_once(data->edges_of_face[f], edge);
-            add_once(data->faces_of_edge[edge.index()], FaceId(f));
+            const TopAbs_Orientation orientation = it.Current().Orientation();
+            data->uses_in_face[f].push_back(
+                {edge, orientation == TopAbs_FORWARD, orientation == TopAbs_INTERNAL, orientation == TopAbs_EXTERNAL});
+            if (auto& faces = data->faces_of_edge[edge.index()]; faces.empty() || faces.back() != FaceId(f)) {
+                faces.emplace_back(f);
+                data->edges_of_face[f].push_back(edge);
+            }
         }
+    }
     for (std::size_t e = 0; e < data->edge.size(); ++e) {
         TopoDS_Vertex first, last;
         TopExp::Vertices(data->edge[e], first, last);
@@ -117,20 +128,22 @@ Brep::Brep(const TopoDS_Shape& shape) {
     data->box = tight_box_of(data->face);
     for (std::size_t s = 0; s < data->solid.size(); ++s) {
         std::vector<int> uses(data->edge.size(), 0);
+        double volume = 0;
         for (TopExp_Explorer it(data->solid[s], TopAbs_FACE); it.More(); it.Next()) {
             const auto face = id_in<FaceKind>(data->faces, it.Current());
             const bool behind = it.Current().Orientation() == data->face[face.index()].Orientation();
             if (it.Current().Orientation() != TopAbs_INTERNAL) data->sides[face.index()][behind ? 0 : 1] = SolidId(s);
             // An edge within a face (where another feature is tangent to it) is no border and needs no second face.
-            for (TopExp_Explorer side(it.Current(), TopAbs_EDGE); side.More(); side.Next())
-                uses[id_in<EdgeKind>(data->edges, side.Current()).index()] += side.Current().Orientation() == TopAbs_INTERNAL ? 2 : 1;
+            for (const FaceEdge& use : data->uses_in_face[face.index()]) uses[use.edge.index()] += use.is_internal ? 2 : 1;
+            if (it.Current().Orientation() == TopAbs_FORWARD || it.Current().Orientation() == TopAbs_REVERSED)
+                volume += flux(TopoDS::Face(it.Current()), data->box.center(), data->box_of_face[face.index()].diagonal());
         }
         for (std::size_t e = 0; e < uses.size(); ++e)
             if (uses[e] == 1 && !BRep_Tool::Degenerated(data->edge[e]))
                 throw InputError("The shell of " + name_of(entity_of(SolidId(s))) + " is open at " + name_of(entity_of(EdgeId(e))) +
                                  ". Close the gap (Part: Check geometry, then sew or rebuild the feature there).");
-        data->volumes.push_back(flux(data->solid[s], data->box.center()));
-        if (!(data->volumes.back() > 0))
+        data->volumes.push_back(volume);
+        if (!(volume > 0))
             throw InputError(name_of(entity_of(SolidId(s))) + " has no positive volume. Its faces point inwards or cross each other; check the "
                              "feature that made it (Part: Check geometry).");
     }
@@ -150,6 +163,7 @@ FaceId Brep::find(const TopoDS_Face& face) const { return id_in<FaceKind>(data_-
 EdgeId Brep::find(const TopoDS_Edge& edge) const { return id_in<EdgeKind>(data_->edges, edge); }
 VertexId Brep::find(const TopoDS_Vertex& vertex) const { return id_in<VertexKind>(data_->vertices, vertex); }
 std::span<const EdgeId> Brep::edges_of(FaceId face) const { return data_->edges_of_face[face.index()]; }
+std::span<const FaceEdge> Brep::uses_in(FaceId face) const { return data_->uses_in_face[face.index()]; }
 std::span<const FaceId> Brep::faces_of(EdgeId edge) const { return data_->faces_of_edge[edge.index()]; }
 std::span<const EdgeId> Brep::edges_of(VertexId vertex) const { return data_->edges_of_vertex[vertex.index()]; }
 std::array<VertexId, 2> Brep::ends_of(EdgeId edge) const { return data_->ends[edge.index()]; }
@@ -166,12 +180,17 @@ std::vector<FaceId> Brep::faces_at(Entity entity) const {
     return faces;
 }
 bool Brep::is_degenerated(EdgeId id) const { return BRep_Tool::Degenerated(edge(id)); }
-bool Brep::is_seam(EdgeId edge_id, FaceId face_id) const { return BRepTools::IsReallyClosed(edge(edge_id), face(face_id)); }
+bool Brep::is_seam(EdgeId edge_id, FaceId face_id) const {
+    const auto uses = uses_in(face_id);
+    return std::count_if(uses.begin(), uses.end(), [&](const FaceEdge& use) { return use.edge == edge_id; }) == 2 &&
+           BRepTools::IsReallyClosed(edge(edge_id), face(face_id));
+}
 
 Vec3 Brep::point_of(VertexId id) const {
     const gp_Pnt p = BRep_Tool::Pnt(vertex(id));
     return {p.X(), p.Y(), p.Z()};
 }
+const Box& Brep::box_of(FaceId face) const { return data_->box_of_face[face.index()]; }
 const Box& Brep::box() const { return data_->box; }
 Tolerances Brep::tolerances() const { return {data_->box.diagonal()}; }
 double Brep::volume_of(SolidId solid) const { return data_->volumes[solid.index()]; }

@@ -20,6 +20,13 @@ class TopoDS_Vertex;
 
 namespace featuremesh {
 
+/// An edge in the wires of a face.
+struct FaceEdge {
+    EdgeId edge;
+    bool is_forward = true;                                ///< against the face as it is oriented in the shape
+    bool is_internal = false, is_external = false;         ///< drawn into the face, or beside it: no border
+};
+
 /// A solid, or several, with faces, edges and vertices numbered as FreeCAD numbers them (TopExp order, 0 is "Face1").
 /// Cheap to copy; never changes.
 class Brep {
@@ -43,6 +50,7 @@ class Brep {
     VertexId find(const TopoDS_Vertex& vertex) const;
 
     std::span<const EdgeId> edges_of(FaceId face) const;      ///< each once
+    std::span<const FaceEdge> uses_in(FaceId face) const;     ///< as its wires have them; a seam twice
     std::span<const FaceId> faces_of(EdgeId edge) const;      ///< each once
     std::span<const EdgeId> edges_of(VertexId vertex) const;  ///< each once
     /// First and last vertex by edge parameter; equal on a closed edge.
@@ -55,6 +63,7 @@ class Brep {
     bool is_seam(EdgeId edge, FaceId face) const;
 
     Vec3 point_of(VertexId vertex) const;
+    const Box& box_of(FaceId face) const;     ///< holds it, not the tightest
     const Box& box() const;                   ///< exact enough for sizes, not for topology
     Tolerances tolerances() const;
     double volume_of(SolidId solid) const;    ///< mm^3

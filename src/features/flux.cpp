@@ -289,17 +289,20 @@ class CurvedFace {
 
 }  // namespace
 
+double flux(const TopoDS_Face& face, const Vec3& apex, double size) {
+    const BRepAdaptor_Surface surface(face, false);
+    const double share = surface.GetType() == GeomAbs_Plane
+                             ? flux_of_plane(face, surface, apex, size)
+                             : CurvedFace(face, BRepAdaptor_Surface(face, true), apex, size).value();
+    return face.Orientation() == TopAbs_REVERSED ? -share : share;
+}
+
 double flux(const TopoDS_Shape& faces, const Vec3& apex) {
     double sum = 0;
     for (TopExp_Explorer it(faces, TopAbs_FACE); it.More(); it.Next()) {
         const TopoDS_Face& face = TopoDS::Face(it.Current());
         if (face.Orientation() != TopAbs_FORWARD && face.Orientation() != TopAbs_REVERSED) continue;
-        const BRepAdaptor_Surface surface(face, false);
-        const double size = box_of(face).diagonal();
-        const double share = surface.GetType() == GeomAbs_Plane
-                                 ? flux_of_plane(face, surface, apex, size)
-                                 : CurvedFace(face, BRepAdaptor_Surface(face, true), apex, size).value();
-        sum += face.Orientation() == TopAbs_REVERSED ? -share : share;
+        sum += flux(face, apex, box_of(face).diagonal());
     }
     return sum;
 }

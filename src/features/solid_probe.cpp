@@ -12,6 +12,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <TopoDS_Solid.hxx>
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -71,6 +72,17 @@ struct SolidProbe::Data {
     std::vector<TopoDS_Shape> solids;
     std::vector<ProbedFace> faces;
     Box box;
+
+    template <class BoxOf>
+    void add(const TopoDS_Shape& solid, BoxOf box_of_face) {
+        solids.push_back(solid);
+        for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
+            const TopoDS_Face& face = TopoDS::Face(it.Current());
+            if (face.Orientation() != TopAbs_FORWARD && face.Orientation() != TopAbs_REVERSED) continue;
+            faces.push_back({face, box_of_face(face), nullptr, nullptr});
+            box.add(faces.back().box);
+        }
+    }
 
     void add_hits(const ProbedFace& face, const Vec3& from, const Vec3& direction, std::vector<Hit>& hits) const {
         if (!face.intersector) {
@@ -133,15 +145,12 @@ struct SolidProbe::Data {
 };
 
 SolidProbe::SolidProbe(const TopoDS_Shape& shape) : data_(std::make_unique<Data>()) {
-    for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next()) {
-        data_->solids.push_back(solid.Current());
-        for (TopExp_Explorer it(solid.Current(), TopAbs_FACE); it.More(); it.Next()) {
-            const TopoDS_Face& face = TopoDS::Face(it.Current());
-            if (face.Orientation() != TopAbs_FORWARD && face.Orientation() != TopAbs_REVERSED) continue;
-            data_->faces.push_back({face, box_of(face), nullptr, nullptr});
-            data_->box.add(data_->faces.back().box);
-        }
-    }
+    for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
+        data_->add(solid.Current(), [](const TopoDS_Face& face) { return box_of(face); });
+}
+
+SolidProbe::SolidProbe(const Brep& brep, SolidId solid) : data_(std::make_unique<Data>()) {
+    data_->add(brep.solid(solid), [&](const TopoDS_Face& face) { return brep.box_of(brep.find(face)); });
 }
 
 SolidProbe::~SolidProbe() = default;

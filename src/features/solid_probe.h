@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/geometry.h"
+#include "features/brep.h"
 
 class TopoDS_Shape;
 class TopoDS_Face;
@@ -20,6 +21,7 @@ enum class Side { inside, outside, on };
 class SolidProbe {
   public:
     explicit SolidProbe(const TopoDS_Shape& solids);
+    SolidProbe(const Brep& brep, SolidId solid);  ///< quicker: the boxes of the faces are known
     ~SolidProbe();
     SolidProbe(const SolidProbe&) = delete;
     SolidProbe& operator=(const SolidProbe&) = delete;

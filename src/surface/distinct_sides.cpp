@@ -17,15 +17,21 @@ std::uint64_t side_key(std::int32_t a, std::int32_t b) {
 
 class SideBook {
   public:
-    SideBook(std::span<const std::array<NodeId, 2>> segments, const Mesh& mesh)
-        : mesh_(mesh), next_inner_(static_cast<std::int32_t>(mesh.node_count())) {
-        for (const auto& [a, b] : segments) sides_.insert(side_key(a.value, b.value));
-        for (const auto& t : mesh.triangles)
+    /// Of the mesh only sides between nodes of the filled triangles are of interest.
+    SideBook(std::span<const FilledFace> faces, std::span<const std::array<NodeId, 2>> segments, const Mesh& mesh)
+        : mesh_(mesh), next_inner_(static_cast<std::int32_t>(mesh.node_count())), may_meet_(mesh.node_count(), 0) {
+        for (const FilledFace& face : faces)
+            for (const auto& triangle : face.filling->triangles)
+                for (const int p : triangle)
+                    if (at(p) < face.boundary->nodes.size()) mark(face.boundary->nodes[at(p)]);
+        for (const auto& [a, b] : segments)
+            if (may_meet_[a.index()] && may_meet_[b.index()]) sides_.insert(side_key(a.value, b.value));
+        for (const auto& t : mesh.triangles) {
+            const std::array<bool, 3> meets{may_meet_[t[0].index()] != 0, may_meet_[t[1].index()] != 0, may_meet_[t[2].index()] != 0};
             for (int i = 0; i < 3; ++i)
-                if (is_on_edge(t[at(i)]) && is_on_edge(t[at((i + 1) % 3)]))
-                    sides_.insert(side_key(t[at(i)].value, t[at((i + 1) % 3)].value));
-        for (const auto& t : mesh.triangles)
-            if (is_on_edge(t[0]) && is_on_edge(t[1]) && is_on_edge(t[2])) triangles_.insert(sorted(t));
+                if (meets[at(i)] && meets[at((i + 1) % 3)]) sides_.insert(side_key(t[at(i)].value, t[at((i + 1) % 3)].value));
+            if (meets[0] && meets[1] && meets[2]) triangles_.insert(sorted(t));
+        }
     }
 
     std::size_t settle(FilledFace& face) {
@@ -61,6 +67,7 @@ class SideBook {
         std::sort(t.begin(), t.end());
         return t;
     }
+    void mark(NodeId n) { may_meet_[n.index()] = is_on_edge(n); }
     bool is_on_edge(NodeId n) const { return mesh_.entities[n.index()].dim < 2; }
     bool is_boundary(int p) const { return at(p) < current_->boundary->nodes.size(); }
     bool is_on_edge(int p) const { return is_boundary(p) && is_on_edge(current_->boundary->nodes[at(p)]); }
@@ -126,6 +133,7 @@ class SideBook {
 
     const Mesh& mesh_;
     std::int32_t next_inner_;
+    std::vector<char> may_meet_;  // by node: on an edge, and a corner of a filled triangle
     const FilledFace* current_ = nullptr;
     std::unordered_set<std::int32_t> copies_, poles_;
     std::unordered_set<std::uint64_t> sides_;
@@ -136,7 +144,7 @@ class SideBook {
 
 std::size_t make_sides_distinct(std::span<FilledFace> faces, std::span<const std::array<NodeId, 2>> segments,
                                 const Mesh& mesh) {
-    SideBook book(segments, mesh);
+    SideBook book(faces, segments, mesh);
     std::size_t added = 0;
     for (FilledFace& face : faces) added += book.settle(face);
     return added;

@@ -102,7 +102,7 @@ struct SolidLocator::Data {
 };
 
 SolidLocator::SolidLocator(const Brep& brep) : data_(std::make_unique<Data>()) {
-    for (std::size_t s = 0; s < brep.solid_count(); ++s) data_->probes.push_back(std::make_unique<SolidProbe>(brep.solid(SolidId(s))));
+    for (std::size_t s = 0; s < brep.solid_count(); ++s) data_->probes.push_back(std::make_unique<SolidProbe>(brep, SolidId(s)));
 }
 SolidLocator::~SolidLocator() = default;
 

@@ -455,8 +455,9 @@ class Keeper {
     bool is_flipped(std::size_t triangle, FaceId face) const {
         const auto& nodes = in_.old_mesh.triangles[triangle];
         const Vec3 a = carried(nodes[0].index()), b = carried(nodes[1].index()), c = carried(nodes[2].index());
-        const OnFace foot = projector_.nearest(face, (a + b + c) / 3.0);
-        return dot(projector_.normal(face, foot.uv), cross(b - a, c - a)) < 0;
+        const auto inner = std::find_if(nodes.begin(), nodes.end(), [&](NodeId n) { return entities_[n.index()] == entity_of(face); });
+        const std::array<double, 2> uv = inner != nodes.end() ? parameters_[inner->index()] : projector_.nearest(face, (a + b + c) / 3.0).uv;
+        return dot(projector_.normal(face, uv), cross(b - a, c - a)) < 0;
     }
 
     void take_segments(Kept& kept, const std::vector<std::int32_t>& new_index) const {

@@ -148,7 +148,7 @@ class Reading(unittest.TestCase):
         sketch.addGeometry(Part.LineSegment(Vector(0, 0), Vector(10, 10)))
         sketch.renameConstraint(sketch.addConstraint(Sketcher.Constraint("Angle", 0, 0.5)), "Slope")
         document.recompute()
-        numbers, _ = reading._parameters(sketch)
+        numbers, _ = reading._parameters(sketch, reading._properties(sketch))
         self.assertAlmostEqual(numbers["Slope"], 28.64788975654116)
 
     def test_error_is_freecads_own(self):

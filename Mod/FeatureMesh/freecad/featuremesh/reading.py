@@ -6,6 +6,7 @@ here: which objects the part depends on, and in which frame each of them lies.
 """
 
 import contextlib
+import functools
 import os
 import tempfile
 from collections import deque
@@ -27,6 +28,7 @@ _BINDERS = ("PartDesign::ShapeBinder", "PartDesign::SubShapeBinder")
 _SKIPPED_LINKS = ("_Body", "Origin", "ExpressionEngine", "Proxy", "_ChildCache", "_CopyOnChangeControl")
 # Types of sketch constraints that have a value.
 DIMENSIONS = ("Distance", "DistanceX", "DistanceY", "Radius", "Diameter", "Angle", "Weight", "SnellsLaw")
+_VECTOR_TYPES = ("App::PropertyVector", "App::PropertyVectorDistance", "App::PropertyPosition", "App::PropertyDirection")
 _NUMBER_TYPES = ("App::PropertyFloat", "App::PropertyInteger", "App::PropertyQuantity", "App::PropertyLength",
                  "App::PropertyDistance", "App::PropertyAngle", "App::PropertyArea", "App::PropertyVolume",
                  "App::PropertyPrecision", "App::PropertyPercent", "App::PropertyBool", "App::PropertySpeed",
@@ -40,11 +42,12 @@ def read_document(part):
     """
     if not has_shape(part):
         raise UserError(translate("FeatureMesh", "%s has no shape to mesh") % describe(part) + _what_leaves_nothing(part))
-    frames, children = _frames(part)
+    walk = _Walk(part)
     shapes = _ShapeList()
     home = part.Document
-    records = [_record(obj, frames[obj], shapes, home) for obj in _in_dependency_order(part, children)]
-    return {"final_object": key_of(part, home), "records": records, "shapes": shapes.to_bytes()}
+    keys = {obj: key_of(obj, home) for obj in walk.frames}
+    records = [_record(obj, walk, shapes, keys, home) for obj in _in_dependency_order(part, walk.children)]
+    return {"final_object": keys[part], "records": records, "shapes": shapes.to_bytes()}
 
 
 def outline_of(part):
@@ -157,20 +160,21 @@ def refuse_errors(part):
 
 def dependencies(part):
     """The objects the part's shape comes from, in dependency order, itself last."""
-    return _in_dependency_order(part, _frames(part)[1])
+    return _in_dependency_order(part, _Walk(part).children)
 
 
 # Which objects, in which order and frame
 
 
-def _children(obj):
+def _children(obj, links):
     """What `obj` depends on directly: (object, frame of the child's parent relative to obj's, carries volume)."""
-    if obj.TypeId in _BINDERS:
+    kind = obj.TypeId
+    if kind in _BINDERS:
         return []
     own = getattr(obj, "Placement", FreeCAD.Placement())
-    linked = _linked_objects(obj)
+    linked = _linked_objects(links)
     result = []
-    if obj.TypeId == "PartDesign::Body":
+    if kind == "PartDesign::Body":
         return [(member, own, not _is_reference(member)) for member in _members_up_to_tip(obj)]
     for child in linked:
         if _is_reference(obj) or _is_reference(child):
@@ -195,30 +199,37 @@ def _frame_of_child(obj, own, child):
     return own
 
 
-def _frames(part):
-    """By object the placement from its parent's frame into the final one, and what it depends on; volume-carrying links decide first."""
-    frames, children = {part: versions.parent_frame(part)}, {}
-    strong, weak = deque([part]), deque()
-    while strong or weak:
-        if strong:
-            obj = strong.popleft()
-        else:
-            obj, frame = weak.popleft()
-            if obj in frames:
-                continue
-            frames[obj] = frame
-        found = _children(obj)
-        children[obj] = [child for child, _, _ in found]
+class _Walk:
+    """What `part` depends on. By object: `frames`, the placement from its parent's frame into the final one (volume-carrying links decide first);
+    `children`, what it depends on; `properties`, as _properties gives them; `links`, as _links does."""
+
+    def __init__(self, part):
+        self.frames, self.children, self.properties, self.links = {part: versions.parent_frame(part)}, {}, {}, {}
+        strong, weak = deque([part]), deque()
+        while strong or weak:
+            if strong:
+                obj = strong.popleft()
+            else:
+                obj, frame = weak.popleft()
+                if obj in self.frames:
+                    continue
+                self.frames[obj] = frame
+            self._visit(obj, strong, weak)
+
+    def _visit(self, obj, strong, weak):
+        self.properties[obj] = _properties(obj)
+        self.links[obj] = _links(obj, self.properties[obj])
+        found = _children(obj, self.links[obj])
+        self.children[obj] = [child for child, _, _ in found]
         for child, relative, carries_volume in found:
-            if child in frames:
+            if child in self.frames:
                 continue
-            frame = frames[obj].multiply(relative)
+            frame = self.frames[obj].multiply(relative)
             if carries_volume:
-                frames[child] = frame
+                self.frames[child] = frame
                 strong.append(child)
             else:
                 weak.append((child, frame))
-    return frames, children
 
 
 def _in_dependency_order(part, children):
@@ -246,27 +257,50 @@ def _members_up_to_tip(body):
     return members
 
 
-def _linked_objects(obj):
-    """Objects that the link properties of `obj` name, each once, in order."""
+def _linked_objects(links):
+    """Objects that the links name, each once, in order."""
     seen = {}
-    for _, child, _ in _links(obj):
-        if not child.isDerivedFrom("App::Origin") and child.TypeId != "App::Part":
-            seen.setdefault(child, None)
+    for _, child, _ in links:
+        if child not in seen and not child.isDerivedFrom("App::Origin") and child.TypeId != "App::Part":
+            seen[child] = None
     return list(seen)
 
 
-def _links(obj):
-    """(property, object, sub-element) of every visible link, in the order of the lists; none behind a binder."""
-    if obj.TypeId in _BINDERS:
-        return
-    members = _members_up_to_tip(obj) if obj.TypeId == "PartDesign::Body" else None
+def _properties(obj):
+    """(name, type, use) of every property that says something, in the order of the list."""
+    found = []
     for name in obj.PropertiesList:
         kind = obj.getTypeIdOfProperty(name)
-        if "Link" not in kind or "Hidden" in kind or name in _SKIPPED_LINKS:
-            continue
-        for target, sub in _link_targets(getattr(obj, name)):
-            if members is None or name != "Group" or target in members:
-                yield name, target, sub
+        use = _use_of(kind)
+        if use:
+            found.append((name, kind, use))
+    return found
+
+
+@functools.lru_cache(maxsize=None)
+def _use_of(kind):
+    """What a property of that type is read for, "" for nothing."""
+    if "Link" in kind:
+        return "" if "Hidden" in kind else "link"
+    if kind == "App::PropertyEnumeration":
+        return "text"
+    if kind.endswith("List"):
+        return "constraints" if kind == "Sketcher::PropertyConstraintList" else ""
+    if kind.startswith(_NUMBER_TYPES):
+        return "number"
+    if kind in _VECTOR_TYPES:
+        return "vector"
+    return {"App::PropertyPlacement": "placement", "Part::PropertyFilletEdges": "fillets"}.get(kind, "")
+
+
+def _links(obj, properties):
+    """(property, object, sub-element) of every visible link, in the order of the lists; none behind a binder."""
+    kind = obj.TypeId
+    if kind in _BINDERS:
+        return []
+    members = _members_up_to_tip(obj) if kind == "PartDesign::Body" else None
+    return [(name, target, sub) for name, _, use in properties if use == "link" and name not in _SKIPPED_LINKS
+            for target, sub in _link_targets(getattr(obj, name)) if members is None or name != "Group" or target in members]
 
 
 def _link_targets(value):
@@ -287,19 +321,21 @@ def _link_targets(value):
 # One record
 
 
-def _record(obj, frame, shapes, home):
+def _record(obj, walk, shapes, keys, home):
     own = getattr(obj, "Placement", FreeCAD.Placement())
+    kind = obj.TypeId
     reference = _is_reference(obj)
-    shape = None if reference and obj.TypeId not in _BINDERS else _shape_of(obj)
+    shape = None if reference and kind not in _BINDERS else _shape_of(obj)
     volume = None if reference else getattr(obj, "AddSubShape", None)
-    numbers, texts = _parameters(obj)
+    numbers, texts = _parameters(obj, walk.properties[obj])
+    frame = walk.frames[obj]
     whole = frame.multiply(own)
     return {
-        "name": key_of(obj, home),
+        "name": keys[obj],
         "label": obj.Label,
-        "type": obj.TypeId,
+        "type": kind,
         "proxy": _proxy_name(obj),
-        "links": [(name, key_of(target, home), sub) for name, target, sub in _links(obj)],
+        "links": [(name, keys.get(target) or key_of(target, home), sub) for name, target, sub in walk.links[obj]],
         "placement": list(own.toMatrix().A),
         "global_placement": list(whole.toMatrix().A),
         "numbers": numbers,
@@ -356,28 +392,27 @@ def _file_in_memory():
         os.unlink(path)
 
 
-def _parameters(obj):
+def _parameters(obj, properties):
     """Numeric and boolean parameters (mm, degrees) and enumerations."""
     numbers, texts = {}, {}
-    for name in obj.PropertiesList:
-        kind = obj.getTypeIdOfProperty(name)
-        if name in ("Visibility", "Label2") or name.startswith("_"):
+    is_sheet = obj.TypeId == "Spreadsheet::Sheet"
+    for name, _, use in properties:
+        if use == "link" or name in ("Visibility", "Label2", "Placement") or name.startswith("_"):
             continue
-        if kind == "App::PropertyEnumeration":
-            texts[name] = str(getattr(obj, name))
-        elif kind.endswith("List"):
-            if kind == "Sketcher::PropertyConstraintList":
-                numbers.update(_constraints(obj))
-        elif kind.startswith(_NUMBER_TYPES):
-            _add_number(numbers, _alias(obj, name), getattr(obj, name))
-        elif kind in ("App::PropertyVector", "App::PropertyVectorDistance", "App::PropertyPosition",
-                      "App::PropertyDirection"):
+        value = getattr(obj, name) if use != "constraints" else None
+        if use == "text":
+            texts[name] = str(value)
+        elif use == "constraints":
+            numbers.update(_constraints(obj))
+        elif use == "number":
+            _add_number(numbers, (obj.getAlias(name) or name) if is_sheet else name, value)
+        elif use == "vector":
             for axis in "xyz":
-                _add_number(numbers, "%s.%s" % (name, axis), getattr(getattr(obj, name), axis))
-        elif kind == "App::PropertyPlacement" and name != "Placement":
-            _add_placement(numbers, name, getattr(obj, name))
-        elif kind == "Part::PropertyFilletEdges":
-            for index, first, second in getattr(obj, name):
+                _add_number(numbers, "%s.%s" % (name, axis), getattr(value, axis))
+        elif use == "placement":
+            _add_placement(numbers, name, value)
+        elif use == "fillets":
+            for index, first, second in value:
                 numbers["%s.Edge%d.first" % (name, index)] = float(first)
                 numbers["%s.Edge%d.second" % (name, index)] = float(second)
     return numbers, texts
@@ -390,15 +425,12 @@ def _add_number(numbers, name, value):
 
 
 def _add_placement(numbers, name, placement):
+    base, rotation = placement.Base, placement.Rotation
+    direction, angle = rotation.Axis, rotation.Angle
     for axis in "xyz":
-        numbers["%s.Base.%s" % (name, axis)] = float(getattr(placement.Base, axis))
-        numbers["%s.Axis.%s" % (name, axis)] = float(getattr(placement.Rotation.Axis, axis))
-    numbers["%s.Angle" % name] = float(FreeCAD.Units.Quantity(placement.Rotation.Angle, "rad").getValueAs("deg"))
-
-
-def _alias(obj, name):
-    """A cell of a spreadsheet is known by its alias where it has one."""
-    return (obj.getAlias(name) or name) if obj.TypeId == "Spreadsheet::Sheet" else name
+        numbers["%s.Base.%s" % (name, axis)] = float(getattr(base, axis))
+        numbers["%s.Axis.%s" % (name, axis)] = float(getattr(direction, axis))
+    numbers["%s.Angle" % name] = float(FreeCAD.Units.Quantity(angle, "rad").getValueAs("deg"))
 
 
 def _constraints(sketch):
@@ -467,8 +499,8 @@ def _used_by(obj):
     """The objects whose volume is part of `obj` (a sketch's support is one for features without a body)."""
     if obj.isDerivedFrom("App::Link") or obj.TypeId in _BINDERS:
         return
-    for child in _linked_objects(obj):
+    for child in _linked_objects(_links(obj, _properties(obj))):
         if not _is_reference(child):
             yield child
         elif obj.isDerivedFrom("PartDesign::Feature") and child.TypeId not in _BINDERS:
-            yield from (support for support in _linked_objects(child) if not _is_reference(support))
+            yield from (support for support in _linked_objects(_links(child, _properties(child))) if not _is_reference(support))
