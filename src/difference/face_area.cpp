@@ -10,8 +10,10 @@
 #include <Geom2d_TrimmedCurve.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <algorithm>
 
-#include "difference/carriers.h"
+#include "difference/boundary_model.h"
+#include "features/occt_geometry.h"
 
 namespace featuremesh {
 namespace {
@@ -76,6 +78,30 @@ double area_of(const TopoDS_Face& face) {
         sum += (edge.Orientation() == TopAbs_FORWARD ? 1 : -1) * along_trace(carrier, trace, first, last);
     }
     return std::abs(sum);
+}
+
+double area_of(const BoundaryModel& model, FaceId id) {
+    const BoundaryFace& face = model.faces()[id.index()];
+    const auto is_simple = [&](const EdgeUse& use) {
+        const CurveKind kind = model.edges()[use.edge.index()].curve.kind;
+        return kind == CurveKind::line || kind == CurveKind::circle;
+    };
+    if (face.carrier.kind != SurfaceKind::plane || !std::all_of(face.uses.begin(), face.uses.end(), is_simple))
+        return area_of(model.brep().face(id));
+    const Vec3 origin = to_vec3(face.carrier.position.Location());
+    Vec3 doubled;  // the integral of r x dr along the border
+    for (const EdgeUse& use : face.uses) {
+        if (use.both_sides) continue;
+        const BoundaryEdge& edge = model.edges()[use.edge.index()];
+        const CurveCarrier& curve = edge.curve;
+        Vec3 share = cross(edge.first - origin, edge.last - origin);
+        if (curve.kind == CurveKind::circle)
+            share = cross(to_vec3(curve.position.Location()) - origin, edge.last - edge.first) +
+                    curve.radius * curve.radius * (curve.last - curve.first) *
+                        to_vec3(gp_Vec(curve.position.Direction()));
+        doubled += use.forward ? share : -share;
+    }
+    return 0.5 * std::abs(dot(doubled, to_vec3(gp_Vec(face.carrier.position.Direction()))));
 }
 
 }  // namespace featuremesh

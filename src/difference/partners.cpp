@@ -243,7 +243,7 @@ class FaceHistory {
         for (std::size_t f = 0; f < has_partner_.size(); ++f)
             if (!has_partner_[f])
                 changes.push_back(
-                    {BoundaryVerdict::appeared, FaceId(), FaceId(f), 0, area_of(pair_.new_model.brep().face(FaceId(f)))});
+                    {BoundaryVerdict::appeared, FaceId(), FaceId(f), 0, area_of(pair_.new_model, FaceId(f))});
         return changes;
     }
 
@@ -268,8 +268,8 @@ class FaceHistory {
         if (change.new_face.is_valid() && match_.groups[std::size_t(match_.group_of_old_face[f.index()])].is_unchanged())
             change.verdict = BoundaryVerdict::kept;
         if (change.verdict == BoundaryVerdict::kept) return change;
-        change.old_area = area_of(pair_.old_model.brep().face(f));
-        if (change.new_face.is_valid()) change.new_area = area_of(pair_.new_model.brep().face(change.new_face));
+        change.old_area = area_of(pair_.old_model, f);
+        if (change.new_face.is_valid()) change.new_area = area_of(pair_.new_model, change.new_face);
         return change;
     }
 

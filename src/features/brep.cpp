@@ -38,6 +38,8 @@ struct Brep::Data {
     std::vector<std::array<SolidId, 2>> sides;
     std::vector<double> volumes;
     std::vector<Box> box_of_face;
+    std::vector<Vec3> points;
+    std::vector<char> is_degenerated;
     Box box;
 };
 
@@ -118,7 +120,9 @@ Brep::Brep(const TopoDS_Shape& shape) {
             }
         }
     }
+    for (const TopoDS_Vertex& vertex : data->vertex) data->points.push_back(to_vec3(BRep_Tool::Pnt(vertex)));
     for (std::size_t e = 0; e < data->edge.size(); ++e) {
+        data->is_degenerated.push_back(BRep_Tool::Degenerated(data->edge[e]));
         TopoDS_Vertex first, last;
         TopExp::Vertices(data->edge[e], first, last);
         data->ends.push_back({id_in<VertexKind>(data->vertices, first), id_in<VertexKind>(data->vertices, last)});
@@ -139,7 +143,7 @@ Brep::Brep(const TopoDS_Shape& shape) {
                 volume += flux(TopoDS::Face(it.Current()), data->box.center(), data->box_of_face[face.index()].diagonal());
         }
         for (std::size_t e = 0; e < uses.size(); ++e)
-            if (uses[e] == 1 && !BRep_Tool::Degenerated(data->edge[e]))
+            if (uses[e] == 1 && !data->is_degenerated[e])
                 throw InputError("The shell of " + name_of(entity_of(SolidId(s))) + " is open at " + name_of(entity_of(EdgeId(e))) +
                                  ". Close the gap (Part: Check geometry, then sew or rebuild the feature there).");
         data->volumes.push_back(volume);
@@ -179,17 +183,14 @@ std::vector<FaceId> Brep::faces_at(Entity entity) const {
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     return faces;
 }
-bool Brep::is_degenerated(EdgeId id) const { return BRep_Tool::Degenerated(edge(id)); }
+bool Brep::is_degenerated(EdgeId id) const { return data_->is_degenerated[id.index()]; }
 bool Brep::is_seam(EdgeId edge_id, FaceId face_id) const {
     const auto uses = uses_in(face_id);
     return std::count_if(uses.begin(), uses.end(), [&](const FaceEdge& use) { return use.edge == edge_id; }) == 2 &&
            BRepTools::IsReallyClosed(edge(edge_id), face(face_id));
 }
 
-Vec3 Brep::point_of(VertexId id) const {
-    const gp_Pnt p = BRep_Tool::Pnt(vertex(id));
-    return {p.X(), p.Y(), p.Z()};
-}
+Vec3 Brep::point_of(VertexId id) const { return data_->points[id.index()]; }
 const Box& Brep::box_of(FaceId face) const { return data_->box_of_face[face.index()]; }
 const Box& Brep::box() const { return data_->box; }
 Tolerances Brep::tolerances() const { return {data_->box.diagonal()}; }

@@ -85,7 +85,7 @@ class SideBook {
         copies_.clear(), poles_.clear();
         std::unordered_set<std::int32_t> met;
         for (const NodeId n : current_->boundary->nodes)
-            if (!met.insert(n.value).second) copies_.insert(n.value);
+            if (may_meet_[n.index()] && !met.insert(n.value).second) copies_.insert(n.value);
         for (const auto& s : current_->boundary->segments)
             if (s.is_pole) poles_.insert(current_->boundary->nodes[at(s.a)].value);
     }

@@ -21,7 +21,7 @@ struct KeepInput {
     const FeatureDifference& difference;
     const SizingField& old_sizing;
     const SizingField& new_sizing;
-    double margin = 1.5;                       ///< edge lengths between a kept node and the changed boundary
+    double margin = 1.2;                       ///< edge lengths between a kept node and the changed boundary
     bool same_sizes_asked = true;              ///< the user asks for the same sizes as before
 };
 

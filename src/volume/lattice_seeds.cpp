@@ -25,6 +25,7 @@ struct Cube {
 struct Neighbours {
     std::vector<int> facets, balls;
     bool is_empty() const { return facets.empty() && balls.empty(); }
+    bool is_short() const { return facets.size() + balls.size() < 24; }  ///< to ask all costs less than to sort them
 };
 
 constexpr int finest_level = 12;  ///< below the root cells
@@ -96,7 +97,7 @@ class SeedOctree {
         for (const int i : among)
             if (holds(box, points[i])) here.push_back(i);
         if (here.empty()) return;
-        if (here.size() > 2 && !at.close.is_empty() && at.cube.edge > 2) {
+        if (here.size() > 2 && !at.close.is_short() && at.cube.edge > 2) {
             for (const Place& octant : octants(at)) mark_clear(octant, points, here, is_good);
             return;
         }

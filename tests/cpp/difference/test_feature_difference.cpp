@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "difference/feature_difference.h"
 
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
@@ -95,6 +97,20 @@ TEST_CASE("a moved hole") {
     CHECK(d.regions[1].volumes.empty());
     CHECK(d.regions[1].new_face_of[hole.old_faces[0].index()] == hole.new_faces[0]);
     CHECK(d.regions[1].changed.distance({21, 12, 7}, 3) == 0);  // it carries nothing, so nothing was looked at
+}
+
+TEST_CASE("areas of faces that changed are those of the kernel") {
+    const auto area = [](const TopoDS_Face& face) {
+        GProp_GProps properties;
+        BRepGProp::SurfaceProperties(face, properties, 1e-9);
+        return properties.Mass();
+    };
+    const PartState was = part_with_cells(bracket({12, 12, 0})), is = part_with_cells(bracket({17, 12, 0}));
+    for (const FaceChange& change : diff(was, is).faces) {
+        if (change.verdict == BoundaryVerdict::kept) continue;
+        if (change.old_face.is_valid()) CHECK(change.old_area == Approx(area(was.brep.face(change.old_face))).epsilon(1e-9));
+        if (change.new_face.is_valid()) CHECK(change.new_area == Approx(area(is.brep.face(change.new_face))).epsilon(1e-9));
+    }
 }
 
 TEST_CASE("one moved hole among 150 features") {
