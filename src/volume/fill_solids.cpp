@@ -33,6 +33,8 @@ constexpr int most_local_recoveries = 5;
 constexpr int rounds_at_walls = 2;
 /// Tets are mended until they have the least volume; with this share of it they are still no reason to refuse a part.
 constexpr double tolerated_share = 0.92;
+/// Of the cube of the smallest wanted length: tets below are mended, and those below are refused.
+constexpr double mended_share = 1e-2, refused_share = 1e-3;
 
 std::vector<std::array<SolidId, 2>> sides_of_faces(const Brep& brep) {
     std::vector<std::array<SolidId, 2>> sides;
@@ -379,7 +381,7 @@ class Filling {
         if (options_.splits_wall_tets) split_wall_tets();
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
             TetComplex& complex = regions_[i].complex;
-            is_thick_[i] = thicken(complex, least_volume(), context_).empty();
+            is_thick_[i] = thicken(complex, least_volume(mended_share), context_).empty();
             const bool is_mended = regions_[i].taken_count() > 0;
             report.released_for_quality += give_back(regions_[i], result_.mesh, is_released_);
             report.slivers_left +=
@@ -413,8 +415,7 @@ class Filling {
         regions_[i] = SeamRegion(cavities_[i], make_complex(cavities_[i], fills_[i], context_));
         fills_[i] = {};
         TetComplex& complex = regions_[i].complex;
-        const OdtReport odt =
-            optimise_odt(complex, sizing_, {options_.odt_sweeps, !sizing_.is_uniform()}, context);
+        const OdtReport odt = optimise_odt(complex, sizing_, {options_.odt_sweeps, !sizing_.is_uniform()}, context);
         SliverOptions sliver_options;
         sliver_options.target_dihedral_deg = options_.target_dihedral_deg;
         return {odt, remove_slivers(complex, sliver_options, context)};
@@ -429,7 +430,7 @@ class Filling {
             if (complex.tets[t][0] >= 0) live.push_back(t), fill.triangulation.tets.push_back(complex.tets[t]);
         fill.regions.assign(live.size(), 0);
         fill.places = find_facets(fill.triangulation, fill.points.size(), cavity.facets, context_);
-        const FacetSplit flips = flip_flat(cavity, fill, result_.mesh, least_volume());
+        const FacetSplit flips = flip_flat(cavity, fill, result_.mesh, least_volume(refused_share));
         if (flips.pieces.empty() || !tets_in_the_way(flips, cavity, result_.mesh, is_released_).empty()) return;
         std::map<int, std::array<int, 3>> new_corners;
         for (const auto& piece : flips.pieces) new_corners[piece.facet] = piece.corners;
@@ -460,9 +461,9 @@ class Filling {
                 if (std::binary_search(sorted.begin(), sorted.end(), seed, before)) result_.used_active.push_back(seed);
     }
 
-    /// Elements that the sizes themselves ask for are not too small.
-    double least_volume() const {
-        const double asked = 1e-3 * sizing_.smallest() * sizing_.smallest() * sizing_.smallest();
+    /// Elements that the sizes themselves ask for are not too small: a share of the smallest wanted length's cube.
+    double least_volume(double share_of_smallest) const {
+        const double asked = share_of_smallest * sizing_.smallest() * sizing_.smallest() * sizing_.smallest();
         return std::min(brep_.tolerances().least_volume(), asked);
     }
 
@@ -473,7 +474,8 @@ class Filling {
             if (tet[0] < 0) continue;
             const Vec3 &a = complex.points[tet[0]], &b = complex.points[tet[1]], &c = complex.points[tet[2]],
                        &d = complex.points[tet[3]];
-            if (!is_flat(complex, tet) && signed_volume(a, b, c, d) >= tolerated_share * least_volume()) continue;
+            if (!is_flat(complex, tet) && signed_volume(a, b, c, d) >= tolerated_share * least_volume(refused_share))
+                continue;
             ++count;
             for (const FaceId face : nearest_faces(cavity, tet)) near.insert(face);
         }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "volume/cavity_editor.h"
@@ -16,7 +17,7 @@ namespace {
 /// Of six volumes against the product of three edges: some way above what the validation of a mesh refuses.
 constexpr double least_share = 3e-6;
 /// A step that does not reach the aim has to gain this factor, else passes would go on for nothing.
-constexpr double least_gain = 1.05;
+constexpr double least_gain = 1.01;
 bool is_gain(double before, double after) {
     return before < 1 && after > 0 && (after >= 1 || after > std::max(0.0, before) * least_gain);
 }
@@ -24,13 +25,10 @@ constexpr int most_passes = 12;
 
 double thickness_of_corners(const std::array<Vec3, 4>& p, double least_volume) {
     const double six_volumes = dot(cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]);
-    double lengths = 0;  // the largest product of the three edges at a corner
-    for (std::size_t i = 0; i < 4; ++i) {
-        double squares = 1;
-        for (std::size_t j = 0; j < 4; ++j)
-            if (j != i) squares *= squared_length(p[j] - p[i]);
-        lengths = std::max(lengths, std::sqrt(squares));
-    }
+    const double ab = squared_length(p[1] - p[0]), ac = squared_length(p[2] - p[0]), ad = squared_length(p[3] - p[0]),
+                 bc = squared_length(p[2] - p[1]), bd = squared_length(p[3] - p[1]), cd = squared_length(p[3] - p[2]);
+    // the largest product of the three edges at a corner
+    const double lengths = std::sqrt(std::max({ab * ac * ad, ab * bc * bd, ac * bc * cd, ad * bd * cd}));
     return std::min(six_volumes / (6 * least_volume), six_volumes / (least_share * lengths));
 }
 
@@ -52,7 +50,7 @@ class ThickCavity {
 
     /// Grows from `start` and moves the point, in turns; keeps the best met. False where the thinnest is no thicker.
     bool plan(std::span<const int> start, Vec3 point) {
-        constexpr int rounds = 6;
+        constexpr int rounds = 10;
         best_ = 0;
         reset(start, point);
         for (int round = 0; round < rounds && best_ < 1; ++round) {
@@ -78,7 +76,7 @@ class ThickCavity {
         std::array<int, 3> corners;
         double value;
     };
-    static constexpr std::size_t most_tets = 60;
+    static constexpr std::size_t most_tets = 240;
 
     double cone(const std::array<int, 3>& f, const Vec3& apex) const {
         const auto& p = editor_.complex().points;
@@ -151,14 +149,16 @@ class ThickCavity {
         return false;
     }
 
-    double thinnest_cone(const Vec3& point) const {
+    /// At most `enough` where it is no more than that.
+    double thinnest_cone(const Vec3& point, double enough) const {
         double least = 1;
-        for (const Face& f : faces_) least = std::min(least, cone(f.corners, point));
+        for (std::size_t i = 0; i < faces_.size() && least > enough; ++i)
+            least = std::min(least, cone(faces_[i].corners, point));
         return least;
     }
 
     Vec3 climb(Vec3 point) {
-        double now = thinnest_cone(point), step = 0;
+        double now = thinnest_cone(point, -std::numeric_limits<double>::infinity()), step = 0;
         for (const Face& f : faces_)
             for (const int v : f.corners)
                 step = std::max(step, 0.5 * distance(editor_.complex().points[static_cast<std::size_t>(v)], point));
@@ -169,7 +169,7 @@ class ThickCavity {
                 for (int y = -1; y <= 1; ++y)
                     for (int z = -1; z <= 1; ++z) {
                         const Vec3 trial = point + step * Vec3{double(x), double(y), double(z)};
-                        if (const double value = thinnest_cone(trial); value > now)
+                        if (const double value = thinnest_cone(trial, now); value > now)
                             now = value, point = trial, is_better = true;
                     }
             if (!is_better) step *= 0.5;
@@ -193,7 +193,11 @@ class ThickCavity {
 class Thickener {
   public:
     Thickener(TetComplex& complex, double least_volume, RunContext& context)
-        : complex_(complex), least_volume_(least_volume), context_(context), editor_(complex), cavity_(editor_, least_volume) {}
+        : complex_(complex),
+          least_volume_(least_volume),
+          context_(context),
+          editor_(complex),
+          cavity_(editor_, least_volume) {}
 
     std::vector<int> run(std::vector<int> thin) {
         for (int pass = 0; pass < most_passes && !thin.empty(); ++pass) {
@@ -211,9 +215,11 @@ class Thickener {
 
   private:
     double thickness_of(const Tet& tet) const { return thickness(complex_, tet, least_volume_); }
-    double thinnest(std::span<const int> tets) const {
+    /// At most `enough` where it is no more than that.
+    double thinnest(std::span<const int> tets, double enough = -std::numeric_limits<double>::infinity()) const {
         double least = 1;
-        for (const int t : tets) least = std::min(least, thickness_of(complex_.tets[t]));
+        for (std::size_t i = 0; i < tets.size() && least > enough; ++i)
+            least = std::min(least, thickness_of(complex_.tets[tets[i]]));
         return least;
     }
 
@@ -323,7 +329,7 @@ class Thickener {
         const auto try_at = [&](const Vec3& trial) {
             const Vec3 old = place;
             place = trial;
-            const double now = thinnest(star_);
+            const double now = thinnest(star_, best);
             if (now > best) {
                 best = now;
                 return true;

@@ -101,6 +101,19 @@ TopoDS_Shape wall_with_steps(double step) {
     return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 0.4)).Shape();
 }
 
+TopoDS_Shape engraved_block(int corners, double side, double depth) {
+    const double radius = side * corners / (2 * M_PI);
+    BRepBuilderAPI_MakePolygon outline;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = 2 * M_PI * i / corners, r = i % 2 == 0 ? radius : radius + 0.5 * side;
+        outline.Add(gp_Pnt(15 + r * std::cos(angle), 10 + r * std::sin(angle), 10 - depth));
+    }
+    outline.Close();
+    const TopoDS_Shape pocket =
+        BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 1)).Shape();
+    return BRepAlgoAPI_Cut(box_part({0, 0, 0}, {30, 20, 10}), pocket).Shape();
+}
+
 TopoDS_Shape turned(const TopoDS_Shape& shape, double angle, const Vec3& shift) {
     gp_Trsf turn, move;
     turn.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(0.3, 0.5, 0.8)), angle);

@@ -37,6 +37,8 @@ TopoDS_Shape slotted_block();
 TopoDS_Shape cut_corner(double width);
 /// A thin wall whose two sides have a step as high as this, opposite each other.
 TopoDS_Shape wall_with_steps(double step);
+/// A block 30 x 20 x 10 with a shallow pocket: a star of this many corners, with sides so long.
+TopoDS_Shape engraved_block(int corners, double side, double depth);
 TopoDS_Shape turned(const TopoDS_Shape& shape, double angle, const Vec3& shift);
 
 struct Part {

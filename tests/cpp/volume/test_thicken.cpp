@@ -54,3 +54,9 @@ TEST_CASE("no tet of a part with an edge of a hundred-thousandth of it is withou
         least = std::min(least, signed_volume(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3])));
     CHECK(least > 0.92 * part.brep.tolerances().least_volume());
 }
+
+TEST_CASE("a pocket of a few millionths of the part with short sides is filled") {
+    const auto [corners, side] = GENERATE(table<int, double>({{48, 0.05}, {24, 0.06}}));
+    const Part part = prepare(engraved_block(corners, side, 8e-5), 0.95);
+    CHECK(findings(part.brep, fill(part).mesh).empty());
+}
