@@ -69,7 +69,12 @@ Piece piece_of(const Coefficients& c, int depth) { return {c, *std::min_element(
 
 }  // namespace
 
-std::array<double, 20> jacobian_coefficients(const std::array<Vec3, 10>& nodes) {
+namespace {
+
+/// dx/d(lambda_k - lambda_0) = 2 sum over a of lambda_a direction[a][k]
+using Directions = std::array<std::array<Vec3, 3>, 4>;
+
+Directions directions_of(const std::array<Vec3, 10>& nodes) {
     // quadratic control points by pair of corners; the middle one so that the curve passes through the mid-side node
     Vec3 control[4][4];
     for (int i = 0; i < 4; ++i) control[i][i] = nodes[i];
@@ -77,24 +82,77 @@ std::array<double, 20> jacobian_coefficients(const std::array<Vec3, 10>& nodes) 
         const auto [a, b] = tet_sides[s];
         control[a][b] = control[b][a] = 2.0 * nodes[4 + s] - 0.5 * (nodes[a] + nodes[b]);
     }
-    // dx/d(lambda_k - lambda_0) = 2 sum over a of lambda_a direction[a][k]
-    Vec3 direction[4][3];
+    Directions direction;
     for (int a = 0; a < 4; ++a)
         for (int k = 0; k < 3; ++k) direction[a][k] = 2.0 * (control[a][k + 1] - control[a][0]);
-    Coefficients sum{};
+    return direction;
+}
+
+int coefficient_of(int a, int b, int c) {
+    Exponents e{};
+    ++e[a], ++e[b], ++e[c];
+    return index_of(e);
+}
+
+/// How many products of directions each coefficient is the mean of.
+constexpr std::array<int, 20> make_term_counts() {
     std::array<int, 20> terms{};
     for (int a = 0; a < 4; ++a)
-        for (int b = 0; b < 4; ++b) {
-            const Vec3 normal = cross(direction[a][0], direction[b][1]);
+        for (int b = 0; b < 4; ++b)
             for (int c = 0; c < 4; ++c) {
                 Exponents e{};
                 ++e[a], ++e[b], ++e[c];
-                sum[index_of(e)] += dot(normal, direction[c][2]);
                 ++terms[index_of(e)];
             }
+    return terms;
+}
+constexpr std::array<int, 20> term_counts = make_term_counts();
+
+}  // namespace
+
+std::array<double, 20> jacobian_coefficients(const std::array<Vec3, 10>& nodes) {
+    const Directions direction = directions_of(nodes);
+    Coefficients sum{};
+    for (int a = 0; a < 4; ++a)
+        for (int b = 0; b < 4; ++b) {
+            const Vec3 normal = cross(direction[a][0], direction[b][1]);
+            for (int c = 0; c < 4; ++c) sum[coefficient_of(a, b, c)] += dot(normal, direction[c][2]);
         }
-    for (int n = 0; n < 20; ++n) sum[n] /= terms[n];
+    for (int n = 0; n < 20; ++n) sum[n] /= term_counts[n];
     return sum;
+}
+
+std::array<Vec3, 10> jacobian_gradient(const std::array<Vec3, 10>& nodes, const std::array<double, 20>& weights) {
+    const Directions direction = directions_of(nodes);
+    Directions by_direction{};
+    for (int a = 0; a < 4; ++a)
+        for (int b = 0; b < 4; ++b) {
+            const Vec3 third = cross(direction[a][0], direction[b][1]);
+            for (int c = 0; c < 4; ++c) {
+                const int n = coefficient_of(a, b, c);
+                const double weight = weights[n] / term_counts[n];
+                if (weight == 0) continue;
+                by_direction[c][2] += weight * third;
+                by_direction[a][0] += weight * cross(direction[b][1], direction[c][2]);
+                by_direction[b][1] += weight * cross(direction[c][2], direction[a][0]);
+            }
+        }
+    Vec3 by_control[4][4];
+    for (int a = 0; a < 4; ++a)
+        for (int k = 0; k < 3; ++k) {
+            by_control[a][k + 1] += 2.0 * by_direction[a][k];
+            by_control[a][0] -= 2.0 * by_direction[a][k];
+        }
+    std::array<Vec3, 10> gradient;
+    for (int i = 0; i < 4; ++i) gradient[i] = by_control[i][i];
+    for (int s = 0; s < 6; ++s) {
+        const auto [a, b] = tet_sides[s];
+        const Vec3 both = by_control[a][b] + by_control[b][a];
+        gradient[4 + s] = 2.0 * both;
+        gradient[a] -= 0.5 * both;
+        gradient[b] -= 0.5 * both;
+    }
+    return gradient;
 }
 
 double min_scaled_jacobian(const std::array<Vec3, 10>& nodes) {

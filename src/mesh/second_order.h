@@ -20,6 +20,9 @@ inline constexpr std::array<std::array<int, 3>, 4> tet_faces{{{1, 2, 3}, {0, 3, 
 /// Johnen, Remacle and Geuzaine 2013. All positive means valid everywhere.
 std::array<double, 20> jacobian_coefficients(const std::array<Vec3, 10>& nodes);
 
+/// How the sum of the coefficients, weighted, changes with the nodes.
+std::array<Vec3, 10> jacobian_gradient(const std::array<Vec3, 10>& nodes, const std::array<double, 20>& weights);
+
 /// Lower bound of det J over the element divided by 6 V of its straight tet; sharpened by subdivision until bound and samples agree within 1e-3
 /// or the sign is certain.
 double min_scaled_jacobian(const std::array<Vec3, 10>& nodes);

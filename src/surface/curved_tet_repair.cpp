@@ -7,16 +7,17 @@
 
 #include "mesh/quality.h"
 #include "mesh/second_order.h"
+#include "surface/curved_tet_descent.h"
 
 namespace featuremesh {
 namespace {
 
 constexpr std::size_t grain = 1 << 13;
 
-/// Lower bound of the scaled Jacobian without subdivision.
+/// Lower bound of the scaled Jacobian without subdivision. Nothing is worse than a tet whose corners are turned over.
 double quick_bound(const std::array<Vec3, 10>& nodes) {
     const double straight = 6 * signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]);
-    if (!(straight > 0)) return -1;
+    if (!(straight > 0)) return -std::numeric_limits<double>::infinity();
     const auto coefficients = jacobian_coefficients(nodes);
     return *std::min_element(coefficients.begin(), coefficients.end()) / straight;
 }
@@ -68,6 +69,7 @@ class Unfolding {
           projector_(projector),
           is_movable_(is_movable),
           target_(target),
+          placed_(mesh.points),
           directions_(search_directions()) {}
 
     /// Bends the inner sides, and those on planes, that end on the boundary as the curved sides near them are bent.
@@ -86,8 +88,13 @@ class Unfolding {
         }
     }
 
-    /// One pass over the nodes of the bad tets; whether anything moved.
-    bool pass(const std::vector<TetId>& bad) {
+    /// What a move has to raise.
+    enum class Aim { smallest_bound, sum_of_shortfalls };
+
+    /// One pass over the nodes of the bad tets; whether anything moved. The smallest bound around a node tells best
+    /// which way, but stops where one tet gains what another loses; the sum of what all lack goes on from there.
+    bool pass(const std::vector<TetId>& bad, Aim aim) {
+        aim_ = aim;
         const std::vector<NodeId> nodes = movable_nodes(bad);
         const Stars stars(mesh_, nodes);
         bool moved = false;
@@ -125,15 +132,17 @@ class Unfolding {
         return {b - a, mesh_.point(mesh_.tet_mids[t.index()][s]) - (a + b) * 0.5};
     }
 
-    /// How a still straight side between two boundary nodes would be bent if it curved like the bent sides of its tets:
-    /// the bend goes with the square of the length along them.
+    /// How a still straight side between two boundary nodes would be bent if it curved like the bent sides of its tets,
+    /// the nearest ones above all: the bend goes with the square of the length along them. In a tet as thin as an edge
+    /// of a millionth of the part, only the sides beside it count.
     Vec3 bend_of(NodeId mid, const std::vector<TetId>& star) const {
-        Vec3 sum, own;
+        Vec3 sum, own, middle;
         double weights = 0;
         for (TetId t : star)
             for (int s = 0; s < 6; ++s)
                 if (mesh_.tet_mids[t.index()][s] == mid) {
                     own = side_of(t, s).along;
+                    middle = mesh_.point(mid) - side_of(t, s).bend;
                     if (squared_length(side_of(t, s).bend) > 1e-12 * squared_length(own)) return {};
                     for (int end : tet_sides[s])
                         if (mesh_.entities[mesh_.tets[t.index()][end].index()].dim == 3) return {};
@@ -143,19 +152,29 @@ class Unfolding {
                 const BentSide side = side_of(t, s);
                 const double squared = squared_length(side.along), along = dot(own, side.along);
                 if (squared_length(side.bend) <= 1e-12 * squared) continue;
+                const Vec3 apart = mesh_.point(mesh_.tet_mids[t.index()][s]) - side.bend - middle;
                 const double share = along * along / (squared * squared),
-                             weight = along * along / (squared * squared_length(own));
+                             weight = along * along / (squared * squared_length(own) * squared_length(apart));
                 sum += weight * share * side.bend;
                 weights += weight;
             }
         return weights > 0 ? sum / weights : Vec3{};
     }
 
-    /// Smallest bound around a node, at most the target: what is good enough need not get better.
+    /// What a move has to raise, at most what is enough: what is good enough need not get better.
     double worst(const std::vector<TetId>& star) const {
-        double low = target_ + 0.1;
-        for (TetId t : star) low = std::min(low, quick_bound(tet_nodes(mesh_, t)));
-        return low;
+        const double enough = target_ + 0.1;
+        double low = enough, shortfalls = 0;
+        for (TetId t : star) {
+            const double bound = quick_bound(tet_nodes(mesh_, t));
+            low = std::min(low, bound);
+            if (bound < enough) shortfalls += shortfall(enough, bound);
+        }
+        return aim_ == Aim::smallest_bound ? low : enough - shortfalls;
+    }
+    /// Grows slowly where a tet is folded many times over, as a needle is, so that it does not hide the others.
+    static double shortfall(double enough, double bound) {
+        return bound >= 0 ? (enough - bound) * (enough - bound) / enough : enough + 2 * std::log1p(-bound);
     }
     double worst_angle(const std::vector<TetId>& star) const {
         double low = 180;
@@ -173,15 +192,17 @@ class Unfolding {
         const auto& mids = mesh_.tet_mids[star.front().index()];
         return side_of(star.front(), static_cast<int>(std::find(mids.begin(), mids.end(), mid) - mids.begin()));
     }
-    /// An inner side that is bent more than this would spoil what it is to repair; a node on a CAD edge that slides to
-    /// a quarter of it would make the element singular.
+    /// An inner side that is bent more than this would spoil what it is to repair; a node on the boundary that slides
+    /// to a quarter of its side would make the element singular.
     bool is_bent_too_much(NodeId n, const std::vector<TetId>& star) const {
         constexpr double most_bend = 0.3, most_slide = 0.15;
         if (n.index() < mesh_.corner_count) return false;
         const BentSide side = side_at(n, star);
         const double squared = squared_length(side.along);
-        if (mesh_.entities[n.index()].dim == 1) return std::abs(dot(side.bend, side.along)) > most_slide * squared;
-        return mesh_.entities[n.index()].dim == 3 && squared_length(side.bend) > most_bend * most_bend * squared;
+        const int dim = mesh_.entities[n.index()].dim;
+        if (dim < 3 && std::abs(dot(side.bend, side.along)) > most_slide * squared) return true;
+        const Vec3 off = dim == 3 ? side.bend : mesh_.point(n) - placed_[n.index()];
+        return dim > 1 && squared_length(off) > most_bend * most_bend * squared;
     }
 
     double longest_side_at(NodeId n, const std::vector<TetId>& star) const {
@@ -262,8 +283,9 @@ class Unfolding {
             const OnEdge on = projector_.nearest(EdgeId(entity.index), from.point + by, from.parameters[0]);
             to = {on.point, {on.t, 0}, {}};
         } else {
-            const OnFace on = projector_.nearest(FaceId(entity.index), from.point + by, from.parameters);
-            to = {on.point, on.uv, {}};
+            const auto on = projector_.nearest_by_steps(FaceId(entity.index), from.point + by, from.parameters);
+            if (!on) return false;
+            to = {on->point, on->uv, {}};
         }
         // a step across the curve or surface comes back to where it began
         if (distance(to.point, from.point) < 0.3 * length(by)) return false;
@@ -275,6 +297,8 @@ class Unfolding {
     const Projector& projector_;
     const std::vector<bool>& is_movable_;
     const double target_;
+    Aim aim_ = Aim::smallest_bound;
+    const std::vector<Vec3> placed_;  ///< where the nodes were at first
     const std::vector<Vec3> directions_;
 };
 
@@ -294,6 +318,7 @@ std::vector<TetId> tets_at_most(const Mesh& mesh, double limit, RunContext& cont
 std::vector<TetId> unfold_tets(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable,
                                double target, RunContext& context) {
     constexpr int most_passes = 6;
+    constexpr std::size_t most_together = 500;  // more trouble is refined first
     std::vector<TetId> bad = tets_at_most(mesh, target, context);
     if (bad.empty()) return bad;
     Unfolding unfolding(mesh, projector, is_movable, target);
@@ -306,9 +331,15 @@ std::vector<TetId> unfold_tets(Mesh& mesh, const Projector& projector, const std
         mesh.points = points;
         mesh.parameters = parameters;
     }
-    for (int pass = 0; pass < most_passes && !bad.empty(); ++pass) {
-        context.check_cancelled();
-        if (!unfolding.pass(bad)) break;
+    using Aim = Unfolding::Aim;
+    for (const Aim aim : {Aim::smallest_bound, Aim::sum_of_shortfalls, Aim::smallest_bound}) {
+        for (int pass = 0; pass < most_passes && !bad.empty(); ++pass) {
+            context.check_cancelled();
+            if (!unfolding.pass(bad, aim)) break;
+            bad = tets_at_most(mesh, target, context);
+        }
+        if (bad.empty() || bad.size() > most_together) break;
+        descend(mesh, projector, is_movable, bad, target + 0.05, context);
         bad = tets_at_most(mesh, target, context);
     }
     return bad;

@@ -15,8 +15,9 @@ namespace featuremesh {
 std::vector<TetId> tets_at_most(const Mesh& mesh, double limit, RunContext& context);
 
 /// Moves nodes of the tets below `target` until they reach it or nothing helps any more, in this order: inner mid-side
-/// nodes, mid-side nodes on faces (along the face), inner corner nodes. A move is accepted when the smallest scaled
-/// Jacobian around the node rises, and for a corner node only when no dihedral angle around it gets bad. `is_movable`
+/// nodes, mid-side nodes on faces (along the face), inner corner nodes, mid-side nodes on edges. A move is accepted when
+/// the smallest scaled Jacobian around the node rises, and for a corner node only when no dihedral angle around it gets
+/// bad. Then all of them together (curved_tet_descent.h), then one by one for the sum of what the tets lack. `is_movable`
 /// by node. Returns the tets that are still below the target.
 std::vector<TetId> unfold_tets(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable,
                                double target, RunContext& context);

@@ -64,6 +64,28 @@ std::optional<std::array<double, 2>> start_parameters(const Mesh& mesh, std::siz
     return std::nullopt;
 }
 
+/// The point of the face nearest to the middle of a side. Where the face bends so much that this point is towards one
+/// end of the side, the point of the face as far from one end as from the other.
+OnFace above_middle(const Projector& projector, FaceId face, const Vec3& a, const Vec3& b,
+                    const std::optional<std::array<double, 2>>& start) {
+    constexpr double most_slide = 0.05, enough = 0.01;
+    constexpr int most_steps = 20;
+    const Vec3 middle = 0.5 * (a + b), along = b - a;
+    const auto slide_of = [&](const OnFace& on) { return dot(on.point - middle, along) / squared_length(along); };
+    OnFace best = projector.nearest(face, middle, start);
+    if (std::abs(slide_of(best)) < most_slide) return best;
+    // Newton's steps from one end may have gone astray
+    if (const OnFace global = projector.nearest(face, middle); global.distance < best.distance) best = global;
+    OnFace on = best;
+    double least = slide_of(best);
+    if (std::abs(least) < most_slide) return best;
+    for (int step = 0; step < most_steps && std::abs(least) > enough; ++step) {
+        on = projector.nearest(face, on.point - slide_of(on) * along, on.uv);
+        if (std::abs(slide_of(on)) < std::abs(least)) best = on, least = slide_of(on);
+    }
+    return best;
+}
+
 void place_on_faces(const Projector& projector, std::vector<bool> is_new, Mesh& mesh, RunContext& context) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         if (i % 1024 == 0) context.check_cancelled();
@@ -71,8 +93,9 @@ void place_on_faces(const Projector& projector, std::vector<bool> is_new, Mesh& 
             const NodeId mid = mesh.triangle_mids[i][s];
             if (!is_new[mid.index()] || mesh.entities[mid.index()].dim != 2) continue;
             is_new[mid.index()] = false;
-            const OnFace on =
-                projector.nearest(mesh.triangle_faces[i], mesh.points[mid.index()], start_parameters(mesh, i));
+            const auto& corners = mesh.triangles[i];
+            const OnFace on = above_middle(projector, mesh.triangle_faces[i], mesh.point(corners[s]),
+                                           mesh.point(corners[(s + 1) % 3]), start_parameters(mesh, i));
             mesh.points[mid.index()] = on.point;
             mesh.parameters[mid.index()] = on.uv;
         }
@@ -143,6 +166,29 @@ std::vector<SizeSource> shorter_lengths(const Mesh& mesh, const std::vector<TetI
     return wanted;
 }
 
+/// The tets with a strongly bent side, when the corners alone are far from filling the part: then they are too few,
+/// however well the curved sides fit.
+std::vector<TetId> too_coarse(const Brep& brep, const Mesh& curved) {
+    constexpr double strong_bend = 0.17, least_share = 0.5;
+    std::vector<TetId> bent;
+    std::vector<double> volumes(brep.solid_count(), 0);
+    for (std::size_t t = 0; t < curved.tets.size(); ++t) {
+        const auto nodes = tet_nodes(curved, TetId(t));
+        volumes[curved.tet_solids[t].index()] += signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]);
+        for (int s = 0; s < 6; ++s) {
+            const Vec3 &a = nodes[tet_sides[s][0]], &b = nodes[tet_sides[s][1]];
+            if (squared_length(nodes[4 + s] - (a + b) * 0.5) < strong_bend * strong_bend * squared_length(b - a))
+                continue;
+            bent.emplace_back(t);
+            break;
+        }
+    }
+    if (bent.empty()) return {};
+    for (std::size_t s = 0; s < volumes.size(); ++s)
+        if (volumes[s] < least_share * brep.volume_of(SolidId(s))) return bent;
+    return {};
+}
+
 }  // namespace
 
 SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {
@@ -156,6 +202,9 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
     int last_gain = 0;
     for (int refinement = 0;; ++refinement) {
         Curved curved = curve(brep, projector, mesh, kept, context);
+        if (refinement == 0)
+            if (const std::vector<TetId> bent = too_coarse(brep, curved.mesh); !bent.empty())
+                return {{}, shorter_lengths(curved.mesh, bent), place_of(curved.mesh, bent.front())};
         if (curved.low.empty()) return {std::move(curved.mesh), {}, {}};
         const std::vector<TetId> trouble = curved.folded.empty() ? curved.low : curved.folded;
         const std::string place = place_of(curved.mesh, trouble.front());

@@ -283,6 +283,13 @@ Projector::Projector(Projector&&) noexcept = default;
 
 Vec3 Projector::on_edge(EdgeId edge, double t) const { return to_vec(data_->curve(edge).adaptor.Value(t)); }
 
+Vec3 Projector::tangent(EdgeId edge, double t) const {
+    gp_Pnt p;
+    gp_Vec d;
+    data_->curve(edge).adaptor.D1(t, p, d);
+    return d.Magnitude() > 0 ? to_vec(d) / d.Magnitude() : Vec3{};
+}
+
 Vec3 Projector::on_face(FaceId face, std::array<double, 2> uv) const {
     return to_vec(data_->surface(face).adaptor.Value(uv[0], uv[1]));
 }
@@ -304,6 +311,13 @@ OnFace Projector::nearest(FaceId face, const Vec3& p, std::optional<std::array<d
     if (guess)
         if (const auto uv = newton(s, p, *guess)) return at(s, *uv, p);
     return global_nearest(s, p);
+}
+
+std::optional<OnFace> Projector::nearest_by_steps(FaceId face, const Vec3& p, std::array<double, 2> guess) const {
+    const SurfaceData& s = data_->surface(face);
+    if (const auto uv = analytic_parameters(s.adaptor, to_pnt(p))) return at(s, in_period(s, *uv, guess), p);
+    if (const auto uv = newton(s, p, guess)) return at(s, *uv, p);
+    return std::nullopt;
 }
 
 bool Projector::is_inside_trim(FaceId face, std::array<double, 2> uv) const {

@@ -30,11 +30,15 @@ class Projector {
     Projector(Projector&&) noexcept;
 
     Vec3 on_edge(EdgeId edge, double t) const;
+    /// Unit tangent; zero where the edge has none.
+    Vec3 tangent(EdgeId edge, double t) const;
     Vec3 on_face(FaceId face, std::array<double, 2> uv) const;
     /// Nearest point of the trimmed edge; `guess` starts a Newton iteration that falls back to the global search.
     OnEdge nearest(EdgeId edge, const Vec3& p, std::optional<double> guess = {}) const;
     /// Nearest point of the face's surface; with a guess by Newton, else globally. Does not look at the trim.
     OnFace nearest(FaceId face, const Vec3& p, std::optional<std::array<double, 2>> guess = {}) const;
+    /// The same, for a short step from `guess`: none where Newton's iteration does not get there.
+    std::optional<OnFace> nearest_by_steps(FaceId face, const Vec3& p, std::array<double, 2> guess) const;
     /// Whether (u, v) is inside the face's trim or on its boundary within tolerance.
     bool is_inside_trim(FaceId face, std::array<double, 2> uv) const;
     /// Unit normal of the face as oriented in the shape.

@@ -119,28 +119,37 @@ Filled fill_once(const Brep& brep, const SizingField& sizing, Kept kept, const M
     return {std::move(mesh), std::move(surface.report), std::move(volume.report), std::move(volume.released), std::move(volume.moved), std::move(volume.used_active)};
 }
 
-/// Where 10-node tets would be folded whatever is done to them, everything that is not kept is filled again with shorter edges there.
+/// Where 10-node tets would be folded whatever is done to them, everything that is not kept is filled again with shorter edges there; when that fails
+/// in turn, with other lengths.
 Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, RunContext& context) {
-    constexpr int attempts = 4;
+    constexpr int attempts = 6;
     SecondOrder second;
     if (options.order == 1) return fill_once(brep, sizing, std::move(kept), options, second, context);
     std::vector<SizeSource> shorter;
+    std::size_t first_of_last = 0;
     std::set<std::string> places;
     SizingField field = sizing;
     for (int attempt = 1;; ++attempt) {
-        Filled filled = fill_once(brep, field, kept, options, second, context);
-        if (second.shorter.empty()) {
-            for (const std::string& place : places)
-                filled.surface.warnings.push_back("The mesh is finer than asked at " + place +
-                                                  ", because 10-node tets of that size would be folded by the curved face.");
-            return filled;
+        try {
+            Filled filled = fill_once(brep, field, kept, options, second, context);
+            if (second.shorter.empty()) {
+                for (const std::string& place : places)
+                    filled.surface.warnings.push_back("The mesh is finer than asked at " + place +
+                                                      ", because 10-node tets of that size would be folded by the curved face.");
+                return filled;
+            }
+            first_of_last = shorter.size();
+            shorter.insert(shorter.end(), second.shorter.begin(), second.shorter.end());
+            places.insert(second.place);
+        } catch (const MeshError&) {
+            context.check_cancelled();
+            if (attempt == 1) throw;
+            for (std::size_t i = first_of_last; i < shorter.size(); ++i) shorter[i].size *= 0.7;
         }
         if (attempt == attempts)
-            throw MeshError(std::to_string(second.shorter.size()) + " 10-node tets would be folded near " + second.place + ", even with edges " +
-                            std::to_string(1 << (attempts - 1)) + " times shorter there: the face bends too much within one element. Ask for a smaller "
-                            "size there, or for 4-node tets.");
-        places.insert(second.place);
-        shorter.insert(shorter.end(), second.shorter.begin(), second.shorter.end());
+            throw MeshError("10-node tets would be folded near " + *places.begin() + ", with shorter edges there, too, in " +
+                            std::to_string(attempts - 1) + " attempts: the face bends too much within one element. Ask for a smaller size there, or for "
+                            "4-node tets.");
         field = make_sizing(brep, options.sizing, shorter, context);
     }
 }

@@ -58,6 +58,27 @@ std::vector<std::array<double, 4>> lattice(int n) {
 
 }  // namespace
 
+TEST_CASE("the gradient of the Bernstein coefficients is that of their differences") {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> number(-1, 1);
+    const auto nodes = bent_element(random, 0.1);
+    std::array<double, 20> weights;
+    for (double& w : weights) w = number(random);
+    const auto weighted = [&](const std::array<Vec3, 10>& of) {
+        const auto c = jacobian_coefficients(of);
+        double sum = 0;
+        for (int k = 0; k < 20; ++k) sum += weights[k] * c[k];
+        return sum;
+    };
+    const auto gradient = jacobian_gradient(nodes, weights);
+    for (int n = 0; n < 10; ++n)
+        for (const Vec3& direction : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+            auto before = nodes, after = nodes;
+            before[n] -= 1e-4 * direction, after[n] += 1e-4 * direction;
+            CHECK(dot(gradient[n], direction) == Approx((weighted(after) - weighted(before)) / 2e-4).margin(1e-6));
+        }
+}
+
 TEST_CASE("a straight element has constant Jacobian, six times its volume") {
     const auto nodes = straight_element({Vec3{1, 2, 3}, Vec3{2, 2, 3}, Vec3{1, 4, 3}, Vec3{1, 2, 6}});
     for (double coefficient : jacobian_coefficients(nodes)) CHECK(coefficient == Approx(6.0));

@@ -68,6 +68,12 @@ TopoDS_Shape block_with_step_and_slot() {
     return BRepAlgoAPI_Cut(block, BRepPrimAPI_MakeBox(gp_Pnt(-5, 4, 10), gp_Pnt(0, 10, 18)).Shape()).Shape();
 }
 
+/// A ring as wide as nobody sees: its two circles are joined by tets as thin as it is.
+TopoDS_Shape shaft_with_step(double height) {
+    return BRepAlgoAPI_Fuse(BRepPrimAPI_MakeCylinder(10, 20).Shape(), BRepPrimAPI_MakeCylinder(10 + height, 8).Shape())
+        .Shape();
+}
+
 Mesh curved_mesh(const Brep& brep, double size) {
     RunContext context;
     SizingOptions options;
@@ -115,6 +121,17 @@ TEST_CASE("coarse 10-node meshes of strongly curved parts are unfolded and on th
         Expectation expected;
         for (std::size_t f = 0; f < brep.face_count(); ++f) expected.face_sides.push_back(brep.sides_of(FaceId(f)));
         CHECK(broken_invariants(mesh, expected).empty());
+        CHECK(measure_quality(mesh).min_scaled_jacobian > 0.199);
+        CHECK(distance_from_entities(brep, mesh) < 1e-8);
+    }
+}
+
+TEST_CASE("tets far thinner than their sides are bent follow them") {
+    for (const double step : {1e-3, 3e-5}) {
+        INFO(step);
+        const Brep brep(shaft_with_step(step));
+        const Mesh mesh = curved_mesh(brep, 4);
+        CHECK(broken_invariants(mesh).empty());
         CHECK(measure_quality(mesh).min_scaled_jacobian > 0.199);
         CHECK(distance_from_entities(brep, mesh) < 1e-8);
     }

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unfolds 10-node tets by moving all nodes around them at once.
+#pragma once
+
+#include <vector>
+
+#include "core/run_context.h"
+#include "mesh/mesh.h"
+#include "surface/projection.h"
+
+namespace featuremesh {
+
+/// Lowers a moving log barrier on the Bernstein coefficients of the tets around `bad` (Toulorge, Geuzaine, Remacle and
+/// Lambrechts 2013) by quasi-Newton steps of all their movable mid-side nodes and inner corners, those on CAD entities
+/// along these. Every coefficient below `wanted` (as a scaled Jacobian) is pushed up to it. Where moving one node at a
+/// time stops because a neighbour loses what the tet gains, this goes on.
+void descend(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable, const std::vector<TetId>& bad,
+             double wanted, RunContext& context);
+
+}  // namespace featuremesh
