@@ -28,35 +28,40 @@ std::vector<TopoDS_Face> faces_of_solids(const TopoDS_Shape& shape) {
     return faces;
 }
 
-/// Numbers that do not depend on the order of a face's edges nor on their direction.
-struct Signature {
-    int kind = 0, points = 0;
-    std::array<double, 13> moments{};  // first and second of the border points, normal and inner point
-
-    explicit Signature(const TopoDS_Face& face) {
+/// Numbers that do not depend on the order of a face's edges nor on their direction. What is inside the border costs most
+/// and is only looked at where the borders agree.
+class Signature {
+  public:
+    explicit Signature(const TopoDS_Face& face) : face_(face), kind_(BRepAdaptor_Surface(face, false).GetType()) {
         for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) add_edge(TopoDS::Edge(it.Current()));
-        const BRepAdaptor_Surface surface(face, false);
-        double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
-        BRepTools::UVBounds(face, u1, u2, v1, v2);
-        const double u = (u1 + u2) / 2, v = (v1 + v2) / 2;
-        const Vec3 p = to_vec3(surface.Value(u, v)), n = outward_normal(surface, face, u, v);
-        kind = static_cast<int>(surface.GetType());
-        add(p);
-        for (int i = 0; i < 3; ++i) moments[9 + i] = n[i];
-        moments[12] = p.x + 2 * p.y + 3 * p.z;
     }
 
+    double key() const { return moments_[0]; }
+    /// How far the keys of equal faces in a shape of that size may be apart.
+    double reach(double size) const { return 1e-9 * size * points_; }
+
     bool matches(const Signature& other, double size) const {
-        if (kind != other.kind || points != other.points) return false;
-        const double first = 1e-9 * size * points, second = first * size;
-        for (int i = 0; i < 13; ++i) {
-            const double tolerance = i < 3 ? first : i < 9 ? second : i < 12 ? 1e-6 : first;
-            if (std::abs(moments[i] - other.moments[i]) > tolerance) return false;
-        }
+        if (kind_ != other.kind_ || points_ != other.points_) return false;
+        for (std::size_t i = 0; i < moments_.size(); ++i)
+            if (std::abs(moments_[i] - other.moments_[i]) > reach(size) * (i < 3 ? 1 : size)) return false;
+        const auto& [p, n] = inner();
+        const auto& [q, m] = other.inner();
+        for (int i = 0; i < 3; ++i)
+            if (std::abs(n[i] - m[i]) > 1e-6 || std::abs(p[i] - q[i]) > 1e-9 * size * (points_ + 1)) return false;
         return true;
     }
 
   private:
+    /// A point of the surface within the range of the face's parameters, and the normal there.
+    const std::pair<Vec3, Vec3>& inner() const {
+        if (inner_) return *inner_;
+        const BRepAdaptor_Surface surface(face_, false);
+        double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
+        BRepTools::UVBounds(face_, u1, u2, v1, v2);
+        const double u = (u1 + u2) / 2, v = (v1 + v2) / 2;
+        inner_.emplace(to_vec3(surface.Value(u, v)), outward_normal(surface, face_, u, v));
+        return *inner_;
+    }
     void add_edge(const TopoDS_Edge& edge) {
         const BRepAdaptor_Curve curve(edge);
         if (!curve.Is3DCurve() && !curve.IsCurveOnSurface()) return;
@@ -66,9 +71,14 @@ struct Signature {
     void add(const Vec3& p) {
         const std::array<double, 9> terms{p.x,       p.y,       p.z,       p.x * p.x, p.y * p.y,
                                           p.z * p.z, p.x * p.y, p.y * p.z, p.z * p.x};
-        for (int i = 0; i < 9; ++i) moments[i] += terms[i];
-        ++points;
+        for (std::size_t i = 0; i < terms.size(); ++i) moments_[i] += terms[i];
+        ++points_;
     }
+
+    TopoDS_Face face_;
+    int kind_ = 0, points_ = 0;
+    std::array<double, 9> moments_{};  // first and second of the border points
+    mutable std::optional<std::pair<Vec3, Vec3>> inner_;
 };
 
 /// Signatures along the first moment, so that a face is compared with its few neighbours there only.
@@ -80,15 +90,15 @@ class SignatureIndex {
             box_.add(box_of(face));
         }
         std::sort(sorted_.begin(), sorted_.end(),
-                  [](const Signature& a, const Signature& b) { return a.moments[0] < b.moments[0]; });
+                  [](const Signature& a, const Signature& b) { return a.key() < b.key(); });
         size_ = std::max({box_.diagonal(), std::abs(box_.low.x), std::abs(box_.low.y), std::abs(box_.low.z)});
     }
 
     bool has(const Signature& wanted) const {
-        const double reach = 1e-9 * size_ * wanted.points;
-        auto it = std::lower_bound(sorted_.begin(), sorted_.end(), wanted.moments[0] - reach,
-                                   [](const Signature& s, double x) { return s.moments[0] < x; });
-        for (; it != sorted_.end() && it->moments[0] <= wanted.moments[0] + reach; ++it)
+        const double reach = wanted.reach(size_);
+        auto it = std::lower_bound(sorted_.begin(), sorted_.end(), wanted.key() - reach,
+                                   [](const Signature& s, double x) { return s.key() < x; });
+        for (; it != sorted_.end() && it->key() <= wanted.key() + reach; ++it)
             if (it->matches(wanted, size_)) return true;
         return false;
     }

@@ -307,11 +307,16 @@ std::string reason_for_full_mesh(const PartMesh& old, const MeshOptions& options
     return {};
 }
 
+FeatureTree interpreted(const RawDocument& document, RunContext& context, const PartState* before) {
+    const RunContext::Step step(context, "read");
+    return interpret(document, context, before ? &before->tree : nullptr);
+}
+
 }  // namespace
 
 PartState read_part(const RawDocument& document, RunContext& context, const PartState* before) {
-    RunContext::Step step(context, "read");
-    FeatureTree tree = interpret(document, context, before ? &before->tree : nullptr);
+    FeatureTree tree = interpreted(document, context, before);
+    const RunContext::Step step(context, "cells");
     Brep brep(tree.final_shape);
     std::optional<CellModel> cells;
     if (before) cells = cells_after_edit({before->tree, before->cells}, tree, brep, context);

@@ -160,7 +160,29 @@ class Filling {
         known_.clear();
         finished_.clear();
         outgrown_.clear();
+        for (std::size_t i = 0; i < cavities_.size(); ++i)
+            if (!is_finished_[i]) turn_missing(i);
+        is_first_round_ = false;
         return std::all_of(fills_.begin(), fills_.end(), [](const CavityFill& f) { return f.is_complete(); });
+    }
+
+    /// Where other diagonals on the CAD faces are all that is missing, the triangulation serves as it is.
+    void turn_missing(std::size_t i) {
+        Cavity& cavity = cavities_[i];
+        CavityFill& fill = fills_[i];
+        const std::vector<int>& missing = fill.places.missing;
+        if (missing.empty() || !std::all_of(missing.begin(), missing.end(),
+                                            [&](int f) { return cavity.triangle_of_facet[f].is_valid(); }))
+            return;
+        const FacetSplit flips = flip_missing(cavity, fill, result_.mesh);
+        if (flips.pieces.size() != missing.size() ||
+            !tets_in_the_way(flips, cavity, result_.mesh, is_released_).empty())
+            return;
+        apply_split(flips, cavity, projector_, brep_.tolerances().on_entity(), result_.mesh);
+        for (const FacetSplit::Piece& piece : flips.pieces) cavity.facets[piece.facet].corners = piece.corners;
+        log("diagonals changed", flips.pieces.size() / 2);
+        if (is_first_round_) result_.report.recovered_triangles += flips.pieces.size();
+        fill = flood_cavity(cavity, std::move(fill.points), std::move(fill.triangulation), context_);
     }
 
     void fill(std::size_t i) {
@@ -585,6 +607,7 @@ class Filling {
     std::vector<SeamRegion> regions_;  ///< by cavity
     std::vector<char> is_thick_;       ///< by cavity: all its tets have a volume to speak of
     int crossing_rounds_ = 0, local_recoveries_ = 0;
+    bool is_first_round_ = true;
     VolumeResult result_;
 };
 
