@@ -290,7 +290,7 @@ class Descent {
 
 void descend(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable, const std::vector<TetId>& bad,
              double wanted, RunContext& context) {
-    constexpr int most_rounds = 15, most_steps = 25;
+    constexpr int most_rounds = 40, most_steps = 40;
     Patch patch(mesh, projector, is_movable, bad, wanted);
     if (patch.size() == 0) return;
     for (int round = 0; round < most_rounds && patch.renew_barriers(); ++round) {

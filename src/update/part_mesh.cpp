@@ -127,6 +127,7 @@ Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, co
     if (options.order == 1) return fill_once(brep, sizing, std::move(kept), options, second, context);
     std::vector<SizeSource> shorter;
     std::size_t first_of_last = 0;
+    int failures = 0;
     std::set<std::string> places;
     SizingField field = sizing;
     for (int attempt = 1;; ++attempt) {
@@ -144,7 +145,8 @@ Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, co
         } catch (const MeshError&) {
             context.check_cancelled();
             if (attempt == 1) throw;
-            for (std::size_t i = first_of_last; i < shorter.size(); ++i) shorter[i].size *= 0.7;
+            const double factor = ++failures % 2 == 1 ? 1.5 : 0.4;   // milder first, then stronger
+            for (std::size_t i = first_of_last; i < shorter.size(); ++i) shorter[i].size *= factor;
         }
         if (attempt == attempts)
             throw MeshError("10-node tets would be folded near " + *places.begin() + ", with shorter edges there, too, in " +
