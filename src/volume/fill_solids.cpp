@@ -19,6 +19,7 @@
 #include "volume/local_recovery.h"
 #include "volume/optimise.h"
 #include "volume/seam_mending.h"
+#include "volume/short_edges.h"
 #include "volume/thicken.h"
 #include "volume/wall_tets.h"
 #include "volume/withdraw_points.h"
@@ -491,23 +492,23 @@ class Filling {
 
     void require_thick(const Cavity& cavity, const TetComplex& complex) const {
         std::set<FaceId> near;
-        std::size_t count = 0;
+        std::vector<std::array<int, 4>> thin;
         for (const auto& tet : complex.tets) {
             if (tet[0] < 0) continue;
             const Vec3 &a = complex.points[tet[0]], &b = complex.points[tet[1]], &c = complex.points[tet[2]],
                        &d = complex.points[tet[3]];
             if (!is_flat(complex, tet) && signed_volume(a, b, c, d) >= tolerated_share * least_volume(refused_share))
                 continue;
-            ++count;
+            thin.push_back(tet);
             for (const FaceId face : nearest_faces(cavity, tet)) near.insert(face);
         }
-        if (count == 0) return;
+        if (thin.empty()) return;
         std::string names;
-        int listed = 0;
-        for (const FaceId face : near)
+        for (int listed = 0; const FaceId face : near)
             if (listed++ < 4) names += (names.empty() ? "" : ", ") + name_of(entity_of(face));
-        throw MeshError(std::to_string(count) + " tets without a volume to speak of remain " +
+        throw MeshError(std::to_string(thin.size()) + " tets without a volume to speak of remain " +
                         (names.empty() ? "inside the solid" : "at " + names) +
+                        short_edges_among(brep_, result_.mesh, cavity.nodes, thin) +
                         "; mesh finer there, or take out what is much smaller than the rest of the part");
     }
 

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/thicken.h"
 
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
 #include <algorithm>
+#include <string>
 
 #include "box_of_tets.h"
 #include "catch.h"
@@ -59,4 +66,20 @@ TEST_CASE("a pocket of a few millionths of the part with short sides is filled")
     const auto [corners, side] = GENERATE(table<int, double>({{48, 0.05}, {24, 0.06}}));
     const Part part = prepare(engraved_block(corners, side, 8e-5), 0.95);
     CHECK(findings(part.brep, fill(part).mesh).empty());
+}
+
+TEST_CASE("what cannot be filled is refused with the names of the short edges there") {
+    // a corner cut off so little that the triangle it leaves holds no tet
+    const double d = 2e-4;
+    BRepBuilderAPI_MakePolygon outline(gp_Pnt(30 - d, 20, 10), gp_Pnt(30, 20 - d, 10), gp_Pnt(30, 20, 10 - d), true);
+    const TopoDS_Shape face = BRepBuilderAPI_MakeFace(outline.Wire()).Face();
+    const TopoDS_Shape corner = BRepPrimAPI_MakePrism(face, gp_Vec(d, d, d)).Shape();
+    const Part part = prepare(BRepAlgoAPI_Cut(box_part({0, 0, 0}, {30, 20, 10}), corner).Shape(), 0.5);
+    try {
+        fill(part);
+        FAIL("it was filled");
+    } catch (const MeshError& error) {
+        CHECK(std::string(error.what()).find(" beside Edge") != std::string::npos);
+        CHECK(std::string(error.what()).find("0.00028 mm long") != std::string::npos);
+    }
 }
