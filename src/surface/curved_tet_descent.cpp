@@ -42,7 +42,9 @@ class Patch {
         barriers_.resize(tets_.size());
         for (std::size_t i = 0; i < tets_.size(); ++i) {
             const auto nodes = tet_nodes(mesh_, tets_[i]);
-            barriers_[i].volume = 6 * signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]);
+            // that of the first round: moving corners may not flatten what they unfold
+            if (barriers_[i].volume == 0)
+                barriers_[i].volume = 6 * signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]);
             const auto c = jacobian_coefficients(nodes);
             const double low = *std::min_element(c.begin(), c.end()) / barriers_[i].volume;
             barriers_[i].at = low < wanted_ ? low - 0.2 * (wanted_ - low) : 0;

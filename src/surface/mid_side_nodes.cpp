@@ -168,11 +168,13 @@ std::vector<SizeSource> shorter_lengths(const Mesh& mesh, const std::vector<TetI
 
 /// The tets with a strongly bent side, when the corners alone are far from filling the part: then they are too few,
 /// however well the curved sides fit.
-std::vector<TetId> too_coarse(const Brep& brep, const Mesh& curved) {
+std::vector<TetId> too_coarse(const Brep& brep, const Mesh& curved, const RunContext& context) {
     constexpr double strong_bend = 0.17, least_share = 0.5;
     std::vector<TetId> bent;
     std::vector<double> volumes(brep.solid_count(), 0);
+    RoundWatch watch(context);
     for (std::size_t t = 0; t < curved.tets.size(); ++t) {
+        watch();
         const auto nodes = tet_nodes(curved, TetId(t));
         volumes[curved.tet_solids[t].index()] += signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]);
         for (int s = 0; s < 6; ++s) {
@@ -203,7 +205,7 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
     for (int refinement = 0;; ++refinement) {
         Curved curved = curve(brep, projector, mesh, kept, context);
         if (refinement == 0)
-            if (const std::vector<TetId> bent = too_coarse(brep, curved.mesh); !bent.empty())
+            if (const std::vector<TetId> bent = too_coarse(brep, curved.mesh, context); !bent.empty())
                 return {{}, shorter_lengths(curved.mesh, bent), place_of(curved.mesh, bent.front())};
         if (curved.low.empty()) return {std::move(curved.mesh), {}, {}};
         const std::vector<TetId> trouble = curved.folded.empty() ? curved.low : curved.folded;

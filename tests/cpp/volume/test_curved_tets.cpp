@@ -2,13 +2,17 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -68,6 +72,17 @@ TopoDS_Shape block_with_step_and_slot() {
     return BRepAlgoAPI_Cut(block, BRepPrimAPI_MakeBox(gp_Pnt(-5, 4, 10), gp_Pnt(0, 10, 18)).Shape()).Shape();
 }
 
+/// A block whose outline has a curve that turns back within less than an element.
+TopoDS_Shape block_with_hairpin() {
+    TColgp_Array1OfPnt poles(1, 4);
+    poles(1) = gp_Pnt(0, 0, 0), poles(2) = gp_Pnt(18, 4, 0), poles(3) = gp_Pnt(18, -4, 0), poles(4) = gp_Pnt(4, 6, 0);
+    BRepBuilderAPI_MakeWire outline(BRepBuilderAPI_MakeEdge(new Geom_BezierCurve(poles)).Edge());
+    const std::vector<gp_Pnt> corners{{4, 6, 0}, {4, 20, 0}, {30, 20, 0}, {30, -10, 0}, {0, -10, 0}, {0, 0, 0}};
+    for (std::size_t i = 1; i < corners.size(); ++i)
+        outline.Add(BRepBuilderAPI_MakeEdge(corners[i - 1], corners[i]).Edge());
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 20)).Shape();
+}
+
 /// A ring as wide as nobody sees: its two circles are joined by tets as thin as it is.
 TopoDS_Shape shaft_with_step(double height) {
     return BRepAlgoAPI_Fuse(BRepPrimAPI_MakeCylinder(10, 20).Shape(), BRepPrimAPI_MakeCylinder(10 + height, 8).Shape())
@@ -113,7 +128,8 @@ TEST_CASE("coarse 10-node meshes of strongly curved parts are unfolded and on th
          BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(20, 20).Shape(), BRepPrimAPI_MakeCylinder(19, 20).Shape()).Shape(),
          6},
         {"crossing cylinders", crossing_cylinders(), 10},
-        {"arc that leaves a line at no angle", sheet_with_cusps(), 5}};
+        {"arc that leaves a line at no angle", sheet_with_cusps(), 5},
+        {"hairpin", block_with_hairpin(), 10}};
     for (const Case& c : cases) {
         INFO(c.name);
         const Brep brep(c.shape);
@@ -122,6 +138,7 @@ TEST_CASE("coarse 10-node meshes of strongly curved parts are unfolded and on th
         for (std::size_t f = 0; f < brep.face_count(); ++f) expected.face_sides.push_back(brep.sides_of(FaceId(f)));
         CHECK(broken_invariants(mesh, expected).empty());
         CHECK(measure_quality(mesh).min_scaled_jacobian > 0.199);
+        if (c.name == "cylinder, four around") CHECK(measure_quality(mesh).min_dihedral > 25);
         CHECK(distance_from_entities(brep, mesh) < 1e-8);
     }
 }
