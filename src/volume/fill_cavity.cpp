@@ -2,6 +2,7 @@
 #include "volume/fill_cavity.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <tuple>
 
@@ -46,6 +47,33 @@ std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<c
 }
 
 }  // namespace
+
+std::vector<Ball> seam_balls(const Mesh& mesh, const Cavity& cavity) {
+    std::vector<Ball> balls;
+    for (const TetId tet : cavity.tet_of_facet) {
+        if (!tet.is_valid()) continue;
+        const auto& n = mesh.tets[tet.index()];
+        const Ball ball = circumsphere(mesh.point(n[0]), mesh.point(n[1]), mesh.point(n[2]), mesh.point(n[3]));
+        const double reach =
+            2 * std::max({distance(mesh.point(n[0]), mesh.point(n[1])), distance(mesh.point(n[0]), mesh.point(n[2])),
+                          distance(mesh.point(n[0]), mesh.point(n[3]))});
+        if (ball.radius < reach)
+            balls.push_back({ball.center, ball.radius * (1 + 1e-9)});  // a flatter one would empty the cavity
+    }
+    return balls;
+}
+
+bool has_inverted_tet(const CavityFill& fill) {
+    for (std::size_t t = 0; t < fill.regions.size(); ++t) {
+        if (fill.regions[t] < 0) continue;
+        const auto& tet = fill.triangulation.tets[t];
+        const Vec3 &a = fill.points[tet[0]], &b = fill.points[tet[1]], &c = fill.points[tet[2]],
+                   &d = fill.points[tet[3]];
+        const double edge = std::sqrt(std::max({squared_length(b - a), squared_length(c - a), squared_length(d - a)}));
+        if (signed_volume(a, b, c, d) < -1e-12 * edge * edge * edge) return true;
+    }
+    return false;
+}
 
 CavityFill flood_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangulation triangulation,
                         const RunContext& context) {

@@ -43,22 +43,6 @@ std::vector<std::array<SolidId, 2>> sides_of_faces(const Brep& brep) {
     return sides;
 }
 
-/// The circumspheres of the kept tets at the seam: as long as they are empty, the seam holds by itself.
-std::vector<Ball> seam_balls(const Mesh& mesh, const Cavity& cavity) {
-    std::vector<Ball> balls;
-    for (const TetId tet : cavity.tet_of_facet) {
-        if (!tet.is_valid()) continue;
-        const auto& n = mesh.tets[tet.index()];
-        const Ball ball = circumsphere(mesh.point(n[0]), mesh.point(n[1]), mesh.point(n[2]), mesh.point(n[3]));
-        const double reach =
-            2 * std::max({distance(mesh.point(n[0]), mesh.point(n[1])), distance(mesh.point(n[0]), mesh.point(n[2])),
-                          distance(mesh.point(n[0]), mesh.point(n[3]))});
-        if (ball.radius < reach)
-            balls.push_back({ball.center, ball.radius * (1 + 1e-9)});  // a flatter one would empty the cavity
-    }
-    return balls;
-}
-
 /// A filling from the round before, for a cavity of the same nodes.
 struct KnownFill {
     std::vector<NodeId> nodes;
@@ -81,19 +65,6 @@ struct OutgrownFill {
 
 std::vector<Vec3> seeds_of(const Cavity& cavity, const CavityFill& fill) {
     return {fill.points.begin() + static_cast<std::ptrdiff_t>(cavity.points.size()), fill.points.end()};
-}
-
-/// Points that were put on the CAD faces may have turned tets over.
-bool has_inverted_tet(const CavityFill& fill) {
-    for (std::size_t t = 0; t < fill.regions.size(); ++t) {
-        if (fill.regions[t] < 0) continue;
-        const auto& tet = fill.triangulation.tets[t];
-        const Vec3 &a = fill.points[tet[0]], &b = fill.points[tet[1]], &c = fill.points[tet[2]],
-                   &d = fill.points[tet[3]];
-        const double edge = std::sqrt(std::max({squared_length(b - a), squared_length(c - a), squared_length(d - a)}));
-        if (signed_volume(a, b, c, d) < -1e-12 * edge * edge * edge) return true;
-    }
-    return false;
 }
 
 /// What the validation of a mesh refuses.
