@@ -84,6 +84,10 @@ static_assert(sizeof(SizeSource) == 4 * sizeof(double), "arrays are handed over 
 py::dict arrays_of_part(const py::object& self) {
     const auto& part = self.cast<const PartMesh&>();
     py::dict arrays = arrays_of(part.mesh, self);
+    if (!part.made_for.nodes.empty()) {
+        arrays["made_for_nodes"] = view<std::int32_t>(part.made_for.nodes, self);
+        arrays["made_for_sizes"] = view<double>(part.made_for.sizes, self);
+    }
     if (!part.adopted_sizes.empty()) arrays["adopted_sizes"] = view<double>(part.adopted_sizes, self);
     return arrays;
 }
@@ -144,6 +148,15 @@ Mesh mesh_from(const py::dict& arrays) {
     read<Number>(arrays, "tet_numbers", mesh.tet_numbers);
     check_sizes(mesh);
     return mesh;
+}
+
+MadeFor made_for_from(const py::dict& arrays) {
+    MadeFor made_for;
+    if (!arrays.contains("made_for_nodes")) return made_for;
+    read<std::int32_t>(arrays, "made_for_nodes", made_for.nodes);
+    read<double>(arrays, "made_for_sizes", made_for.sizes);
+    if (made_for.nodes.size() != made_for.sizes.size()) throw StateError("The saved mesh is cut short: its arrays do not fit together.");
+    return made_for;
 }
 
 std::vector<SizeSource> adopted_sizes_from(const py::dict& arrays) {

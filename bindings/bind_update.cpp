@@ -172,9 +172,10 @@ std::shared_ptr<PartMesh> restore_document(const py::dict& raw, const py::dict& 
     RawDocument document = raw_document_from(raw);
     const Asked asked = asked_from(options);
     Mesh mesh = mesh_from(arrays);
+    MadeFor made_for = made_for_from(arrays);
     std::vector<SizeSource> adopted_sizes = adopted_sizes_from(arrays);
     return std::const_pointer_cast<PartMesh>(run_released(progress, asked.threads, [&](RunContext& context) {
-        return restore_part(std::move(document), asked.options, std::move(mesh), context, std::move(adopted_sizes));
+        return restore_part(std::move(document), asked.options, std::move(mesh), context, std::move(made_for), std::move(adopted_sizes));
     }));
 }
 

@@ -25,6 +25,8 @@ RawDocument raw_document_from(const py::dict& raw);
 py::dict to_dict(const FeatureDifference& difference);
 py::dict arrays_of(const Mesh& mesh, const py::object& owner);
 Mesh mesh_from(const py::dict& arrays);
+/// The lengths that kept nodes were made for.
+MadeFor made_for_from(const py::dict& arrays);
 std::vector<SizeSource> adopted_sizes_from(const py::dict& arrays);
 py::object motion_matrix(const RigidMotion& motion);
 

@@ -110,8 +110,9 @@ class Keeper {
         return faces;
     }
 
-    bool size_changed(const Vec3& old_place, double wanted) const {
-        const double was = in_.old_sizing.at(old_place);
+    bool size_changed(std::size_t n, double wanted) const {
+        const SizedMesh old{in_.old_mesh, in_.old_sizing, in_.made_for};
+        const double was = old.made_for_at(NodeId(n));
         return std::max(was / wanted, wanted / was) > size_change_that_releases;
     }
 
@@ -131,7 +132,7 @@ class Keeper {
                 const bool may_be_near = !reach[r].is_empty() && reach[r].contains(p);
                 if (!may_be_resized && !may_be_near) continue;
                 const double wanted = in_.new_sizing.at(p), limit = in_.margin * wanted;
-                const bool is_resized = may_be_resized && size_changed(in_.old_mesh.points[n], wanted);
+                const bool is_resized = may_be_resized && size_changed(n, wanted);
                 if (!is_resized && !(may_be_near && regions()[r].changed.distance(p, limit) < limit)) continue;
                 if (r == 0 && !in_untouched_.empty() && in_untouched_[n] && (in_.same_sizes_asked || !is_resized))
                     near_change_[n] = 1;
@@ -555,7 +556,7 @@ class Keeper {
             if (new_index[n] >= 0 || in_.old_mesh.entities[n].dim != 3) continue;
             const Vec3& p = in_.old_mesh.points[n];
             const double wanted = in_.new_sizing.at(p);
-            if (!size_changed(p, wanted) && regions()[0].changed.distance(p, active_margin * wanted) >= active_margin * wanted)
+            if (!size_changed(n, wanted) && regions()[0].changed.distance(p, active_margin * wanted) >= active_margin * wanted)
                 kept.active.push_back(p);
         }
     }

@@ -10,6 +10,7 @@
 #include "features/brep.h"
 #include "mesh/mesh.h"
 #include "sizing/sizing_field.h"
+#include "update/made_for.h"
 #include "update/report.h"
 
 namespace featuremesh {
@@ -21,6 +22,7 @@ struct KeepInput {
     const FeatureDifference& difference;
     const SizingField& old_sizing;
     const SizingField& new_sizing;
+    const MadeFor& made_for;                   ///< of the old mesh's nodes
     double margin = 1.2;                       ///< edge lengths between a kept node and the changed boundary
     bool same_sizes_asked = true;              ///< the user asks for the same sizes as before
 };
@@ -36,8 +38,8 @@ struct Kept {
     std::vector<KeptByMotion> by_motion;
 };
 
-/// A node stays under a motion when it is further from that motion's changed boundary than `margin` edge lengths, the wanted size there changed by less than
-/// a factor of 1.2, and it is verified to lie on its entity of the new shape. Tets stay when their four nodes do, under one motion, and when their
+/// A node stays under a motion when it is further from that motion's changed boundary than `margin` edge lengths, the wanted size there is within
+/// a factor of 1.2 of the one it was made for, and it is verified to lie on its entity of the new shape. Tets stay when their four nodes do, under one motion, and when their
 /// connected region is verified to be inside a new solid. A solid whose faces are all as they were keeps its mesh, whatever happens in a solid beside it.
 Kept keep(const KeepInput& input, RunContext& context);
 

@@ -373,7 +373,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     for (const double margin : margins) {
         try {
             Kept kept = with_our_errors([&] {
-                return keep({old.mesh, old.part.brep, part.brep, report.difference, old.sizing, sizing, margin, old.options.sizing == options.sizing}, context);
+                return keep({old.mesh, old.part.brep, part.brep, report.difference, old.sizing, sizing, old.made_for, margin, old.options.sizing == options.sizing}, context);
             });
             node_origin = kept.node_origin;
             tet_origin = kept.tet_origin;
@@ -398,8 +398,9 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     record_fill(*filled, report);
     node_origin = node_origins(old.mesh, *filled, node_origin);
     tet_origin = extended(without(tet_origin, filled->released), filled->mesh.tets.size());
-    auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled->mesh),
-                                                   std::move(node_origin), std::move(tet_origin), std::move(filled->used_active), adopted_sizes});
+    MadeFor sizes = made_for(filled->mesh, sizing, {old.mesh, old.sizing, old.made_for}, node_origin);
+    auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled->mesh), std::move(node_origin),
+                                                   std::move(tet_origin), std::move(filled->used_active), std::move(sizes), adopted_sizes});
     record_kept(*now, report.kept, report);
     record_run(now->part, now->options, context, total, report);
     result.part_mesh = std::move(now);
@@ -447,7 +448,7 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, cons
     node_origin = node_origins(foreign, *filled, node_origin);
     tet_origin = extended(without(tet_origin, filled->released), filled->mesh.tets.size());
     auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled->mesh),
-                                                   std::move(node_origin), std::move(tet_origin), {}, adopted_sizes});
+                                                   std::move(node_origin), std::move(tet_origin), {}, {}, adopted_sizes});
     record_kept(*now, report.kept, report);
     record_run(now->part, now->options, context, total, report);
     result.part_mesh = std::move(now);
@@ -455,14 +456,14 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, cons
 }
 
 std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& options, Mesh mesh, RunContext& context,
-                                             std::vector<SizeSource> adopted_sizes) {
+                                             MadeFor made_for, std::vector<SizeSource> adopted_sizes) {
     PartState part = read_part(document, context);
     const std::vector<std::string> broken = broken_invariants(mesh, expectation_of(part.brep), context);
     if (!broken.empty()) throw StateError("The saved mesh does not fit the part: " + broken.front() + ".");
     const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
     const std::size_t nodes = mesh.node_count(), tets = mesh.tets.size();
     return std::make_shared<const PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(mesh),
-                                                     std::vector<std::int32_t>(nodes, -1), std::vector<std::int32_t>(tets, -1), {}, std::move(adopted_sizes)});
+                                                     std::vector<std::int32_t>(nodes, -1), std::vector<std::int32_t>(tets, -1), {}, std::move(made_for), std::move(adopted_sizes)});
 }
 
 }  // namespace featuremesh

@@ -8,6 +8,7 @@
 
 #include "difference/feature_difference.h"
 #include "mesh/mesh.h"
+#include "update/made_for.h"
 #include "update/options.h"
 #include "update/report.h"
 
@@ -23,6 +24,7 @@ struct PartMesh {
     std::vector<std::int32_t> node_origin;     ///< by node: its index in the mesh before the update, -1 for a new one
     std::vector<std::int32_t> tet_origin;      ///< by tet, likewise
     std::vector<Vec3> active_points;           ///< start positions that survived without being kept, for pictures
+    MadeFor made_for = {};                     ///< what kept nodes were made for, where that is not what is wanted now
     std::vector<SizeSource> adopted_sizes = {};   ///< of another maker's mesh that this one comes from: updates go on in its sizes where they are finer
 };
 
@@ -54,6 +56,6 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, cons
 
 /// Rebuilds the state of a part whose mesh was saved. Throws StateError when mesh and part do not fit.
 std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& options, Mesh mesh, RunContext& context,
-                                             std::vector<SizeSource> adopted_sizes = {});
+                                             MadeFor made_for = {}, std::vector<SizeSource> adopted_sizes = {});
 
 }  // namespace featuremesh

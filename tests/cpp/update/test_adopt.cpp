@@ -158,7 +158,7 @@ TEST_CASE("an adopted mesh keeps its grading where it is updated, saved and rest
     RunContext context;
     const auto source = mesh_part(plate(52, 2), graded, context).part_mesh;
     const auto first = adopt_part(plate(52, 2), coarse, foreign_copy(source->mesh), context).part_mesh;
-    const auto restored = restore_part(plate(52, 2), coarse, first->mesh, context, first->adopted_sizes);
+    const auto restored = restore_part(plate(52, 2), coarse, first->mesh, context, first->made_for, first->adopted_sizes);
     const double full = mean_side_near(mesh_part(plate(54, 2), graded, context).part_mesh->mesh);
     for (const auto& old : {first, restored}) {
         const auto now = update_part(*old, plate(54, 2), coarse, context);

@@ -180,6 +180,29 @@ TEST_CASE("a changed local size releases only where the wanted size changed by m
     CHECK(much.part_mesh->mesh.tets.size() < first.part_mesh->mesh.tets.size());
 }
 
+TEST_CASE("a local size that changes little by little releases when it is far from what the mesh was made for, saved and restored or not") {
+    MeshOptions options = options_of(3);
+    const FaceId end = face_at(meshed(plate(20), options).part_mesh->mesh, 60);
+    options.sizing.local = {{entity_of(end), 1.0}};
+    auto live = meshed(plate(20), options).part_mesh, restored = live;
+    bool has_kept_all = false;
+    for (int i = 0; i < 10; ++i) {
+        options.sizing.local[0].size *= 1.1;
+        const auto next = updated(*live, plate(20), options);
+        has_kept_all |= next.report.kept_tets_share == 1;
+        live = next.part_mesh;
+        RunContext context;
+        const auto saved = updated(*restored, plate(20), options).part_mesh;
+        restored = restore_part(saved->document, options, saved->mesh, context, saved->made_for);
+        REQUIRE(live->mesh.points == restored->mesh.points);
+        REQUIRE(live->mesh.tets == restored->mesh.tets);
+    }
+    CHECK(has_kept_all);
+    const auto full = meshed(plate(20), options);
+    CHECK(double(live->mesh.tets.size()) < 1.25 * double(full.report.tets));
+    CHECK(double(live->mesh.tets.size()) > 0.8 * double(full.report.tets));
+}
+
 TEST_CASE("a mesh that is updated again and again stays as fine and as good as a full one") {
     const MeshOptions options = options_of(3);
     auto part = meshed(thick_plate(20), options).part_mesh;
