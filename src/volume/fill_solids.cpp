@@ -31,7 +31,6 @@ namespace {
 constexpr int most_rounds = 12;
 constexpr int most_crossing_rounds = 3;
 constexpr int most_local_recoveries = 5;
-constexpr int rounds_at_walls = 2;
 /// Tets are mended until they have the least volume; with this share of it they are still no reason to refuse a part.
 constexpr double tolerated_share = 0.92;
 /// Of the cube of the smallest wanted length: tets below are mended, and those below are refused.
@@ -72,13 +71,6 @@ bool is_flat(const TetComplex& complex, const std::array<int, 4>& tet) {
     const Vec3 &a = complex.points[tet[0]], u = complex.points[tet[1]] - a, v = complex.points[tet[2]] - a,
                w = complex.points[tet[3]] - a;
     return !(dot(cross(u, v), w) > 1.01e-6 * length(u) * length(v) * length(w));
-}
-
-std::vector<int> tets_with_vertices_from(const TetComplex& complex, int first) {
-    std::vector<int> tets;
-    for (std::size_t t = 0; t < complex.tets.size(); ++t)
-        if (*std::max_element(complex.tets[t].begin(), complex.tets[t].end()) >= first) tets.push_back(static_cast<int>(t));
-    return tets;
 }
 
 /// The filling of one mesh, round by round: what does not hold is released or recovered, and filled again.
@@ -386,23 +378,9 @@ class Filling {
 
     void split_wall_tets() {
         const OppositeWalls walls(brep_, result_.mesh, projector_);
-        for (SeamRegion& region : regions_) {
-            const auto is_spanning = [&](const std::array<int, 4>& tet) {
-                return walls.are_spanned_by(
-                    {region.node_of(tet[0]), region.node_of(tet[1]), region.node_of(tet[2]), region.node_of(tet[3])});
-            };
-            const int first_new = static_cast<int>(region.complex.points.size());
-            // mending what was split may make others, so the last word is a split
-            for (int round = 0; round <= rounds_at_walls; ++round) {
-                const std::size_t count = split_tets(region.complex, is_spanning);
-                result_.report.split_wall_tets += count;
-                if (count == 0 || round == rounds_at_walls) break;
-                SliverOptions options;
-                options.target_dihedral_deg = options_.target_dihedral_deg;
-                options.among = tets_with_vertices_from(region.complex, first_new);
-                remove_slivers(region.complex, options, context_);
-            }
-        }
+        for (SeamRegion& region : regions_)
+            result_.report.split_wall_tets +=
+                featuremesh::split_wall_tets(region, walls, options_.target_dihedral_deg, context_);
     }
 
     std::pair<OdtReport, SliverReport> optimise(std::size_t i, RunContext& context) {

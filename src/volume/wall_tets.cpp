@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "volume/cavity_editor.h"
+#include "volume/optimise.h"
 #include "volume/tet_measures.h"
 #include "volume/vertex_move.h"
 
@@ -14,6 +15,14 @@ namespace {
 
 /// As for the walls that `elements_across_gap` is about.
 constexpr double opposite_cosine = 0.7;
+constexpr int mending_rounds = 2;
+
+std::vector<int> tets_with_vertices_from(const TetComplex& complex, int first) {
+    std::vector<int> tets;
+    for (std::size_t t = 0; t < complex.tets.size(); ++t)
+        if (*std::max_element(complex.tets[t].begin(), complex.tets[t].end()) >= first) tets.push_back(static_cast<int>(t));
+    return tets;
+}
 
 bool holds(const std::vector<FaceId>& faces, FaceId face) {
     return std::find(faces.begin(), faces.end(), face) != faces.end();
@@ -118,6 +127,26 @@ std::size_t split_tets(TetComplex& complex, const std::function<bool(const std::
         if (complex.tets[t][0] < 0 || !is_wanted(complex.tets[t])) continue;
         splitter.split(static_cast<int>(t));
         ++count;
+    }
+    return count;
+}
+
+std::size_t split_wall_tets(SeamRegion& region, const OppositeWalls& walls, double target_dihedral_deg, RunContext& context) {
+    const auto is_spanning = [&](const std::array<int, 4>& tet) {
+        return walls.are_spanned_by(
+            {region.node_of(tet[0]), region.node_of(tet[1]), region.node_of(tet[2]), region.node_of(tet[3])});
+    };
+    const int first_new = static_cast<int>(region.complex.points.size());
+    std::size_t count = 0;
+    // mending what was split may make others, so the last word is a split
+    for (int round = 0; round <= mending_rounds; ++round) {
+        const std::size_t split = split_tets(region.complex, is_spanning);
+        count += split;
+        if (split == 0 || round == mending_rounds) break;
+        SliverOptions options;
+        options.target_dihedral_deg = target_dihedral_deg;
+        options.among = tets_with_vertices_from(region.complex, first_new);
+        remove_slivers(region.complex, options, context);
     }
     return count;
 }

@@ -6,9 +6,11 @@
 #include <functional>
 #include <vector>
 
+#include "core/run_context.h"
 #include "features/brep.h"
 #include "mesh/mesh.h"
 #include "surface/projection.h"
+#include "volume/seam_region.h"
 #include "volume/tet_complex.h"
 
 namespace featuremesh {
@@ -33,5 +35,8 @@ class OppositeWalls {
 /// Gives every tet that `is_wanted` a new vertex inside, or on the best of its inner edges, which may be moved but not
 /// taken out again. Returns their number.
 std::size_t split_tets(TetComplex& complex, const std::function<bool(const std::array<int, 4>&)>& is_wanted);
+
+/// Splits the tets of a filled cavity that span opposite walls, and removes slivers there; none that spans them is left. Returns their number.
+std::size_t split_wall_tets(SeamRegion& region, const OppositeWalls& walls, double target_dihedral_deg, RunContext& context);
 
 }  // namespace featuremesh
