@@ -55,6 +55,15 @@ void check_sizes(const Mesh& mesh) {
     check_nodes(mesh.triangle_mids, n), check_nodes(mesh.tet_mids, n);
 }
 
+py::array_t<double> wanted_sizes(const PartMesh& part, const py::array_t<double, py::array::c_style | py::array::forcecast>& points) {
+    if (points.ndim() != 2 || points.shape(1) != 3) throw InputError("Points are an array of shape (n,3).");
+    py::array_t<double> sizes(points.shape(0));
+    const auto at = points.unchecked<2>();
+    auto size = sizes.mutable_unchecked<1>();
+    for (py::ssize_t i = 0; i < points.shape(0); ++i) size(i) = part.sizing.at({at(i, 0), at(i, 1), at(i, 2)});
+    return sizes;
+}
+
 py::list owners_of_faces(const PartMesh& part) {
     py::list faces;
     for (const auto& owners : part.part.cells.owners_of_final_face) {
@@ -177,6 +186,7 @@ void define_mesh(py::module_& module) {
              "(m,) index of the tet in the mesh before the update, -1 for a new one.")
         .def("active_points", [](const py::object& self) { return view<double>(self.cast<const PartMesh&>().active_points, self); },
              "(k,3) mm: inner nodes that survived the update as start positions only.")
+        .def("wanted_sizes", &wanted_sizes, py::arg("points"), "(n,) mm: the edge length that the mesh was to have at each of the points, (n,3) mm.")
         .def("owners_of_faces", &owners_of_faces, "By face of the final shape: names of the features that own it.")
         .def("owners_of_tets", &tets_of_each_feature, "(feature name, numbers of the tets in the material cells that it owns).");
 }

@@ -44,6 +44,7 @@ class PartMesh:
     def node_origin(self) -> np.ndarray: """(n,) int32: index of the node in the mesh before the update, -1 for a new one."""
     def tet_origin(self) -> np.ndarray: """(m,) int32, likewise."""
     def active_points(self) -> np.ndarray: """(k,3): inner nodes that survived as start positions only."""
+    def wanted_sizes(self, points: np.ndarray) -> np.ndarray: """(n,) mm: the edge length that the mesh was to have at each of the points, (n,3) mm."""
     def owners_of_faces(self) -> list[list[str]]: """By face of the final shape: names of the features that own it."""
     def owners_of_tets(self) -> list[tuple[str, np.ndarray]]: """(feature name, numbers of the tets inside its volumes that it owns)."""
 

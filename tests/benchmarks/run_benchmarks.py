@@ -18,6 +18,8 @@ import tempfile
 import time
 from pathlib import Path
 
+import numpy
+
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(Path(__file__).parent), str(ROOT / "resources" / "launcher"), str(ROOT / "build" / "release" / "bindings")]
 
@@ -78,14 +80,15 @@ def measure(case, given):
     with tempfile.TemporaryDirectory(prefix="featuremesh-bench-") as name:
         folder = Path(name)
         prepare(case, folder)
-        rows = run_rounds(case, folder, given)
+        rows, query = run_rounds(case, folder, given)
         reading = reading_of(folder, rows)
     for who, row in rows.items():
         print(row_in_words(who, row), flush=True)
-    summary = compare_rows(rows)
+    summary = compare_rows(rows) | {"sizing_query": query}
     print("  " + "; ".join(summary_in_words(summary)), flush=True)
     print(f"  cells {summary['cells']:.3f} s from nothing, {summary['cells_after_edit']:.3f} s after the edit ({summary['cells_after_edit'] / summary['cells']:.0%}); "
           f"difference {summary['difference']:.3f} s", flush=True)
+    print(f"  surface {summary['surface_triangles_per_second']:,.0f} triangles/s; sizing field {1e6 * query:.3f} us a query", flush=True)
     print(f"  reading the tree {reading['read']:.4f} s in FreeCAD + {reading['interpret']:.4f} s in the engine, {reading['share']:.1%} of "
           f"FreeCAD's recompute ({reading['recompute']:.3f} s); after the edit + {reading['interpret_again']:.4f} s, {reading['share_again']:.1%}\n", flush=True)
     record = {"case": case.name, "size": case.size, "threads": given.threads, "machine": machine(), "rows": rows, "summary": summary,
@@ -103,7 +106,7 @@ def prepare(case, folder):
 
 
 def run_rounds(case, folder, given):
-    """By mesher: the seconds of every round, and the figures of its mesh."""
+    """By mesher: the seconds of every round, and the figures of its mesh. And the seconds of a query of the sizing field."""
     import featuremesh_engine as engine
     options = {"size": case.size, "threads": given.threads}
     old_raw, new_raw = (read_raw(folder / name) for name in ("old.json", "new.json"))
@@ -120,7 +123,19 @@ def run_rounds(case, folder, given):
             add_peer_round(rows, peer, lambda: mesh_with_gmsh(peer, folder / "new.brep", case.size, given.threads))
     if given.netgen:
         add_peer_round(rows, "netgen", lambda: mesh_with_netgen(folder / "new.step", case.size))
-    return rows
+    return rows, seconds_of_a_query(old)
+
+
+def seconds_of_a_query(part_mesh, count=1_000_000):
+    """Median of five times over random points of the part's box."""
+    points = part_mesh.arrays()["points"]
+    places = numpy.random.default_rng(1).uniform(points.min(axis=0), points.max(axis=0), (count, 3))
+    seconds = []
+    for _ in range(5):
+        start = time.perf_counter()
+        part_mesh.wanted_sizes(places)
+        seconds.append((time.perf_counter() - start) / count)
+    return statistics.median(seconds)
 
 
 def reading_of(folder, rows):
@@ -152,7 +167,7 @@ def add_round(rows, who, seconds, figures):
 
 def figures_of(report):
     quality = {name: report["quality"][name] for name in ("min_dihedral", "mean_radius_ratio", "below_20", "below_25")}
-    return {"tets": report["tets"], "steps": report["seconds"], "peak_memory_mb": report["peak_memory_mb"], **quality}
+    return {"tets": report["tets"], "new_triangles": report["surface"]["new_triangles"], "steps": report["seconds"], "peak_memory_mb": report["peak_memory_mb"], **quality}
 
 
 def kept_of(report):
@@ -168,6 +183,7 @@ def compare_rows(rows):
                "min_dihedral_less": rows["full mesh"]["min_dihedral"] - rows["update"]["min_dihedral"]}
     for name, who, step in (("cells", "full mesh", "cells"), ("cells_after_edit", "update", "cells"), ("difference", "update", "difference")):
         summary[name] = statistics.median(rows[who]["all_steps"][step])
+    summary["surface_triangles_per_second"] = rows["full mesh"]["new_triangles"] / statistics.median(rows["full mesh"]["all_steps"]["surface"])
     for peer in ALGORITHMS:
         if peer in rows:
             seconds = rows[peer]["seconds"]

@@ -30,6 +30,20 @@ class Killer:
         return True
 
 
+class Here(unittest.TestCase):
+
+    def test_wanted_sizes(self):
+        body = plate_with_hole(new_document())
+        mesh, _ = engine.load().mesh_part(reading.read_document(body), {**OPTIONS, "elements_per_circle": 24})
+        points = mesh.arrays()["points"]
+        sizes = mesh.wanted_sizes(points)
+        self.assertEqual(sizes.shape, (len(points),))
+        self.assertLessEqual(sizes.max(), SIZE)
+        self.assertLess(sizes.min(), 0.9 * SIZE)  # at the hole, where curvature asks for less
+        with self.assertRaises(engine.load().Error):
+            mesh.wanted_sizes(points[:, :2])
+
+
 class InWorker(unittest.TestCase):
 
     def setUp(self):
