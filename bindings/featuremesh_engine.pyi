@@ -14,7 +14,7 @@
     shapes: bytes                           `Part.Compound([...]).exportBinary` of all shapes, an empty compound for a null shape
 
 `options` is a dict with at least size (mm); further min_size, elements_per_circle, elements_across_gap, growth, order (1, 2), threads,
-target_dihedral_deg, keep_margin, local: list of ("Face12", size).
+target_dihedral_deg, keep_margin (in edge lengths; 0 is as the sizes need), local: list of ("Face12", size).
 
 `progress(step: str, share: float) -> bool`: return False to cancel (raises Cancelled).
 """

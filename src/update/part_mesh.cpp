@@ -314,6 +314,12 @@ FeatureTree interpreted(const RawDocument& document, RunContext& context, const 
     return interpret(document, context, before ? &before->tree : nullptr);
 }
 
+/// Where sizes change along a seam, the tets that have to change with them need more room.
+double margin_of(const MeshOptions& options, const SizingField& sizing) {
+    if (options.keep_margin > 0) return options.keep_margin;
+    return sizing.is_uniform() ? 1.2 : 1.5;
+}
+
 }  // namespace
 
 PartState read_part(const RawDocument& document, RunContext& context, const PartState* before) {
@@ -354,7 +360,8 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
 
     PartMeshResult result;
     Report& report = result.report;
-    std::vector<double> margins{options.keep_margin, 2 * options.keep_margin};
+    const double margin = margin_of(options, sizing);
+    std::vector<double> margins{margin, 2 * margin};
     try {
         report.difference = with_our_errors([&] { return compare(old.part, part, resolution_of_changes * sizing.smallest(), context); });
         part.cells.owners_of_final_face = report.difference.owners_of_new_face;
