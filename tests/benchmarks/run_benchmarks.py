@@ -88,7 +88,7 @@ def measure(case, given):
     print("  " + "; ".join(summary_in_words(summary)), flush=True)
     print(f"  cells {summary['cells']:.3f} s from nothing, {summary['cells_after_edit']:.3f} s after the edit ({summary['cells_after_edit'] / summary['cells']:.0%}); "
           f"difference {summary['difference']:.3f} s", flush=True)
-    print(f"  surface {summary['surface_triangles_per_second']:,.0f} triangles/s; sizing field {1e6 * query:.3f} us a query", flush=True)
+    print(f"  surface {summary['surface_triangles_per_second']:,.0f} triangles/s; graded sizing field {1e6 * query:.3f} us a query", flush=True)
     print(f"  reading the tree {reading['read']:.4f} s in FreeCAD + {reading['interpret']:.4f} s in the engine, {reading['share']:.1%} of "
           f"FreeCAD's recompute ({reading['recompute']:.3f} s); after the edit + {reading['interpret_again']:.4f} s, {reading['share_again']:.1%}\n", flush=True)
     record = {"case": case.name, "size": case.size, "threads": given.threads, "machine": machine(), "rows": rows, "summary": summary,
@@ -106,7 +106,7 @@ def prepare(case, folder):
 
 
 def run_rounds(case, folder, given):
-    """By mesher: the seconds of every round, and the figures of its mesh. And the seconds of a query of the sizing field."""
+    """By mesher: the seconds of every round, and the figures of its mesh. And the seconds of a query of a graded sizing field."""
     import featuremesh_engine as engine
     options = {"size": case.size, "threads": given.threads}
     old_raw, new_raw = (read_raw(folder / name) for name in ("old.json", "new.json"))
@@ -123,7 +123,8 @@ def run_rounds(case, folder, given):
             add_peer_round(rows, peer, lambda: mesh_with_gmsh(peer, folder / "new.brep", case.size, given.threads))
     if given.netgen:
         add_peer_round(rows, "netgen", lambda: mesh_with_netgen(folder / "new.step", case.size))
-    return rows, seconds_of_a_query(old)
+    graded, _ = engine.mesh_part(old_raw, {"size": 4 * case.size, "elements_per_circle": 24})
+    return rows, seconds_of_a_query(graded)
 
 
 def seconds_of_a_query(part_mesh, count=1_000_000):
