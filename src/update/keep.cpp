@@ -412,14 +412,19 @@ class Keeper {
         const auto& nodes = in_.old_mesh.triangles[triangle];
         for (const NodeId n : nodes)
             if (entities_[n.index()].dim == 2) return FaceId(entities_[n.index()].index);
+        const auto is_at = [&](NodeId n, FaceId face) {
+            const std::vector<FaceId> faces = faces_at(in_.new_brep, entities_[n.index()]);
+            return std::binary_search(faces.begin(), faces.end(), face);
+        };
+        std::vector<FaceId> candidates;
+        for (const FaceId face : pieces)
+            if (std::all_of(nodes.begin(), nodes.end(), [&](NodeId n) { return is_at(n, face); }))
+                candidates.push_back(face);
+        if (candidates.size() < 2)
+            return candidates.empty() ? FaceId() : candidates[0];  // its middle may lie beyond the chord of an arc
         const Vec3 middle = (carried(nodes[0].index()) + carried(nodes[1].index()) + carried(nodes[2].index())) / 3.0;
-        for (const FaceId face : pieces) {
-            const auto is_at = [&](NodeId n) {
-                const std::vector<FaceId> faces = faces_at(in_.new_brep, entities_[n.index()]);
-                return std::binary_search(faces.begin(), faces.end(), face);
-            };
-            if (std::all_of(nodes.begin(), nodes.end(), is_at) && projector_.is_inside_trim(face, projector_.nearest(face, middle).uv)) return face;
-        }
+        for (const FaceId face : candidates)
+            if (projector_.is_inside_trim(face, projector_.nearest(face, middle).uv)) return face;
         return FaceId();
     }
 

@@ -230,6 +230,9 @@ class Filling {
     /// Changes diagonals if that is all; else has the missing facets by constraint, or cuts those that stand in the way
     /// of that.
     void recover(const Cavity& cavity, CavityFill& fill) {
+        if (fill.triangulation.tets.empty())
+            throw MeshError("all nodes to fill between lie in one plane, at " +
+                            names_of_faces(cavity, fill.places.missing) + "; mesh the part finer");
         std::vector<Vec3> seeds = seeds_of(cavity, fill);
         const FacetSplit flips = flip_missing(cavity, fill, result_.mesh);
         if (!flips.pieces.empty()) {

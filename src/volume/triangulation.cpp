@@ -70,7 +70,6 @@ void insert_all(Delaunay& delaunay, std::span<const Vec3> points, std::size_t fi
             throw MeshError("two nodes lie in the same place, at " + words(points[order[i]]) +
                             " mm; heal the shape there or mesh it finer");
     }
-    if (delaunay.dimension() < 3) throw MeshError("all nodes to fill between lie in one plane; mesh the part finer");
 }
 
 Triangulation extract(const Delaunay& delaunay, std::span<const int> number_of, const RunContext& context) {

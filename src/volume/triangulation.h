@@ -24,9 +24,9 @@ class GrowingDelaunay {
   public:
     GrowingDelaunay();
     ~GrowingDelaunay();
-    /// Points count on from those before. Throws MeshError when two points coincide or all lie in one plane.
+    /// Points count on from those before. Throws MeshError when two points coincide.
     void insert(std::span<const Vec3> points, RunContext& context);
-    /// The tets so far; `number_of` gives the points other numbers (empty: their own).
+    /// The tets so far, none of points in one plane; `number_of` gives the points other numbers (empty: their own).
     Triangulation tets(const RunContext& context, std::span<const int> number_of = {}) const;
 
   private:
@@ -34,8 +34,8 @@ class GrowingDelaunay {
     std::unique_ptr<Data> data_;
 };
 
-/// The Delaunay triangulation; the order of `points` and of the tets is the same for the same input. Throws MeshError
-/// when two points coincide or all lie in one plane.
+/// The Delaunay triangulation, without tets where all points lie in one plane; the order of `points` and of the tets is
+/// the same for the same input. Throws MeshError when two points coincide.
 Triangulation delaunay(std::span<const Vec3> points, RunContext& context);
 
 /// Which of the facets are triangles of the tets, and where: (tet, corner opposite) seen from behind and from before,

@@ -5,7 +5,10 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 #include "catch.h"
 #include "mesh/validation.h"
@@ -90,6 +93,15 @@ RawDocument with_trench(double depth) {
     return plate().box("Trench", {27, -1, 6 - depth}, {6, 32, depth + 1}).cut("Part", "Plate", "Trench").finish();
 }
 
+/// The plate with a counterbored hole, whose narrow ledge a slot may cut into pieces.
+RawDocument with_ledge(bool cut) {
+    PartDocument document = plate();
+    drill(document, "Hole", {30, 15, -1}, 8, "Plate");
+    document.cylinder("Bore", {30, 15, 5}, 8.2, 3).cut("BoreCut", "HoleCut", "Bore");
+    if (cut) document.box("Slot", {10, 14.5, 4}, {40, 1, 4}).cut("SlotCut", "BoreCut", "Slot");
+    return document.finish();
+}
+
 /// The plate with a feature that rounds its upright edges, and that may be suppressed.
 RawDocument with_switched_fillet(bool suppressed) {
     RawDocument document = with_fillet(5);
@@ -106,8 +118,27 @@ PartMeshResult meshed(const RawDocument& document, double size = 2.5) {
     return mesh_part(document, options, context);
 }
 
+/// Triangles stay with the tets behind them: those that do not are without a tet.
+bool kept_triangles_are_there(const Mesh& old, const PartMesh& now) {
+    std::set<Number> numbers(now.mesh.triangle_numbers.begin(), now.mesh.triangle_numbers.end());
+    std::set<std::array<NodeId, 3>> kept_sides;
+    for (const std::int32_t o : now.tet_origin)
+        for (int k = 0; k < 4 && o >= 0; ++k) {
+            const auto& tet = old.tets[std::size_t(o)];
+            std::array<NodeId, 3> side{tet[k == 0 ? 3 : 0], tet[k == 1 ? 3 : 1], tet[k == 2 ? 3 : 2]};
+            std::sort(side.begin(), side.end());
+            kept_sides.insert(side);
+        }
+    for (std::size_t t = 0; t < old.triangles.size(); ++t) {
+        auto side = old.triangles[t];
+        std::sort(side.begin(), side.end());
+        if (kept_sides.contains(side) && !numbers.contains(old.triangle_numbers[t])) return false;
+    }
+    return true;
+}
+
 /// Updates, checks everything that must hold of any update, and gives the share of nodes kept.
-double kept_after(const PartMesh& old, const RawDocument& document) {
+double kept_after(const PartMesh& old, const RawDocument& document, double least_angle) {
     RunContext context;
     const PartMeshResult result = update_part(old, document, old.options, context);
     const PartMesh& now = *result.part_mesh;
@@ -126,14 +157,15 @@ double kept_after(const PartMesh& old, const RawDocument& document) {
         wrong += now.mesh.node_numbers[n] != old.mesh.node_numbers[o] || now.mesh.points[n] != old.mesh.points[o];
     }
     CHECK(wrong == 0);
-    CHECK(result.report.quality.min_dihedral > 15);
+    CHECK(kept_triangles_are_there(old.mesh, now));
+    CHECK(result.report.quality.min_dihedral > least_angle);
     return result.report.kept_nodes_share;
 }
 
-void check_there_and_back(const RawDocument& one, const RawDocument& other, double at_least) {
+void check_there_and_back(const RawDocument& one, const RawDocument& other, double at_least, double least_angle = 15) {
     const auto first = meshed(one).part_mesh, second = meshed(other).part_mesh;
-    CHECK(kept_after(*first, other) > at_least);
-    CHECK(kept_after(*second, one) > at_least);
+    CHECK(kept_after(*first, other, least_angle) > at_least);
+    CHECK(kept_after(*second, one, least_angle) > at_least);
 }
 
 }  // namespace
@@ -163,6 +195,10 @@ TEST_CASE("a trench cuts the part in two, and it is joined again") {
 TEST_CASE("two pockets are joined by a third, and parted") { check_there_and_back(with_pockets(false), with_pockets(true), 0.5); }
 
 TEST_CASE("a ring cuts a face into a frame and an island") { check_there_and_back(without_hole(), with_ring(), 0.3); }
+
+TEST_CASE("a slot cuts a face into pieces that are narrower than the bulge of their arcs") {
+    check_there_and_back(with_ledge(false), with_ledge(true), 0.3, 3);
+}
 
 TEST_CASE("a feature is suppressed and unsuppressed") {
     check_there_and_back(with_switched_fillet(false), with_switched_fillet(true), 0.5);

@@ -59,6 +59,28 @@ Vec3 center_of(const Mesh& mesh, std::size_t t) {
     return sum / 4;
 }
 
+/// Of two triangles in the middle of the face, whose tets stay as they are.
+bool change_a_diagonal(Mesh& mesh, FaceId face) {
+    const auto is_inner = [&](std::size_t t) {
+        return mesh.triangle_faces[t] == face &&
+               std::all_of(mesh.triangles[t].begin(), mesh.triangles[t].end(),
+                           [&](NodeId n) { return mesh.entities[n.index()].dim == 2; });
+    };
+    for (std::size_t s = 0; s < mesh.triangles.size(); ++s)
+        for (std::size_t t = s + 1; t < mesh.triangles.size() && is_inner(s); ++t)
+            for (int i = 0; i < 9 && is_inner(t); ++i) {
+                auto& one = mesh.triangles[s];
+                auto& other = mesh.triangles[t];
+                const NodeId a = one[i / 3], b = one[(i / 3 + 1) % 3], c = one[(i / 3 + 2) % 3];
+                if (other[i % 3] != c || other[(i % 3 + 1) % 3] != b) continue;
+                const NodeId d = other[(i % 3 + 2) % 3];
+                one = {a, b, d};
+                other = {a, d, c};
+                return true;
+            }
+    return false;
+}
+
 /// What was kept is there, bit for bit and in order, but for what the result says it released.
 void check_kept(const Mesh& before, const VolumeResult& result) {
     const Mesh& after = result.mesh;
@@ -154,6 +176,18 @@ TEST_CASE("any kept part of a mesh is refilled around, bit for bit") {
     CHECK(findings(part.brep, result.mesh) == "");
     check_kept(before, result);
     if (!is_scattered) CHECK(result.report.released_tets < before.tets.size() / 20);
+}
+
+TEST_CASE("kept tets that hold all nodes of a flat cavity are released, and filled anew") {
+    const Part part = prepare(box_part({0, 0, 0}, {20, 20, 20}), 4.0);
+    Mesh before = fill(part).mesh;
+    REQUIRE(change_a_diagonal(before, FaceId(GENERATE(0, 3, 5))));
+    RunContext context;
+    const VolumeResult result = fill_solids(part.brep, part.sizing, before, {}, VolumeOptions{}, context);
+    CHECK(findings(part.brep, result.mesh) == "");
+    check_kept(before, result);
+    CHECK(result.report.released_tets >= 2);
+    CHECK(result.report.released_tets < 20);
 }
 
 TEST_CASE("a full mesh is left as it is") {
