@@ -2,6 +2,7 @@
 #include "cells/fuse.h"
 
 #include <BOPAlgo_Builder.hxx>
+#include <Message_ProgressScope.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -11,6 +12,8 @@
 #include <cmath>
 #include <map>
 
+#include "cells/section_filler.h"
+#include "cells/solid_splitter.h"
 #include "core/errors.h"
 #include "core/on_threads.h"
 #include "features/deadline.h"
@@ -58,12 +61,16 @@ class Builder {
         if (different.Extent() < 2) return;
         const Handle(Deadline) deadline = new Deadline(options.seconds, context);
         used_ = true;
-        for (int i = 1; i <= different.Extent(); ++i) builder_.AddArgument(different(i));
-        builder_.SetNonDestructive(true);
-        builder_.SetFuzzyValue(options.fuzzy);
+        for (int i = 1; i <= different.Extent(); ++i) {
+            filler_.AddArgument(different(i));
+            builder_.AddArgument(different(i));
+        }
+        filler_.SetNonDestructive(true);
+        filler_.SetFuzzyValue(options.fuzzy);
+        filler_.SetRunParallel(context.threads > 1);
         builder_.SetRunParallel(context.threads > 1);
         try {
-            on_threads(context, [&] { builder_.Perform(deadline->Start()); });
+            on_threads(context, [&] { perform(deadline->Start()); });
         } catch (const Standard_Failure& failure) {
             trouble_ = std::string("the kernel gave up: ") + failure.GetMessageString();
         }
@@ -88,7 +95,14 @@ class Builder {
     }
 
   private:
-    BOPAlgo_Builder builder_;
+    void perform(const Message_ProgressRange& range) {
+        Message_ProgressScope scope(range, "fuse", 10);
+        filler_.Perform(scope.Next(9));
+        builder_.PerformWithFiller(filler_, scope.Next());
+    }
+
+    SectionFiller filler_{NCollection_BaseAllocator::CommonBaseAllocator()};
+    SolidSplitter builder_;
     bool used_ = false, out_of_time_ = false;
     std::string trouble_;
 };
