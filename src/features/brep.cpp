@@ -21,6 +21,7 @@
 #include "core/errors.h"
 #include "features/flux.h"
 #include "features/occt_geometry.h"
+#include "features/vertex_places.h"
 
 namespace featuremesh {
 
@@ -120,7 +121,6 @@ Brep::Brep(const TopoDS_Shape& shape) {
             }
         }
     }
-    for (const TopoDS_Vertex& vertex : data->vertex) data->points.push_back(to_vec3(BRep_Tool::Pnt(vertex)));
     for (std::size_t e = 0; e < data->edge.size(); ++e) {
         data->is_degenerated.push_back(BRep_Tool::Degenerated(data->edge[e]));
         TopoDS_Vertex first, last;
@@ -129,6 +129,7 @@ Brep::Brep(const TopoDS_Shape& shape) {
         for (const VertexId end : data->ends.back())
             if (end.is_valid()) add_once(data->edges_of_vertex[end.index()], EdgeId(e));
     }
+    data->points = vertex_places(data->vertex, data->edge, data->ends);
     data->box = tight_box_of(data->face);
     for (std::size_t s = 0; s < data->solid.size(); ++s) {
         std::vector<int> uses(data->edge.size(), 0);
@@ -191,6 +192,9 @@ bool Brep::is_seam(EdgeId edge_id, FaceId face_id) const {
 }
 
 Vec3 Brep::point_of(VertexId id) const { return data_->points[id.index()]; }
+double Brep::distance_from(VertexId id, const Vec3& p) const {
+    return std::min(distance(point_of(id), p), distance(to_vec3(BRep_Tool::Pnt(vertex(id))), p));
+}
 const Box& Brep::box_of(FaceId face) const { return data_->box_of_face[face.index()]; }
 const Box& Brep::box() const { return data_->box; }
 Tolerances Brep::tolerances() const { return {data_->box.diagonal()}; }

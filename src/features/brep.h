@@ -62,7 +62,9 @@ class Brep {
     bool is_degenerated(EdgeId edge) const;   ///< a pole: no length in space
     bool is_seam(EdgeId edge, FaceId face) const;
 
-    Vec3 point_of(VertexId vertex) const;
+    Vec3 point_of(VertexId vertex) const;     ///< within its tolerance where its edges end (vertex_places)
+    /// From that point, or from the kernel's own, where other meshers put the node.
+    double distance_from(VertexId vertex, const Vec3& p) const;
     const Box& box_of(FaceId face) const;     ///< holds it, not the tightest
     const Box& box() const;                   ///< exact enough for sizes, not for topology
     Tolerances tolerances() const;

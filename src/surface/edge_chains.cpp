@@ -3,6 +3,8 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom_Curve.hxx>
+#include <Precision.hxx>
 #include <TopoDS_Edge.hxx>
 #include <algorithm>
 #include <array>
@@ -12,6 +14,7 @@
 
 #include "core/activity.h"
 #include "core/errors.h"
+#include "features/vertex_places.h"
 
 namespace featuremesh {
 
@@ -156,6 +159,26 @@ int fewest_pieces(const Measure& measure, bool is_closed, bool has_twin) {
     return std::max({1, by_turning, by_closure});
 }
 
+/// A vertex beyond the edge's end is not found as a node of the edge: alone with the other end it would leave no piece
+/// that carries the edge's loads.
+bool misses_vertex(const Brep& brep, EdgeId edge) {
+    const auto ends = brep.ends_of(edge);
+    const auto is_beyond = [&](std::size_t side) {
+        return BRep_Tool::Tolerance(brep.vertex(ends[side])) > 1.01 * Precision::Confusion() &&
+               distance_beyond_end(brep.edge(edge), side == 0, brep.point_of(ends[side])) > Precision::Confusion();
+    };
+    return is_beyond(0) || is_beyond(1);
+}
+
+/// At the close of a curve that is not periodic a point has the parameters of both its ends: who looks for the nodes of
+/// an edge by them may find none there, and a piece must be left without it.
+bool ends_at_close(const TopoDS_Edge& edge) {
+    double first, last;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+    if (curve.IsNull() || curve->IsPeriodic() || !curve->IsClosed()) return false;
+    return first == curve->FirstParameter() || last == curve->LastParameter();
+}
+
 /// Halves go up whatever the rounding errors, so that equal edges get equal chains.
 int rounded(double pieces) { return static_cast<int>(std::floor(pieces + 0.5 + 1e-6)); }
 
@@ -255,7 +278,8 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
             }
             const Measure measure(*curve, sizing, base.t[i], base.t[i + 1]);
             const int fewest = fewest_pieces(measure, is_whole && nodes[0] == nodes[1], is_whole && between[nodes] > 1);
-            const int pieces = std::max(fewest, rounded(measure.metric_length()));
+            int pieces = std::max(fewest, rounded(measure.metric_length()));
+            if (pieces == 1 && is_whole && (misses_vertex(brep, edge) || ends_at_close(brep.edge(edge)))) pieces = 2;
             for (int k = 1; k < pieces; ++k) {
                 const double t = measure.at_share(static_cast<double>(k) / pieces);
                 chain.nodes.push_back(mesh.add_node(to_vec(curve->Value(t)), entity_of(edge), {t, 0}));

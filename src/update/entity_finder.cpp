@@ -58,7 +58,7 @@ PointPlace EntityFinder::find(const Vec3& p) const {
 bool EntityFinder::find_vertex(const Vec3& p, PointPlace& place) const {
     double nearest = tolerance_;
     for (std::size_t v = 0; v < brep_.vertex_count(); ++v) {
-        const double d = distance(brep_.point_of(VertexId(v)), p);
+        const double d = brep_.distance_from(VertexId(v), p);
         if (d > nearest || faces_at(brep_, entity_of(VertexId(v))).empty()) continue;
         nearest = d;
         place = {entity_of(VertexId(v)), {0, 0}};

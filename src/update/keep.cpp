@@ -176,7 +176,7 @@ class Keeper {
     bool place_on_vertex(Place& place, VertexId vertex, const Vec3& p) const {
         if (!vertex.is_valid()) return false;
         place.entity = entity_of(vertex);
-        return distance(in_.new_brep.point_of(vertex), p) <= tolerance();
+        return in_.new_brep.distance_from(vertex, p) <= tolerance();
     }
 
     // An edge may have been split, or be one with others: the piece that the node lies within has it.

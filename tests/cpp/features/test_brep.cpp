@@ -6,10 +6,13 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Shell.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <gp_Pln.hxx>
 #include <numbers>
 
@@ -49,6 +52,29 @@ TEST_CASE("a cylinder has a seam and a sphere has degenerated edges") {
     for (std::size_t e = 0; e < sphere.edge_count(); ++e) poles += sphere.is_degenerated(EdgeId(e));
     CHECK(poles == 2);
     CHECK(sphere.volume_of(SolidId(0)) == Approx(4 * std::numbers::pi / 3));
+}
+
+TEST_CASE("a loose vertex is where all its edges reach it, when its tolerance has such a place") {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 20, 30).Shape();
+    const Brep tight(box);
+    const BRep_Builder builder;
+    const double gap = 4e-6;
+    double first, last;
+    BRep_Tool::Range(tight.edge(EdgeId(0)), first, last);
+    const VertexId loose = tight.ends_of(EdgeId(0))[0];
+    builder.Range(tight.edge(EdgeId(0)), first + gap, last);
+    const Vec3 corner = tight.point_of(loose), along = normalized(tight.point_of(tight.ends_of(EdgeId(0))[1]) - corner);
+
+    SECTION("moved within its tolerance") {
+        builder.UpdateVertex(tight.vertex(loose), 2 * gap);
+        CHECK(distance(Brep(box).point_of(loose), corner + gap * along) < 1e-12);
+        CHECK(Brep(box).distance_from(loose, corner) == 0);
+        CHECK(Brep(box).distance_from(loose, corner + gap * along) < 1e-12);
+    }
+    SECTION("left where it is beyond its tolerance") {
+        builder.UpdateVertex(tight.vertex(loose), 0.5 * gap);
+        CHECK(Brep(box).point_of(loose) == corner);
+    }
 }
 
 TEST_CASE("an open shell and a missing solid are refused by name") {

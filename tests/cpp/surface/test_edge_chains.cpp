@@ -2,9 +2,19 @@
 #include "surface/edge_chains.h"
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <GC_MakeArcOfCircle.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
 
@@ -42,7 +52,67 @@ TopoDS_Shape touching_trough() {
     return loft.Shape();
 }
 
+/// A prism over a rectangle one of whose sides is two edges, the first of which ends before the vertex between them.
+TopoDS_Shape prism_with_gap(double gap) {
+    BRepBuilderAPI_MakePolygon outline;
+    for (const gp_Pnt& p : {gp_Pnt(0, 0, 0), gp_Pnt(10, 0, 0), gp_Pnt(20, 0, 0), gp_Pnt(20, 15, 0), gp_Pnt(0, 15, 0)})
+        outline.Add(p);
+    outline.Close();
+    const TopoDS_Shape prism =
+        BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 10)).Shape();
+    const Brep brep(prism);
+    const BRep_Builder builder;
+    for (std::size_t e = 0; e < brep.edge_count(); ++e) {
+        const auto ends = brep.ends_of(EdgeId(e));
+        if (!(brep.point_of(ends[0]) == Vec3{0, 0, 0}) || !(brep.point_of(ends[1]) == Vec3{10, 0, 0})) continue;
+        double first, last;
+        BRep_Tool::Range(brep.edge(EdgeId(e)), first, last);
+        builder.Range(brep.edge(EdgeId(e)), first, last - gap);
+        builder.UpdateVertex(brep.vertex(ends[1]), 2 * gap);
+    }
+    return prism;
+}
+
 }  // namespace
+
+TEST_CASE("an edge that ends before its vertex has a node of its own, so that a piece of it is between its ends") {
+    const auto nodes_on_edges = [](double gap) {
+        const Brep brep(prism_with_gap(gap));
+        const Mesh mesh = mesh_surface(brep, 12).mesh;
+        CHECK(findings(brep, mesh).empty());
+        CHECK(euler_characteristic(mesh) == 2);
+        std::vector<Vec3> found;
+        for (std::size_t n = 0; n < mesh.node_count(); ++n)
+            if (mesh.entities[n].dim == 1 && mesh.points[n].y == 0 && mesh.points[n].z == 0)
+                found.push_back(mesh.points[n]);
+        return found;
+    };
+    CHECK(nodes_on_edges(5e-8).empty());
+    const std::vector<Vec3> with_gap = nodes_on_edges(4e-6);
+    REQUIRE(with_gap.size() == 1);
+    CHECK(with_gap[0].x == Approx(5));
+}
+
+TEST_CASE("an edge that ends at the close of a curve has a node of its own") {
+    TColgp_Array1OfPnt corners(1, 5);
+    corners(1) = corners(5) = gp_Pnt(0, 0, 0);
+    corners(2) = gp_Pnt(30, 0, 0), corners(3) = gp_Pnt(30, 30, 0), corners(4) = gp_Pnt(0, 30, 0);
+    const Handle(Geom_BezierCurve) drop = new Geom_BezierCurve(corners);
+    REQUIRE(drop->IsClosed());
+    BRepBuilderAPI_MakeWire wire;
+    const double parted = 0.1;
+    wire.Add(BRepBuilderAPI_MakeEdge(drop, 0, parted).Edge());
+    wire.Add(BRepBuilderAPI_MakeEdge(drop, parted, 1).Edge());
+    const Brep brep(BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()).Face(), gp_Vec(0, 0, 10)).Shape());
+    const Mesh mesh = mesh_surface(brep, 12).mesh;
+    CHECK(findings(brep, mesh).empty());
+    const auto is_on_short_piece = [&](std::size_t n) {
+        return mesh.entities[n].dim == 1 && mesh.points[n].z == 0 && mesh.parameters[n][0] < parted;
+    };
+    int found = 0;
+    for (std::size_t n = 0; n < mesh.node_count(); ++n) found += is_on_short_piece(n);
+    CHECK(found == 1);
+}
 
 TEST_CASE("where two edges of a solid touch between their vertices neither has a node") {
     const Brep brep(touching_trough());

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes of other makers: ours with all CAD knowledge wiped off, and damaged in known ways.
 #include <BOPAlgo_Builder.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <algorithm>
 
 #include "catch.h"
@@ -136,6 +140,26 @@ TEST_CASE("a mesh that fits is adopted bit for bit, and what it lacks is found")
         CHECK(before == after);
         check_valid(now);
     }
+}
+
+TEST_CASE("a loose vertex is where another mesher put its node, too") {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(60, 30, 6).Shape();
+    const RawDocument document = PartDocument().add("Part", "Part::Feature", box).finish();
+    const auto ours = meshed(document, 1);
+    const Brep brep(box);
+    const VertexId loose = brep.ends_of(EdgeId(0))[0];
+    double first, last;
+    BRep_Tool::Range(brep.edge(EdgeId(0)), first, last);
+    BRep_Builder().Range(brep.edge(EdgeId(0)), first + 4e-6, last);
+    BRep_Builder().UpdateVertex(brep.vertex(loose), 1e-5);
+    const RawDocument loosened = PartDocument().add("Part", "Part::Feature", box).finish();
+    const auto result = adopted(loosened, foreign_copy(ours->mesh));
+    CHECK(result.report.kept_nodes_share == 1);
+    check_valid(*result.part_mesh);
+    RunContext context;
+    const auto next = update_part(*result.part_mesh, loosened, options_of(1), context);
+    CHECK(next.report.kept_nodes_share == 1);
+    CHECK(next.part_mesh->mesh.points == result.part_mesh->mesh.points);
 }
 
 TEST_CASE("an adopted mesh is updated locally") {
