@@ -14,6 +14,9 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+/// By corner: the others, so that the cross product of their sides is how the tet's determinant changes with it.
+constexpr std::array<std::array<std::size_t, 3>, 4> opposite{{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
+
 using Field = std::vector<Vec3>;  ///< by free node
 
 double product(const Field& a, const Field& b) {
@@ -26,9 +29,13 @@ double product(const Field& a, const Field& b) {
 class Patch {
   public:
     Patch(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable, const std::vector<TetId>& bad,
-          double wanted)
-        : mesh_(mesh), projector_(projector), wanted_(wanted), place_(mesh.points.size(), -1) {
-        collect(is_movable, bad);
+          const CurvedTetAims& aims, const RunContext& context)
+        : mesh_(mesh),
+          projector_(projector),
+          wanted_(aims.scaled_jacobian),
+          least_volume_(6 * aims.least_volume),
+          place_(mesh.points.size(), -1) {
+        collect(is_movable, bad, context);
         placed_.reserve(free_.size());
         for (const NodeId n : free_) placed_.push_back(mesh.point(n));
         measure_lengths();
@@ -121,7 +128,8 @@ class Patch {
         for (NodeId n : mesh_.tet_mids[t.index()]) visit(n);
     }
 
-    void collect(const std::vector<bool>& is_movable, const std::vector<TetId>& bad) {
+    void collect(const std::vector<bool>& is_movable, const std::vector<TetId>& bad, const RunContext& context) {
+        RoundWatch watch(context);
         std::vector<char> is_near(mesh_.corner_count, 0);
         for (const TetId t : bad)
             for (const NodeId n : mesh_.tets[t.index()]) is_near[n.index()] = 1;
@@ -130,6 +138,7 @@ class Patch {
             return std::count_if(n.begin(), n.end(), [&](NodeId c) { return is_near[c.index()] != 0; });
         };
         for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
+            watch();
             if (near_corners(t) < 2) continue;
             for_each_node(TetId(t), [&](NodeId n) {
                 const bool is_corner = n.index() < mesh_.corner_count;
@@ -140,6 +149,7 @@ class Patch {
             });
         }
         for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
+            watch();
             bool has_free = false;
             for_each_node(TetId(t), [&](NodeId n) { has_free |= place_[n.index()] >= 0; });
             if (has_free) tets_.push_back(TetId(t));
@@ -160,14 +170,35 @@ class Patch {
             }
     }
 
+    /// Of a tet as thin as the least volume: one that has that much may not lose it. Zero from twice the floor on.
+    double volume_energy(std::size_t i, const std::array<Vec3, 10>& nodes, Field* gradient) const {
+        const double volume = 6 * signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]);
+        constexpr double spare = 0.95;  // a wall right behind a tet would leave it no way round
+        const double floor = std::min(spare * barriers_[i].volume, least_volume_);
+        if (!(volume > std::max(floor, 0.0))) return infinite;
+        if (!(floor > 0)) return 0;
+        const double way = volume / floor - 1;
+        if (!(way < 1)) return 0;
+        const double log = std::log(way);
+        if (gradient) {
+            std::array<Vec3, 10> by_node{};
+            for (int c = 0; c < 4; ++c) {
+                const auto& [p, q, r] = opposite[static_cast<std::size_t>(c)];
+                by_node[static_cast<std::size_t>(c)] = 2 * log / (way * floor) * cross(nodes[q] - nodes[p], nodes[r] - nodes[p]);
+            }
+            add_gradient(i, by_node, *gradient);
+        }
+        return log * log;
+    }
+
     /// Squared logarithms of the coefficients' way from the barrier to what is wanted (1 there, 0 at the barrier).
     double tet_energy(std::size_t i, Field* gradient) const {
         const auto nodes = tet_nodes(mesh_, tets_[i]);
-        if (!(signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]) > 0)) return infinite;
+        double sum = volume_energy(i, nodes, gradient);
+        if (sum == infinite) return sum;
         const auto c = jacobian_coefficients(nodes);
         const auto [at, volume] = barriers_[i];
         std::array<double, 20> weights{};
-        double sum = 0;
         bool counts = false;
         for (std::size_t k = 0; k < c.size(); ++k) {
             const double way = (c[k] / volume - at) / (wanted_ - at);
@@ -206,7 +237,7 @@ class Patch {
     };
     Mesh& mesh_;
     const Projector& projector_;
-    const double wanted_;
+    const double wanted_, least_volume_;  ///< the latter of the determinant, six times a tet's
     std::vector<std::int32_t> place_;  ///< by node; -1 where it stays
     std::vector<NodeId> free_;
     std::vector<TetId> tets_;
@@ -291,9 +322,9 @@ class Descent {
 }  // namespace
 
 void descend(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable, const std::vector<TetId>& bad,
-             double wanted, RunContext& context) {
+             const CurvedTetAims& aims, RunContext& context) {
     constexpr int most_rounds = 40, most_steps = 40;
-    Patch patch(mesh, projector, is_movable, bad, wanted);
+    Patch patch(mesh, projector, is_movable, bad, aims, context);
     if (patch.size() == 0) return;
     for (int round = 0; round < most_rounds && patch.renew_barriers(); ++round) {
         Descent descent(patch);

@@ -10,11 +10,17 @@
 
 namespace featuremesh {
 
+/// What curved tets are improved towards.
+struct CurvedTetAims {
+    double scaled_jacobian;   ///< smallest of each tet
+    double least_volume = 0;  ///< mm^3: moving corners takes no straight tet below this, or below what it had if that was less
+};
+
 /// Lowers a moving log barrier on the Bernstein coefficients of the tets around `bad` (Toulorge, Geuzaine, Remacle and
 /// Lambrechts 2013) by quasi-Newton steps of all their movable mid-side nodes and inner corners, those on CAD entities
-/// along these. Every coefficient below `wanted` (as a scaled Jacobian) is pushed up to it. Where moving one node at a
+/// along these. Every coefficient below the wanted scaled Jacobian is pushed up to it. Where moving one node at a
 /// time stops because a neighbour loses what the tet gains, this goes on.
 void descend(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable, const std::vector<TetId>& bad,
-             double wanted, RunContext& context);
+             const CurvedTetAims& aims, RunContext& context);
 
 }  // namespace featuremesh

@@ -42,14 +42,17 @@ std::vector<Vec3> search_directions() {
 /// Tets around the nodes that may have to move.
 class Stars {
   public:
-    Stars(const Mesh& mesh, const std::vector<NodeId>& nodes) : place_(mesh.points.size(), -1) {
+    Stars(const Mesh& mesh, const std::vector<NodeId>& nodes, const RunContext& context)
+        : place_(mesh.points.size(), -1) {
         for (NodeId n : nodes)
             if (place_[n.index()] < 0) place_[n.index()] = static_cast<std::int32_t>(count_++);
         tets_.resize(count_);
         const auto note = [&](NodeId n, std::size_t t) {
             if (place_[n.index()] >= 0) tets_[static_cast<std::size_t>(place_[n.index()])].push_back(TetId(t));
         };
+        RoundWatch watch(context);
         for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+            watch();
             for (NodeId n : mesh.tets[t]) note(n, t);
             for (NodeId n : mesh.tet_mids[t]) note(n, t);
         }
@@ -64,11 +67,14 @@ class Stars {
 
 class Unfolding {
   public:
-    Unfolding(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable, double target)
+    Unfolding(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable, const CurvedTetAims& aims,
+              const RunContext& context)
         : mesh_(mesh),
           projector_(projector),
           is_movable_(is_movable),
-          target_(target),
+          target_(aims.scaled_jacobian),
+          least_volume_(aims.least_volume),
+          context_(context),
           placed_(mesh.points),
           directions_(search_directions()) {}
 
@@ -79,7 +85,7 @@ class Unfolding {
         nodes.erase(
             std::remove_if(nodes.begin(), nodes.end(), [&](NodeId n) { return n.index() < mesh_.corner_count; }),
             nodes.end());
-        const Stars stars(mesh_, nodes);
+        const Stars stars(mesh_, nodes, context_);
         std::vector<Vec3> bends;
         for (NodeId n : nodes) bends.push_back(mesh_.entities[n.index()].dim == 1 ? Vec3{} : bend_of(n, stars.of(n)));
         for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -96,7 +102,7 @@ class Unfolding {
     bool pass(const std::vector<TetId>& bad, Aim aim) {
         aim_ = aim;
         const std::vector<NodeId> nodes = movable_nodes(bad);
-        const Stars stars(mesh_, nodes);
+        const Stars stars(mesh_, nodes, context_);
         bool moved = false;
         for (NodeId n : nodes) moved |= improve(n, stars.of(n));
         return moved;
@@ -187,6 +193,16 @@ class Unfolding {
         return low;
     }
 
+    double smallest_volume(const std::vector<TetId>& star) const {
+        double low = std::numeric_limits<double>::infinity();
+        for (TetId t : star) {
+            const auto& n = mesh_.tets[t.index()];
+            low = std::min(
+                low, signed_volume(mesh_.point(n[0]), mesh_.point(n[1]), mesh_.point(n[2]), mesh_.point(n[3])));
+        }
+        return low;
+    }
+
     /// The side that a mid-side node belongs to.
     BentSide side_at(NodeId mid, const std::vector<TetId>& star) const {
         const auto& mids = mesh_.tet_mids[star.front().index()];
@@ -228,12 +244,16 @@ class Unfolding {
         const Place start = place(n, star);
         const bool is_corner = n.index() < mesh_.corner_count;
         const double angle = is_corner ? std::min(worst_angle(star), 20.0) : 0;
+        const double volume = is_corner ? std::min(smallest_volume(star), least_volume_) : 0;
+        const auto keeps_corners_good = [&] {
+            return worst_angle(star) >= angle - 1e-9 && smallest_volume(star) >= volume;
+        };
         Place found = start;
         double found_value = best;
         for (const Vec3& direction : directions_) {
             if (move(n, star, start, step * direction) && !is_bent_too_much(n, star)) {
                 const double value = worst(star);
-                if (value > found_value + 1e-6 && (!is_corner || worst_angle(star) >= angle - 1e-9)) {
+                if (value > found_value + 1e-6 && (!is_corner || keeps_corners_good())) {
                     found_value = value;
                     found = place(n, star);
                 }
@@ -296,7 +316,8 @@ class Unfolding {
     Mesh& mesh_;
     const Projector& projector_;
     const std::vector<bool>& is_movable_;
-    const double target_;
+    const double target_, least_volume_;
+    const RunContext& context_;
     Aim aim_ = Aim::smallest_bound;
     const std::vector<Vec3> placed_;  ///< where the nodes were at first
     const std::vector<Vec3> directions_;
@@ -316,12 +337,13 @@ std::vector<TetId> tets_at_most(const Mesh& mesh, double limit, RunContext& cont
 }
 
 std::vector<TetId> unfold_tets(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable,
-                               double target, RunContext& context) {
+                               const CurvedTetAims& aims, RunContext& context) {
     constexpr int most_passes = 6;
+    const double target = aims.scaled_jacobian;
     constexpr std::size_t most_together = 500;  // more trouble is refined first
     std::vector<TetId> bad = tets_at_most(mesh, target, context);
     if (bad.empty()) return bad;
-    Unfolding unfolding(mesh, projector, is_movable, target);
+    Unfolding unfolding(mesh, projector, is_movable, aims, context);
     const std::vector<Vec3> points = mesh.points;
     const std::vector<std::array<double, 2>> parameters = mesh.parameters;
     unfolding.bend_along(bad);
@@ -339,7 +361,7 @@ std::vector<TetId> unfold_tets(Mesh& mesh, const Projector& projector, const std
             bad = tets_at_most(mesh, target, context);
         }
         if (bad.empty() || bad.size() > most_together) break;
-        descend(mesh, projector, is_movable, bad, target + 0.05, context);
+        descend(mesh, projector, is_movable, bad, {target + 0.05, aims.least_volume}, context);
         bad = tets_at_most(mesh, target, context);
     }
     return bad;

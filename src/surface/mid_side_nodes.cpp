@@ -144,7 +144,8 @@ Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh
     place_on_faces(projector, is_new, mesh, context);
     std::copy(is_movable.begin(), is_movable.end(), is_new.begin());
     Curved result{std::move(mesh), {}, {}, 1};
-    result.low = unfold_tets(result.mesh, projector, is_new, wanted_scaled_jacobian, context);
+    result.low = unfold_tets(result.mesh, projector, is_new,
+                             {wanted_scaled_jacobian, brep.tolerances().least_volume()}, context);
     for (const TetId t : result.low) {
         const double scaled_jacobian = min_scaled_jacobian(tet_nodes(result.mesh, t));
         result.smallest = std::min(result.smallest, scaled_jacobian);

@@ -8,6 +8,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
 #include <algorithm>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -77,6 +78,14 @@ double straight_volume(const Mesh& mesh) {
     return sum;
 }
 
+double least_straight_volume(const Mesh& mesh) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& n : mesh.tets)
+        least =
+            std::min(least, signed_volume(mesh.point(n[0]), mesh.point(n[1]), mesh.point(n[2]), mesh.point(n[3])));
+    return least;
+}
+
 TopoDS_Shape filleted_box(double radius) {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(30, 24, 18).Shape();
     BRepFilletAPI_MakeFillet fillet(box);
@@ -122,6 +131,27 @@ TEST_CASE("mid-side nodes are on the exact entities and no element is folded, co
         CHECK(std::abs(curved_volume(mesh) - wanted) <
               0.3 * std::abs(straight_volume(straight) - wanted) + 1e-9 * wanted);
     }
+}
+
+TEST_CASE("moving corners takes no volume below the least one from a tet that has it") {
+    RunContext context;
+    const Brep brep(BRepPrimAPI_MakeCylinder(10, 12).Shape());
+    const Projector projector(brep);
+    Mesh start = with_mid_side_nodes_on_faces(brep, fan_mesh(brep, 14, {3, 1, 4}));
+    for (NodeId n(0); n.index() < start.points.size(); n = NodeId(n.index() + 1))
+        if (start.entities[n.index()].dim == 1) {
+            const OnEdge on = projector.nearest(EdgeId(start.entities[n.index()].index), start.point(n));
+            start.points[n.index()] = on.point, start.parameters[n.index()] = {on.t, 0};
+        }
+    const double least = least_straight_volume(start);
+    const auto least_after = [&](double floor) {
+        Mesh mesh = start;
+        unfold_tets(mesh, projector, std::vector<bool>(mesh.points.size(), true), {0.8, floor}, context);
+        CHECK(mesh.points != start.points);
+        return least_straight_volume(mesh);
+    };
+    CHECK(least_after(0) < 0.9 * least);
+    CHECK(least_after(least) > 0.949 * least);
 }
 
 TEST_CASE("a mid-side node on an edge is half way in arc length") {
