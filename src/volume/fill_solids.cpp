@@ -31,6 +31,8 @@ namespace {
 constexpr int most_rounds = 12;
 constexpr int most_crossing_rounds = 3;
 constexpr int most_local_recoveries = 5;
+/// Kept tets that are not Delaunay may be many: then a cavity that grows by those at its seam would not end in time.
+constexpr int most_releasing_rounds = 5;
 /// Tets are mended until they have the least volume; with this share of it they are still no reason to refuse a part.
 constexpr double tolerated_share = 0.92;
 /// Of the cube of the smallest wanted length: tets below are mended, and those below are refused.
@@ -65,6 +67,9 @@ struct OutgrownFill {
 std::vector<Vec3> seeds_of(const Cavity& cavity, const CavityFill& fill) {
     return {fill.points.begin() + static_cast<std::ptrdiff_t>(cavity.points.size()), fill.points.end()};
 }
+
+/// All its nodes lie in one plane.
+bool is_flat(const CavityFill& fill) { return fill.triangulation.tets.empty(); }
 
 /// What the validation of a mesh refuses.
 bool is_flat(const TetComplex& complex, const std::array<int, 4>& tet) {
@@ -189,7 +194,7 @@ class Filling {
             } else if (fill.is_complete()) {
                 known_.push_back(
                     {cavities_[i].nodes, seeds_of(cavities_[i], fill), std::move(fill.triangulation), true});
-            } else if (release_behind(cavities_[i], fill)) {
+            } else if ((round < most_releasing_rounds || is_flat(fill)) && release_behind(cavities_[i], fill)) {
                 if (const FacetSplit flips = flip_missing(cavities_[i], fill, result_.mesh); !flips.pieces.empty())
                     apply(flips, cavities_[i]);
                 if (fill.delaunay) outgrown_.push_back({cavities_[i].nodes, std::move(fill)});
@@ -230,7 +235,7 @@ class Filling {
     /// Changes diagonals if that is all; else has the missing facets by constraint, or cuts those that stand in the way
     /// of that.
     void recover(const Cavity& cavity, CavityFill& fill) {
-        if (fill.triangulation.tets.empty())
+        if (is_flat(fill))
             throw MeshError("all nodes to fill between lie in one plane, at " +
                             names_of_faces(cavity, fill.places.missing) + "; mesh the part finer");
         std::vector<Vec3> seeds = seeds_of(cavity, fill);

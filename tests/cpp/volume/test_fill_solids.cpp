@@ -190,6 +190,27 @@ TEST_CASE("kept tets that hold all nodes of a flat cavity are released, and fill
     CHECK(result.report.released_tets < 20);
 }
 
+TEST_CASE("a seam that is nowhere Delaunay is recovered by constraint before all kept tets are released") {
+    const double edge = 20;
+    const Part part = prepare(box_part({0, 0, 0}, {edge, edge, edge}), 1.5);
+    Mesh full = fill(part).mesh;
+    for (std::size_t n = 0; n < full.node_count(); ++n) {
+        if (full.entities[n].dim < 3) continue;
+        Vec3& p = full.points[n];
+        const auto wave = [&](double x) { return std::sin(M_PI * x / edge); };
+        p.x += 3 * wave(p.x) * wave(p.y) * std::sin(4 * M_PI * p.z / edge);   // shears, with the boundary where it was
+    }
+    REQUIRE(findings(part.brep, full) == "");
+    std::vector<bool> is_kept;
+    for (std::size_t t = 0; t < full.tets.size(); ++t) is_kept.push_back(distance(center_of(full, t), {10, 10, 10}) > 4);
+    const Mesh before = kept_part(full, is_kept);
+    RunContext context;
+    const VolumeResult result = fill_solids(part.brep, part.sizing, before, {}, VolumeOptions{}, context);
+    CHECK(findings(part.brep, result.mesh) == "");
+    check_kept(before, result);
+    CHECK(result.report.released_tets < before.tets.size() / 4);
+}
+
 TEST_CASE("a full mesh is left as it is") {
     const Part part = prepare(two_solids(), 4.0);
     const Mesh full = fill(part).mesh;
