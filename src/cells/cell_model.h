@@ -51,7 +51,7 @@ struct CellModel {
     std::vector<double> feature_volumes;                   ///< mm^3, by FeatureId: what its volumes fill together
     CellReport report;
     /// After an edit: cells and faces are left out, and of the owners of final faces only those in the changed volumes
-    /// are known.
+    /// are known; none (an empty list) where nothing was fused.
     bool is_summary = false;
     std::vector<Owner> owners_within_edit;  ///< whose volumes are changed ones or lie within them; sorted
 };

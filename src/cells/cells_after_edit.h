@@ -18,8 +18,10 @@ struct CellsBefore {
 /// face, are paired; around all others a box is laid, in which the few solids that reach into it are fused, once as
 /// they were and once as they are. Outside of the box nothing changed, as long as both trees combine the common
 /// features in the same way. Owners of final faces are those found in the box; the difference knows the other faces.
-/// Nothing when the old books needed a fallback, the trees differ in more than volumes, most of the part is near the
-/// change, or the books do not close in the box: then the cells are to be built from nothing.
+/// When the old books needed a fallback, the trees differ in more than volumes, most of the part is near the change or
+/// the kernel cannot fuse what is in the box, nothing is fused: the summary has no owners (the difference finds them),
+/// trusts whom the old state trusted, and has the sum of their solids for features whose volumes changed. Nothing when
+/// the books do not close in the box: then the cells are to be built from nothing.
 std::optional<CellModel> cells_after_edit(const CellsBefore& before, const FeatureTree& tree, const Brep& final_shape,
                                           RunContext& context);
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "difference/volume_faces.h"
+
 namespace featuremesh {
 
 namespace {
@@ -26,9 +28,16 @@ class OwnerHeritage {
             if (const auto heir = heir_of(owner)) owners.push_back(*heir);
     }
 
-    void add_from_outside(FaceId old_face, std::vector<Owner>& owners) const {
-        for (const Owner& owner : old_.cells.owners_of_final_face[old_face.index()])
-            if (const auto heir = heir_of(owner); heir && reaches_out(*heir)) owners.push_back(*heir);
+    /// To new faces that were not kept, from the old faces that they overlap.
+    void add_from_outside(const std::vector<std::vector<FaceId>>& new_faces_of, const std::vector<FaceId>& kept_from,
+                          std::vector<std::vector<Owner>>& owners) const {
+        for (std::size_t old = 0; old < new_faces_of.size(); ++old)
+            for (const FaceId f : new_faces_of[old]) {
+                if (kept_from[f.index()].is_valid()) continue;
+                for (const Owner& owner : old_.cells.owners_of_final_face[old])
+                    if (const auto heir = heir_of(owner); heir && reaches_out(*heir))
+                        owners[f.index()].push_back(*heir);
+            }
     }
 
     std::vector<Owner> all() const {
@@ -57,17 +66,18 @@ std::vector<std::vector<Owner>> owners_after_edit(const PartState& old_state, co
     std::vector<FaceId> kept_from(new_state.brep.face_count());
     for (const FaceChange& face : difference.faces)
         if (face.verdict == BoundaryVerdict::kept) kept_from[face.new_face.index()] = face.old_face;
+    const bool is_fused = !new_state.cells.owners_of_final_face.empty();
+    std::optional<VolumeFaces> volume_faces;
+    if (!is_fused) volume_faces.emplace(new_state.tree);
     std::vector<std::vector<Owner>> owners(kept_from.size());
     for (std::size_t f = 0; f < owners.size(); ++f) {
         if (kept_from[f].is_valid())
             heritage.add_kept(kept_from[f], owners[f]);
         else
-            owners[f] = new_state.cells.owners_of_final_face[f];
+            owners[f] = is_fused ? new_state.cells.owners_of_final_face[f]
+                                 : volume_faces->owners_on(new_state.brep.face(FaceId(f)));
     }
-    const auto& new_faces_of = difference.regions[0].new_faces_of;
-    for (std::size_t o = 0; o < new_faces_of.size(); ++o)
-        for (const FaceId f : new_faces_of[o])
-            if (!kept_from[f.index()].is_valid()) heritage.add_from_outside(FaceId(o), owners[f.index()]);
+    if (is_fused) heritage.add_from_outside(difference.regions[0].new_faces_of, kept_from, owners);
     for (auto& list : owners) {
         std::sort(list.begin(), list.end());
         list.erase(std::unique(list.begin(), list.end()), list.end());

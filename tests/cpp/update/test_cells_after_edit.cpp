@@ -74,6 +74,11 @@ class RandomEdits {
     int next_ = 100;
 };
 
+PartState with_fallback(PartState state) {
+    state.cells.report.fallbacks.push_back("nothing is fused after this");
+    return state;
+}
+
 void check_same_books(const PartState& one, const PartState& other) {
     REQUIRE(one.cells.feature_volumes.size() == other.cells.feature_volumes.size());
     for (std::size_t f = 0; f < one.cells.feature_volumes.size(); ++f)
@@ -102,6 +107,10 @@ TEST_CASE("after random edits cells and owners are those from nothing") {
         check_same_books(live, fresh);
         const FeatureDifference difference = compare(before, live, 2.0, context);
         CHECK(difference.owners_of_new_face == fresh.cells.owners_of_final_face);
+        const PartState doubted = with_fallback(before), unfused = read_part(document, context, &doubted);
+        CHECK(unfused.cells.owners_of_final_face.empty());
+        check_same_books(unfused, fresh);
+        CHECK(compare(before, unfused, 2.0, context).owners_of_new_face == fresh.cells.owners_of_final_face);
         live.cells.owners_of_final_face = difference.owners_of_new_face;
         before = std::move(live);
     }
@@ -114,16 +123,22 @@ TEST_CASE("the mesh does not know how the cells were had") {
     options.sizing.size = 6;
     RunContext context;
     const auto old = mesh_part(document_of(edits.rounds), options, context).part_mesh;
-    PartMesh without_books = *old;
-    without_books.part.cells.report.fallbacks.push_back("built from nothing after this");
+    PartMesh unfused = *old, untold = *old;
+    unfused.part = with_fallback(unfused.part);
+    untold.part.cells.report.material_volume += 1;
     edits.rounds[3].radius += 1;
     const auto one = update_part(*old, document_of(edits.rounds), options, context).part_mesh;
-    const auto two = update_part(without_books, document_of(edits.rounds), options, context).part_mesh;
     CHECK(one->part.cells.is_summary);
-    CHECK_FALSE(two->part.cells.is_summary);
-    CHECK(one->mesh.points == two->mesh.points);
-    CHECK(one->mesh.tets == two->mesh.tets);
-    CHECK(one->mesh.node_numbers == two->mesh.node_numbers);
+    const auto two = update_part(unfused, document_of(edits.rounds), options, context).part_mesh;
+    CHECK(two->part.cells.is_summary);
+    const auto three = update_part(untold, document_of(edits.rounds), options, context).part_mesh;
+    CHECK_FALSE(three->part.cells.is_summary);
+    for (const auto& other : {two, three}) {
+        CHECK(one->mesh.points == other->mesh.points);
+        CHECK(one->mesh.tets == other->mesh.tets);
+        CHECK(one->mesh.node_numbers == other->mesh.node_numbers);
+        CHECK(one->part.cells.owners_of_final_face == other->part.cells.owners_of_final_face);
+    }
 }
 
 TEST_CASE("a feature added to a chain or taken out of it is fused without the rest of the part") {
@@ -145,13 +160,18 @@ TEST_CASE("a feature added to a chain or taken out of it is fused without the re
     }
 }
 
-TEST_CASE("features that were reordered, or that failed, are read from nothing") {
+TEST_CASE("features that were reordered, or that failed, are read without a fuse") {
     RandomEdits edits(5);
     RunContext context;
     const PartState before = read_part(document_of(edits.rounds), context);
     std::swap(edits.rounds[2], edits.rounds[9]);
-    CHECK_FALSE(read_part(document_of(edits.rounds), context, &before).cells.is_summary);
+    const PartState reordered = read_part(document_of(edits.rounds), context, &before);
+    CHECK(reordered.cells.owners_of_final_face.empty());
+    CHECK(compare(before, reordered, 2.0, context).owners_of_new_face ==
+          read_part(document_of(edits.rounds), context).cells.owners_of_final_face);
     RawDocument failed = document_of(RandomEdits(5).rounds);
     failed.records[4].error = "it failed";
-    CHECK_FALSE(read_part(failed, context, &before).cells.is_summary);
+    const PartState in_error = read_part(failed, context, &before);
+    CHECK(in_error.cells.owners_of_final_face.empty());
+    CHECK(in_error.cells.report.untrusted == read_part(failed, context).cells.report.untrusted);
 }

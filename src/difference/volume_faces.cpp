@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "difference/volume_faces.h"
+
+#include <BRepTools.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <Precision.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+
+#include "features/occt_geometry.h"
+#include "features/solid_probe.h"
+
+namespace featuremesh {
+
+namespace {
+
+constexpr double on_face = 1e-5;  // mm, as for the cells of a whole part
+constexpr int points_across = 6;
+
+std::vector<Vec3> points_spread_over(const TopoDS_Face& face) {
+    std::vector<Vec3> points;
+    if (const auto sound = point_on(face)) points.push_back(sound->point);
+    double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
+    BRepTools::UVBounds(face, u1, u2, v1, v2);
+    const BRepAdaptor_Surface surface(face, false);
+    const BRepTopAdaptor_FClass2d trim(face, Precision::PConfusion());
+    for (int i = 0; i < points_across; ++i)
+        for (int j = 0; j < points_across; ++j) {
+            const double u = u1 + (u2 - u1) * (i + 0.5) / points_across, v = v1 + (v2 - v1) * (j + 0.5) / points_across;
+            if (trim.Perform({u, v}) == TopAbs_IN) points.push_back(to_vec3(surface.Value(u, v)));
+        }
+    return points;
+}
+
+}  // namespace
+
+VolumeFaces::VolumeFaces(const FeatureTree& tree) {
+    for (std::size_t f = 0; f < tree.features.size(); ++f)
+        for (std::size_t v = 0; v < tree.features[f].volumes.size(); ++v)
+            for (TopExp_Explorer it(tree.features[f].volumes[v].shape, TopAbs_FACE); it.More(); it.Next()) {
+                const TopoDS_Face& face = TopoDS::Face(it.Current());
+                faces_.push_back({{FeatureId(f), int(v)}, carrier_of(face), FaceProbe(face)});
+            }
+}
+
+std::vector<Owner> VolumeFaces::owners_on(const TopoDS_Face& final_face) const {
+    const Box box = box_of(final_face);
+    const SurfaceCarrier carrier = carrier_of(final_face);
+    const std::vector<Vec3> points = points_spread_over(final_face);
+    std::vector<Owner> owners;
+    for (const OwnedFace& face : faces_) {
+        if (!owners.empty() && owners.back() == face.owner) continue;
+        if (!face.probe.box().overlaps(box) ||
+            !same_carrier(face.carrier, carrier, {on_face, box.center(), 0.5 * box.diagonal()}))
+            continue;
+        if (std::any_of(points.begin(), points.end(), [&](const Vec3& p) { return face.probe.contains(p, on_face); }))
+            owners.push_back(face.owner);
+    }
+    return owners;
+}
+
+}  // namespace featuremesh

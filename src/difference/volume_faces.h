@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Owners of a face of the final shape without a fuse.
+#pragma once
+
+#include <TopoDS_Face.hxx>
+#include <vector>
+
+#include "cells/cell_model.h"
+#include "difference/carriers.h"
+#include "features/face_probe.h"
+
+namespace featuremesh {
+
+/// The faces of all volumes of all features. Not for concurrent use.
+class VolumeFaces {
+  public:
+    explicit VolumeFaces(const FeatureTree& tree);
+    /// Owners of the volume faces that pass through some of 36 points spread over a face of the final shape with its
+    /// normal, or the opposite one; sorted. What touches the face between those points only is not found.
+    std::vector<Owner> owners_on(const TopoDS_Face& final_face) const;
+
+  private:
+    struct OwnedFace {
+        Owner owner;
+        SurfaceCarrier carrier;
+        FaceProbe probe;
+    };
+    std::vector<OwnedFace> faces_;  // by owner
+};
+
+}  // namespace featuremesh
