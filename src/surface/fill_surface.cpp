@@ -6,10 +6,12 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <map>
 #include <set>
 
 #include "core/activity.h"
 #include "core/errors.h"
+#include "mesh/findings.h"
 #include "surface/chart.h"
 #include "surface/chart_domain.h"
 #include "surface/distinct_sides.h"
@@ -274,16 +276,20 @@ void ask_for_less(WantedLength& wanted, const Mesh& mesh, const TrianglePairs& c
         }
 }
 
-std::string names_of(const Mesh& mesh, const TrianglePairs& crossings) {
-    std::set<std::pair<FaceId, FaceId>> faces;
+/// Of pairs of faces whose triangles cross, with a place of each pair where that is wanted.
+std::string names_of(const Mesh& mesh, const TrianglePairs& crossings, bool with_places = false) {
+    std::map<std::pair<FaceId, FaceId>, TriangleId> first_of;
     for (const auto& [t, u] : crossings)
-        faces.insert(std::minmax(mesh.triangle_faces[t.index()], mesh.triangle_faces[u.index()]));
+        first_of.try_emplace(std::minmax(mesh.triangle_faces[t.index()], mesh.triangle_faces[u.index()]), t);
     std::string names;
     std::size_t count = 0;
-    for (const auto& [f, g] : faces) {
+    for (const auto& [faces, triangle] : first_of) {
+        const auto& [f, g] = faces;
         if (++count > 4) return names + ", and others";
         names += (names.empty() ? "" : ", ") + (f == g ? name_of(entity_of(f)) + " and itself"
                                                        : name_of(entity_of(f)) + " and " + name_of(entity_of(g)));
+        const auto& [a, b, c] = mesh.triangles[triangle.index()];
+        if (with_places) names += " near " + in_words((mesh.point(a) + mesh.point(b) + mesh.point(c)) / 3);
     }
     return names;
 }
@@ -311,6 +317,24 @@ std::string warning_of_contact(const Brep& brep, const Mesh& mesh, const Triangl
            "twice. If that is not meant, fuse them or join them (Part: Boolean Fragments).";
 }
 
+/// Faces that bound no solid, and edges of no face: what lies beside the solids of a compound.
+std::vector<std::string> warnings_of_loose(const Brep& brep) {
+    std::vector<Entity> loose;
+    for (std::size_t f = 0; f < brep.face_count(); ++f) {
+        const auto sides = brep.sides_of(FaceId(f));
+        if (!sides[0].is_valid() && !sides[1].is_valid()) loose.push_back(entity_of(FaceId(f)));
+    }
+    for (std::size_t e = 0; e < brep.edge_count(); ++e)
+        if (brep.faces_of(EdgeId(e)).empty()) loose.push_back(entity_of(EdgeId(e)));
+    if (loose.empty()) return {};
+    constexpr std::size_t most = 6;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(most, loose.size()); ++i)
+        names += (names.empty() ? "" : ", ") + name_of(loose[i]);
+    if (loose.size() > most) names += " and " + std::to_string(loose.size() - most) + " more";
+    return {"Not meshed, because no solid has them: " + names + "."};
+}
+
 }  // namespace
 
 SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kept, RunContext& context) {
@@ -330,6 +354,7 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
         if (crossings.empty()) {
             std::vector<std::string> notes = merged.warnings();
             if (!found.between.empty()) notes.push_back(warning_of_contact(brep, result.mesh, found.between));
+            for (const std::string& line : warnings_of_loose(brep)) notes.push_back(line);
             result.report.warnings.insert(result.report.warnings.end(), notes.begin(), notes.end());
             for (const std::string& names : refined)
                 result.report.warnings.push_back(
@@ -342,7 +367,7 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
         crossings_before = crossings.size();
         const bool is_hopeless = crossings.size() > hopeless || (times_grown >= 2 && crossings.size() > many);
         if (attempt == attempts || is_hopeless)
-            throw MeshError("These faces cross each other: " + names +
+            throw MeshError("These faces cross each other: " + names_of(result.mesh, crossings, true) +
                             ". The shape intersects itself (Part: Check geometry), or is thinner there than any mesh "
                             "of this size can follow; repair the feature, or ask for a smaller size on these faces.");
         refined.insert(names);

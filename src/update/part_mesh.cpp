@@ -14,6 +14,7 @@
 
 #include "cells/cells_after_edit.h"
 #include "core/errors.h"
+#include "mesh/findings.h"
 #include "mesh/validation.h"
 #include "sizing/lost_sizes.h"
 #include "surface/mid_side_nodes.h"
@@ -73,8 +74,7 @@ void refuse_turned(const Mesh& mesh, const std::vector<TriangleId>& turned) {
     const std::size_t t = turned.front().index();
     const Vec3& p = mesh.point(mesh.triangles[t][0]);
     throw MeshError("The mesh is not valid: " + std::to_string(turned.size()) + " surface triangles are turned over, the first on " +
-                    name_of(entity_of(mesh.triangle_faces[t])) + " at (" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " +
-                    std::to_string(p.z) + "). The face bends too much there for this size; ask for a smaller size on it.");
+                    name_of(entity_of(mesh.triangle_faces[t])) + " at " + in_words(p) + ". The face bends too much there for this size; ask for a smaller size on it.");
 }
 
 void validate(const Mesh& mesh, const Brep& brep, std::vector<char> unproven, RunContext& context) {

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "core/errors.h"
+#include "mesh/findings.h"
 #include "surface/projection.h"
 #include "volume/constrained_delaunay.h"
 #include "volume/facet_split.h"
@@ -324,21 +325,23 @@ class Filling {
         std::sort(order.begin(), order.end(),
                   [&](std::size_t a, std::size_t b) { return std::pair(place(a), a) < std::pair(place(b), b); });
         std::set<FaceId> faces;
+        Vec3 last;
         for (std::size_t i = 1; i < order.size(); ++i)
             if (place(order[i - 1]) == place(order[i]))
                 for (const std::size_t n : {order[i - 1], order[i]})
-                    for (const FaceId face : faces_at(cavity.nodes[n])) faces.insert(face);
+                    for (const FaceId face : faces_at(cavity.nodes[n])) faces.insert(face), last = cavity.points[n];
         if (faces.empty()) return;
         std::string names;
         std::size_t listed = 0;
         for (const FaceId face : faces)
             if (listed++ < 6) names += (names.empty() ? "" : ", ") + name_of(entity_of(face));
         throw MeshError("the shape touches itself: nodes of " + names +
-                        " lie in the same place; repair it there (Part: Check geometry)");
+                        " lie in the same place, such as " + in_words(last) + "; repair it there (Part: Check geometry)");
     }
 
     [[noreturn]] void throw_crossing(const Cavity& cavity, const std::vector<int>& crossing) const {
-        throw MeshError("triangles of " + names_of_faces(cavity, crossing) +
+        const Vec3& place = cavity.points[std::size_t(cavity.facets[std::size_t(crossing.front())].corners[0])];
+        throw MeshError("triangles of " + names_of_faces(cavity, crossing) + " near " + in_words(place) +
                         " cut one another; the shape may touch or cut itself there: repair it, or mesh finer there");
     }
 

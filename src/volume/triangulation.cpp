@@ -13,6 +13,7 @@
 #include <string>
 
 #include "core/errors.h"
+#include "mesh/findings.h"
 #include "mesh/second_order.h"
 
 namespace featuremesh {
@@ -24,10 +25,6 @@ using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<int, Kernel>;
 using CellBase =
     CGAL::Triangulation_cell_base_with_info_3<int, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
-
-std::string words(const Vec3& p) {
-    return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) + ")";
-}
 
 /// Points by number, for CGAL; sorting by them ends when the work is cancelled.
 struct WatchedPoints {
@@ -67,7 +64,7 @@ void insert_all(Delaunay& delaunay, std::span<const Vec3> points, std::size_t fi
                                                  : delaunay.insert(converted[order[i]], last->cell());
         last->info() = static_cast<int>(first + order[i]);
         if (delaunay.number_of_vertices() != first + i + 1)
-            throw MeshError("two nodes lie in the same place, at " + words(points[order[i]]) +
+            throw MeshError("two nodes lie in the same place, at " + in_words(points[order[i]]) +
                             " mm; heal the shape there or mesh it finer");
     }
 }

@@ -152,15 +152,22 @@ int euler_characteristic(const Mesh& mesh) {
     return static_cast<int>(nodes.size()) - static_cast<int>(sides.size()) + static_cast<int>(mesh.triangles.size());
 }
 
-double smallest_angle(const Mesh& mesh) {
+double smallest_angle(const Mesh& mesh, TriangleId triangle) {
+    const auto& t = mesh.triangles[triangle.index()];
     double smallest = M_PI;
-    for (const auto& t : mesh.triangles)
-        for (int i = 0; i < 3; ++i) {
-            const Vec3 u = mesh.point(t[(i + 1) % 3]) - mesh.point(t[i]),
-                       v = mesh.point(t[(i + 2) % 3]) - mesh.point(t[i]);
-            smallest = std::min(smallest, std::atan2(length(cross(u, v)), dot(u, v)));
-        }
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 u = mesh.point(t[(i + 1) % 3]) - mesh.point(t[i]),
+                   v = mesh.point(t[(i + 2) % 3]) - mesh.point(t[i]);
+        smallest = std::min(smallest, std::atan2(length(cross(u, v)), dot(u, v)));
+    }
     return smallest * 180 / M_PI;
+}
+
+double smallest_angle(const Mesh& mesh) {
+    double smallest = 180;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        smallest = std::min(smallest, smallest_angle(mesh, TriangleId(t)));
+    return smallest;
 }
 
 double area(const Mesh& mesh) {

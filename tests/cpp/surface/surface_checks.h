@@ -29,6 +29,7 @@ std::vector<std::string> findings(const Brep& brep, const Mesh& mesh);
 int euler_characteristic(const Mesh& mesh);
 /// Degrees.
 double smallest_angle(const Mesh& mesh);
+double smallest_angle(const Mesh& mesh, TriangleId triangle);
 double area(const Mesh& mesh);
 
 }  // namespace featuremesh::testing

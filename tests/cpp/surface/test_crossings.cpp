@@ -8,6 +8,8 @@
 #include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Solid.hxx>
+#include <cmath>
+#include <cstdio>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Wire.hxx>
@@ -73,7 +75,7 @@ const TopoDS_Shape pin = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5, 5, 5), gp_Dir
 
 }  // namespace
 
-TEST_CASE("a solid that crosses itself is refused with the names of its faces") {
+TEST_CASE("a solid that crosses itself is refused with the names of its faces and a place") {
     TopoDS_Solid both;
     BRep_Builder builder;
     builder.MakeSolid(both);
@@ -83,7 +85,13 @@ TEST_CASE("a solid that crosses itself is refused with the names of its faces") 
         mesh_surface(brep, 2);
         FAIL("not refused");
     } catch (const MeshError& error) {
-        CHECK(std::string(error.what()).find("Face6 and Face7") != std::string::npos);
+        const std::string message = error.what();
+        const std::string names = "Face6 and Face7 near (";
+        REQUIRE(message.find(names) != std::string::npos);
+        Vec3 p;
+        REQUIRE(std::sscanf(message.c_str() + message.find(names) + names.size(), "%lf, %lf, %lf)", &p.x, &p.y, &p.z) == 3);
+        CHECK(std::abs(std::hypot(p.x - 5, p.y - 5) - 3) < 1);
+        CHECK(std::abs(p.z - 10) < 1);
     }
 }
 

@@ -301,6 +301,7 @@ TEST_CASE("a solid with two faces in the same place is refused with their names"
         INFO(error.what());
         CHECK(std::string(error.what()).find("Face2") != std::string::npos);
         CHECK(std::string(error.what()).find("Face7") != std::string::npos);
+        CHECK(std::string(error.what()).find("such as (10, ") != std::string::npos);
     }
 }
 

@@ -48,6 +48,8 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "The part could not be filled: %s. Try another size, or check the shape (Part: Check geometry)."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is not valid: %s."),
     QT_TRANSLATE_NOOP("FeatureMesh", "the surface mesh does not close at %s; check the shape there, or try another size"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "the shape touches itself: nodes of %s lie in the same place, such as %s; repair it there (Part: Check geometry)"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "Not meshed, because no solid has them: %s."),
     QT_TRANSLATE_NOOP("FeatureMesh", "triangles of %s cut one another; the shape may touch or cut itself there: repair it, or mesh finer there"),
     QT_TRANSLATE_NOOP("FeatureMesh", "the volume mesh cannot be made to meet the triangles of %s; mesh finer there, or check the shape for faces "
                                      "that cut or touch one another"),

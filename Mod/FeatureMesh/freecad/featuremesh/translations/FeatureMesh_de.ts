@@ -276,7 +276,7 @@
     </message>
     <message>
       <source>Check the shape there (Part: Check geometry), mesh from scratch, or try another size.</source>
-      <translation>Bitte die Form dort prüfen (Part: Geometrie überprüfen), von Grund auf vernetzen oder eine andere Größe versuchen.</translation>
+      <translation>Bitte die Form dort prüfen (Part: Geometrie prüfen), von Grund auf vernetzen oder eine andere Größe versuchen.</translation>
     </message>
     <message>
       <source>Colours</source>
@@ -389,6 +389,10 @@
     <message>
       <source>Nodes kept as start positions</source>
       <translation>Als Startlage behaltene Knoten</translation>
+    </message>
+    <message>
+      <source>Not meshed, because no solid has them: %s.</source>
+      <translation>Nicht vernetzt, weil sie zu keinem Körper gehören: %s.</translation>
     </message>
     <message>
       <source>Open a part, select its body and press &lt;b&gt;Mesh a part&lt;/b&gt;. Choose a size; the panel tells how many elements it gives. Press &lt;b&gt;Mesh&lt;/b&gt;.</source>
@@ -863,6 +867,10 @@ mittleres Radienverhältnis %.3f</translation>
     <message>
       <source>the saved mesh state is from a newer FeatureMesh (%s, schema %s; this one reads up to %s)</source>
       <translation>der gespeicherte Netzzustand ist von einem neueren FeatureMesh (%s, Schema %s; dieses liest bis %s)</translation>
+    </message>
+    <message>
+      <source>the shape touches itself: nodes of %s lie in the same place, such as %s; repair it there (Part: Check geometry)</source>
+      <translation>die Form berührt sich selbst: Knoten von %s liegen an derselben Stelle, etwa bei %s; dort reparieren (Part: Geometrie prüfen)</translation>
     </message>
     <message>
       <source>the size %g mm is larger than the part (%g mm across); try %g</source>
