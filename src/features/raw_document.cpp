@@ -6,7 +6,10 @@
 #include <BinTools_ShapeSet.hxx>
 #include <Standard_Failure.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <array>
+#include <map>
 #include <sstream>
 #include <streambuf>
 
@@ -48,6 +51,24 @@ TopoDS_Shape read_compound(std::istream& in) {
     return compound;
 }
 
+/// FreeCAD writes a place of its own for every shape, be it the same as another's or none at all. Shapes in the same
+/// place must say so, or their common faces count as different; and each place is one product more for all that is asked
+/// of a face or an edge.
+class Places {
+  public:
+    TopoDS_Shape put(const TopoDS_Shape& shape) {
+        if (shape.Location().IsIdentity()) return shape;
+        const gp_Trsf motion = shape.Location().Transformation();
+        std::array<double, 12> key;
+        for (int i = 0; i < 12; ++i) key[i] = motion.Value(i / 4 + 1, i % 4 + 1);
+        return shape.Located(known_.try_emplace(key, motion).first->second);
+    }
+
+  private:
+    std::map<std::array<double, 12>, TopLoc_Location> known_{
+        {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}, TopLoc_Location()}};
+};
+
 }  // namespace
 
 std::vector<TopoDS_Shape> read_shapes(std::span<const std::byte> bytes) {
@@ -57,7 +78,8 @@ std::vector<TopoDS_Shape> read_shapes(std::span<const std::byte> bytes) {
     std::vector<TopoDS_Shape> shapes;
     try {
         const TopoDS_Shape compound = read_compound(in);
-        for (TopoDS_Iterator child(compound); child.More(); child.Next()) shapes.push_back(child.Value());
+        Places places;
+        for (TopoDS_Iterator child(compound); child.More(); child.Next()) shapes.push_back(places.put(child.Value()));
     } catch (const Standard_Failure& failure) {
         throw StateError(std::string("The shapes cannot be read: ") + failure.GetMessageString());
     } catch (const std::bad_alloc&) {

@@ -28,8 +28,8 @@ std::vector<TopoDS_Face> faces_of_solids(const TopoDS_Shape& shape) {
     return faces;
 }
 
-/// Numbers that do not depend on the order of a face's edges nor on their direction. What is inside the border costs most
-/// and is only looked at where the borders agree.
+/// Numbers that do not depend on the order of a face's edges nor on their direction. What is inside the border costs
+/// most and is only looked at where the borders agree.
 class Signature {
   public:
     explicit Signature(const TopoDS_Face& face) : face_(face), kind_(BRepAdaptor_Surface(face, false).GetType()) {
@@ -52,15 +52,16 @@ class Signature {
     }
 
   private:
-    /// A point of the surface within the range of the face's parameters, and the normal there.
+    /// A point of the surface within the range of the face's parameters, and the normal there. Of a plane, which its
+    /// border determines, the normal only: the range costs as much as all else.
     const std::pair<Vec3, Vec3>& inner() const {
         if (inner_) return *inner_;
         const BRepAdaptor_Surface surface(face_, false);
+        if (surface.GetType() == GeomAbs_Plane) return inner_.emplace(Vec3{}, outward_normal(surface, face_, 0, 0));
         double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
         BRepTools::UVBounds(face_, u1, u2, v1, v2);
         const double u = (u1 + u2) / 2, v = (v1 + v2) / 2;
-        inner_.emplace(to_vec3(surface.Value(u, v)), outward_normal(surface, face_, u, v));
-        return *inner_;
+        return inner_.emplace(to_vec3(surface.Value(u, v)), outward_normal(surface, face_, u, v));
     }
     void add_edge(const TopoDS_Edge& edge) {
         const BRepAdaptor_Curve curve(edge);

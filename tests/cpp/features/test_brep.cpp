@@ -105,3 +105,19 @@ TEST_CASE("shapes survive the way FreeCAD writes them, with what they share") {
     CHECK_THROWS_AS(read_shapes(std::vector<std::byte>(100)), StateError);
     CHECK_THROWS_AS(read_shapes({}), StateError);
 }
+
+TEST_CASE("shapes that are read say when they are in the same place, or in none of their own") {
+    const TopoDS_Shape solid = BRepPrimAPI_MakeBox(1, 2, 3).Solid();
+    const auto placed = [&](double x) {
+        gp_Trsf motion;
+        motion.SetTranslation({x, 0, 0});
+        return solid.Located(TopLoc_Location(motion));  // a location of its own each time, as FreeCAD's
+    };
+    const std::vector<TopoDS_Shape> shapes{placed(0), placed(5), placed(5), placed(6)};
+    REQUIRE_FALSE(shapes[1].IsSame(shapes[2]));
+    const auto back = read_shapes(write_shapes(shapes));
+    CHECK(back[0].Location().IsIdentity());
+    CHECK(back[1].IsSame(back[2]));
+    CHECK_FALSE(back[2].IsSame(back[3]));
+    CHECK(Brep(back[3]).box().low.x == Approx(6));
+}
