@@ -12,6 +12,8 @@ namespace {
 
 /// In wanted edge lengths; the circumspheres of the lattice's tets have 0.65.
 constexpr double radius_of_a_gap = 0.8;
+/// Beside a seam that is no lattice a point fits in closer than the lattice's distances.
+constexpr SeedOptions places_in_gaps{.clearance = 0.5, .spacing = 0.7};
 
 /// By point: whether it is a corner of the seam with kept tets.
 std::vector<char> seam_points(std::size_t point_count, const Cavity& cavity) {
@@ -41,24 +43,19 @@ std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<c
     });
     std::vector<Vec3> centers;
     for (const auto& [radius, center] : gaps) centers.push_back(center);
-    SeedOptions options;
-    options.spacing = radius_of_a_gap;
-    return seeds_with_room(centers, region, balls, size, options, context);
+    return seeds_with_room(centers, region, balls, size, places_in_gaps, context);
 }
 
 }  // namespace
 
-std::vector<Ball> seam_balls(const Mesh& mesh, const Cavity& cavity) {
+std::vector<Ball> seam_balls(const Mesh& mesh, const Cavity& cavity, const WantedSize& size) {
     std::vector<Ball> balls;
     for (const TetId tet : cavity.tet_of_facet) {
         if (!tet.is_valid()) continue;
         const auto& n = mesh.tets[tet.index()];
         const Ball ball = circumsphere(mesh.point(n[0]), mesh.point(n[1]), mesh.point(n[2]), mesh.point(n[3]));
-        const double reach =
-            2 * std::max({distance(mesh.point(n[0]), mesh.point(n[1])), distance(mesh.point(n[0]), mesh.point(n[2])),
-                          distance(mesh.point(n[0]), mesh.point(n[3]))});
-        if (ball.radius < reach)
-            balls.push_back({ball.center, ball.radius * (1 + 1e-9)});  // a flatter one would empty the cavity
+        if (ball.radius < radius_of_a_gap * size.at(ball.center))
+            balls.push_back({ball.center, ball.radius * (1 + 1e-9)});
     }
     return balls;
 }

@@ -40,8 +40,9 @@ CavityFill flood_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangul
 /// The tets that lie in a region, for local operations; the cavity's own points are fixed.
 TetComplex make_complex(const Cavity& cavity, const CavityFill& fill, const RunContext& context);
 
-/// The circumspheres of the kept tets at the seam: as long as they are empty, the seam holds by itself.
-std::vector<Ball> seam_balls(const Mesh& mesh, const Cavity& cavity);
+/// The circumspheres of the kept tets at the seam: as long as they are empty, the seam holds by itself. Those with room
+/// for a node are left out: such tets are coarser than wanted or flat, and go if a node needs the room.
+std::vector<Ball> seam_balls(const Mesh& mesh, const Cavity& cavity, const WantedSize& size);
 
 /// Points that were put on the CAD faces may have turned tets over.
 bool has_inverted_tet(const CavityFill& fill);

@@ -177,7 +177,7 @@ class Filling {
                 return;
             }
         try {
-            fills_[i] = fill_cavity(cavity, seam_balls(result_.mesh, cavity), active_, size_, context_);
+            fills_[i] = fill_cavity(cavity, seam_balls(result_.mesh, cavity, size_), active_, size_, context_);
         } catch (const MeshError&) {
             require_distinct(cavity);
             throw;

@@ -28,6 +28,9 @@ struct Neighbours {
     bool is_short() const { return facets.size() + balls.size() < 24; }  ///< to ask all costs less than to sort them
 };
 
+/// Active points were nodes of a good mesh, which the lattice's distances would leave out where sizes are graded.
+constexpr SeedOptions proven_places{.clearance = 0.5, .spacing = 0.6};
+
 constexpr int finest_level = 12;  ///< below the root cells
 constexpr std::int64_t root_edge = std::int64_t{2} << finest_level;
 
@@ -344,7 +347,7 @@ std::vector<Vec3> find_seeds(const SeedRegion& region, std::span<const Ball> bal
     std::vector<Vec3> seeds;
     std::vector<Ball> occupied(balls.begin(), balls.end());
     if (!active.empty()) {
-        seeds = seeds_with_room(active, region, balls, size, options, context);
+        seeds = seeds_with_room(active, region, balls, size, proven_places, context);
         for (const Vec3& p : seeds) occupied.push_back({p, options.spacing * size.at(p)});
     }
     const std::vector<Vec3> lattice = SeedOctree(region, occupied, size, options, context).lattice_points();

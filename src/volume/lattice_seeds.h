@@ -47,11 +47,11 @@ class SeedRegion {
     RegionLocator locator_;
 };
 
-/// The `active` points, as far as they have room, then points of the lattice: all inside the regions that the facets
-/// bound, not nearer to a facet than the clearance, not inside a ball (such as the circumsphere of a kept tet), and
-/// apart from one another. The lattice is anchored at the origin of space, so that the same place gives the same points
-/// whatever is around it. Always the same order. Coordinates are off the exact lattice by 1e-6 of its constant, since
-/// exactly coplanar points cost exact arithmetic.
+/// The `active` points, as far as they have room (less of it than others need), then points of the lattice: all inside
+/// the regions that the facets bound, not nearer to a facet than the clearance, not inside a ball (such as the
+/// circumsphere of a kept tet), and apart from one another. The lattice is anchored at the origin of space, so that the
+/// same place gives the same points whatever is around it. Always the same order. Coordinates are off the exact lattice
+/// by 1e-6 of its constant, since exactly coplanar points cost exact arithmetic.
 std::vector<Vec3> find_seeds(const SeedRegion& region, std::span<const Ball> balls, std::span<const Vec3> active,
                              const WantedSize& size, const SeedOptions& options, const RunContext& context);
 
