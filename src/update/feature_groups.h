@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which tets belong to which feature: what the cellular model knows and no other mesher can offer.
+// Which tets belong to which feature, which no other mesher can tell.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@
 
 namespace featuremesh {
 
-/// By feature that owns material: its name and its tets, ascending. A tet belongs to the cell its centroid is in, and to every owner of that cell.
+/// By feature that owns material: its name and its tets, ascending. A tet belongs to every feature that has its centroid in one of its volumes, so
+/// to the owners of the cell it is in.
 std::vector<std::pair<std::string, std::vector<TetId>>> tets_of_features(const PartMesh& part, RunContext& context);
 
 }  // namespace featuremesh
