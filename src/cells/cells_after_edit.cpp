@@ -23,9 +23,9 @@ namespace featuremesh {
 namespace {
 
 constexpr double seconds_for_a_fuse = 0.5;  // of the processor; owners are not worth more while a mesh is waited for
-constexpr double share_that_pays = 0.7;  // of the solids, in both fuses together
-constexpr double on_face = 1e-5;         // mm, as for the cells of a whole part
-constexpr double same_normal = 0.999;    // cosine
+constexpr double share_that_pays = 0.7;     // of the solids, in both fuses together
+constexpr double on_face = 1e-5;            // mm, as for the cells of a whole part
+constexpr double same_normal = 0.999;       // cosine
 
 /// One solid of one volume of a feature.
 struct Piece {
@@ -376,48 +376,51 @@ bool has_same_volumes(const Feature& was, const Feature& is) {
         [](const FeatureVolume& a, const FeatureVolume& b) { return print_of(a.shape) == print_of(b.shape); });
 }
 
+bool is_untrusted(const CellModel& cells, FeatureId id) {
+    const auto& untrusted = cells.report.untrusted;
+    return std::find(untrusted.begin(), untrusted.end(), id) != untrusted.end();
+}
+
 double sum_of_volumes(const Feature& feature, const Vec3& apex) {
     double sum = 0;
     for (const FeatureVolume& volume : feature.volumes) sum += std::abs(flux(volume.shape, apex));
     return sum;
 }
 
-/// Nothing is fused: who was trusted is trusted.
-CellModel carried_over(const CellsBefore& before, const FeatureTree& tree, const Brep& final_shape) {
+}  // namespace
+
+CellModel cells_without_fuse(const FeatureTree& tree, const Brep& final_shape, const CellsBefore* before) {
     CellModel model;
     model.is_summary = true;
     model.report.material_volume = model.report.final_volume = volume_of(final_shape);
-    const auto& untrusted = before.cells.report.untrusted;
     for (std::size_t f = 0; f < tree.features.size(); ++f) {
         const Feature& feature = tree.features[f];
-        const auto old = before.tree.find(feature.name);
-        model.feature_volumes.push_back(old && has_same_volumes(before.tree[*old], feature)
-                                            ? before.cells.feature_volumes[old->index()]
+        const auto old = before ? before->tree.find(feature.name) : std::nullopt;
+        model.feature_volumes.push_back(old && has_same_volumes(before->tree[*old], feature)
+                                            ? before->cells.feature_volumes[old->index()]
                                             : sum_of_volumes(feature, final_shape.box().center()));
-        if (!feature.error.empty() || (old && std::find(untrusted.begin(), untrusted.end(), *old) != untrusted.end()))
+        if (!feature.error.empty() || (old && is_untrusted(before->cells, *old)))
             model.report.untrusted.push_back(FeatureId(f));
     }
     return model;
 }
-
-}  // namespace
 
 std::optional<CellModel> cells_after_edit(const CellsBefore& before, const FeatureTree& tree, const Brep& final_shape,
                                           RunContext& context) {
     const RunContext::Step step(context, "cells");
     const CellReport& old_report = before.cells.report;
     if (!old_report.fallbacks.empty() || !old_report.findings.empty() || !old_report.untrusted.empty())
-        return carried_over(before, tree, final_shape);
+        return cells_without_fuse(tree, final_shape, &before);
     Pairing pairing(before.tree, tree);
-    if (!pairing.run()) return carried_over(before, tree, final_shape);
+    if (!pairing.run()) return cells_without_fuse(tree, final_shape, &before);
     CellModel model;
     model.is_summary = true;
     const LocalFuse old_fuse(before.tree, pairing.old_pieces, context), new_fuse(tree, pairing.new_pieces, context);
     if (double(old_fuse.argument_count() + new_fuse.argument_count()) >
         2 + share_that_pays * double(pairing.new_pieces.size()))
-        return carried_over(before, tree, final_shape);
+        return cells_without_fuse(tree, final_shape, &before);
     const auto was = old_fuse.run(), is = new_fuse.run();
-    if (!was || !is) return carried_over(before, tree, final_shape);
+    if (!was || !is) return cells_without_fuse(tree, final_shape, &before);
     const double volume = volume_of(final_shape);
     NewState now(*was, *is, pairing.new_pieces, final_shape);
     if (!now.tells_the_truth(volume)) return std::nullopt;

@@ -36,12 +36,14 @@ std::vector<Vec3> points_spread_over(const TopoDS_Face& face) {
 }  // namespace
 
 VolumeFaces::VolumeFaces(const FeatureTree& tree) {
-    for (std::size_t f = 0; f < tree.features.size(); ++f)
+    for (std::size_t f = 0; f < tree.features.size(); ++f) {
+        if (!tree.features[f].volumes.empty()) all_.push_back({FeatureId(f), 0});
         for (std::size_t v = 0; v < tree.features[f].volumes.size(); ++v)
             for (TopExp_Explorer it(tree.features[f].volumes[v].shape, TopAbs_FACE); it.More(); it.Next()) {
                 const TopoDS_Face& face = TopoDS::Face(it.Current());
                 faces_.push_back({{FeatureId(f), int(v)}, carrier_of(face), FaceProbe(face)});
             }
+    }
 }
 
 std::vector<Owner> VolumeFaces::owners_on(const TopoDS_Face& final_face) const {
@@ -56,6 +58,15 @@ std::vector<Owner> VolumeFaces::owners_on(const TopoDS_Face& final_face) const {
             continue;
         if (std::any_of(points.begin(), points.end(), [&](const Vec3& p) { return face.probe.contains(p, on_face); }))
             owners.push_back(face.owner);
+    }
+    return owners;
+}
+
+std::vector<std::vector<Owner>> VolumeFaces::owners_of_faces(const Brep& final_shape) const {
+    std::vector<std::vector<Owner>> owners;
+    for (std::size_t f = 0; f < final_shape.face_count(); ++f) {
+        owners.push_back(owners_on(final_shape.face(FaceId(f))));
+        if (owners.back().empty()) owners.back() = all_;
     }
     return owners;
 }

@@ -14,6 +14,7 @@
 
 #include "cells/cells_after_edit.h"
 #include "core/errors.h"
+#include "difference/volume_faces.h"
 #include "mesh/findings.h"
 #include "mesh/validation.h"
 #include "sizing/lost_sizes.h"
@@ -314,6 +315,16 @@ FeatureTree interpreted(const RawDocument& document, RunContext& context, const 
     return interpret(document, context, before ? &before->tree : nullptr);
 }
 
+/// Without cells: nobody waits for them to see a mesh that is there.
+PartState read_unfused(const RawDocument& document, RunContext& context) {
+    FeatureTree tree = interpreted(document, context, nullptr);
+    const RunContext::Step step(context, "cells");
+    Brep brep(tree.final_shape);
+    CellModel cells = cells_without_fuse(tree, brep);
+    cells.owners_of_final_face = VolumeFaces(tree).owners_of_faces(brep);
+    return {std::move(tree), std::move(brep), std::move(cells)};
+}
+
 /// Where sizes change along a seam, the tets that have to change with them need more room.
 double margin_of(const MeshOptions& options, const SizingField& sizing) {
     if (options.keep_margin > 0) return options.keep_margin;
@@ -464,7 +475,7 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, cons
 
 std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& options, Mesh mesh, RunContext& context,
                                              MadeFor made_for, std::vector<SizeSource> adopted_sizes) {
-    PartState part = read_part(document, context);
+    PartState part = read_unfused(document, context);
     const std::vector<std::string> broken = broken_invariants(mesh, expectation_of(part.brep), context);
     if (!broken.empty()) throw StateError("The saved mesh does not fit the part: " + broken.front() + ".");
     const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);

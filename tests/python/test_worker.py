@@ -117,7 +117,7 @@ class Deaths(InWorker):
         before, saved = points_of(mesh), state.checksum_of(mesh.SavedState)
         self.edit()
         with self.assertRaisesRegex(worker.WorkerDied, "updating the mesh of Body"):
-            api.update_mesh(mesh, progress=Killer(signal.SIGSEGV, "cells"))
+            api.update_mesh(mesh, progress=Killer(signal.SIGSEGV, "surface"))
         self.assertEqual(points_of(mesh), before)
         self.assertEqual(state.checksum_of(mesh.SavedState), saved)
         self.assertIn("crashed (SIGSEGV)", mesh.Status)
