@@ -129,7 +129,7 @@ Brep::Brep(const TopoDS_Shape& shape) {
         for (const VertexId end : data->ends.back())
             if (end.is_valid()) add_once(data->edges_of_vertex[end.index()], EdgeId(e));
     }
-    data->points = vertex_places(data->vertex, data->edge, data->ends);
+    data->points = vertex_places(data->vertex, data->edge, data->ends, data->face, data->faces_of_edge);
     data->box = tight_box_of(data->face);
     for (std::size_t s = 0; s < data->solid.size(); ++s) {
         std::vector<int> uses(data->edge.size(), 0);

@@ -2,11 +2,15 @@
 #include "features/vertex_places.h"
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
+#include <set>
 
 #include "features/occt_geometry.h"
 
@@ -36,14 +40,17 @@ double farthest_beyond(const std::vector<EdgeEnd>& ends, const Vec3& p) {
     return farthest;
 }
 
-/// As far beyond the ends as is to be had, all of them together.
+/// No further beyond the ends than this is still at them.
+const double slack = 0.8 * Precision::Confusion();
+
+/// Towards a place behind all the ends.
 Vec3 moved_inside(const std::vector<EdgeEnd>& ends, Vec3 p) {
     constexpr int rounds = 60;
     for (int round = 0; round < rounds; ++round) {
         Vec3 sum{};
         int count = 0;
         for (const EdgeEnd& end : ends) {
-            const double beyond = end.beyond(p);
+            const double beyond = end.beyond(p) - slack;
             if (beyond <= 0) continue;
             sum = sum + end.inward * beyond;
             ++count;
@@ -54,6 +61,10 @@ Vec3 moved_inside(const std::vector<EdgeEnd>& ends, Vec3 p) {
     return p;
 }
 
+double distance_from(const TopoDS_Face& face, const Vec3& p) {
+    return BRepExtrema_DistShapeShape(BRepBuilderAPI_MakeVertex(to_pnt(p)).Vertex(), face).Value();
+}
+
 }  // namespace
 
 double distance_beyond_end(const TopoDS_Edge& edge, bool is_start, const Vec3& p) {
@@ -61,7 +72,8 @@ double distance_beyond_end(const TopoDS_Edge& edge, bool is_start, const Vec3& p
 }
 
 std::vector<Vec3> vertex_places(const std::vector<TopoDS_Vertex>& vertices, const std::vector<TopoDS_Edge>& edges,
-                                const std::vector<std::array<VertexId, 2>>& ends) {
+                                const std::vector<std::array<VertexId, 2>>& ends, const std::vector<TopoDS_Face>& faces,
+                                const std::vector<std::vector<FaceId>>& faces_of) {
     std::vector<Vec3> places;
     std::vector<char> is_loose;
     for (const TopoDS_Vertex& vertex : vertices) {
@@ -69,18 +81,25 @@ std::vector<Vec3> vertex_places(const std::vector<TopoDS_Vertex>& vertices, cons
         is_loose.push_back(BRep_Tool::Tolerance(vertex) > 1.01 * Precision::Confusion());
     }
     std::vector<std::vector<EdgeEnd>> ends_at(vertices.size());
+    std::vector<std::set<FaceId>> faces_at(vertices.size());
     for (std::size_t e = 0; e < edges.size(); ++e)
         for (const std::size_t side : {0, 1}) {
             const VertexId vertex = ends[e][side];
-            if (vertex.is_valid() && is_loose[vertex.index()] && !BRep_Tool::Degenerated(edges[e]))
-                ends_at[vertex.index()].push_back(end_of(edges[e], side == 0));
+            if (!vertex.is_valid() || !is_loose[vertex.index()] || BRep_Tool::Degenerated(edges[e])) continue;
+            ends_at[vertex.index()].push_back(end_of(edges[e], side == 0));
+            faces_at[vertex.index()].insert(faces_of[e].begin(), faces_of[e].end());
         }
     for (std::size_t v = 0; v < places.size(); ++v) {
-        if (farthest_beyond(ends_at[v], places[v]) <= 0.5 * Precision::Confusion()) continue;
+        if (farthest_beyond(ends_at[v], places[v]) <= Precision::Confusion()) continue;
         const Vec3 place = moved_inside(ends_at[v], places[v]);
-        if (farthest_beyond(ends_at[v], place) <= 0.5 * Precision::Confusion() &&
-            distance(place, places[v]) <= BRep_Tool::Tolerance(vertices[v]))
-            places[v] = place;
+        if (farthest_beyond(ends_at[v], place) > 1.01 * slack ||
+            distance(place, places[v]) > BRep_Tool::Tolerance(vertices[v]))
+            continue;
+        const auto is_on = [&](FaceId f) {
+            const double d = distance_from(faces[f.index()], place);
+            return d <= Precision::Confusion() || d <= distance_from(faces[f.index()], places[v]);
+        };
+        if (std::all_of(faces_at[v].begin(), faces_at[v].end(), is_on)) places[v] = place;
     }
     return places;
 }

@@ -9,6 +9,7 @@
 #include "core/ids.h"
 
 class TopoDS_Edge;
+class TopoDS_Face;
 class TopoDS_Vertex;
 
 namespace featuremesh {
@@ -18,9 +19,10 @@ namespace featuremesh {
 double distance_beyond_end(const TopoDS_Edge& edge, bool is_start, const Vec3& p);
 
 /// The point of every vertex, mm. Where an edge ends before its loose vertex, the place nearest to the vertex from which all its edges are met between
-/// their ends, if the vertex's tolerance has such a place: averaged projections onto the half-spaces behind the ends (Cimmino). `ends` by edge; none for
-/// an edge without a vertex.
+/// their ends, as far as the kernel tells points apart, if there is one within the vertex's tolerance and as good a point of all its faces: averaged
+/// projections onto the half-spaces behind the ends (Cimmino). `ends` by edge, none for an edge without a vertex; `faces_of` by edge.
 std::vector<Vec3> vertex_places(const std::vector<TopoDS_Vertex>& vertices, const std::vector<TopoDS_Edge>& edges,
-                                const std::vector<std::array<VertexId, 2>>& ends);
+                                const std::vector<std::array<VertexId, 2>>& ends, const std::vector<TopoDS_Face>& faces,
+                                const std::vector<std::vector<FaceId>>& faces_of);
 
 }  // namespace featuremesh

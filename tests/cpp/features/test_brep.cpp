@@ -54,27 +54,31 @@ TEST_CASE("a cylinder has a seam and a sphere has degenerated edges") {
     CHECK(sphere.volume_of(SolidId(0)) == Approx(4 * std::numbers::pi / 3));
 }
 
-TEST_CASE("a loose vertex is where all its edges reach it, when its tolerance has such a place") {
+TEST_CASE("a loose vertex is where all its edges reach it, when its tolerance and its faces have such a place") {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 20, 30).Shape();
     const Brep tight(box);
     const BRep_Builder builder;
-    const double gap = 4e-6;
     double first, last;
     BRep_Tool::Range(tight.edge(EdgeId(0)), first, last);
     const VertexId loose = tight.ends_of(EdgeId(0))[0];
-    builder.Range(tight.edge(EdgeId(0)), first + gap, last);
     const Vec3 corner = tight.point_of(loose), along = normalized(tight.point_of(tight.ends_of(EdgeId(0))[1]) - corner);
-
-    SECTION("moved within its tolerance") {
-        builder.UpdateVertex(tight.vertex(loose), 2 * gap);
-        CHECK(distance(Brep(box).point_of(loose), corner + gap * along) < 1e-12);
-        CHECK(Brep(box).distance_from(loose, corner) == 0);
-        CHECK(Brep(box).distance_from(loose, corner + gap * along) < 1e-12);
+    const auto place_with_gap = [&](double gap, double tolerance) {
+        builder.Range(tight.edge(EdgeId(0)), first + gap, last);
+        builder.UpdateVertex(tight.vertex(loose), tolerance);
+        return Brep(box);
+    };
+    SECTION("moved") {
+        const Brep brep = place_with_gap(1.6e-7, 1e-5);
+        const Vec3 moved = brep.point_of(loose) - corner;
+        CHECK(dot(moved, along) > 0.6e-7);
+        CHECK(length(moved) < 1e-7);
+        CHECK(brep.distance_from(loose, corner) == 0);
+        CHECK(brep.distance_from(loose, brep.point_of(loose)) == 0);
     }
-    SECTION("left where it is beyond its tolerance") {
-        builder.UpdateVertex(tight.vertex(loose), 0.5 * gap);
-        CHECK(Brep(box).point_of(loose) == corner);
+    SECTION("left where it would leave the face across the edge") {
+        CHECK(place_with_gap(4e-6, 1e-5).point_of(loose) == corner);
     }
+    SECTION("left where its edges reach it") { CHECK(place_with_gap(0.9e-7, 1e-5).point_of(loose) == corner); }
 }
 
 TEST_CASE("an open shell and a missing solid are refused by name") {

@@ -150,7 +150,7 @@ TEST_CASE("a loose vertex is where another mesher put its node, too") {
     const VertexId loose = brep.ends_of(EdgeId(0))[0];
     double first, last;
     BRep_Tool::Range(brep.edge(EdgeId(0)), first, last);
-    BRep_Builder().Range(brep.edge(EdgeId(0)), first + 4e-6, last);
+    BRep_Builder().Range(brep.edge(EdgeId(0)), first + 1.6e-7, last);
     BRep_Builder().UpdateVertex(brep.vertex(loose), 1e-5);
     const RawDocument loosened = PartDocument().add("Part", "Part::Feature", box).finish();
     const auto result = adopted(loosened, foreign_copy(ours->mesh));
