@@ -328,7 +328,7 @@ PartState read_unfused(const RawDocument& document, RunContext& context) {
 /// Where sizes change along a seam, the tets that have to change with them need more room.
 double margin_of(const MeshOptions& options, const SizingField& sizing) {
     if (options.keep_margin > 0) return options.keep_margin;
-    return sizing.is_uniform() ? 1.2 : 1.5;
+    return sizing.is_uniform() ? 0.9 : 1.5;
 }
 
 }  // namespace
