@@ -27,8 +27,7 @@ std::vector<char> seam_points(std::size_t point_count, const Cavity& cavity) {
 /// Between the lattice and a seam there may be room for a point that neither has. Left empty, the mesh would get
 /// coarser with every update. Elsewhere a mesh from scratch has such room, too.
 std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<const Vec3> points, const Cavity& cavity,
-                                 const SeedRegion& region, std::span<const Ball> balls, const WantedSize& size,
-                                 const RunContext& context) {
+                                 SeedSpace& space, const WantedSize& size) {
     const std::vector<char> is_seam = seam_points(points.size(), cavity);
     std::vector<std::pair<double, Vec3>> gaps;
     for (const auto& [a, b, c, d] : triangulation.tets) {
@@ -43,7 +42,13 @@ std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<c
     });
     std::vector<Vec3> centers;
     for (const auto& [radius, center] : gaps) centers.push_back(center);
-    return seeds_with_room(centers, region, balls, size, places_in_gaps, context);
+    return space.with_room(centers, places_in_gaps);
+}
+
+void flood(const Cavity& cavity, CavityFill& fill, const RunContext& context) {
+    if (!fill.places.missing.empty()) return;
+    fill.regions = flood_regions(fill.triangulation, cavity.facets, fill.places, context);
+    fill.is_leaky = fill.regions.empty();
 }
 
 }  // namespace
@@ -78,23 +83,26 @@ CavityFill flood_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangul
     fill.points = std::move(points);
     fill.triangulation = std::move(triangulation);
     fill.places = find_facets(fill.triangulation, fill.points.size(), cavity.facets, context);
-    if (!fill.places.missing.empty()) return fill;
-    fill.regions = flood_regions(fill.triangulation, cavity.facets, fill.places, context);
-    fill.is_leaky = fill.regions.empty();
+    flood(cavity, fill, context);
     return fill;
+}
+
+void flood_turned(const Cavity& cavity, CavityFill& fill, const RunContext& context) {
+    place_missing(fill.triangulation, fill.points.size(), cavity.facets, fill.places, context);
+    flood(cavity, fill, context);
 }
 
 CavityFill fill_cavity(const Cavity& cavity, std::span<const Ball> balls, std::span<const Vec3> active,
                        const WantedSize& size, RunContext& context) {
     std::vector<Vec3> points = cavity.points;
-    const SeedRegion region(cavity.points, cavity.facets);
-    const std::vector<Vec3> seeds = find_seeds(region, balls, active, size, SeedOptions{}, context);
+    SeedSpace space(cavity.points, cavity.facets, balls, size, SeedOptions{}, context);
+    const std::vector<Vec3> seeds = space.seeds(active);
     points.insert(points.end(), seeds.begin(), seeds.end());
     const auto delaunay = std::make_shared<GrowingDelaunay>();
     delaunay->insert(points, context);
     Triangulation triangulation = delaunay->tets(context);
     if (!balls.empty()) {
-        const std::vector<Vec3> more = points_in_gaps(triangulation, points, cavity, region, balls, size, context);
+        const std::vector<Vec3> more = points_in_gaps(triangulation, points, cavity, space, size);
         if (!more.empty()) {
             delaunay->insert(more, context);
             points.insert(points.end(), more.begin(), more.end());

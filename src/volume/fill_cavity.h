@@ -37,6 +37,9 @@ CavityFill grow_fill(const Cavity& cavity, std::span<const NodeId> old_nodes, co
 CavityFill flood_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangulation triangulation,
                         const RunContext& context = {});
 
+/// The same where only facets that were missing have other corners now.
+void flood_turned(const Cavity& cavity, CavityFill& fill, const RunContext& context);
+
 /// The tets that lie in a region, for local operations; the cavity's own points are fixed.
 TetComplex make_complex(const Cavity& cavity, const CavityFill& fill, const RunContext& context);
 

@@ -152,7 +152,7 @@ class Filling {
         for (const FacetSplit::Piece& piece : flips.pieces) cavity.facets[piece.facet].corners = piece.corners;
         log("diagonals changed", flips.pieces.size() / 2);
         if (is_first_round_) result_.report.recovered_triangles += flips.pieces.size();
-        fill = flood_cavity(cavity, std::move(fill.points), std::move(fill.triangulation), context_);
+        flood_turned(cavity, fill, context_);
     }
 
     void fill(std::size_t i) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <numeric>
 
 #include "mesh/second_order.h"
 #include "volume/triangulation.h"
@@ -18,17 +19,18 @@ std::array<int, 3> side_of(const std::array<int, 4>& tet, int k) {
 /// Facets in rows by their lowest corner, for look-up without hashing.
 class FacetTable {
   public:
-    FacetTable(std::size_t point_count, std::span<const Facet> facets)
+    FacetTable(std::size_t point_count, std::span<const Facet> facets, std::span<const int> among)
         : is_corner_(point_count, 0), begin_(point_count + 1, 0) {
-        for (const Facet& f : facets) {
+        for (const int i : among) {
+            const Facet& f = facets[i];
             for (const int c : f.corners) is_corner_[c] = 1;
             ++begin_[*std::min_element(f.corners.begin(), f.corners.end()) + 1];
         }
         for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-        rows_.resize(facets.size());
+        rows_.resize(among.size());
         std::vector<int> next(begin_.begin(), begin_.end() - 1);
-        for (std::size_t i = 0; i < facets.size(); ++i) {
-            Row row{facets[i].corners, static_cast<int>(i)};
+        for (const int i : among) {
+            Row row{facets[i].corners, i};
             std::sort(row.sorted.begin(), row.sorted.end());
             rows_[next[row.sorted[0]]++] = row;
         }
@@ -54,12 +56,10 @@ class FacetTable {
 
 }  // namespace
 
-FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets,
-                        const RunContext& context) {
+void place_missing(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets,
+                   FacetPlaces& places, const RunContext& context) {
     RoundWatch watch(context);
-    const FacetTable table(point_count, facets);
-    FacetPlaces places;
-    places.facet_at.assign(4 * triangulation.tets.size(), -1);
+    const FacetTable table(point_count, facets, places.missing);
     std::vector<std::uint8_t> is_found(facets.size(), 0);
     for (std::size_t t = 0; t < triangulation.tets.size(); ++t) {
         watch();
@@ -70,12 +70,19 @@ FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_co
         for (int k = 0; k < 4; ++k) {
             if (count - table.is_corner(tet[k]) < 3) continue;
             const int facet = table.find(side_of(tet, k));
-            places.facet_at[4 * t + k] = facet;
-            if (facet >= 0) is_found[facet] = 1;
+            if (facet >= 0) places.facet_at[4 * t + k] = facet, is_found[facet] = 1;
         }
     }
-    for (std::size_t i = 0; i < facets.size(); ++i)
-        if (!is_found[i]) places.missing.push_back(static_cast<int>(i));
+    std::erase_if(places.missing, [&](int i) { return is_found[i] != 0; });
+}
+
+FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets,
+                        const RunContext& context) {
+    FacetPlaces places;
+    places.facet_at.assign(4 * triangulation.tets.size(), -1);
+    places.missing.resize(facets.size());
+    std::iota(places.missing.begin(), places.missing.end(), 0);
+    place_missing(triangulation, point_count, facets, places, context);
     return places;
 }
 

@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "volume/distance_to_triangle.h"
+#include "volume/region_locator.h"
 
 namespace featuremesh {
 
@@ -25,7 +26,6 @@ struct Cube {
 struct Neighbours {
     std::vector<int> facets, balls;
     bool is_empty() const { return facets.empty() && balls.empty(); }
-    bool is_short() const { return facets.size() + balls.size() < 24; }  ///< to ask all costs less than to sort them
 };
 
 /// Active points were nodes of a good mesh, which the lattice's distances would leave out where sizes are graded.
@@ -46,65 +46,122 @@ struct HashPoint {
     std::size_t operator()(const LatticePoint& at) const { return hash_of(at); }
 };
 
+/// Cubes are split where somebody looks, once: candidates, active points and the lattice are held against the same.
 class SeedOctree {
   public:
-    SeedOctree(const SeedRegion& region, std::span<const Ball> balls, const WantedSize& size,
-               const SeedOptions& options, const RunContext& context)
-        : points_(region.points()),
-          facets_(region.facets()),
-          boxes_(region.boxes()),
-          locator_(region.locator()),
-          balls_(balls),
+    SeedOctree(std::span<const Vec3> points, std::span<const Facet> facets, std::span<const Ball> balls,
+               const WantedSize& size, const SeedOptions& options, const RunContext& context)
+        : points_(points),
+          facets_(facets),
+          boxes_(boxes_of(points, facets)),
+          locator_(points, facets),
+          balls_(balls.begin(), balls.end()),
+          ball_count_(balls.size()),
           size_(size),
           options_(options),
           context_(context),
-          unit_(lattice_constant(size.largest) / root_edge) {}
+          unit_(lattice_constant(size.largest) / root_edge) {
+        if (!facets_.empty()) places_.push_back(whole());
+    }
 
     std::vector<Vec3> lattice_points() {
-        if (!facets_.empty()) split_root(whole());
+        is_kept_ = !balls_.empty();
+        lattice_.clear(), seen_corners_.clear();
+        if (!places_.empty()) collect(0);
+        if (!is_kept_ && !places_.empty()) places_.assign(1, whole());
         std::vector<Vec3> seeds;
         seeds.reserve(lattice_.size());
         for (const LatticePoint& at : lattice_) seeds.push_back(nudged(at));
         return seeds;
     }
 
-    /// Those of the candidates that are inside and clear of facets and balls, in their order.
-    std::vector<Vec3> clear_points(std::span<const Vec3> candidates) const {
-        std::vector<std::uint8_t> is_good(candidates.size(), 0);
-        std::vector<int> all(candidates.size());
-        std::iota(all.begin(), all.end(), 0);
-        if (!facets_.empty()) mark_clear(whole(), candidates, all, is_good);
+    /// Those of the candidates that are inside and clear of facets and of the balls given at first, in their order. The
+    /// clearance, in wanted edge lengths, is at most that of the lattice.
+    std::vector<Vec3> clear_points(std::span<const Vec3> candidates, double clearance) {
         std::vector<Vec3> good;
-        for (std::size_t i = 0; i < candidates.size(); ++i)
-            if (is_good[i]) good.push_back(candidates[i]);
+        for (const Vec3& p : candidates) {
+            const int place = place_at(p);
+            if (place >= 0 && is_clear(p, clearance * wanted(p), places_[static_cast<std::size_t>(place)], ball_count_))
+                good.push_back(p);
+        }
         return good;
     }
 
+    /// The lattice keeps clear of the point from now on.
+    void add_point(const Vec3& p, double clearance) {
+        balls_.push_back({p, clearance});
+        if (!places_.empty()) add_ball(0, static_cast<int>(balls_.size()) - 1);
+    }
+
   private:
-    /// A cube, the size wanted at its center, and what may be nearer to a point of it than the clearance.
+    /// A cube, the size wanted at its center, and what may be nearer to a point of it than the clearance; once it is
+    /// split that is asked of its octants.
     struct Place {
         Cube cube;
         double size = 0;
         Neighbours close;
+        int octants = -1;                              ///< the first of eight in a row
+        bool is_looked_at = false, is_inside = false;  ///< inside a region as a whole, where no facet is near
     };
+
+    static std::vector<Box> boxes_of(std::span<const Vec3> points, std::span<const Facet> facets) {
+        std::vector<Box> boxes(facets.size());
+        for (std::size_t i = 0; i < facets.size(); ++i)
+            for (const int c : facets[i].corners) boxes[i].add(points[c]);
+        return boxes;
+    }
+
+    /// Splits the place where that is of use.
+    void look_at(int i) {
+        Place& place = places_[static_cast<std::size_t>(i)];
+        if (place.is_looked_at) return;
+        place.is_looked_at = true;
+        if (place.close.is_empty() || is_cell(place.cube, place.size)) return;
+        const bool is_free = place.close.facets.empty();
+        if (is_free && !place.is_inside) return;
+        context_.check_cancelled();
+        std::array<Place, 8> parts = octants(place);
+        place.octants = static_cast<int>(places_.size());
+        place.close = {};
+        for (Place& part : parts) {
+            if (part.close.facets.empty()) part.is_inside = is_free || is_free_cube_inside(part.cube, part.size);
+            places_.push_back(std::move(part));
+        }
+    }
+
+    /// The undivided place that holds p, -1 outside of all.
+    int place_at(const Vec3& p) {
+        if (places_.empty() || !holds(box_of(places_[0].cube), p)) return -1;
+        int at = 0;
+        for (look_at(at); places_[static_cast<std::size_t>(at)].octants >= 0; look_at(at)) {
+            const Place& place = places_[static_cast<std::size_t>(at)];
+            const Vec3 middle = this->place(octant(place.cube, 7).low);
+            at = place.octants + (p.x >= middle.x) + 2 * (p.y >= middle.y) + 4 * (p.z >= middle.z);
+        }
+        return at;
+    }
+
+    void add_ball(int i, int ball) {
+        Place& place = places_[static_cast<std::size_t>(i)];
+        if (place.octants < 0) {
+            place.close.balls.push_back(ball);
+            place.is_looked_at = false;
+            return;
+        }
+        const Box first = box_of(octant(place.cube, 0)), last = box_of(octant(place.cube, 7));
+        const unsigned near = octants_overlapped(first, last, box_of(balls_[static_cast<std::size_t>(ball)]));
+        for (int k = 0, octants = place.octants; k < 8; ++k)
+            if (near >> k & 1) add_ball(octants + k, ball);
+    }
+
+    static Box box_of(const Ball& ball) {
+        const Vec3 reach{ball.radius, ball.radius, ball.radius};
+        return {ball.center - reach, ball.center + reach};
+    }
 
     static bool holds(const Box& box, const Vec3& p) {
         return p.x >= box.low.x && p.y >= box.low.y && p.z >= box.low.z && p.x < box.high.x && p.y < box.high.y &&
                p.z < box.high.z;
-    }
-
-    void mark_clear(const Place& at, std::span<const Vec3> points, const std::vector<int>& among,
-                    std::vector<std::uint8_t>& is_good) const {
-        const Box box = box_of(at.cube);
-        std::vector<int> here;
-        for (const int i : among)
-            if (holds(box, points[i])) here.push_back(i);
-        if (here.empty()) return;
-        if (here.size() > 2 && !at.close.is_short() && at.cube.edge > 2) {
-            for (const Place& octant : octants(at)) mark_clear(octant, points, here, is_good);
-            return;
-        }
-        for (const int i : here) is_good[i] = is_clear(points[i], wanted(points[i]), at.close);
     }
 
     Vec3 place(const LatticePoint& at) const {
@@ -166,12 +223,8 @@ class SeedOctree {
             parent.close.facets, [&](int i) { return octants_overlapped(first_grown, last_grown, boxes_[i]); }, places,
             &Neighbours::facets);
         deal_out(
-            parent.close.balls,
-            [&](int i) {
-                const auto& [c, r] = balls_[i];
-                return octants_overlapped(first, last, {c - Vec3{r, r, r}, c + Vec3{r, r, r}});
-            },
-            places, &Neighbours::balls);
+            parent.close.balls, [&](int i) { return octants_overlapped(first, last, box_of(balls_[i])); }, places,
+            &Neighbours::balls);
         return places;
     }
 
@@ -217,14 +270,28 @@ class SeedOctree {
 
     double wanted_in(const Cube& cube) const { return wanted(box_of(cube).center()); }
 
-    void split_root(const Place& at) {
-        context_.check_cancelled();
-        if (at.close.is_empty()) {
-            if (is_free_cube_inside(at.cube, at.size)) fill_free(at.cube);
-        } else if (at.cube.edge > root_edge) {
-            for (const Place& octant : octants(at)) split_root(octant);
-        } else {
-            refine(at);
+    /// The lattice's points in the place. What is split for that alone is given up at once where no seam is: many
+    /// facets make many octants.
+    void collect(int i) {
+        look_at(i);
+        const Place& place = places_[static_cast<std::size_t>(i)];
+        if (place.octants < 0) {
+            collect_undivided(place);
+            return;
+        }
+        const int first = place.octants;
+        for (int k = 0; k < 8; ++k) collect(first + k);
+        if (!is_kept_) places_.resize(static_cast<std::size_t>(first));
+    }
+
+    void collect_undivided(const Place& place) {
+        if (place.close.is_empty()) {
+            if (place.is_inside) fill_free(place.cube);
+        } else if (is_cell(place.cube, place.size)) {
+            visit_points(place.cube, [&](const LatticePoint& point) {
+                if (is_clear(this->place(point), options_.clearance * place.size, place, balls_.size()))
+                    lattice_.push_back(point);
+            });
         }
     }
 
@@ -239,20 +306,6 @@ class SeedOctree {
             return;
         }
         visit_points(cube, [&](const LatticePoint& at) { lattice_.push_back(at); });
-    }
-
-    void refine(const Place& at) {
-        if (at.close.is_empty()) {
-            if (is_free_cube_inside(at.cube, at.size)) fill_free(at.cube);
-            return;
-        }
-        if (!is_cell(at.cube, at.size)) {
-            for (const Place& octant : octants(at)) refine(octant);
-            return;
-        }
-        visit_points(at.cube, [&](const LatticePoint& point) {
-            if (is_clear(place(point), at.size, at.close)) lattice_.push_back(point);
-        });
     }
 
     bool is_cell(const Cube& cube, double size) const {
@@ -275,11 +328,15 @@ class SeedOctree {
         }
     }
 
-    bool is_clear(const Vec3& p, double size, const Neighbours& close) const {
-        const double clearance = options_.clearance * size, squared = clearance * clearance;
-        for (const int i : close.balls)
-            if (squared_length(p - balls_[i].center) < balls_[i].radius * balls_[i].radius) return false;
-        for (const int i : close.facets) {
+    /// Further than `clearance` (mm) from facets, and outside of the first `ball_count` balls.
+    bool is_clear(const Vec3& p, double clearance, const Place& place, std::size_t ball_count) const {
+        const double squared = clearance * clearance;
+        for (const int i : place.close.balls)
+            if (static_cast<std::size_t>(i) < ball_count &&
+                squared_length(p - balls_[i].center) < balls_[i].radius * balls_[i].radius)
+                return false;
+        if (place.close.facets.empty()) return place.is_inside;
+        for (const int i : place.close.facets) {
             const auto& c = facets_[i].corners;
             if (squared_distance_to_box(p, boxes_[i]) < squared &&
                 squared_distance_to_triangle(p, points_[c[0]], points_[c[1]], points_[c[2]]) < squared)
@@ -298,13 +355,16 @@ class SeedOctree {
 
     std::span<const Vec3> points_;
     std::span<const Facet> facets_;
-    std::span<const Box> boxes_;
-    const RegionLocator& locator_;
-    std::span<const Ball> balls_;
-    const WantedSize& size_;
-    const SeedOptions& options_;
+    std::vector<Box> boxes_;  // by facet
+    RegionLocator locator_;
+    std::vector<Ball> balls_;
+    std::size_t ball_count_;  // of those given at first
+    WantedSize size_;
+    SeedOptions options_;
     const RunContext& context_;
     double unit_;
+    std::vector<Place> places_;
+    bool is_kept_ = true;
     std::unordered_set<LatticePoint, HashPoint> seen_corners_;
     std::vector<LatticePoint> lattice_;
 };
@@ -336,29 +396,27 @@ std::vector<Vec3> thinned(const std::vector<Vec3>& points, const WantedSize& siz
 
 }  // namespace
 
-SeedRegion::SeedRegion(std::span<const Vec3> points, std::span<const Facet> facets)
-    : points_(points), facets_(facets), boxes_(facets.size()), locator_(points, facets) {
-    for (std::size_t i = 0; i < facets.size(); ++i)
-        for (const int c : facets[i].corners) boxes_[i].add(points[c]);
-}
+struct SeedSpace::Data {
+    SeedOctree octree;
+    WantedSize size;
+    SeedOptions options;
+};
 
-std::vector<Vec3> find_seeds(const SeedRegion& region, std::span<const Ball> balls, std::span<const Vec3> active,
-                             const WantedSize& size, const SeedOptions& options, const RunContext& context) {
-    std::vector<Vec3> seeds;
-    std::vector<Ball> occupied(balls.begin(), balls.end());
-    if (!active.empty()) {
-        seeds = seeds_with_room(active, region, balls, size, proven_places, context);
-        for (const Vec3& p : seeds) occupied.push_back({p, options.spacing * size.at(p)});
-    }
-    const std::vector<Vec3> lattice = SeedOctree(region, occupied, size, options, context).lattice_points();
+SeedSpace::SeedSpace(std::span<const Vec3> points, std::span<const Facet> facets, std::span<const Ball> balls,
+                     const WantedSize& size, const SeedOptions& options, const RunContext& context)
+    : data_(new Data{SeedOctree(points, facets, balls, size, options, context), size, options}) {}
+SeedSpace::~SeedSpace() = default;
+
+std::vector<Vec3> SeedSpace::seeds(std::span<const Vec3> active) {
+    std::vector<Vec3> seeds = with_room(active, proven_places);
+    for (const Vec3& p : seeds) data_->octree.add_point(p, data_->options.spacing * data_->size.at(p));
+    const std::vector<Vec3> lattice = data_->octree.lattice_points();
     seeds.insert(seeds.end(), lattice.begin(), lattice.end());
     return seeds;
 }
 
-std::vector<Vec3> seeds_with_room(std::span<const Vec3> candidates, const SeedRegion& region,
-                                  std::span<const Ball> balls, const WantedSize& size, const SeedOptions& options,
-                                  const RunContext& context) {
-    return thinned(SeedOctree(region, balls, size, options, context).clear_points(candidates), size, options.spacing);
+std::vector<Vec3> SeedSpace::with_room(std::span<const Vec3> candidates, const SeedOptions& options) {
+    return thinned(data_->octree.clear_points(candidates, options.clearance), data_->size, options.spacing);
 }
 
 }  // namespace featuremesh

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -10,7 +11,6 @@
 #include "core/run_context.h"
 #include "volume/circumsphere.h"
 #include "volume/facet.h"
-#include "volume/region_locator.h"
 
 namespace featuremesh {
 
@@ -30,34 +30,27 @@ struct SeedOptions {
 /// long as the constant, four are 0.866 of it, which is the length asked for.
 constexpr double lattice_constant(double edge_length) { return edge_length * 1.1547005383792515; }
 
-/// Facets that bound regions, ready to be asked. Keeps the spans; they must outlive it.
-class SeedRegion {
+/// Where seeds may be: inside the regions that the facets bound, not nearer to a facet than the clearance, and not
+/// inside a ball (such as the circumsphere of a kept tet). Keeps the spans of points and facets; they must outlive it.
+class SeedSpace {
   public:
-    SeedRegion(std::span<const Vec3> points, std::span<const Facet> facets);
+    SeedSpace(std::span<const Vec3> points, std::span<const Facet> facets, std::span<const Ball> balls,
+              const WantedSize& size, const SeedOptions& options, const RunContext& context);
+    ~SeedSpace();
 
-    std::span<const Vec3> points() const { return points_; }
-    std::span<const Facet> facets() const { return facets_; }
-    std::span<const Box> boxes() const { return boxes_; }  ///< by facet
-    const RegionLocator& locator() const { return locator_; }
+    /// The `active` points, as far as they have room (less of it than others need), then points of the lattice, apart
+    /// from one another. The lattice is anchored at the origin of space, so that the same place gives the same points
+    /// whatever is around it. Always the same order. Coordinates are off the exact lattice by 1e-6 of its constant,
+    /// since exactly coplanar points cost exact arithmetic.
+    std::vector<Vec3> seeds(std::span<const Vec3> active);
+
+    /// Those of the candidates that are where seeds may be, with these distances (a clearance of at most the space's),
+    /// in their order.
+    std::vector<Vec3> with_room(std::span<const Vec3> candidates, const SeedOptions& options);
 
   private:
-    std::span<const Vec3> points_;
-    std::span<const Facet> facets_;
-    std::vector<Box> boxes_;
-    RegionLocator locator_;
+    struct Data;
+    std::unique_ptr<Data> data_;
 };
-
-/// The `active` points, as far as they have room (less of it than others need), then points of the lattice: all inside
-/// the regions that the facets bound, not nearer to a facet than the clearance, not inside a ball (such as the
-/// circumsphere of a kept tet), and apart from one another. The lattice is anchored at the origin of space, so that the
-/// same place gives the same points whatever is around it. Always the same order. Coordinates are off the exact lattice
-/// by 1e-6 of its constant, since exactly coplanar points cost exact arithmetic.
-std::vector<Vec3> find_seeds(const SeedRegion& region, std::span<const Ball> balls, std::span<const Vec3> active,
-                             const WantedSize& size, const SeedOptions& options, const RunContext& context);
-
-/// Those of the candidates that are as find_seeds wants them, apart from one another by the spacing, in their order.
-std::vector<Vec3> seeds_with_room(std::span<const Vec3> candidates, const SeedRegion& region,
-                                  std::span<const Ball> balls, const WantedSize& size, const SeedOptions& options,
-                                  const RunContext& context);
 
 }  // namespace featuremesh

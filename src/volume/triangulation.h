@@ -47,6 +47,10 @@ struct FacetPlaces {
 FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets,
                         const RunContext& context = {});
 
+/// Looks for the missing facets, which may have other corners than before; those still missing are left in the list.
+void place_missing(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets,
+                   FacetPlaces& places, const RunContext& context = {});
+
 /// By tet: the region it is in, or -1, by flooding from the facets up to the facets. Empty when a region leaks into
 /// another.
 std::vector<int> flood_regions(const Triangulation& triangulation, std::span<const Facet> facets,

@@ -2,18 +2,23 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Vertex.hxx>
+#include <gp_Ax1.hxx>
 #include <gp_Pln.hxx>
+#include <gp_Trsf.hxx>
 #include <numbers>
 
 #include "catch.h"
@@ -86,7 +91,8 @@ TEST_CASE("an open shell and a missing solid are refused by name") {
     BRep_Builder builder;
     builder.MakeShell(shell);
     int count = 0;
-    for (TopExp_Explorer it(BRepPrimAPI_MakeBox(1, 1, 1).Shape(), TopAbs_FACE); it.More() && count < 5; it.Next(), ++count)
+    for (TopExp_Explorer it(BRepPrimAPI_MakeBox(1, 1, 1).Shape(), TopAbs_FACE); it.More() && count < 5;
+         it.Next(), ++count)
         builder.Add(shell, it.Current());
     CHECK_THROWS_WITH(Brep(BRepBuilderAPI_MakeSolid(shell).Shape()), Catch::Matchers::Contains("open at Edge"));
     CHECK_THROWS_AS(Brep(BRepBuilderAPI_MakeFace(gp_Pln(), 0, 1, 0, 1).Shape()), InputError);
@@ -124,4 +130,49 @@ TEST_CASE("shapes that are read say when they are in the same place, or in none 
     CHECK(back[1].IsSame(back[2]));
     CHECK_FALSE(back[2].IsSame(back[3]));
     CHECK(Brep(back[3]).box().low.x == Approx(6));
-}
+
+    TEST_CASE("chains of placements that come to nothing are gone after reading, and what is shared stays shared") {
+        const auto placement = [](double x, double angle) {  // each an object of its own
+            gp_Trsf turn, shift;
+            turn.SetRotation(gp_Ax1(gp_Pnt(1, 0, 0), gp_Dir(0, 0, 1)), angle);
+            shift.SetTranslation(gp_Vec(x, 2, 0));
+            return TopLoc_Location(shift * turn);
+        };
+        const TopoDS_Shape tool =
+            BRepPrimAPI_MakeCylinder(0.5, 4).Shape().Located(placement(0.3, 0.2) * placement(1, 0.7));
+        const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-5, -5, 0), 10, 10, 2)
+                                       .Shape()
+                                       .Located(TopLoc_Location(gp_Trsf()) * placement(1, 0.7));
+        const TopoDS_Shape part = BRepAlgoAPI_Cut(block, tool).Shape();
+        const std::vector<TopoDS_Shape> shapes{part.Moved(placement(4, 1) * placement(4, 1).Inverted()),
+                                               part.Moved(TopLoc_Location(gp_Trsf())), part.Moved(placement(4, 1))};
+        const auto back = read_shapes(write_shapes(shapes));
+        REQUIRE(back.size() == 3);
+        CHECK(back[0].IsSame(back[1]));
+        CHECK(back[0].IsPartner(back[2]));
+        CHECK_FALSE(back[0].IsSame(back[2]));
+        for (std::size_t i = 0; i < shapes.size(); ++i) {
+            const Brep before(shapes[i]), after(back[i]);  // an open shell would be refused
+            CHECK(after.edge_count() == before.edge_count());
+            REQUIRE(after.face_count() == before.face_count());
+            CHECK(after.volume_of(SolidId(0)) == Approx(before.volume_of(SolidId(0))).epsilon(1e-12));
+            CHECK(distance(after.box().center(), before.box().center()) < 1e-12);
+            CHECK(BRepCheck_Analyzer(back[i]).IsValid());
+            int smooth = 0, smooth_before = 0;
+            for (std::size_t e = 0; e < after.edge_count(); ++e) {
+                for (const FaceId f : after.faces_of(EdgeId(e)))
+                    smooth += BRep_Tool::HasContinuity(after.edge(EdgeId(e)), after.face(f), after.face(f));
+                for (const FaceId f : before.faces_of(EdgeId(e)))
+                    smooth_before += BRep_Tool::HasContinuity(before.edge(EdgeId(e)), before.face(f), before.face(f));
+            }
+            CHECK(smooth == smooth_before);
+            CHECK(smooth > 0);
+            for (std::size_t f = 0; f < after.face_count(); ++f)
+                for (TopExp_Explorer it(after.face(FaceId(f)), TopAbs_EDGE); it.More(); it.Next()) {
+                    double first = 0, last = 0;
+                    CHECK_FALSE(
+                        BRep_Tool::CurveOnSurface(TopoDS::Edge(it.Current()), after.face(FaceId(f)), first, last)
+                            .IsNull());
+                }
+        }
+    }
