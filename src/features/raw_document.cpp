@@ -16,7 +16,6 @@
 #include <TopLoc_Datum3D.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS_Compound.hxx>
-#include <TopLoc_Location.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <array>
 #include <map>

@@ -130,49 +130,48 @@ TEST_CASE("shapes that are read say when they are in the same place, or in none 
     CHECK(back[1].IsSame(back[2]));
     CHECK_FALSE(back[2].IsSame(back[3]));
     CHECK(Brep(back[3]).box().low.x == Approx(6));
+}
 
-    TEST_CASE("chains of placements that come to nothing are gone after reading, and what is shared stays shared") {
-        const auto placement = [](double x, double angle) {  // each an object of its own
-            gp_Trsf turn, shift;
-            turn.SetRotation(gp_Ax1(gp_Pnt(1, 0, 0), gp_Dir(0, 0, 1)), angle);
-            shift.SetTranslation(gp_Vec(x, 2, 0));
-            return TopLoc_Location(shift * turn);
-        };
-        const TopoDS_Shape tool =
-            BRepPrimAPI_MakeCylinder(0.5, 4).Shape().Located(placement(0.3, 0.2) * placement(1, 0.7));
-        const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-5, -5, 0), 10, 10, 2)
-                                       .Shape()
-                                       .Located(TopLoc_Location(gp_Trsf()) * placement(1, 0.7));
-        const TopoDS_Shape part = BRepAlgoAPI_Cut(block, tool).Shape();
-        const std::vector<TopoDS_Shape> shapes{part.Moved(placement(4, 1) * placement(4, 1).Inverted()),
-                                               part.Moved(TopLoc_Location(gp_Trsf())), part.Moved(placement(4, 1))};
-        const auto back = read_shapes(write_shapes(shapes));
-        REQUIRE(back.size() == 3);
-        CHECK(back[0].IsSame(back[1]));
-        CHECK(back[0].IsPartner(back[2]));
-        CHECK_FALSE(back[0].IsSame(back[2]));
-        for (std::size_t i = 0; i < shapes.size(); ++i) {
-            const Brep before(shapes[i]), after(back[i]);  // an open shell would be refused
-            CHECK(after.edge_count() == before.edge_count());
-            REQUIRE(after.face_count() == before.face_count());
-            CHECK(after.volume_of(SolidId(0)) == Approx(before.volume_of(SolidId(0))).epsilon(1e-12));
-            CHECK(distance(after.box().center(), before.box().center()) < 1e-12);
-            CHECK(BRepCheck_Analyzer(back[i]).IsValid());
-            int smooth = 0, smooth_before = 0;
-            for (std::size_t e = 0; e < after.edge_count(); ++e) {
-                for (const FaceId f : after.faces_of(EdgeId(e)))
-                    smooth += BRep_Tool::HasContinuity(after.edge(EdgeId(e)), after.face(f), after.face(f));
-                for (const FaceId f : before.faces_of(EdgeId(e)))
-                    smooth_before += BRep_Tool::HasContinuity(before.edge(EdgeId(e)), before.face(f), before.face(f));
-            }
-            CHECK(smooth == smooth_before);
-            CHECK(smooth > 0);
-            for (std::size_t f = 0; f < after.face_count(); ++f)
-                for (TopExp_Explorer it(after.face(FaceId(f)), TopAbs_EDGE); it.More(); it.Next()) {
-                    double first = 0, last = 0;
-                    CHECK_FALSE(
-                        BRep_Tool::CurveOnSurface(TopoDS::Edge(it.Current()), after.face(FaceId(f)), first, last)
-                            .IsNull());
-                }
+TEST_CASE("chains of placements that come to nothing are gone after reading, and what is shared stays shared") {
+    const auto placement = [](double x, double angle) {  // each an object of its own
+        gp_Trsf turn, shift;
+        turn.SetRotation(gp_Ax1(gp_Pnt(1, 0, 0), gp_Dir(0, 0, 1)), angle);
+        shift.SetTranslation(gp_Vec(x, 2, 0));
+        return TopLoc_Location(shift * turn);
+    };
+    const TopoDS_Shape tool = BRepPrimAPI_MakeCylinder(0.5, 4).Shape().Located(placement(0.3, 0.2) * placement(1, 0.7));
+    const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-5, -5, 0), 10, 10, 2)
+                                   .Shape()
+                                   .Located(TopLoc_Location(gp_Trsf()) * placement(1, 0.7));
+    const TopoDS_Shape part = BRepAlgoAPI_Cut(block, tool).Shape();
+    const std::vector<TopoDS_Shape> shapes{part.Moved(placement(4, 1) * placement(4, 1).Inverted()),
+                                           part.Moved(TopLoc_Location(gp_Trsf())), part.Moved(placement(4, 1))};
+    const auto back = read_shapes(write_shapes(shapes));
+    REQUIRE(back.size() == 3);
+    CHECK(back[0].IsSame(back[1]));
+    CHECK(back[0].IsPartner(back[2]));
+    CHECK_FALSE(back[0].IsSame(back[2]));
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const Brep before(shapes[i]), after(back[i]);  // an open shell would be refused
+        CHECK(after.edge_count() == before.edge_count());
+        REQUIRE(after.face_count() == before.face_count());
+        CHECK(after.volume_of(SolidId(0)) == Approx(before.volume_of(SolidId(0))).epsilon(1e-12));
+        CHECK(distance(after.box().center(), before.box().center()) < 1e-12);
+        CHECK(BRepCheck_Analyzer(back[i]).IsValid());
+        int smooth = 0, smooth_before = 0;
+        for (std::size_t e = 0; e < after.edge_count(); ++e) {
+            for (const FaceId f : after.faces_of(EdgeId(e)))
+                smooth += BRep_Tool::HasContinuity(after.edge(EdgeId(e)), after.face(f), after.face(f));
+            for (const FaceId f : before.faces_of(EdgeId(e)))
+                smooth_before += BRep_Tool::HasContinuity(before.edge(EdgeId(e)), before.face(f), before.face(f));
         }
+        CHECK(smooth == smooth_before);
+        CHECK(smooth > 0);
+        for (std::size_t f = 0; f < after.face_count(); ++f)
+            for (TopExp_Explorer it(after.face(FaceId(f)), TopAbs_EDGE); it.More(); it.Next()) {
+                double first = 0, last = 0;
+                CHECK_FALSE(
+                    BRep_Tool::CurveOnSurface(TopoDS::Edge(it.Current()), after.face(FaceId(f)), first, last).IsNull());
+            }
     }
+}
