@@ -3,14 +3,17 @@
 
 #include <BOPAlgo_MakerVolume.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <Message_ProgressScope.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "core/on_threads.h"
 #include "features/deadline.h"
 #include "features/flux.h"
+#include "features/glued_filler.h"
 #include "features/occt_geometry.h"
 #include "features/same_faces.h"
 #include "features/solid_probe.h"
@@ -75,14 +78,20 @@ ShapeDifference between_faces(const Change& change, bool glued, double seconds, 
     for (const TopoDS_Shape& face : change.appeared) faces.Append(face);
     if (faces.IsEmpty()) return result.closed = true, result;
     const Handle(Deadline) deadline = new Deadline(seconds, context);
+    const std::unique_ptr<BOPAlgo_PaveFiller> filler(glued ? new GluedFiller : new BOPAlgo_PaveFiller);
+    filler->SetArguments(faces);
+    filler->SetNonDestructive(true);
+    filler->SetRunParallel(context.threads > 1);
     BOPAlgo_MakerVolume maker;
     maker.SetArguments(faces);
     maker.SetIntersect(true);
     maker.SetAvoidInternalShapes(true);
-    maker.SetNonDestructive(true);
-    maker.SetGlue(glued ? BOPAlgo_GlueShift : BOPAlgo_GlueOff);
     maker.SetRunParallel(context.threads > 1);
-    on_threads(context, [&] { maker.Perform(deadline->Start()); });
+    on_threads(context, [&] {
+        Message_ProgressScope scope(deadline->Start(), "volumes between faces", 10);
+        filler->Perform(scope.Next(9));
+        maker.PerformWithFiller(*filler, scope.Next());
+    });
     if (deadline->is_over() || maker.HasErrors()) return result;
     const SolidProbe before(change.before);
     const SolidProbe after(change.after);
