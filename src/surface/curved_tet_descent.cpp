@@ -184,7 +184,8 @@ class Patch {
             std::array<Vec3, 10> by_node{};
             for (int c = 0; c < 4; ++c) {
                 const auto& [p, q, r] = opposite[static_cast<std::size_t>(c)];
-                by_node[static_cast<std::size_t>(c)] = 2 * log / (way * floor) * cross(nodes[q] - nodes[p], nodes[r] - nodes[p]);
+                by_node[static_cast<std::size_t>(c)] =
+                    2 * log / (way * floor) * cross(nodes[q] - nodes[p], nodes[r] - nodes[p]);
             }
             add_gradient(i, by_node, *gradient);
         }
@@ -238,7 +239,7 @@ class Patch {
     Mesh& mesh_;
     const Projector& projector_;
     const double wanted_, least_volume_;  ///< the latter of the determinant, six times a tet's
-    std::vector<std::int32_t> place_;  ///< by node; -1 where it stays
+    std::vector<std::int32_t> place_;     ///< by node; -1 where it stays
     std::vector<NodeId> free_;
     std::vector<TetId> tets_;
     Field placed_;

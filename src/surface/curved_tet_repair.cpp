@@ -197,8 +197,8 @@ class Unfolding {
         double low = std::numeric_limits<double>::infinity();
         for (TetId t : star) {
             const auto& n = mesh_.tets[t.index()];
-            low = std::min(
-                low, signed_volume(mesh_.point(n[0]), mesh_.point(n[1]), mesh_.point(n[2]), mesh_.point(n[3])));
+            low = std::min(low,
+                           signed_volume(mesh_.point(n[0]), mesh_.point(n[1]), mesh_.point(n[2]), mesh_.point(n[3])));
         }
         return low;
     }

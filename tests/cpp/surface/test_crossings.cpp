@@ -7,12 +7,12 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopoDS_Solid.hxx>
-#include <cmath>
-#include <cstdio>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Solid.hxx>
 #include <TopoDS_Wire.hxx>
+#include <cmath>
+#include <cstdio>
 
 #include "catch.h"
 #include "core/errors.h"
@@ -89,7 +89,8 @@ TEST_CASE("a solid that crosses itself is refused with the names of its faces an
         const std::string names = "Face6 and Face7 near (";
         REQUIRE(message.find(names) != std::string::npos);
         Vec3 p;
-        REQUIRE(std::sscanf(message.c_str() + message.find(names) + names.size(), "%lf, %lf, %lf)", &p.x, &p.y, &p.z) == 3);
+        REQUIRE(std::sscanf(message.c_str() + message.find(names) + names.size(), "%lf, %lf, %lf)", &p.x, &p.y, &p.z) ==
+                3);
         CHECK(std::abs(std::hypot(p.x - 5, p.y - 5) - 3) < 1);
         CHECK(std::abs(p.z - 10) < 1);
     }

@@ -78,8 +78,10 @@ TEST_CASE("a face with a wild parametrisation is meshed evenly") {
     REQUIRE(sharp.size() == 1);
     CHECK(smallest_angle(mesh, sharp.front()) > smallest_corner_angle(brep));
     const auto& corners = mesh.triangles[sharp.front().index()];
-    CHECK(std::count_if(corners.begin(), corners.end(), [&](NodeId n) { return mesh.entities[n.index()].dim == 0; }) == 1);
-    CHECK(std::count_if(corners.begin(), corners.end(), [&](NodeId n) { return mesh.entities[n.index()].dim == 1; }) == 2);
+    CHECK(std::count_if(corners.begin(), corners.end(), [&](NodeId n) { return mesh.entities[n.index()].dim == 0; }) ==
+          1);
+    CHECK(std::count_if(corners.begin(), corners.end(), [&](NodeId n) { return mesh.entities[n.index()].dim == 1; }) ==
+          2);
     GProp_GProps properties;
     BRepGProp::SurfaceProperties(brep.shape(), properties);
     CHECK(area(mesh) == Approx(properties.Mass()).epsilon(0.02));

@@ -81,8 +81,7 @@ double straight_volume(const Mesh& mesh) {
 double least_straight_volume(const Mesh& mesh) {
     double least = std::numeric_limits<double>::infinity();
     for (const auto& n : mesh.tets)
-        least =
-            std::min(least, signed_volume(mesh.point(n[0]), mesh.point(n[1]), mesh.point(n[2]), mesh.point(n[3])));
+        least = std::min(least, signed_volume(mesh.point(n[0]), mesh.point(n[1]), mesh.point(n[2]), mesh.point(n[3])));
     return least;
 }
 
