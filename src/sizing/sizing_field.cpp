@@ -17,40 +17,57 @@
 namespace featuremesh {
 
 struct SizingField::Data {
-    double size, growth;
+    double size, growth, largest;
     SourceTree tree;
+    SourceTree lead;  ///< of the largest size on what may be coarser than the global one; empty where nothing may
+
+    double at_most(const Vec3& p) const { return lead.empty() ? size : largest - lead.at(p); }
 };
 
 SizingField::SizingField(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
-double SizingField::at(const Vec3& p) const { return data_->tree.empty() ? data_->size : data_->tree.at(p); }
-bool SizingField::is_uniform() const { return data_->tree.empty(); }
+double SizingField::at(const Vec3& p) const {
+    const double most = data_->at_most(p);
+    return data_->tree.empty() ? most : std::min(most, data_->tree.at(p));
+}
+bool SizingField::is_uniform() const { return data_->tree.empty() && data_->lead.empty(); }
 double SizingField::smallest() const { return std::min(data_->size, data_->tree.smallest()); }
 double SizingField::growth() const { return data_->growth; }
-double SizingField::largest() const { return data_->size; }
+double SizingField::largest() const { return data_->largest; }
 
-std::vector<Box> where_different(const SizingField& a, const SizingField& b) {
-    if (a.data_->size != b.data_->size || a.data_->growth != b.data_->growth || a.data_->growth <= 1)
-        return {Box{Box{}.high, Box{}.low}};
+namespace {
+
+/// Balls that only one of the two has.
+std::vector<SourceBall> different(const SourceTree& a, const SourceTree& b) {
     const auto before = [](const SourceBall& x, const SourceBall& y) {
         return std::tie(x.center.x, x.center.y, x.center.z, x.radius, x.size) <
                std::tie(y.center.x, y.center.y, y.center.z, y.radius, y.size);
     };
     std::array<std::vector<SourceBall>, 2> balls;
     for (const int i : {0, 1}) {
-        const auto of_field = (i == 0 ? a : b).data_->tree.balls();
+        const auto of_field = (i == 0 ? a : b).balls();
         balls[i].assign(of_field.begin(), of_field.end());
         std::sort(balls[i].begin(), balls[i].end(), before);
     }
-    std::vector<SourceBall> different;
+    std::vector<SourceBall> only;
     std::set_symmetric_difference(balls[0].begin(), balls[0].end(), balls[1].begin(), balls[1].end(),
-                                  std::back_inserter(different), before);
+                                  std::back_inserter(only), before);
+    return only;
+}
+
+}  // namespace
+
+std::vector<Box> where_different(const SizingField& a, const SizingField& b) {
+    const Box everywhere{Box{}.high, Box{}.low};
+    if (a.data_->size != b.data_->size || a.data_->growth != b.data_->growth || a.data_->growth <= 1)
+        return {everywhere};
+    if (a.data_->largest != b.data_->largest || !different(a.data_->lead, b.data_->lead).empty()) return {everywhere};
     Box together;
     std::vector<Box> boxes;
-    for (const SourceBall& ball : different) {
+    for (const SourceBall& ball : different(a.data_->tree, b.data_->tree)) {
         Box box;
         box.add(ball.center);
-        boxes.push_back(box.grown(ball.radius + (a.data_->size - ball.size) / (a.data_->growth - 1)));
+        boxes.push_back(box.grown(ball.radius + (a.data_->largest - ball.size) / (a.data_->growth - 1)));
         together.add(boxes.back());
     }
     constexpr std::size_t few = 16;
@@ -106,6 +123,18 @@ void check_options(const SizingOptions& options, const Box& part) {
                              " mm; it must be larger than zero.");
 }
 
+/// Those of the kept nodes whose mesh is clearly coarser than the global size lead above it.
+void lead_above(std::span<const SizeSource> kept, double slope, const Box& box, SizingField::Data& data) {
+    std::vector<SourceBall> coarse;
+    for (const SizeSource& source : kept)
+        if (source.size > scatter_of_edge_lengths * data.size)
+            coarse.push_back({source.point, source.size, source.size});
+    if (coarse.empty() || slope <= 0) return;
+    for (const SourceBall& ball : coarse) data.largest = std::max(data.largest, ball.size);
+    for (SourceBall& ball : coarse) ball.size = data.largest - ball.size;
+    data.lead = SourceTree(std::move(coarse), slope, data.largest - data.size, box);
+}
+
 /// Adds the kept nodes whose mesh is clearly finer than the field asks for.
 void add_kept(std::span<const SizeSource> kept, const SizingField::Data& field, std::vector<SourceBall>& sources) {
     for (const SizeSource& source : kept) {
@@ -131,10 +160,13 @@ SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::spa
     asked.size = data->size;
     std::vector<SourceBall> sources = shape_sources(brep, asked, context);
     const Box box = brep.box().grown(1e-3 * brep.box().diagonal());
-    data->tree = SourceTree(sources, options.growth - 1, data->size, box);
+    const double slope = options.growth - 1;
+    data->largest = data->size;
+    if (data->size == options.size) lead_above(kept, slope, box, *data);
+    data->tree = SourceTree(sources, slope, data->largest, box);
     const std::size_t of_shape = sources.size();
     add_kept(kept, *data, sources);
-    if (sources.size() > of_shape) data->tree = SourceTree(std::move(sources), options.growth - 1, data->size, box);
+    if (sources.size() > of_shape) data->tree = SourceTree(std::move(sources), slope, data->largest, box);
     return SizingField(std::move(data));
 }
 

@@ -20,7 +20,7 @@ struct LocalSize {
 };
 
 struct SizingOptions {
-    double size = 0;                  ///< mm, everywhere at most this
+    double size = 0;                  ///< mm, everywhere at most this, but for coarser sources
     double min_size = 0;              ///< mm, curvature and gaps ask for nothing below it
     double elements_per_circle = 12;  ///< curvature; 0 is off
     double elements_across_gap = 0;   ///< thin walls; 0 is off
@@ -29,8 +29,10 @@ struct SizingOptions {
     bool operator==(const SizingOptions&) const = default;
 };
 
-/// A kept node's actual edge length. Where it is clearly below what the field asks for (by more than the scatter of a good mesh, 1.4), the field equals it
-/// there and grows from it; elsewhere the field stays as it is, so that an update does not follow the scatter of the mesh it updates.
+/// A kept node's actual edge length. Where it is clearly below what the field asks for (by more than the scatter of a
+/// good mesh, 1.4), the field equals it there and grows from it; where it is as clearly above the global size, the
+/// field may be as coarse there, and less so around, unless the shape asks for less. Elsewhere the field stays as it
+/// is, so that an update does not follow the scatter of the mesh it updates.
 struct SizeSource {
     Vec3 point;
     double size = 0;

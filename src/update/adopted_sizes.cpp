@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "update/adopted_sizes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -31,9 +32,16 @@ std::vector<double> mean_sides(const Mesh& mesh) {
     return sums;
 }
 
+/// The size asked for is clearly below the mean one on the mesh's surface (places count by area): it is a wish for updates.
+bool is_finer_asked(const std::vector<SizeSource>& sources, double size) {
+    double sum = 0, area = 0;
+    for (const SizeSource& source : sources) sum += std::pow(source.size, 3), area += std::pow(source.size, 2);
+    return sum > 1.4 * size * area;
+}
+
 }  // namespace
 
-std::vector<SizeSource> local_sizes(const Mesh& mesh) {
+std::vector<SizeSource> local_sizes(const Mesh& mesh, double size) {
     const std::vector<double> sizes = mean_sides(mesh);
     // Cubes of two to four edge lengths: by the exponent of their width, and their place.
     std::map<std::array<std::int64_t, 4>, Sum> cubes;
@@ -50,6 +58,8 @@ std::vector<SizeSource> local_sizes(const Mesh& mesh) {
     }
     std::vector<SizeSource> sources;
     for (const auto& [key, cube] : cubes) sources.push_back({cube.place / cube.count, cube.size / cube.count});
+    if (is_finer_asked(sources, size))
+        for (SizeSource& source : sources) source.size = std::min(source.size, size);
     return sources;
 }
 

@@ -429,7 +429,7 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, cons
     const auto start = std::chrono::steady_clock::now();
     if (options.order != foreign.order) throw InputError("An adopted mesh keeps its element order.");
     PartState part = read_part(document, context);
-    const std::vector<SizeSource> adopted_sizes = local_sizes(foreign);
+    const std::vector<SizeSource> adopted_sizes = local_sizes(foreign, options.sizing.size);
     const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
     refuse_too_many(part.brep, sizing, options);
     PartMeshResult result;

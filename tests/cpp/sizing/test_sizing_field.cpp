@@ -226,13 +226,34 @@ TEST_CASE("the field grows no faster than asked") {
 }
 
 TEST_CASE("kept nodes anchor the field where their mesh is finer, and only there") {
-    const std::vector<SizeSource> like_the_field{{{10, 10, 10}, 3.3}, {{20, 10, 10}, 4.4}, {{5, 5, 5}, 9}};
+    const std::vector<SizeSource> like_the_field{{{10, 10, 10}, 3.3}, {{20, 10, 10}, 4.4}, {{5, 5, 5}, 5.5}};
     CHECK(sizing_of(block(), of_size(4), like_the_field).is_uniform());
     const std::vector<SizeSource> finer{{{10, 10, 10}, 1.0}};
     const SizingField field = sizing_of(block(), of_size(4), finer);
     CHECK(field.at({10, 10, 10}) == Approx(1.0));
     CHECK(field.at({15, 10, 10}) == Approx(2.5));
     CHECK(field.at({40, 10, 10}) == 4.0);
+}
+
+TEST_CASE(
+    "kept nodes whose mesh is coarser than the global size let the field be as coarse, but for what the shape asks "
+    "for") {
+    const std::vector<SizeSource> coarser{{{10, 10, 10}, 9.0}, {{12, 10, 10}, 8.0}};
+    SizingOptions options = of_size(4);
+    const SizingField field = sizing_of(block(), options, coarser);
+    CHECK_FALSE(field.is_uniform());
+    CHECK(field.largest() == 9.0);
+    CHECK(field.at({10, 10, 10}) == Approx(9.0));
+    CHECK(field.at({22, 10, 10}) == Approx(9.0 - 0.3 * (12 - 9)));
+    CHECK(field.at({39, 10, 10}) == 4.0);
+    CHECK(where_different(field, sizing_of(block(), options, coarser)).empty());
+    CHECK(where_different(field, sizing_of(block(), options)).size() == 1);
+    options.local = {{entity_of(FaceId(0)), 1}};
+    const SizingField local = sizing_of(block(), options, coarser), plain = sizing_of(block(), options);
+    for (const Vec3& p : random_points(block(), 200)) {
+        CHECK(local.at(p) <= field.at(p));
+        CHECK(local.at(p) >= plain.at(p));
+    }
 }
 
 TEST_CASE("the same sizes give the same field, and a moved part a moved one") {

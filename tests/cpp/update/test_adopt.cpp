@@ -193,6 +193,30 @@ TEST_CASE("an adopted mesh keeps its grading where it is updated, saved and rest
     }
 }
 
+TEST_CASE("an adopted mesh that is coarser than its typical size stays as coarse where it is updated, saved and restored or not") {
+    MeshOptions typical = options_of(1), graded = options_of(1);
+    typical.sizing.elements_per_circle = graded.sizing.elements_per_circle = 0;
+    typical.sizing.size = 4, graded.sizing.size = 6;
+    graded.sizing.local = {{face_at(plate(50), 0), 1.0}};
+    RunContext context;
+    const auto source = mesh_part(plate(50), graded, context).part_mesh;
+    const auto first = adopt_part(plate(50), typical, foreign_copy(source->mesh), context).part_mesh;
+    const auto restored = restore_part(plate(50), typical, first->mesh, context, first->made_for, first->adopted_sizes);
+    const double full = mean_side_near(mesh_part(plate(52), graded, context).part_mesh->mesh);
+    for (const auto& old : {first, restored}) {
+        const auto now = update_part(*old, plate(52), typical, context);
+        CHECK(now.report.fallbacks.empty());
+        CHECK(mean_side_near(now.part_mesh->mesh) > 0.8 * full);
+        CHECK(mean_side_near(now.part_mesh->mesh) < 1.25 * full);
+        check_valid(*now.part_mesh);
+    }
+    // a finer size than the mesh was made with is meant
+    MeshOptions fine = typical;
+    fine.sizing.size = 1.5;
+    const auto asked_finer = adopt_part(plate(50), fine, foreign_copy(source->mesh), context).part_mesh;
+    CHECK(mean_side_near(update_part(*asked_finer, plate(52), fine, context).part_mesh->mesh) < 0.7 * full);
+}
+
 TEST_CASE("nodes off the surface are released with what touches them, and named") {
     for (const int order : {1, 2}) {
         Mesh foreign = foreign_copy(meshed(plate(20), order)->mesh);
