@@ -4,10 +4,12 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Curve2d.hxx>
 #include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -164,7 +166,45 @@ class EdgeIndex {
     double size_ = 0;
 };
 
+bool is_simple(const TopoDS_Shape& wire) {
+    for (TopExp_Explorer it(wire, TopAbs_EDGE); it.More(); it.Next())
+        if (BRepAdaptor_Curve(TopoDS::Edge(it.Current())).GetType() > GeomAbs_Parabola) return false;
+    return true;
+}
+
+TopoDS_Face without_common_holes(const TopoDS_Face& face, const EdgeIndex& others) {
+    std::vector<std::pair<double, TopoDS_Shape>> wires;  // with their sizes: the largest is the outer border
+    for (TopoDS_Iterator it(face); it.More(); it.Next()) {
+        if (it.Value().ShapeType() != TopAbs_WIRE || !is_simple(it.Value())) return face;
+        wires.emplace_back(box_of(it.Value()).diagonal(), it.Value());
+    }
+    if (wires.size() < 2) return face;
+    std::stable_sort(wires.begin(), wires.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    TopoDS_Face simpler = TopoDS::Face(face.EmptyCopied());
+    const BRep_Builder builder;
+    for (const auto& wire : wires) {
+        TopTools_IndexedMapOfShape edges;
+        TopExp::MapShapes(wire.second, TopAbs_EDGE, edges);
+        bool is_common = &wire != &wires.front();
+        for (int i = 1; i <= edges.Extent() && is_common; ++i) is_common = others.has(TopoDS::Edge(edges(i)));
+        if (!is_common) builder.Add(simpler, wire.second);
+    }
+    return simpler;
+}
+
 }  // namespace
+
+std::vector<TopoDS_Shape> without_common_holes(const std::vector<TopoDS_Shape>& faces,
+                                               const std::vector<TopoDS_Shape>& others) {
+    const EdgeIndex edges(others);
+    std::vector<TopoDS_Shape> simpler;
+    for (const TopoDS_Shape& shape : faces) {
+        const TopoDS_Face& face = TopoDS::Face(shape);
+        const bool is_plane = BRepAdaptor_Surface(face, false).GetType() == GeomAbs_Plane;
+        simpler.push_back(is_plane ? without_common_holes(face, edges) : face);
+    }
+    return simpler;
+}
 
 std::vector<TopoDS_Shape> unshared_faces(const TopoDS_Shape& shape, const TopoDS_Shape& other) {
     const std::vector<TopoDS_Face> faces = faces_of_solids(shape), other_faces = faces_of_solids(other);

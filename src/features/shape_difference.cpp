@@ -74,8 +74,11 @@ struct Change {
 ShapeDifference between_faces(const Change& change, bool glued, double seconds, RunContext& context) {
     ShapeDifference result;
     TopTools_ListOfShape faces;
-    for (const TopoDS_Shape& face : change.vanished) faces.Append(face);
-    for (const TopoDS_Shape& face : change.appeared) faces.Append(face);
+    const auto add = [&](const std::vector<TopoDS_Shape>& some, const std::vector<TopoDS_Shape>& others) {
+        for (const TopoDS_Shape& face : glued ? without_common_holes(some, others) : some) faces.Append(face);
+    };
+    add(change.vanished, change.appeared);
+    add(change.appeared, change.vanished);
     if (faces.IsEmpty()) return result.closed = true, result;
     const Handle(Deadline) deadline = new Deadline(seconds, context);
     const std::unique_ptr<BOPAlgo_PaveFiller> filler(glued ? new GluedFiller : new BOPAlgo_PaveFiller);

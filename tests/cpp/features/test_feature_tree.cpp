@@ -4,7 +4,9 @@
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
+#include <GProp_GProps.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -16,6 +18,7 @@
 #include "documents.h"
 #include "features/flux.h"
 #include "features/occt_geometry.h"
+#include "features/same_faces.h"
 
 using namespace featuremesh;
 using namespace featuremesh::test;
@@ -101,6 +104,36 @@ TEST_CASE("a fillet is what it adds and removes, also when no face is shared any
         CHECK(fillet.volumes[0].effect == Effect::removes);
         CHECK(volume(fillet.volumes[0]) == Approx(flux(before, {}) - flux(after, {})).epsilon(1e-6));
     }
+}
+
+TEST_CASE("holes that faces before and after have in common are no part of what changed between them") {
+    const auto top = [](double second_radius) {
+        const TopoDS_Shape first = cut(box(0, 0, 0, 40, 20, 5), cylinder({10, 10, -1}, {0, 0, 1}, 2, 7));
+        return unshared_faces(cut(first, cylinder({30, 10, -1}, {0, 0, 1}, second_radius, 7)), box(0, 0, 0, 40, 20, 5));
+    };
+    const auto wires = [](const std::vector<TopoDS_Shape>& faces) {
+        int count = 0;
+        for (const TopoDS_Shape& face : faces)
+            for (TopExp_Explorer it(face, TopAbs_WIRE); it.More(); it.Next()) ++count;
+        return count;
+    };
+    const auto area = [](const std::vector<TopoDS_Shape>& faces) {
+        GProp_GProps sum;
+        for (const TopoDS_Shape& face : faces)
+            if (BRepAdaptor_Surface(TopoDS::Face(face)).GetType() == GeomAbs_Plane) {
+                GProp_GProps one;
+                BRepGProp::SurfaceProperties(face, one);
+                sum.Add(one);
+            }
+        return sum.Mass();
+    };
+    const auto before = top(2), after = top(3);  // two walls with a wire each, top and bottom with three
+    REQUIRE(wires(before) == 8);
+    const auto simpler = without_common_holes(before, after);
+    CHECK(simpler.size() == before.size());
+    CHECK(wires(simpler) == 6);
+    CHECK(area(simpler) == Approx(2 * (800 - pi * 4)));
+    CHECK(wires(without_common_holes(before, {})) == 8);
 }
 
 TEST_CASE("reading ends when it is not wanted any more") {
