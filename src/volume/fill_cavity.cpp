@@ -13,7 +13,7 @@ namespace {
 /// In wanted edge lengths; the circumspheres of the lattice's tets have 0.65.
 constexpr double radius_of_a_gap = 0.8;
 /// Beside a seam that is no lattice a point fits in closer than the lattice's distances.
-constexpr SeedOptions places_in_gaps{.clearance = 0.5, .spacing = 0.7};
+constexpr SeedOptions places_in_gaps{.clearance = 0.5, .spacing = 0.7, .spares_facets = true};
 
 /// By point: whether it is a corner of the seam with kept tets.
 std::vector<char> seam_points(std::size_t point_count, const Cavity& cavity) {

@@ -75,13 +75,16 @@ class SeedOctree {
         return seeds;
     }
 
-    /// Those of the candidates that are inside and clear of facets and of the balls given at first, in their order. The
-    /// clearance, in wanted edge lengths, is at most that of the lattice.
-    std::vector<Vec3> clear_points(std::span<const Vec3> candidates, double clearance) {
+    /// Those of the candidates that are inside and clear of facets and of the balls given at first, in their order.
+    /// Their clearance is at most that of the lattice.
+    std::vector<Vec3> clear_points(std::span<const Vec3> candidates, const SeedOptions& options) {
         std::vector<Vec3> good;
         for (const Vec3& p : candidates) {
             const int place = place_at(p);
-            if (place >= 0 && is_clear(p, clearance * wanted(p), places_[static_cast<std::size_t>(place)], ball_count_))
+            if (place < 0) continue;
+            const Place& around = places_[static_cast<std::size_t>(place)];
+            if (is_clear(p, options.clearance * wanted(p), around, ball_count_) &&
+                !(options.spares_facets && would_break_a_facet(p, around)))
                 good.push_back(p);
         }
         return good;
@@ -328,6 +331,17 @@ class SeedOctree {
         }
     }
 
+    /// Inside the ball around a facet: Delaunay would not have that facet any more.
+    bool would_break_a_facet(const Vec3& p, const Place& place) const {
+        return std::any_of(place.close.facets.begin(), place.close.facets.end(), [&](int i) {
+            const auto& c = facets_[i].corners;
+            const Vec3 &a = points_[c[0]], u = points_[c[1]] - a, v = points_[c[2]] - a, n = cross(u, v);
+            const Vec3 to_center =
+                (cross(n, u) * squared_length(v) + cross(v, n) * squared_length(u)) / (2 * squared_length(n));
+            return squared_length(p - a - to_center) < squared_length(to_center);
+        });
+    }
+
     /// Further than `clearance` (mm) from facets, and outside of the first `ball_count` balls.
     bool is_clear(const Vec3& p, double clearance, const Place& place, std::size_t ball_count) const {
         const double squared = clearance * clearance;
@@ -416,7 +430,7 @@ std::vector<Vec3> SeedSpace::seeds(std::span<const Vec3> active) {
 }
 
 std::vector<Vec3> SeedSpace::with_room(std::span<const Vec3> candidates, const SeedOptions& options) {
-    return thinned(data_->octree.clear_points(candidates, options.clearance), data_->size, options.spacing);
+    return thinned(data_->octree.clear_points(candidates, options), data_->size, options.spacing);
 }
 
 }  // namespace featuremesh

@@ -22,8 +22,9 @@ struct WantedSize {
 };
 
 struct SeedOptions {
-    double clearance = 0.65;  ///< distance from the facets, in wanted edge lengths
-    double spacing = 0.7;     ///< distance from active points, in wanted edge lengths
+    double clearance = 0.65;     ///< distance from the facets, in wanted edge lengths
+    double spacing = 0.7;        ///< distance from active points, in wanted edge lengths
+    bool spares_facets = false;  ///< none inside the ball around a facet, which Delaunay would not have any more
 };
 
 /// The lattice's constant (edge of its cubes) whose Delaunay tets have the wanted edge length: two edges of each are as

@@ -97,6 +97,20 @@ TEST_CASE("active points need room") {
     }
 }
 
+TEST_CASE(
+    "a point that comes closer than the lattice stays out of the balls around the facets where they are to be spared") {
+    const Cavity cavity = box_boundary(8, 12);  // right-angled facets, their sides 1.5, the balls' radius 1.06
+    const RunContext context;
+    SeedSpace space(cavity.points, cavity.facets, {}, uniform(1.5), {}, context);
+    const std::vector<Vec3> above_corner{{6, 6, 0.9}}, above_middle{{6.75, 6.75, 0.9}}, beyond{{6.75, 6.75, 1.1}};
+    SeedOptions closer{.clearance = 0.5, .spacing = 0.5};
+    CHECK(space.with_room(above_middle, closer) == above_middle);
+    closer.spares_facets = true;
+    CHECK(space.with_room(above_corner, closer) == above_corner);
+    CHECK(space.with_room(above_middle, closer).empty());
+    CHECK(space.with_room(beyond, closer) == beyond);
+}
+
 TEST_CASE("distance to a triangle is that of brute force") {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> unit(-1, 1);
