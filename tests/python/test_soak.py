@@ -196,7 +196,8 @@ class Soak(unittest.TestCase):
             sizes.append((os.path.getsize(mesh.SavedState), report["nodes"]))
             print("%s %d: %s: %d tets, %.1f %% kept, %s" % (name, index, words, report["tets"], 100 * kept_shares[-1],
                                                          report["fallback"] or "no fallback"), file=sys.stderr)
-        self.check_drift(mesh)
+        with self.subTest(example=name, what="drift"):   # what comes after is measured in any case
+            self.check_drift(mesh)
         # the state grows with the part, not with the number of edits
         (first, first_nodes), (last, last_nodes) = sizes[0], sizes[-1]
         self.assertLess(last, 1.5 * first * max(1, last_nodes / first_nodes) + 50 * last_nodes)
