@@ -59,11 +59,12 @@ py::dict edge_dict(const EdgeChange& change) {
     return out;
 }
 
-py::dict compare_documents(const py::dict& old_raw, const py::dict& new_raw, double resolution) {
+py::dict compare_documents(const py::dict& old_raw, const py::dict& new_raw, double resolution, bool fuse) {
     const RawDocument old_document = raw_document_from(old_raw), new_document = raw_document_from(new_raw);
     std::vector<EdgeChange> edges;
     const FeatureDifference difference = run_released({}, 1, [&](RunContext& context) {
-        const PartState old_state = read_part(old_document, context), new_state = read_part(new_document, context);
+        const auto read = [&](const RawDocument& document) { return fuse ? read_part(document, context) : read_part_unfused(document, context); };
+        const PartState old_state = read(old_document), new_state = read(new_document);
         const double fine = resolution > 0 ? resolution : new_state.brep.box().diagonal() / 100;
         FeatureDifference found = compare(old_state, new_state, fine, context);
         tell_inner_faces(found.faces, old_state.brep, new_state.brep);
@@ -96,9 +97,9 @@ py::dict to_dict(const FeatureDifference& difference) {
 }
 
 void define_difference(py::module_& module) {
-    module.def("compare", &compare_documents, py::arg("old"), py::arg("new"), py::arg("resolution") = 0.0,
+    module.def("compare", &compare_documents, py::arg("old"), py::arg("new"), py::arg("resolution") = 0.0, py::arg("fuse") = true,
                "The feature difference of two states of a part. `resolution` (mm): edge length of the changed boundary's triangles where a face is "
-               "trimmed differently; 0 takes a hundredth of the part's diagonal.");
+               "trimmed differently; 0 takes a hundredth of the part's diagonal. Without `fuse` no cells are built: quicker, and owners of faces are found by points of them.");
 }
 
 }  // namespace featuremesh

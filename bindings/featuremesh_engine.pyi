@@ -62,7 +62,7 @@ def read_tree(raw: dict) -> dict[str, Any]:
     """{"object", "features": [{"name", "label", "type", "role", "suppressed", "error", "depends_on", "volume_source",
     "volumes": [{"effect", "volume", "instance"}], "owns_cells", "owns_faces"}], "cells", "material_volume", "final_volume", "notes",
     "fallbacks" (those notes that say how the cells were had when the plain way failed), "untrusted" (names)}"""
-def compare(old: dict, new: dict, resolution: float = 0.0) -> dict[str, Any]:
+def compare(old: dict, new: dict, resolution: float = 0.0, fuse: bool = True) -> dict[str, Any]:
     """The feature difference: {"features": [{"name", "label", "verdict", "motion", "old_volume", "new_volume", "old_faces", "new_faces", "detail"}],
     "faces": [{"verdict", "old_face", "new_face", "old_area", "new_area", "inner"}],
     "edges": [{"verdict", "old_edge", "new_edge", "old_length", "new_length", "inner"}], "notes", "changed_boundary": (k,3,3) array}; areas, mm^2, of faces that changed"""

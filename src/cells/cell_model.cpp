@@ -21,8 +21,6 @@ namespace featuremesh {
 
 namespace {
 
-constexpr double most_seconds = 24;  // of the processor, for all attempts together; what is fused in that time is worth
-                                     // it, see docs/design/cells.md
 constexpr double share_of_attempt = 0.6;  // of what is left
 
 void add_solids(std::vector<FuseArgument>& arguments, const Owner& owner, const TopoDS_Shape& shape) {
@@ -42,8 +40,12 @@ double volume_of(const Brep& shape) {
 
 class CellBuilder {
   public:
-    CellBuilder(const FeatureTree& tree, const Brep& final_shape, RunContext& context)
-        : tree_(tree), final_shape_(final_shape), context_(context), final_volume_(volume_of(final_shape)) {
+    CellBuilder(const FeatureTree& tree, const Brep& final_shape, RunContext& context, double seconds)
+        : tree_(tree),
+          final_shape_(final_shape),
+          context_(context),
+          seconds_(seconds),
+          final_volume_(volume_of(final_shape)) {
         for (std::size_t i = 0; i < final_shape.solid_count(); ++i)
             probes_.push_back(std::make_unique<SolidProbe>(final_shape, SolidId(i)));
     }
@@ -62,7 +64,7 @@ class CellBuilder {
     }
 
   private:
-    double seconds_left() const { return most_seconds - (used_seconds(context_) - start_); }
+    double seconds_left() const { return seconds_ - (used_seconds(context_) - start_); }
     void note(std::string text) { notes_.push_back(std::move(text)); }
     void distrust(FeatureId id) { untrusted_.insert(id); }
 
@@ -310,6 +312,7 @@ class CellBuilder {
 
     /// The final shape as it is, owned by every feature and trusted to none.
     CellModel opaque(const std::string& why) {
+        const bool is_out_of_time = out_of_time_ || seconds_left() <= 0;
         note("the part is taken as one piece: " + why);
         std::vector<FuseArgument> whole;
         add_final_shape(whole, final_shape_);
@@ -328,6 +331,7 @@ class CellBuilder {
             }
         }
         own_everything();
+        model_.report.is_out_of_time = is_out_of_time;
         model_.feature_volumes = volumes_of_features(model_.cells, tree_.features.size());
         model_.report.material_volume = model_.report.final_volume = final_volume_;
         match_final_faces(model_, final_shape_, context_);
@@ -351,6 +355,7 @@ class CellBuilder {
     const Brep& final_shape_;
     std::vector<std::unique_ptr<SolidProbe>> probes_;  // one per solid of the final shape
     RunContext& context_;
+    double seconds_;  // of the processor, for all attempts together
     double final_volume_;
     double overlap_ = 0;  // mm^3 that the final shape's solids count more than once
     double start_ = used_seconds(context_);
@@ -372,9 +377,9 @@ std::vector<double> volumes_of_features(const std::vector<Cell>& cells, std::siz
     return volumes;
 }
 
-CellModel build_cells(const FeatureTree& tree, const Brep& final_shape, RunContext& context) {
+CellModel build_cells(const FeatureTree& tree, const Brep& final_shape, RunContext& context, double seconds) {
     RunContext::Step step(context, "cells");
-    return CellBuilder(tree, final_shape, context).run();
+    return CellBuilder(tree, final_shape, context, seconds).run();
 }
 
 }  // namespace featuremesh

@@ -42,6 +42,7 @@ struct CellReport {
     std::vector<std::string> fallbacks;            ///< fuzzy fuse, feature by feature, opaque features: in words
     std::vector<std::string> findings;             ///< what is odd about the part itself: solids that overlap
     std::vector<FeatureId> untrusted;              ///< features to be treated as changed
+    bool is_out_of_time = false;                   ///< the part was taken as one piece because the time was over
 };
 
 struct CellModel {
@@ -59,8 +60,11 @@ struct CellModel {
 /// By FeatureId: the sum of the cells it owns, mm^3.
 std::vector<double> volumes_of_features(const std::vector<Cell>& cells, std::size_t feature_count);
 
+constexpr double most_seconds_of_cells = 24;  ///< what is fused in that time is worth it, see docs/design/cells.md
+
 /// General Fuse of all feature volumes with owner lists from the builder's history, material by classification against
-/// the final shape.
-CellModel build_cells(const FeatureTree& tree, const Brep& final_shape, RunContext& context);
+/// the final shape. `seconds` of the processor, for all attempts together.
+CellModel build_cells(const FeatureTree& tree, const Brep& final_shape, RunContext& context,
+                      double seconds = most_seconds_of_cells);
 
 }  // namespace featuremesh

@@ -315,14 +315,19 @@ FeatureTree interpreted(const RawDocument& document, RunContext& context, const 
     return interpret(document, context, before ? &before->tree : nullptr);
 }
 
-/// Without cells: nobody waits for them to see a mesh that is there.
-PartState read_unfused(const RawDocument& document, RunContext& context) {
-    FeatureTree tree = interpreted(document, context, nullptr);
+void leave_cells_out(PartState& part) {
+    part.cells = cells_without_fuse(part.tree, part.brep);
+    part.cells.owners_of_final_face = VolumeFaces(part.tree).owners_of_faces(part.brep);
+}
+
+PartState read_with_cells(const RawDocument& document, RunContext& context, const PartState* before, double seconds) {
+    FeatureTree tree = interpreted(document, context, before);
     const RunContext::Step step(context, "cells");
     Brep brep(tree.final_shape);
-    CellModel cells = cells_without_fuse(tree, brep);
-    cells.owners_of_final_face = VolumeFaces(tree).owners_of_faces(brep);
-    return {std::move(tree), std::move(brep), std::move(cells)};
+    std::optional<CellModel> cells;
+    if (before) cells = cells_after_edit({before->tree, before->cells}, tree, brep, context);
+    if (!cells) cells = build_cells(tree, brep, context, seconds);
+    return {std::move(tree), std::move(brep), std::move(*cells)};
 }
 
 /// Where sizes change along a seam, the tets that have to change with them need more room.
@@ -334,18 +339,30 @@ double margin_of(const MeshOptions& options, const SizingField& sizing) {
 }  // namespace
 
 PartState read_part(const RawDocument& document, RunContext& context, const PartState* before) {
-    FeatureTree tree = interpreted(document, context, before);
+    return read_with_cells(document, context, before, most_seconds_of_cells);
+}
+
+PartState read_part_to_mesh(const RawDocument& document, RunContext& context, const PartState* before, double seconds) {
+    PartState part = read_with_cells(document, context, before, seconds);
+    if (!part.cells.report.is_out_of_time) return part;
+    const RunContext::Step step(context, "cells");
+    leave_cells_out(part);
+    part.cells.report.fallbacks = {"the volumes of the features take too long to fuse; who owns a face was found by points on it"};
+    return part;
+}
+
+PartState read_part_unfused(const RawDocument& document, RunContext& context) {
+    FeatureTree tree = interpreted(document, context, nullptr);
     const RunContext::Step step(context, "cells");
     Brep brep(tree.final_shape);
-    std::optional<CellModel> cells;
-    if (before) cells = cells_after_edit({before->tree, before->cells}, tree, brep, context);
-    if (!cells) cells = build_cells(tree, brep, context);
-    return {std::move(tree), std::move(brep), std::move(*cells)};
+    PartState part{std::move(tree), std::move(brep), {}};
+    leave_cells_out(part);
+    return part;
 }
 
 PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context, NextNumbers next) {
     const auto start = std::chrono::steady_clock::now();
-    PartState part = read_part(document, context);
+    PartState part = read_part_to_mesh(document, context);
     const SizingField sizing = make_sizing(part.brep, options.sizing, {}, context);
     refuse_too_many(part.brep, sizing, options);
     Filled filled = fill(part.brep, sizing, nothing_kept(next), options, context);
@@ -363,7 +380,7 @@ PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunCo
 PartMeshResult update_part(const PartMesh& old, RawDocument document, const MeshOptions& options, RunContext& context) {
     const auto start = std::chrono::steady_clock::now();
     if (options == old.options && document == old.document) return unchanged(old, context);
-    PartState part = read_part(document, context, &old.part);
+    PartState part = read_part_to_mesh(document, context, &old.part);
     const std::string why_full = reason_for_full_mesh(old, options);
     const std::vector<SizeSource> adopted_sizes = why_full.empty() ? old.adopted_sizes : std::vector<SizeSource>{};
     const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
@@ -380,7 +397,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
         context.check_cancelled();
         report.fallbacks.push_back(std::string("full mesh: what changed could not be found: ") + failure.what());
         margins.clear();
-        part = read_part(document, context);
+        part = read_part_to_mesh(document, context);
     }
     if (!why_full.empty()) {
         report.fallbacks.push_back("full mesh: " + why_full);
@@ -428,7 +445,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
 PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, const Mesh& foreign, RunContext& context) {
     const auto start = std::chrono::steady_clock::now();
     if (options.order != foreign.order) throw InputError("An adopted mesh keeps its element order.");
-    PartState part = read_part(document, context);
+    PartState part = read_part_to_mesh(document, context);
     const std::vector<SizeSource> adopted_sizes = local_sizes(foreign, options.sizing.size);
     const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
     refuse_too_many(part.brep, sizing, options);
@@ -475,7 +492,7 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, cons
 
 std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& options, Mesh mesh, RunContext& context,
                                              MadeFor made_for, std::vector<SizeSource> adopted_sizes) {
-    PartState part = read_unfused(document, context);
+    PartState part = read_part_unfused(document, context);
     const std::vector<std::string> broken = broken_invariants(mesh, expectation_of(part.brep), context);
     if (!broken.empty()) throw StateError("The saved mesh does not fit the part: " + broken.front() + ".");
     const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);

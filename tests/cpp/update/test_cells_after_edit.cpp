@@ -175,3 +175,19 @@ TEST_CASE("features that were reordered, or that failed, are read without a fuse
     CHECK(in_error.cells.owners_of_final_face.empty());
     CHECK(in_error.cells.report.untrusted == read_part(failed, context).cells.report.untrusted);
 }
+
+TEST_CASE("nobody waits for cells to get a mesh") {
+    const RawDocument document = document_of(RandomEdits(6).rounds);
+    RunContext context;
+    const PartState whole = read_part(document, context), hurried = read_part_to_mesh(document, context, nullptr, 0),
+                    unfused = read_part_unfused(document, context);
+    CHECK(read_part_to_mesh(document, context).cells.report.fallbacks.empty());
+    REQUIRE(hurried.cells.report.fallbacks.size() == 1);
+    CHECK(hurried.cells.report.fallbacks[0].find("too long") != std::string::npos);
+    CHECK(unfused.cells.report.fallbacks.empty());
+    for (const PartState* state : {&hurried, &unfused}) {
+        CHECK(state->cells.cells.empty());
+        CHECK(state->cells.owners_of_final_face == whole.cells.owners_of_final_face);
+        CHECK(state->cells.report.untrusted.empty());
+    }
+}

@@ -164,7 +164,7 @@ class FeatureMesh:
         moved = []
         if mesh.MeshRegionList and not (old is None and saved is None):
             moved = self._follow(mesh.MeshRegionList, mesh,
-                                 lambda: engine.load().compare(self._raw, raw)["faces"])
+                                 lambda: engine.load().compare(self._raw, raw, fuse=False)["faces"])
         job = MeshJob(raw, options_of(mesh, part), old, problem, moved)
         job.saved = saved
         if old is None:
