@@ -14,7 +14,8 @@ namespace featuremesh {
 double thickness(const TetComplex& complex, const std::array<int, 4>& tet, double least_volume);
 
 /// Tets of a thickness below 1 get rid of it by moves and collapses of free vertices and removals of edges, whatever
-/// that does to angles. Gives those that are left, ascending.
+/// that does to angles. Gives those that are left, ascending: all, and nothing was done, where they are over 3 % of the
+/// tets (and over 60).
 std::vector<int> thicken(TetComplex& complex, double least_volume, RunContext& context);
 
 }  // namespace featuremesh
