@@ -18,9 +18,13 @@ namespace {
 constexpr double on_face = 1e-5;  // mm, as for the cells of a whole part
 constexpr int points_across = 6;
 
-std::vector<Vec3> points_spread_over(const TopoDS_Face& face) {
-    std::vector<Vec3> points;
-    if (const auto sound = point_on(face)) points.push_back(sound->point);
+struct SurfacePoint {
+    Vec3 point;
+    double u, v;
+};
+
+std::vector<SurfacePoint> points_spread_over(const TopoDS_Face& face) {
+    std::vector<SurfacePoint> points;
     double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
     BRepTools::UVBounds(face, u1, u2, v1, v2);
     const BRepAdaptor_Surface surface(face, false);
@@ -28,9 +32,15 @@ std::vector<Vec3> points_spread_over(const TopoDS_Face& face) {
     for (int i = 0; i < points_across; ++i)
         for (int j = 0; j < points_across; ++j) {
             const double u = u1 + (u2 - u1) * (i + 0.5) / points_across, v = v1 + (v2 - v1) * (j + 0.5) / points_across;
-            if (trim.Perform({u, v}) == TopAbs_IN) points.push_back(to_vec3(surface.Value(u, v)));
+            if (trim.Perform({u, v}) == TopAbs_IN) points.push_back({to_vec3(surface.Value(u, v)), u, v});
         }
     return points;
+}
+
+/// Of faces on one carrier. Equal free-form surfaces have equal parameters, so that nothing need be projected.
+bool holds(const FaceProbe& face, SurfaceKind kind, const SurfacePoint& p) {
+    if (!face.box().grown(on_face).contains(p.point)) return false;
+    return kind == SurfaceKind::free_form ? face.contains(p.u, p.v) : face.contains(p.point, on_face);
 }
 
 }  // namespace
@@ -49,14 +59,17 @@ VolumeFaces::VolumeFaces(const FeatureTree& tree) {
 std::vector<Owner> VolumeFaces::owners_on(const TopoDS_Face& final_face) const {
     const Box box = box_of(final_face);
     const SurfaceCarrier carrier = carrier_of(final_face);
-    const std::vector<Vec3> points = points_spread_over(final_face);
+    std::vector<SurfacePoint> points = points_spread_over(final_face);
+    const auto sound = carrier.kind == SurfaceKind::free_form ? std::nullopt : point_on(final_face);
+    if (sound) points.push_back({sound->point, 0, 0});
     std::vector<Owner> owners;
     for (const OwnedFace& face : faces_) {
         if (!owners.empty() && owners.back() == face.owner) continue;
         if (!face.probe.box().overlaps(box) ||
             !same_carrier(face.carrier, carrier, {on_face, box.center(), 0.5 * box.diagonal()}))
             continue;
-        if (std::any_of(points.begin(), points.end(), [&](const Vec3& p) { return face.probe.contains(p, on_face); }))
+        if (std::any_of(points.begin(), points.end(),
+                        [&](const SurfacePoint& p) { return holds(face.probe, carrier.kind, p); }))
             owners.push_back(face.owner);
     }
     return owners;

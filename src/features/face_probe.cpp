@@ -75,8 +75,12 @@ bool FaceProbe::contains(const Vec3& p, double tolerance) const {
     const gp_Pnt point = to_pnt(p);
     const gp_Pnt2d uv = data_->nearest_parameters(point);
     if (data_->surface.Value(uv.X(), uv.Y()).Distance(point) > tolerance) return false;
+    return contains(uv.X(), uv.Y());
+}
+
+bool FaceProbe::contains(double u, double v) const {
     if (!data_->trim) data_->trim = std::make_unique<BRepTopAdaptor_FClass2d>(data_->face, Precision::PConfusion());
-    return data_->trim->Perform(uv) != TopAbs_OUT;
+    return data_->trim->Perform({u, v}) != TopAbs_OUT;
 }
 
 Vec3 FaceProbe::normal_at(const Vec3& p) const {

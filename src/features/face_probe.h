@@ -24,6 +24,8 @@ class FaceProbe {
     double distance_to_surface(const Vec3& p) const;
     /// Closer than `tolerance` to the surface and inside the trim (its border counts).
     bool contains(const Vec3& p, double tolerance) const;
+    /// Whether parameters of the surface are inside the trim (its border counts).
+    bool contains(double u, double v) const;
     /// Unit normal out of the material that the oriented face bounds, at the surface point nearest to p; zero at a
     /// pole.
     Vec3 normal_at(const Vec3& p) const;

@@ -29,7 +29,9 @@ namespace featuremesh {
 namespace {
 
 constexpr double elements_that_bend = 2;          // across a wall: none may span it
-constexpr double resolution_of_changes = 0.5;   // edge lengths; what is changed reaches this much further than it must
+// What is changed reaches this much further than it must, in the smallest wanted edge lengths, and at least in global sizes: a detail with tiny
+// elements anywhere in the part is no reason to look that closely at all that changed.
+constexpr double resolution_of_changes = 0.5, coarsest_resolution_needed = 0.05;
 
 double peak_memory_mb() {
     rusage usage{};
@@ -330,6 +332,10 @@ PartState read_with_cells(const RawDocument& document, RunContext& context, cons
     return {std::move(tree), std::move(brep), std::move(*cells)};
 }
 
+double resolution(const SizingField& sizing, const MeshOptions& options) {
+    return std::max(resolution_of_changes * sizing.smallest(), coarsest_resolution_needed * options.sizing.size);
+}
+
 /// Where sizes change along a seam, the tets that have to change with them need more room.
 double margin_of(const MeshOptions& options, const SizingField& sizing) {
     if (options.keep_margin > 0) return options.keep_margin;
@@ -391,7 +397,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     const double margin = margin_of(options, sizing);
     std::vector<double> margins{margin, 2 * margin};
     try {
-        report.difference = with_our_errors([&] { return compare(old.part, part, resolution_of_changes * sizing.smallest(), context); });
+        report.difference = with_our_errors([&] { return compare(old.part, part, resolution(sizing, options), context); });
         part.cells.owners_of_final_face = report.difference.owners_of_new_face;
     } catch (const Error& failure) {
         context.check_cancelled();
