@@ -188,7 +188,7 @@ void define_mesh(py::module_& module) {
              "(k,3) mm: inner nodes that survived the update as start positions only.")
         .def("wanted_sizes", &wanted_sizes, py::arg("points"), "(n,) mm: the edge length that the mesh was to have at each of the points, (n,3) mm.")
         .def("owners_of_faces", &owners_of_faces, "By face of the final shape: names of the features that own it.")
-        .def("owners_of_tets", &tets_of_each_feature, "(feature name, numbers of the tets in the material cells that it owns).");
+        .def("owners_of_tets", &tets_of_each_feature, "(feature name, numbers of the tets that have their middle in one of its volumes).");
 }
 
 }  // namespace featuremesh

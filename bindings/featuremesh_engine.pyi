@@ -46,7 +46,7 @@ class PartMesh:
     def active_points(self) -> np.ndarray: """(k,3): inner nodes that survived as start positions only."""
     def wanted_sizes(self, points: np.ndarray) -> np.ndarray: """(n,) mm: the edge length that the mesh was to have at each of the points, (n,3) mm."""
     def owners_of_faces(self) -> list[list[str]]: """By face of the final shape: names of the features that own it."""
-    def owners_of_tets(self) -> list[tuple[str, np.ndarray]]: """(feature name, numbers of the tets inside its volumes that it owns)."""
+    def owners_of_tets(self) -> list[tuple[str, np.ndarray]]: """(feature name, numbers of the tets that have their middle in one of its volumes)."""
 
 def mesh_part(raw: dict, options: dict, progress: Progress = None, next_numbers: tuple[int, int] = (1, 1)) -> tuple[PartMesh, dict[str, Any]]:
     """Nodes and elements are numbered from `next_numbers` on: those before were given to others in the document's history."""

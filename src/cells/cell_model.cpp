@@ -32,12 +32,6 @@ void add_final_shape(std::vector<FuseArgument>& arguments, const Brep& final_sha
         arguments.push_back({Owner{}, final_shape.solid(SolidId(s))});
 }
 
-double volume_of(const Brep& shape) {
-    double volume = 0;
-    for (std::size_t s = 0; s < shape.solid_count(); ++s) volume += shape.volume_of(SolidId(s));
-    return volume;
-}
-
 class CellBuilder {
   public:
     CellBuilder(const FeatureTree& tree, const Brep& final_shape, RunContext& context, double seconds)
@@ -45,7 +39,7 @@ class CellBuilder {
           final_shape_(final_shape),
           context_(context),
           seconds_(seconds),
-          final_volume_(volume_of(final_shape)) {
+          final_volume_(final_shape.volume()) {
         for (std::size_t i = 0; i < final_shape.solid_count(); ++i)
             probes_.push_back(std::make_unique<SolidProbe>(final_shape, SolidId(i)));
     }
@@ -295,12 +289,10 @@ class CellBuilder {
 
     /// What belongs to nobody may belong to any feature that was not taken as it is.
     void own_the_rest() {
-        std::vector<Owner> suspects, all;
-        for (std::size_t f = 0; f < tree_.features.size(); ++f) {
-            if (tree_.features[f].volumes.empty()) continue;
-            all.push_back({FeatureId(f), 0});
-            if (untrusted_.count(FeatureId(f))) suspects.push_back({FeatureId(f), 0});
-        }
+        const std::vector<Owner> all = owners_of_anything(tree_);
+        std::vector<Owner> suspects;
+        for (const Owner& owner : all)
+            if (untrusted_.count(owner.feature)) suspects.push_back(owner);
         const std::vector<Owner>& owners = suspects.empty() ? all : suspects;
         for (Cell& cell : model_.cells)
             if (cell.owners.empty()) cell.owners = owners;
@@ -341,12 +333,8 @@ class CellBuilder {
     }
 
     void own_everything() {
-        std::vector<Owner> owners;
-        for (std::size_t f = 0; f < tree_.features.size(); ++f) {
-            if (tree_.features[f].volumes.empty()) continue;
-            owners.push_back({FeatureId(f), 0});
-            distrust(FeatureId(f));
-        }
+        const std::vector<Owner> owners = owners_of_anything(tree_);
+        for (const Owner& owner : owners) distrust(owner.feature);
         for (Cell& cell : model_.cells) cell.owners = owners;
         for (CellFace& face : model_.faces) face.owners = owners;
     }
@@ -375,6 +363,13 @@ std::vector<double> volumes_of_features(const std::vector<Cell>& cells, std::siz
             if (i == 0 || cell.owners[i].feature != cell.owners[i - 1].feature)
                 volumes[cell.owners[i].feature.index()] += cell.volume;
     return volumes;
+}
+
+std::vector<Owner> owners_of_anything(const FeatureTree& tree) {
+    std::vector<Owner> owners;
+    for (std::size_t f = 0; f < tree.features.size(); ++f)
+        if (!tree.features[f].volumes.empty()) owners.push_back({FeatureId(f), 0});
+    return owners;
 }
 
 CellModel build_cells(const FeatureTree& tree, const Brep& final_shape, RunContext& context, double seconds) {

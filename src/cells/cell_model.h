@@ -60,6 +60,9 @@ struct CellModel {
 /// By FeatureId: the sum of the cells it owns, mm^3.
 std::vector<double> volumes_of_features(const std::vector<Cell>& cells, std::size_t feature_count);
 
+/// Of what may be any feature's: the first volume of every feature that has one.
+std::vector<Owner> owners_of_anything(const FeatureTree& tree);
+
 constexpr double most_seconds_of_cells = 24;  ///< what is fused in that time is worth it, see docs/design/cells.md
 
 /// General Fuse of all feature volumes with owner lists from the builder's history, material by classification against

@@ -24,8 +24,6 @@ namespace {
 
 constexpr double seconds_for_a_fuse = 0.5;  // of the processor; owners are not worth more while a mesh is waited for
 constexpr double share_that_pays = 0.7;     // of the solids, in both fuses together
-constexpr double on_face = 1e-5;            // mm, as for the cells of a whole part
-constexpr double same_normal = 0.999;       // cosine
 
 /// One solid of one volume of a feature.
 struct Piece {
@@ -230,12 +228,6 @@ class LocalFuse {
     std::vector<Owner> owners_;            // by marker
 };
 
-double volume_of(const Brep& shape) {
-    double volume = 0;
-    for (std::size_t s = 0; s < shape.solid_count(); ++s) volume += shape.volume_of(SolidId(s));
-    return volume;
-}
-
 using Probes = std::vector<std::unique_ptr<SolidProbe>>;
 
 Probes probes_of_changed(const Pieces& pieces) {
@@ -283,7 +275,7 @@ class NewState {
         owners_.resize(final_shape_.face_count());
         for (std::size_t f = 0; f < final_shape_.face_count(); ++f) {
             const Box& box = final_shape_.box_of(FaceId(f));
-            boxes_.push_back(box.grown(on_face));
+            boxes_.push_back(box.grown(boolean_tolerance));
         }
         final_faces_.resize(boxes_.size());
         add_owners(is_.faces_with, is_.is_edited, is_.material_with, false);
@@ -315,12 +307,12 @@ class NewState {
         for (std::size_t f = 0; f < boxes_.size(); ++f) {
             if (!boxes_[f].contains(p)) continue;
             if (!final_faces_[f]) final_faces_[f] = std::make_unique<FaceProbe>(final_shape_.face(FaceId(f)));
-            if (final_faces_[f]->distance_to_surface(p) < on_face &&
+            if (final_faces_[f]->distance_to_surface(p) < boolean_tolerance &&
                 std::abs(dot(final_faces_[f]->normal_at(p), normal)) > same_normal)
                 near.push_back(f);
         }
         for (const std::size_t f : near)
-            if (near.size() == 1 || final_faces_[f]->contains(p, on_face))
+            if (near.size() == 1 || final_faces_[f]->contains(p, boolean_tolerance))
                 owners_[f].insert(owners_[f].end(), owners.begin(), owners.end());
     }
 
@@ -392,7 +384,7 @@ double sum_of_volumes(const Feature& feature, const Vec3& apex) {
 CellModel cells_without_fuse(const FeatureTree& tree, const Brep& final_shape, const CellsBefore* before) {
     CellModel model;
     model.is_summary = true;
-    model.report.material_volume = model.report.final_volume = volume_of(final_shape);
+    model.report.material_volume = model.report.final_volume = final_shape.volume();
     for (std::size_t f = 0; f < tree.features.size(); ++f) {
         const Feature& feature = tree.features[f];
         const auto old = before ? before->tree.find(feature.name) : std::nullopt;
@@ -421,7 +413,7 @@ std::optional<CellModel> cells_after_edit(const CellsBefore& before, const Featu
         return cells_without_fuse(tree, final_shape, &before);
     const auto was = old_fuse.run(), is = new_fuse.run();
     if (!was || !is) return cells_without_fuse(tree, final_shape, &before);
-    const double volume = volume_of(final_shape);
+    const double volume = final_shape.volume();
     NewState now(*was, *is, pairing.new_pieces, final_shape);
     if (!now.tells_the_truth(volume)) return std::nullopt;
     model.owners_of_final_face = now.owners_of_final_faces();

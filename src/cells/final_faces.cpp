@@ -10,9 +10,6 @@ namespace featuremesh {
 
 namespace {
 
-constexpr double on_face = 1e-5;       // mm: how closely booleans and repairs keep a face on its surface
-constexpr double same_normal = 0.999;  // cosine
-
 class Matcher {
   public:
     Matcher(CellModel& model, const Brep& final_shape, RunContext& context)
@@ -65,7 +62,7 @@ class Matcher {
             if (!probe.inner_point()) return;
             const Vec3 p = *probe.inner_point(), normal = outward(face, probe, p);
             for (std::size_t f = 0; f < final_faces_.size() && !face.final_face.is_valid(); ++f)
-                if (final_faces_[f].contains(p, on_face) && dot(outward(FaceId(f), p), normal) > same_normal)
+                if (final_faces_[f].contains(p, boolean_tolerance) && dot(outward(FaceId(f), p), normal) > same_normal)
                     face.final_face = FaceId(f);
         }
         if (face.final_face.is_valid()) give(face.final_face, face);
@@ -80,7 +77,7 @@ class Matcher {
         for (CellFace& face : model_.faces) {
             if (is_boundary(face) != on_boundary) continue;
             const FaceProbe probe(face.face);
-            if (!probe.contains(*p, on_face)) continue;
+            if (!probe.contains(*p, boolean_tolerance)) continue;
             const double cosine = dot(outward(face, probe, *p), normal);
             if ((on_boundary ? cosine : std::abs(cosine)) < same_normal) continue;
             if (!face.final_face.is_valid()) face.final_face = id;

@@ -40,13 +40,6 @@ class OwnerHeritage {
             }
     }
 
-    std::vector<Owner> all() const {
-        std::vector<Owner> owners;
-        for (std::size_t f = 0; f < new_.tree.features.size(); ++f)
-            if (!new_.tree.features[f].volumes.empty()) owners.push_back({FeatureId(f), 0});
-        return owners;
-    }
-
   private:
     bool reaches_out(const Owner& owner) const {
         const auto& within = new_.cells.owners_within_edit;
@@ -81,7 +74,7 @@ std::vector<std::vector<Owner>> owners_after_edit(const PartState& old_state, co
     for (auto& list : owners) {
         std::sort(list.begin(), list.end());
         list.erase(std::unique(list.begin(), list.end()), list.end());
-        if (list.empty()) list = heritage.all();
+        if (list.empty()) list = owners_of_anything(new_state.tree);
     }
     return owners;
 }

@@ -15,7 +15,6 @@ namespace featuremesh {
 
 namespace {
 
-constexpr double on_face = 1e-5;  // mm, as for the cells of a whole part
 constexpr int points_across = 6;
 
 struct SurfacePoint {
@@ -39,21 +38,19 @@ std::vector<SurfacePoint> points_spread_over(const TopoDS_Face& face) {
 
 /// Of faces on one carrier. Equal free-form surfaces have equal parameters, so that nothing need be projected.
 bool holds(const FaceProbe& face, SurfaceKind kind, const SurfacePoint& p) {
-    if (!face.box().grown(on_face).contains(p.point)) return false;
-    return kind == SurfaceKind::free_form ? face.contains(p.u, p.v) : face.contains(p.point, on_face);
+    if (!face.box().grown(boolean_tolerance).contains(p.point)) return false;
+    return kind == SurfaceKind::free_form ? face.contains(p.u, p.v) : face.contains(p.point, boolean_tolerance);
 }
 
 }  // namespace
 
-VolumeFaces::VolumeFaces(const FeatureTree& tree) {
-    for (std::size_t f = 0; f < tree.features.size(); ++f) {
-        if (!tree.features[f].volumes.empty()) all_.push_back({FeatureId(f), 0});
+VolumeFaces::VolumeFaces(const FeatureTree& tree) : anybody_(owners_of_anything(tree)) {
+    for (std::size_t f = 0; f < tree.features.size(); ++f)
         for (std::size_t v = 0; v < tree.features[f].volumes.size(); ++v)
             for (TopExp_Explorer it(tree.features[f].volumes[v].shape, TopAbs_FACE); it.More(); it.Next()) {
                 const TopoDS_Face& face = TopoDS::Face(it.Current());
                 faces_.push_back({{FeatureId(f), int(v)}, carrier_of(face), FaceProbe(face)});
             }
-    }
 }
 
 std::vector<Owner> VolumeFaces::owners_on(const TopoDS_Face& final_face) const {
@@ -66,7 +63,7 @@ std::vector<Owner> VolumeFaces::owners_on(const TopoDS_Face& final_face) const {
     for (const OwnedFace& face : faces_) {
         if (!owners.empty() && owners.back() == face.owner) continue;
         if (!face.probe.box().overlaps(box) ||
-            !same_carrier(face.carrier, carrier, {on_face, box.center(), 0.5 * box.diagonal()}))
+            !same_carrier(face.carrier, carrier, {boolean_tolerance, box.center(), 0.5 * box.diagonal()}))
             continue;
         if (std::any_of(points.begin(), points.end(),
                         [&](const SurfacePoint& p) { return holds(face.probe, carrier.kind, p); }))
@@ -79,7 +76,7 @@ std::vector<std::vector<Owner>> VolumeFaces::owners_of_faces(const Brep& final_s
     std::vector<std::vector<Owner>> owners;
     for (std::size_t f = 0; f < final_shape.face_count(); ++f) {
         owners.push_back(owners_on(final_shape.face(FaceId(f))));
-        if (owners.back().empty()) owners.back() = all_;
+        if (owners.back().empty()) owners.back() = anybody_;
     }
     return owners;
 }

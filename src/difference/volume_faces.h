@@ -15,8 +15,8 @@ namespace featuremesh {
 class VolumeFaces {
   public:
     explicit VolumeFaces(const FeatureTree& tree);
-    /// Owners of the volume faces that pass through some of 36 points spread over a face of the final shape with its
-    /// normal, or the opposite one; sorted. What touches the face between those points only is not found.
+    /// Owners of the volume faces on the carrier of a face of the final shape that hold some of 36 points spread over
+    /// it; sorted. What lies between those points is not found.
     std::vector<Owner> owners_on(const TopoDS_Face& final_face) const;
     /// By FaceId; a face on which no volume has one may be any feature's.
     std::vector<std::vector<Owner>> owners_of_faces(const Brep& final_shape) const;
@@ -28,7 +28,7 @@ class VolumeFaces {
         FaceProbe probe;
     };
     std::vector<OwnedFace> faces_;  // by owner
-    std::vector<Owner> all_;        // the first volume of every feature that has one
+    std::vector<Owner> anybody_;
 };
 
 }  // namespace featuremesh

@@ -17,6 +17,7 @@
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
+#include <numeric>
 
 #include "core/errors.h"
 #include "features/flux.h"
@@ -199,6 +200,7 @@ const Box& Brep::box_of(FaceId face) const { return data_->box_of_face[face.inde
 const Box& Brep::box() const { return data_->box; }
 Tolerances Brep::tolerances() const { return {data_->box.diagonal()}; }
 double Brep::volume_of(SolidId solid) const { return data_->volumes[solid.index()]; }
+double Brep::volume() const { return std::accumulate(data_->volumes.begin(), data_->volumes.end(), 0.0); }
 
 std::string name_of(Entity entity) {
     static constexpr const char* kinds[] = {"Vertex", "Edge", "Face", "Solid"};

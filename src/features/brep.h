@@ -69,6 +69,7 @@ class Brep {
     const Box& box() const;                   ///< exact enough for sizes, not for topology
     Tolerances tolerances() const;
     double volume_of(SolidId solid) const;    ///< mm^3
+    double volume() const;                    ///< of all solids, mm^3; what they share counts twice
 
   private:
     struct Data;

@@ -10,6 +10,10 @@
 
 namespace featuremesh {
 
+constexpr double boolean_tolerance =
+    1e-5;                              ///< mm: how closely the kernel's booleans and repairs keep a face on its surface
+constexpr double same_normal = 0.999;  ///< cosine: faces that touch there, and do not cross
+
 /// Questions to one face; what they need is made when first needed and kept. Not for concurrent use.
 class FaceProbe {
   public:

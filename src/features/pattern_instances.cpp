@@ -14,8 +14,6 @@ namespace featuremesh {
 
 namespace {
 
-constexpr double on_surface = 1e-5;  // mm: how closely the kernel's booleans keep a face on its surface
-
 std::vector<FeatureVolume> instances(const std::vector<FeatureVolume>& originals, const Placements& placements) {
     std::vector<FeatureVolume> volumes;
     for (std::size_t i = 1; i < placements.size(); ++i)
@@ -51,7 +49,8 @@ class PatternWitness {
   private:
     static bool any_carries(const std::vector<FaceProbe>& faces, const Vec3& p) {
         for (const FaceProbe& face : faces)
-            if (face.box().grown(on_surface).contains(p) && face.distance_to_surface(p) < on_surface) return true;
+            if (face.box().grown(boolean_tolerance).contains(p) && face.distance_to_surface(p) < boolean_tolerance)
+                return true;
         return false;
     }
 

@@ -67,6 +67,8 @@ double distance_from(const TopoDS_Face& face, const Vec3& p) {
 
 }  // namespace
 
+bool is_loose(const TopoDS_Vertex& vertex) { return BRep_Tool::Tolerance(vertex) > 1.01 * Precision::Confusion(); }
+
 double distance_beyond_end(const TopoDS_Edge& edge, bool is_start, const Vec3& p) {
     return end_of(edge, is_start).beyond(p);
 }
@@ -75,17 +77,13 @@ std::vector<Vec3> vertex_places(const std::vector<TopoDS_Vertex>& vertices, cons
                                 const std::vector<std::array<VertexId, 2>>& ends, const std::vector<TopoDS_Face>& faces,
                                 const std::vector<std::vector<FaceId>>& faces_of) {
     std::vector<Vec3> places;
-    std::vector<char> is_loose;
-    for (const TopoDS_Vertex& vertex : vertices) {
-        places.push_back(to_vec3(BRep_Tool::Pnt(vertex)));
-        is_loose.push_back(BRep_Tool::Tolerance(vertex) > 1.01 * Precision::Confusion());
-    }
+    for (const TopoDS_Vertex& vertex : vertices) places.push_back(to_vec3(BRep_Tool::Pnt(vertex)));
     std::vector<std::vector<EdgeEnd>> ends_at(vertices.size());
     std::vector<std::set<FaceId>> faces_at(vertices.size());
     for (std::size_t e = 0; e < edges.size(); ++e)
         for (const std::size_t side : {0, 1}) {
             const VertexId vertex = ends[e][side];
-            if (!vertex.is_valid() || !is_loose[vertex.index()] || BRep_Tool::Degenerated(edges[e])) continue;
+            if (!vertex.is_valid() || !is_loose(vertices[vertex.index()]) || BRep_Tool::Degenerated(edges[e])) continue;
             ends_at[vertex.index()].push_back(end_of(edges[e], side == 0));
             faces_at[vertex.index()].insert(faces_of[e].begin(), faces_of[e].end());
         }

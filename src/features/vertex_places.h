@@ -14,6 +14,9 @@ class TopoDS_Vertex;
 
 namespace featuremesh {
 
+/// Whether its tolerance is more than what the kernel gives every vertex.
+bool is_loose(const TopoDS_Vertex& vertex);
+
 /// How far a point lies beyond the start (or the end) of an edge, along the edge there, mm; negative inside. FreeCAD
 /// finds the nodes of an edge by their distance from what lies between its ends.
 double distance_beyond_end(const TopoDS_Edge& edge, bool is_start, const Vec3& p);

@@ -225,10 +225,8 @@ double share_inside(const Brep& brep, const std::vector<Cell>& cells, double tot
 }  // namespace
 
 double estimate_tets(const Brep& brep, const SizingField& sizing) {
-    double volume = 0;
-    for (std::size_t s = 0; s < brep.solid_count(); ++s) volume += brep.volume_of(SolidId(s));
     const double size = sizing.largest();
-    double per_volume = volume / (size * size * size);
+    double per_volume = brep.volume() / (size * size * size);
     if (!sizing.is_uniform()) {
         std::vector<Cell> cells;
         collect_cells(sizing, sizing.growth() - 1, brep.box(), 0, cells);

@@ -164,7 +164,7 @@ int fewest_pieces(const Measure& measure, bool is_closed, bool has_twin) {
 bool misses_vertex(const Brep& brep, EdgeId edge) {
     const auto ends = brep.ends_of(edge);
     const auto is_beyond = [&](std::size_t side) {
-        return BRep_Tool::Tolerance(brep.vertex(ends[side])) > 1.01 * Precision::Confusion() &&
+        return is_loose(brep.vertex(ends[side])) &&
                distance_beyond_end(brep.edge(edge), side == 0, brep.point_of(ends[side])) > Precision::Confusion();
     };
     return is_beyond(0) || is_beyond(1);

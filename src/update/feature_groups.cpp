@@ -23,14 +23,15 @@ class Centroids {
             points_.push_back((mesh.point(tet[0]) + mesh.point(tet[1]) + mesh.point(tet[2]) + mesh.point(tet[3])) / 4);
         for (const Vec3& p : points_) box_.add(p);
         across_ = std::max<std::size_t>(1, std::size_t(std::sqrt(double(points_.size() / points_per_column))));
-        column_of_.reserve(points_.size());
-        for (const Vec3& p : points_) column_of_.push_back(column(p.x, box_.low.x, box_.high.x) * across_ + column(p.y, box_.low.y, box_.high.y));
+        std::vector<std::size_t> column_of;
+        column_of.reserve(points_.size());
+        for (const Vec3& p : points_) column_of.push_back(column(p.x, box_.low.x, box_.high.x) * across_ + column(p.y, box_.low.y, box_.high.y));
         start_.resize(across_ * across_ + 1);
-        for (const std::size_t c : column_of_) ++start_[c + 1];
+        for (const std::size_t c : column_of) ++start_[c + 1];
         std::partial_sum(start_.begin(), start_.end(), start_.begin());
         std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
         tets_.resize(points_.size());
-        for (std::size_t t = 0; t < points_.size(); ++t) tets_[next[column_of_[t]]++] = std::uint32_t(t);
+        for (std::size_t t = 0; t < points_.size(); ++t) tets_[next[column_of[t]]++] = std::uint32_t(t);
     }
 
     const Vec3& operator[](std::size_t tet) const { return points_[tet]; }
@@ -54,7 +55,7 @@ class Centroids {
     std::vector<Vec3> points_;
     Box box_;
     std::size_t across_ = 1;
-    std::vector<std::size_t> column_of_, start_;
+    std::vector<std::size_t> start_;         // by column, into tets_
     std::vector<std::uint32_t> tets_;  // by column
 };
 

@@ -23,7 +23,7 @@ struct KeepInput {
     const SizingField& old_sizing;
     const SizingField& new_sizing;
     const MadeFor& made_for;                   ///< of the old mesh's nodes
-    double margin = 0.9;                       ///< edge lengths between a kept node and the changed boundary
+    double margin;                             ///< edge lengths between a kept node and the changed boundary
     bool same_sizes_asked = true;              ///< the user asks for the same sizes as before
 };
 

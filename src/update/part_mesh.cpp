@@ -40,9 +40,7 @@ double peak_memory_mb() {
 }
 
 void refuse_too_many(const Brep& brep, const SizingField& sizing, const MeshOptions& options) {
-    double volume = 0;
-    for (std::size_t s = 0; s < brep.solid_count(); ++s) volume += brep.volume_of(SolidId(s));
-    if (10 * volume < options.most_tets * std::pow(sizing.smallest(), 3)) return;   // however the sizes are spread
+    if (10 * brep.volume() < options.most_tets * std::pow(sizing.smallest(), 3)) return;   // however the sizes are spread
     const double tets = estimate_tets(brep, sizing);
     if (tets > options.most_tets)
         throw InputError("A size of " + std::to_string(options.sizing.size) + " mm would make about " +
@@ -344,8 +342,8 @@ double margin_of(const MeshOptions& options, const SizingField& sizing) {
 
 }  // namespace
 
-PartState read_part(const RawDocument& document, RunContext& context, const PartState* before) {
-    return read_with_cells(document, context, before, most_seconds_of_cells);
+PartState read_part(const RawDocument& document, RunContext& context) {
+    return read_with_cells(document, context, nullptr, most_seconds_of_cells);
 }
 
 PartState read_part_to_mesh(const RawDocument& document, RunContext& context, const PartState* before, double seconds) {
@@ -394,8 +392,8 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
 
     PartMeshResult result;
     Report& report = result.report;
-    const double margin = margin_of(options, sizing);
-    std::vector<double> margins{margin, 2 * margin};
+    const double smallest_margin = margin_of(options, sizing);
+    std::vector<double> margins{smallest_margin, 2 * smallest_margin};
     try {
         report.difference = with_our_errors([&] { return compare(old.part, part, resolution(sizing, options), context); });
         part.cells.owners_of_final_face = report.difference.owners_of_new_face;

@@ -101,13 +101,13 @@ TEST_CASE("after random edits cells and owners are those from nothing") {
     for (int round = 0; round < 8; ++round) {
         edits.edit();
         const RawDocument document = document_of(edits.rounds);
-        PartState live = read_part(document, context, &before);
+        PartState live = read_part_to_mesh(document, context, &before);
         const PartState fresh = read_part(document, context);
         summaries += live.cells.is_summary;
         check_same_books(live, fresh);
         const FeatureDifference difference = compare(before, live, 2.0, context);
         CHECK(difference.owners_of_new_face == fresh.cells.owners_of_final_face);
-        const PartState doubted = with_fallback(before), unfused = read_part(document, context, &doubted);
+        const PartState doubted = with_fallback(before), unfused = read_part_to_mesh(document, context, &doubted);
         CHECK(unfused.cells.owners_of_final_face.empty());
         check_same_books(unfused, fresh);
         CHECK(compare(before, unfused, 2.0, context).owners_of_new_face == fresh.cells.owners_of_final_face);
@@ -149,8 +149,8 @@ TEST_CASE("a feature added to a chain or taken out of it is fused without the re
         auto fewer = all;
         fewer.erase(fewer.begin() + at);
         const PartState whole = read_part(document_of(all), context), part = read_part(document_of(fewer), context);
-        const PartState added = read_part(document_of(all), context, &part),
-                        removed = read_part(document_of(fewer), context, &whole);
+        const PartState added = read_part_to_mesh(document_of(all), context, &part),
+                        removed = read_part_to_mesh(document_of(fewer), context, &whole);
         CHECK(added.cells.is_summary);
         CHECK(removed.cells.is_summary);
         check_same_books(added, whole);
@@ -165,13 +165,13 @@ TEST_CASE("features that were reordered, or that failed, are read without a fuse
     RunContext context;
     const PartState before = read_part(document_of(edits.rounds), context);
     std::swap(edits.rounds[2], edits.rounds[9]);
-    const PartState reordered = read_part(document_of(edits.rounds), context, &before);
+    const PartState reordered = read_part_to_mesh(document_of(edits.rounds), context, &before);
     CHECK(reordered.cells.owners_of_final_face.empty());
     CHECK(compare(before, reordered, 2.0, context).owners_of_new_face ==
           read_part(document_of(edits.rounds), context).cells.owners_of_final_face);
     RawDocument failed = document_of(RandomEdits(5).rounds);
     failed.records[4].error = "it failed";
-    const PartState in_error = read_part(failed, context, &before);
+    const PartState in_error = read_part_to_mesh(failed, context, &before);
     CHECK(in_error.cells.owners_of_final_face.empty());
     CHECK(in_error.cells.report.untrusted == read_part(failed, context).cells.report.untrusted);
 }
