@@ -184,12 +184,14 @@ def task(given, **options):
 
 
 def finish(result, print_json=False):
-    """Prints what a task said and gives its exit code."""
+    """Prints what a task said, its warnings on standard error, and gives its exit code."""
     code = result["exit_code"]
     if code == 0 and print_json:
         print(json.dumps(result["data"], indent=1))
     else:
-        print(result["message"], file=sys.stderr if code else sys.stdout)
+        print(result["message"], file=sys.stderr if code else sys.stdout, flush=True)
+    for line in result["data"].get("warnings", []):
+        print(f"warning: {line}", file=sys.stderr)
     return code
 
 

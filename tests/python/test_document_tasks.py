@@ -171,6 +171,22 @@ class Tasks(unittest.TestCase):
         self.refused("Shape1, Shape2", command="mesh", part=path)
         self.done(command="mesh", part=path, object="Shape2")
 
+    def test_solids_that_overlap_are_meshed_with_a_warning_in_the_console(self):
+        both = Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(10, 10, 10, FreeCAD.Vector(5, 5, 5))])
+        with tempfile.TemporaryFile() as console:
+            stderr = os.dup(2)
+            os.dup2(console.fileno(), 2)
+            try:
+                result = self.done(command="mesh", part=self.save(both), size=4.0)
+            finally:
+                os.dup2(stderr, 2)
+                os.close(stderr)
+            console.seek(0)
+            said = console.read().decode()
+        self.assertRegex(" ".join(result["data"]["warnings"]), "Solid1 and Solid2.*the material counts twice.*overlap by 125")
+        for line in result["data"]["warnings"]:
+            self.assertIn("FeatureMesh: " + line, said)
+
     def test_open_shell(self):
         path = self.save(Part.Solid(Part.Shell(Part.makeBox(1, 2, 3).Faces[:5])))
         self.refused("open|closed", command="mesh", part=path)

@@ -20,6 +20,7 @@ sys.path.insert(0, str(ROOT / "resources" / "launcher"))
 
 import addon  # noqa: E402
 import cgal_headers  # noqa: E402
+import commands  # noqa: E402
 import engine_build  # noqa: E402
 import freecad_roots  # noqa: E402
 import freecad_task  # noqa: E402
@@ -51,6 +52,13 @@ class CommandLine(unittest.TestCase):
                 self.assertEqual(done.stdout, "")
                 self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
                 self.assertNotIn("Traceback", done.stderr)
+
+
+    def test_warnings_follow_the_message_on_standard_error(self):
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            code = commands.finish({"exit_code": 0, "message": "done", "data": {"warnings": ["Face3 is thin", "Edge1 is short"]}})
+        self.assertEqual((code, out.getvalue(), err.getvalue()), (0, "done\n", "warning: Face3 is thin\nwarning: Edge1 is short\n"))
 
 
 class FreecadTask(unittest.TestCase):

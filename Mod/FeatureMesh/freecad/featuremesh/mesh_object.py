@@ -178,12 +178,11 @@ class FeatureMesh:
         report = plain(job.report)
         if job.problem:
             add_fallback(report, "meshed from scratch: " + job.problem)
-            FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, messages.in_words("meshed from scratch: " + job.problem)))
         moved = job.moved_references
         if job.old is not None:
             moved = moved + self._follow(self._dependents(mesh), mesh, lambda: report["difference"]["faces"])
         report["warnings"] = report.get("warnings", []) + moved
-        for line in moved:
+        for line in remarks_of(report):
             FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, messages.in_words(line)))
         fem_mesh = self._fem_mesh(mesh, job.part_mesh)
         handed_over = time.perf_counter()
@@ -412,6 +411,11 @@ def renumbered(arrays):
 def add_fallback(report, text):
     """Adds a line to the report's list of what could not be kept or done."""
     report["fallback"] = "; ".join(part for part in (text, report.get("fallback")) if part)
+
+
+def remarks_of(report):
+    """What a report says that the user should know: the fallback, then the warnings."""
+    return ([report["fallback"]] if report.get("fallback") else []) + report.get("warnings", [])
 
 
 def plain(value):

@@ -68,6 +68,15 @@ SENTENCES = (
                                      "smaller than the edge length, or mesh finer there."),
     QT_TRANSLATE_NOOP("FeatureMesh", "Meshed finer than asked, because a face beside it would cross itself: %s."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked where these faces are near each other: %s."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked at %s, because 10-node tets of that size would be folded by the curved face."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The local size at %s is left out: the part has no such entity any more. Refer the refinement to another one."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "These solids touch or overlap without sharing faces: %s (%s). Each has a mesh of its own: no load passes "
+                                     "between them, and where they overlap the material counts twice. If that is not meant, fuse them or join "
+                                     "them (Part: Boolean Fragments)."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "the solids of the final shape overlap by %s mm^3; fuse them or mesh them one by one"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "In the place of another vertex within a millionth of the part, with which they share a node: %s."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "Too short for an element of their own: %s."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "Too narrow for elements of their own: %s."),
     QT_TRANSLATE_NOOP("FeatureMesh", "meshed from scratch: %s"),
     QT_TRANSLATE_NOOP("FeatureMesh", "full mesh: no element of the old mesh is clear of what changed"),
     QT_TRANSLATE_NOOP("FeatureMesh", "full mesh: nothing could be kept"),

@@ -9,7 +9,7 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import api, versions
-from ..mesh_object import UP_TO_DATE, is_cancelled, one_line, status_in_words
+from ..mesh_object import UP_TO_DATE, is_cancelled, one_line, remarks_of, status_in_words
 from ..messages import in_words
 from ..view_provider import drawn_icon
 from .errors import select_named
@@ -267,9 +267,8 @@ class MeshPanel:
 
 
 def _remarks(report):
-    """What the report says that a user should know, in the user's language."""
-    remarks = [report["fallback"]] if report.get("fallback") else []
-    remarks += report.get("warnings", [])
+    """The first of what the user should know, in the user's language."""
+    remarks = remarks_of(report)
     lines = [translate("FeatureMesh", "note: ") + in_words(remark) for remark in remarks[:_REMARKS]]
     return lines + ([translate("FeatureMesh", "and %d more, see the property Report") % (len(remarks) - _REMARKS)] if len(remarks) > _REMARKS else [])
 

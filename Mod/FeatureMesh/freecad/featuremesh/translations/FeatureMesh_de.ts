@@ -343,6 +343,10 @@
       <translation>Wie viele Elemente welchen kleinsten Flächenwinkel haben (Grad)</translation>
     </message>
     <message>
+      <source>In the place of another vertex within a millionth of the part, with which they share a node: %s.</source>
+      <translation>An der Stelle eines anderen Punktes, auf ein Millionstel des Bauteils genau, mit dem sie einen Knoten teilen: %s.</translation>
+    </message>
+    <message>
       <source>Kept elements</source>
       <translation>Behaltene Elemente</translation>
     </message>
@@ -453,8 +457,16 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>Die lokale Netzgröße an %s ist %s mm; sie muss größer als null sein.</translation>
     </message>
     <message>
+      <source>The local size at %s is left out: the part has no such entity any more. Refer the refinement to another one.</source>
+      <translation>Die lokale Größe bei %s entfällt: Das Bauteil hat dieses Element nicht mehr. Die Verfeinerung auf ein anderes beziehen.</translation>
+    </message>
+    <message>
       <source>The mesh follows every recompute of the document</source>
       <translation>Das Netz folgt jeder Neuberechnung des Dokuments</translation>
+    </message>
+    <message>
+      <source>The mesh is finer than asked at %s, because 10-node tets of that size would be folded by the curved face.</source>
+      <translation>Das Netz ist bei %s feiner als verlangt, weil 10-Knoten-Tetraeder dieser Größe durch die gekrümmte Fläche umklappen würden.</translation>
     </message>
     <message>
       <source>The mesh is finer than asked where these faces are near each other: %s.</source>
@@ -525,12 +537,24 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>Diese Flächen kreuzen einander: %s. Die Form durchdringt sich selbst (Part: Geometrie prüfen), oder sie ist dort dünner, als ein Netz dieser Größe folgen kann; das Formelement reparieren, oder auf diesen Flächen eine kleinere Größe wählen.</translation>
     </message>
     <message>
+      <source>These solids touch or overlap without sharing faces: %s (%s). Each has a mesh of its own: no load passes between them, and where they overlap the material counts twice. If that is not meant, fuse them or join them (Part: Boolean Fragments).</source>
+      <translation>Diese Körper berühren oder überlappen sich, ohne Flächen zu teilen: %s (%s). Jeder hat ein eigenes Netz: Zwischen ihnen geht keine Last über, und wo sie sich überlappen, zählt das Material doppelt. Wenn das nicht gemeint ist, vereinigen oder verbinden (Part: Boolesche Fragmente).</translation>
+    </message>
+    <message>
       <source>Threads</source>
       <translation>Threads</translation>
     </message>
     <message>
       <source>Throws the mesh away and meshes the whole part</source>
       <translation>Wirft das Netz weg und vernetzt das ganze Bauteil</translation>
+    </message>
+    <message>
+      <source>Too narrow for elements of their own: %s.</source>
+      <translation>Zu schmal für eigene Elemente: %s.</translation>
+    </message>
+    <message>
+      <source>Too short for an element of their own: %s.</source>
+      <translation>Zu kurz für ein eigenes Element: %s.</translation>
     </message>
     <message>
       <source>Update</source>
@@ -879,6 +903,10 @@ mittleres Radienverhältnis %.3f</translation>
     <message>
       <source>the size has to be greater than 0 mm, not %g</source>
       <translation>die Größe muss größer als 0 mm sein, nicht %g</translation>
+    </message>
+    <message>
+      <source>the solids of the final shape overlap by %s mm^3; fuse them or mesh them one by one</source>
+      <translation>Die Körper der endgültigen Form überlappen sich um %s mm^3; vereinigen oder einzeln vernetzen</translation>
     </message>
     <message>
       <source>the surface mesh does not close at %s; check the shape there, or try another size</source>
