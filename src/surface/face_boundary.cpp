@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <map>
 #include <unordered_map>
+#include <utility>
 
 #include "core/errors.h"
 
@@ -174,56 +175,87 @@ std::uint64_t side_key(int a, int b) { return static_cast<std::uint64_t>(a) << 3
 class KeptCutter {
   public:
     KeptCutter(const Brep& brep, FaceId face, const Chart& chart, const Mesh& mesh, FaceBoundary boundary)
-        : brep_(brep), face_(face), chart_(chart), mesh_(mesh), boundary_(std::move(boundary)) {
-        for (std::size_t p = 0; p < boundary_.points.size(); ++p)
-            points_of_[boundary_.nodes[p].value].push_back(static_cast<int>(p));
+        : brep_(brep),
+          face_(face),
+          chart_(chart),
+          mesh_(mesh),
+          boundary_(std::move(boundary)),
+          first_point_(mesh.node_count(), -1),
+          next_point_(boundary_.points.size(), -1) {
+        for (std::size_t p = boundary_.points.size(); p-- > 0;) {
+            int& first = first_point_[boundary_.nodes[p].index()];
+            next_point_[p] = std::exchange(first, static_cast<int>(p));
+        }
     }
 
     FaceBoundary cut(std::span<const TriangleId> triangles, std::span<const NodeId> nodes) {
-        const std::vector<char> border = border_nodes(triangles);
         std::vector<char> is_covered(mesh_.node_count(), 0);
+        for (const TriangleId t : triangles)
+            for (const NodeId n : mesh_.triangles[t.index()]) is_covered[n.index()] = 1;
+        find_border(triangles, is_covered);
         for (const TriangleId t : triangles) {
             int count = 0;
-            for (const NodeId n : mesh_.triangles[t.index()]) is_covered[n.index()] = 1, count += border[n.index()];
-            if (count > 1) add_sides(corners_in_chart(t), border);
+            for (const NodeId n : mesh_.triangles[t.index()]) count += border_[n.index()];
+            if (count > 1) add_sides(corners_in_chart(t));
         }
         replace_segments();
         for (const NodeId n : nodes)
-            if (!is_covered[n.index()] && !points_of_.count(n.value))
+            if (!is_covered[n.index()] && first_point_[n.index()] < 0)
                 boundary_.lone_points.push_back(points_of(n).front());
         return std::move(boundary_);
     }
 
   private:
-    /// 1 for nodes on the face's boundary and those with a side that only one of the triangles has (around all others
-    /// the keys of the sides cancel); 2 for nodes with several points, whose triangles all count.
-    std::vector<char> border_nodes(std::span<const TriangleId> triangles) const {
+    /// 0 for nodes around which every side is one of two triangles, or of a triangle and a segment: their keys cancel.
+    /// 1 for all others; 2 for those at which the boundary meets itself or that have several points, whose triangles
+    /// all count.
+    void find_border(std::span<const TriangleId> triangles, const std::vector<char>& is_covered) {
         std::vector<std::uint64_t> sums(mesh_.node_count(), 0);
+        const auto add = [&](NodeId a, NodeId b) {
+            const std::uint64_t key = node_pair_key(a, b);
+            sums[a.index()] ^= key, sums[b.index()] ^= key;
+        };
         for (const TriangleId t : triangles) {
-            const auto& corners = mesh_.triangles[t.index()];
-            for (int k = 0; k < 3; ++k) {
-                const NodeId a = corners[k], b = corners[(k + 1) % 3];
-                const std::uint64_t key = node_pair_key(a, b);
-                sums[a.index()] ^= key, sums[b.index()] ^= key;
-            }
+            const auto& [a, b, c] = mesh_.triangles[t.index()];
+            add(a, b), add(b, c), add(c, a);
         }
-        std::vector<char> border(sums.size());
-        std::transform(sums.begin(), sums.end(), border.begin(), [](std::uint64_t sum) { return sum != 0; });
-        for (const NodeId n : boundary_.nodes) border[n.index()] = points_of_.at(n.value).size() > 1 ? 2 : 1;
-        return border;
+        std::vector<int> segment_count(boundary_.points.size(), 0);
+        for (const BoundarySegment& s : boundary_.segments) {
+            add(node_at(s.a), node_at(s.b));
+            ++segment_count[static_cast<std::size_t>(s.a)], ++segment_count[static_cast<std::size_t>(s.b)];
+        }
+        border_.resize(sums.size());
+        std::transform(sums.begin(), sums.end(), border_.begin(), [](std::uint64_t sum) { return sum != 0; });
+        for (std::size_t p = 0; p < boundary_.nodes.size(); ++p) {
+            const std::size_t n = boundary_.nodes[p].index();
+            const bool is_simple =
+                segment_count[p] == 2 && first_point_[n] == static_cast<int>(p) && next_point_[p] < 0;
+            if (!is_simple)
+                border_[n] = 2;
+            else if (!is_covered[n])
+                border_[n] = 1;
+        }
     }
 
-    const std::vector<int>& points_of(NodeId node) {
-        auto& known = points_of_[node.value];
-        if (known.empty()) {
+    NodeId node_at(int p) const { return boundary_.nodes[static_cast<std::size_t>(p)]; }
+
+    /// Of its two ends none is away from the border: it may be a side that only one triangle has.
+    bool may_be_open(int a, int b) const { return border_[node_at(a).index()] + border_[node_at(b).index()] >= 2; }
+
+    std::vector<int> points_of(NodeId node) {
+        int& first = first_point_[node.index()];
+        if (first < 0) {
             if (mesh_.entities[node.index()] != entity_of(face_))
                 fail("a kept triangle has a node (number " + std::to_string(mesh_.node_numbers[node.index()]) +
                      ") that is not on the face");
             boundary_.points.push_back(chart_.to_plane(chart_.in_trim_period(mesh_.parameters[node.index()])));
             boundary_.nodes.push_back(node);
-            known.push_back(static_cast<int>(boundary_.points.size()) - 1);
+            next_point_.push_back(-1);
+            first = static_cast<int>(boundary_.points.size()) - 1;
         }
-        return known;
+        std::vector<int> points;
+        for (int p = first; p >= 0; p = next_point_[static_cast<std::size_t>(p)]) points.push_back(p);
+        return points;
     }
 
     /// The points of a kept triangle's corners, in the chart's orientation. Where a corner has several (seam, pole),
@@ -247,12 +279,10 @@ class KeptCutter {
 
     Vec2 at(int p) const { return boundary_.points[static_cast<std::size_t>(p)]; }
 
-    /// Of its sides those that no triangle without border nodes can have too.
-    void add_sides(const std::array<int, 3>& t, const std::vector<char>& border) {
-        const auto weight = [&](int p) { return border[boundary_.nodes[static_cast<std::size_t>(p)].index()]; };
+    void add_sides(const std::array<int, 3>& t) {
         for (int i = 0; i < 3; ++i) {
             const int a = t[i], b = t[(i + 1) % 3];
-            if (weight(a) + weight(b) < 2) continue;
+            if (!may_be_open(a, b)) continue;
             if (const auto back = sides_.find(side_key(b, a)); back != sides_.end()) {
                 sides_.erase(back);
             } else if (!sides_.emplace(side_key(a, b), order_++).second) {
@@ -265,7 +295,7 @@ class KeptCutter {
     void replace_segments() {
         std::vector<BoundarySegment> open;
         for (const BoundarySegment& s : boundary_.segments)
-            if (sides_.erase(side_key(s.a, s.b)) == 0) open.push_back(s);
+            if (may_be_open(s.a, s.b) && sides_.erase(side_key(s.a, s.b)) == 0) open.push_back(s);
         std::vector<std::pair<int, std::uint64_t>> rest;
         for (const auto& [key, order] : sides_) rest.emplace_back(order, key);
         std::sort(rest.begin(), rest.end());
@@ -283,7 +313,8 @@ class KeptCutter {
     const Chart& chart_;
     const Mesh& mesh_;
     FaceBoundary boundary_;
-    std::unordered_map<std::int32_t, std::vector<int>> points_of_;
+    std::vector<int> first_point_, next_point_;  ///< by node, by point: all points of a node; -1 ends the list
+    std::vector<char> border_;                   ///< by node
     std::unordered_map<std::uint64_t, int> sides_;
     int order_ = 0;
 };
