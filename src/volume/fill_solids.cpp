@@ -17,6 +17,7 @@
 #include "volume/fill_cavity.h"
 #include "volume/flip_facets.h"
 #include "volume/lean_needles.h"
+#include "volume/needle_neighbours.h"
 #include "volume/local_recovery.h"
 #include "volume/optimise.h"
 #include "volume/seam_mending.h"
@@ -379,7 +380,8 @@ class Filling {
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
             TetComplex& complex = regions_[i].complex;
             is_thick_[i] = thicken(complex, least_volume(mended_share), context_).empty();
-            const bool is_mended = regions_[i].taken_count() > 0;
+            const std::size_t improved = improve_beside_needles(complex, options_.target_dihedral_deg, least_volume(mended_share), context_);
+            const bool is_mended = regions_[i].taken_count() > 0 || improved > 0;
             report.released_for_quality += give_back(regions_[i], result_.mesh, is_released_);
             report.slivers_left +=
                 is_mended ? regions_[i].count_bad(options_.target_dihedral_deg) : reports[i].second.left;

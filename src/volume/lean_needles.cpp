@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "volume/needle_neighbours.h"
 #include "volume/tet_measures.h"
 
 namespace featuremesh {
@@ -71,6 +72,7 @@ class NeedleStrips {
 
   private:
     const Vec3& place(NodeId n) const { return mesh_.point(n); }
+    bool is_outside(NodeId n) const { return mesh_.entities[n.index()].dim < 3; }
     bool is_on_edge(NodeId n) const { return mesh_.entities[n.index()].dim < 2; }
 
     /// Nodes on edges whose triangles are lower than what tells nodes apart.
@@ -275,7 +277,9 @@ class NeedleStrips {
         Worth worst{1e300, 0};
         for (const auto& [a, b, c, d] : tets) {
             worst.volume = std::min(worst.volume, signed_volume(place(a), place(b), place(c), place(d)));
-            worst.flatness = std::max(worst.flatness, flatness(place(a), place(b), place(c), place(d)));
+            worst.flatness = std::max(worst.flatness,
+                                      unforced_flatness({place(a), place(b), place(c), place(d)},
+                                                        {is_outside(a), is_outside(b), is_outside(c), is_outside(d)}));
         }
         return worst;
     }

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/needle_neighbours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "volume/cavity_editor.h"
+#include "volume/edge_removal.h"
+#include "volume/tet_measures.h"
+#include "volume/tet_topology.h"
+#include "volume/thicken.h"
+#include "volume/vertex_move.h"
+
+namespace featuremesh {
+
+namespace {
+
+/// A needle's short side is shorter than this share of its longest; the angle opposite it then stays below a degree.
+constexpr double needle_share = 0.01;
+constexpr double margin_deg = 1e-4;
+constexpr int most_passes = 12;
+
+/// The side, by its place in edge_corners, that makes the tet a needle; -1 for none.
+int needle_side(const std::array<Vec3, 4>& p, const std::array<bool, 4>& is_on_boundary) {
+    int shortest = -1;
+    double least = std::numeric_limits<double>::max(), most = 0;
+    for (int side = 0; side < 6; ++side) {
+        const auto& [i, j] = edge_corners[side];
+        const double squared = squared_length(p[i] - p[j]);
+        most = std::max(most, squared);
+        if (squared < least && is_on_boundary[i] && is_on_boundary[j]) least = squared, shortest = side;
+    }
+    return least < needle_share * needle_share * most ? shortest : -1;
+}
+
+/// Largest squared cosine of the dihedral angles but that opposite the side.
+double flatness_without(const std::array<Vec3, 4>& p, int side) {
+    if (!(signed_volume(p[0], p[1], p[2], p[3]) > 0)) return inverted_flatness;
+    std::array<Vec3, 4> normal;
+    for (int i = 0; i < 4; ++i) {
+        const auto& [a, b, c] = opposite_face[i];
+        normal[i] = normalized(cross(p[b] - p[a], p[c] - p[a]));
+    }
+    double worst = 0;
+    for (int other = 0; other < 6; ++other) {
+        // the triangles opposite the ends of the short side meet at the side opposite to it
+        if (other == side) continue;
+        const double cosine = dot(normal[edge_corners[other][0]], normal[edge_corners[other][1]]);
+        worst = std::max(worst, std::min(1.0, cosine * cosine));
+    }
+    return worst;
+}
+
+class NeedleNeighbours {
+  public:
+    NeedleNeighbours(TetComplex& complex, double target_deg, double least_volume, RunContext& context)
+        : complex_(complex),
+          context_(context),
+          target_(flatness_of_angle(target_deg + margin_deg)),
+          least_volume_(least_volume),
+          editor_(complex) {}
+
+    std::size_t improve() {
+        changed_ = tets_beside_needles();
+        std::size_t done = 0;
+        for (int pass = 0; pass < most_passes && !changed_.empty(); ++pass) {
+            const std::size_t before = done;
+            const std::vector<Candidate> ranked = rank_changed();
+            for (std::size_t i = 0; i < ranked.size(); ++i) {
+                if (i % 64 == 0) context_.progress((pass + static_cast<double>(i) / static_cast<double>(ranked.size())) / most_passes);
+                const auto [value, tet] = ranked[i];
+                if (complex_.tets[tet][0] < 0 || measure(complex_.tets[tet]) != value) continue;
+                done += remove_edge(tet) || move_corners(tet);
+            }
+            if (done == before) break;
+        }
+        return done;
+    }
+
+  private:
+    struct Candidate {
+        double flatness;
+        int tet;
+    };
+
+    std::array<Vec3, 4> corners_of(const Tet& tet) const {
+        const auto& p = complex_.points;
+        return {p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]};
+    }
+    std::array<bool, 4> boundary_corners_of(const Tet& tet) const {
+        const auto& fixed = complex_.is_fixed;
+        return {fixed[tet[0]] == 1, fixed[tet[1]] == 1, fixed[tet[2]] == 1, fixed[tet[3]] == 1};
+    }
+    bool is_needle(const Tet& tet) const {
+        const std::array<bool, 4> is_on_boundary = boundary_corners_of(tet);
+        return std::count(is_on_boundary.begin(), is_on_boundary.end(), true) > 1 &&
+               needle_side(corners_of(tet), is_on_boundary) >= 0;
+    }
+
+    /// More than 1 for a tet that is too thin: worse than any angle.
+    double measure(const Tet& tet) const {
+        const double thick = thickness(complex_, tet, least_volume_);
+        if (thick < 1) return inverted_flatness - std::max(0.0, thick);
+        return unforced_flatness(corners_of(tet), boundary_corners_of(tet));
+    }
+
+    /// Two layers round the needles.
+    std::vector<int> tets_beside_needles() const {
+        std::vector<char> is_near(complex_.points.size(), 0);
+        bool is_any = false;
+        for (const Tet& tet : complex_.tets)
+            if (tet[0] >= 0 && is_needle(tet))
+                for (const int v : tet) is_near[v] = 1, is_any = true;
+        std::vector<int> near;
+        if (!is_any) return near;
+        for (int layer = 0; layer < 2; ++layer) {
+            near.clear();
+            for (std::size_t t = 0; t < complex_.tets.size(); ++t) {
+                const Tet& tet = complex_.tets[t];
+                if (tet[0] >= 0 && std::any_of(tet.begin(), tet.end(), [&](int v) { return is_near[v] != 0; }))
+                    near.push_back(static_cast<int>(t));
+            }
+            for (const int t : near)
+                for (const int v : complex_.tets[t]) is_near[v] = 1;
+        }
+        return near;
+    }
+
+    /// The changed tets that miss the target, worst first.
+    std::vector<Candidate> rank_changed() {
+        std::sort(changed_.begin(), changed_.end());
+        changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+        std::vector<Candidate> ranked;
+        for (const int tet : changed_)
+            if (complex_.tets[tet][0] >= 0)
+                if (const double value = measure(complex_.tets[tet]); value > target_) ranked.push_back({value, tet});
+        std::sort(ranked.begin(), ranked.end(), [](const Candidate& a, const Candidate& b) {
+            return a.flatness != b.flatness ? a.flatness > b.flatness : a.tet < b.tet;
+        });
+        changed_.clear();
+        return ranked;
+    }
+
+    struct Worth {
+        double worst = 0, burden = 0;
+    };
+    Worth worth_of(std::span<const Tet> tets) const {
+        Worth worth;
+        for (const Tet& tet : tets) {
+            const double value = measure(tet);
+            worth.worst = std::max(worth.worst, value);
+            worth.burden += burden(value, target_);
+        }
+        return worth;
+    }
+    Worth worth_of(std::span<const int> tets) const {
+        std::vector<Tet> corners;
+        for (const int t : tets) corners.push_back(complex_.tets[t]);
+        return worth_of(corners);
+    }
+
+    bool remove_edge(int tet) {
+        EdgeRing ring, best_ring;
+        RingTriangulation best;
+        for (const auto& [from, to] : edge_corners) {
+            if (!find_ring(complex_, tet, from, to, ring)) continue;
+            const double limit = std::min(improved_flatness(worth_of(ring.all_tets()).worst, least_gain), best.cost);
+            const RingTriangulation found = triangulate_ring<WorstOf>(ring.size, limit, [&](int i, int j, int k) {
+                const int a = ring.vertices[i], b = ring.vertices[j], c = ring.vertices[k];
+                return std::max(measure({a, b, c, ring.to}), measure({b, a, c, ring.from}));
+            });
+            if (std::isinf(found.cost)) continue;
+            best = found;
+            best_ring = ring;
+        }
+        if (std::isinf(best.cost)) return false;
+        std::array<Tet, 2 * EdgeRing::max_size> added;
+        const int count = tets_of_triangulation(best_ring, best, added);
+        const std::span<const Tet> fresh{added.data(), static_cast<std::size_t>(count)};
+        if (worth_of(fresh).burden >= worth_of(best_ring.all_tets()).burden) return false;
+        note_changed(editor_.replace(best_ring.all_tets(), fresh));
+        return true;
+    }
+
+    bool move_corners(int tet) {
+        const Tet corners = complex_.tets[tet];
+        bool gained = false;
+        for (const int v : corners) gained |= complex_.is_fixed[v] != 1 && move(v);
+        return gained;
+    }
+
+    /// Climbs by the star's other tets, and asks the needles afterwards.
+    bool move(int vertex) {
+        if (!gather_star(complex_, vertex, star_)) return false;
+        const Worth before = worth_of(star_);
+        if (before.worst <= target_) return false;
+        others_.clear();
+        for (const int t : star_)
+            if (!is_needle(complex_.tets[t])) others_.push_back(t);
+        const Vec3 old = complex_.points[vertex];
+        Vec3 place = old;
+        shape_.gather(complex_, others_, vertex);
+        shape_.climb(place, target_);
+        complex_.points[vertex] = place;
+        const Worth after = worth_of(star_);
+        if (after.worst < improved_flatness(before.worst, least_gain) && after.burden < before.burden) {
+            note_changed(star_);
+            return true;
+        }
+        complex_.points[vertex] = old;
+        return false;
+    }
+
+    void note_changed(std::span<const int> tets) { changed_.insert(changed_.end(), tets.begin(), tets.end()); }
+
+    TetComplex& complex_;
+    RunContext& context_;
+    double target_, least_volume_;
+    CavityEditor editor_;
+    StarShape shape_;
+    std::vector<int> changed_, star_, others_;
+};
+
+}  // namespace
+
+double unforced_flatness(const std::array<Vec3, 4>& corners, const std::array<bool, 4>& is_on_boundary) {
+    const int side = needle_side(corners, is_on_boundary);
+    return side >= 0 ? flatness_without(corners, side) : flatness(corners[0], corners[1], corners[2], corners[3]);
+}
+
+std::size_t improve_beside_needles(TetComplex& complex, double target_dihedral_deg, double least_volume,
+                                   RunContext& context) {
+    return NeedleNeighbours(complex, target_dihedral_deg, least_volume, context).improve();
+}
+
+}  // namespace featuremesh

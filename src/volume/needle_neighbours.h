@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tets beside needles that the boundary forces.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/run_context.h"
+#include "volume/tet_complex.h"
+
+namespace featuremesh {
+
+/// Flatness (tet_measures) of a tet with these corners, of which some are on the boundary. Of a needle, which has two
+/// boundary corners much nearer to one another than its others are, without the angle opposite that side: no mesh that
+/// has both nodes can have a larger one.
+double unforced_flatness(const std::array<Vec3, 4>& corners, const std::array<bool, 4>& is_on_boundary);
+
+/// Sliver removal looks at the worst tet of whatever it changes, and a needle is the worst wherever it comes in: all
+/// tets with a vertex at it stay as they were. Here needles count by unforced_flatness, which lets the tets around
+/// them improve: edges are removed and free vertices moved where the worst so measured gets better and the burden of
+/// all less; tets of a `thickness` below 1 are the worst of all. Returns how many operations that took; without needles
+/// none.
+std::size_t improve_beside_needles(TetComplex& complex, double target_dihedral_deg, double least_volume,
+                                   RunContext& context);
+
+}  // namespace featuremesh
