@@ -35,6 +35,8 @@ constexpr int most_crossing_rounds = 3;
 constexpr int most_local_recoveries = 5;
 /// Kept tets that are not Delaunay may be many: then a cavity that grows by those at its seam would not end in time.
 constexpr int most_releasing_rounds = 5;
+/// What is further from the seam is filled as well as in a full mesh.
+constexpr int edges_to_seam = 4;
 /// Tets are mended until they have the least volume; with this share of it they are still no reason to refuse a part.
 constexpr double tolerated_share = 0.92;
 /// Of the cube of the smallest wanted length: tets below are mended, and those below are refused.
@@ -403,7 +405,12 @@ class Filling {
         const OdtReport odt = optimise_odt(complex, sizing_, {options_.odt_sweeps, !sizing_.is_uniform()}, context);
         SliverOptions sliver_options;
         sliver_options.target_dihedral_deg = options_.target_dihedral_deg;
-        return {odt, remove_slivers(complex, sliver_options, context)};
+        SliverReport slivers = remove_slivers(complex, sliver_options, context);
+        ShapeOptions shape_options;
+        shape_options.target_dihedral_deg = options_.target_dihedral_deg;
+        shape_options.among = regions_[i].vertices_near_seam(edges_to_seam);
+        if (optimise_shapes(complex, shape_options, context).moves > 0) slivers.left = regions_[i].count_bad(options_.target_dihedral_deg);
+        return {odt, slivers};
     }
 
     /// The optimiser may have moved a tet without height to where it lies under two triangles of a face.

@@ -39,4 +39,15 @@ struct SliverReport {
 /// inserted (appended to `points`) or collapsed (left without a tet).
 SliverReport remove_slivers(TetComplex& complex, const SliverOptions& options, RunContext& context);
 
+struct ShapeOptions {
+    double target_dihedral_deg = 30;
+    int sweeps = 4;                ///< at most; they end when nothing gains any more
+    std::vector<int> among;        ///< only these vertices
+};
+struct ShapeReport {
+    std::size_t moves = 0;
+};
+/// Moves free vertices uphill in the sum of the radius ratios of their star, where that makes neither its worst angle nor its bad tets any worse.
+ShapeReport optimise_shapes(TetComplex& complex, const ShapeOptions& options, RunContext& context);
+
 }  // namespace featuremesh

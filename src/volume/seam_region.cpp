@@ -31,6 +31,21 @@ std::vector<int> SeamRegion::bad_tets_at_seam(double target_dihedral_deg) const 
     return bad;
 }
 
+std::vector<int> SeamRegion::vertices_near_seam(int edges) const {
+    std::vector<std::uint8_t> is_near = is_at_seam_;
+    is_near.resize(complex.points.size(), 0);
+    for (int ring = 0; ring < edges; ++ring) {
+        const std::vector<std::uint8_t> before = is_near;
+        for (const Tet& tet : complex.tets)
+            if (tet[0] >= 0 && std::any_of(tet.begin(), tet.end(), [&](int v) { return before[v] != 0; }))
+                for (const int v : tet) is_near[v] = 1;
+    }
+    std::vector<int> near;
+    for (std::size_t v = 0; v < is_near.size(); ++v)
+        if (is_near[v]) near.push_back(static_cast<int>(v));
+    return near;
+}
+
 std::size_t SeamRegion::count_bad(double target_dihedral_deg) const {
     const double target = flatness_of_angle(target_dihedral_deg);
     return static_cast<std::size_t>(std::count_if(complex.tets.begin(), complex.tets.end(), [&](const Tet& tet) {

@@ -22,6 +22,8 @@ class SeamRegion {
 
     /// Tets that touch the seam and miss the target.
     std::vector<int> bad_tets_at_seam(double target_dihedral_deg) const;
+    /// Vertices with so few edges between them and the seam, ascending.
+    std::vector<int> vertices_near_seam(int edges) const;
     /// The tets, those that share a vertex with them, and so on, `rings` times; ascending.
     std::vector<int> with_rings(std::vector<int> tets, int rings) const;
     /// The mesh's nodes of these tets, as far as they have any.

@@ -25,13 +25,22 @@ class StarShape {
     /// Sum of the tets' burdens.
     double burden(const Vec3& point, double target) const;
 
+    /// Sum of the tets' radius ratios 3 r / R, and the way in which it grows; without volume a tet adds nothing.
+    struct Ratios {
+        double sum = 0;
+        Vec3 gradient{};
+    };
+    Ratios radius_ratios(const Vec3& point) const;
+    double sum_of_radius_ratios(const Vec3& point) const;
+
+    /// Mean distance from the point.
+    double mean_height(const Vec3& point) const;
+
     /// Deterministic hill climbing from `point`, which is moved; gives the flatness of the worst tet there. Stops at
     /// `good_enough`.
     double climb(Vec3& point, double good_enough) const;
 
   private:
-    double mean_height(const Vec3& point) const;
-
     // the triangle that refused last is the likeliest to refuse again and moves to the front: results do not depend on
     // the order
     mutable std::vector<std::array<Vec3, 3>> faces_;

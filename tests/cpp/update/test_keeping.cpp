@@ -240,6 +240,22 @@ TEST_CASE("where sizes are graded, edits in a row leave the mean quality where i
     CHECK(tets == Approx(1).margin(0.06));
 }
 
+TEST_CASE("a small mesh keeps its mean quality over fifty edits") {
+    const MeshOptions options = options_of(GENERATE(6.5, 5.5, 4.5));
+    auto part = meshed(thick_plate(20), options).part_mesh;
+    double drift = 0;
+    const int edits = 50, looks = 10;
+    for (int i = 1; i <= edits; ++i) {
+        const RawDocument edited = thick_plate(12 + 4.4 * (i % 7) + 0.1 * i);
+        const auto update = updated(*part, edited, options);
+        CHECK(update.report.fallbacks.empty());
+        if (i % (edits / looks) == 0)
+            drift += (update.report.quality.mean_radius_ratio - meshed(edited, options).report.quality.mean_radius_ratio) / looks;
+        part = update.part_mesh;
+    }
+    CHECK(drift > -0.007);
+}
+
 TEST_CASE("tets at the seam are as good as elsewhere after every update") {
     const int order = GENERATE(1, 2);
     MeshOptions options = options_of(3, order);

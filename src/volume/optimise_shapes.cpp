@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "volume/cavity_editor.h"
+#include "volume/optimise.h"
+#include "volume/tet_measures.h"
+#include "volume/vertex_move.h"
+
+namespace featuremesh {
+
+namespace {
+
+/// In mean edge lengths of the star.
+constexpr double longest_step = 0.15;
+/// A step is slope / (curvature x tets): twice to three times the way to the top of a good star, since poor ones have
+/// theirs further away.
+constexpr double curvature = 2;
+/// Of a star's sum: less is not worth a move.
+constexpr double least_gain_of_sum = 5e-3;
+constexpr int most_halvings = 2;
+constexpr std::size_t vertices_between_reports = 64;
+/// Keeps this far from the target, degrees, so that rounding does not leave a tet a hair below.
+constexpr double margin_deg = 1e-4;
+
+class ShapeOptimiser {
+  public:
+    ShapeOptimiser(TetComplex& complex, const ShapeOptions& options, RunContext& context)
+        : complex_(complex),
+          options_(options),
+          context_(context),
+          target_(flatness_of_angle(options.target_dihedral_deg + margin_deg)),
+          may_move_(complex.points.size(), 0),
+          is_due_(complex.points.size(), 0) {
+        for (const int v : options.among) may_move_[v] = complex.is_fixed[v] == 0;
+    }
+
+    ShapeReport run() {
+        is_due_ = may_move_;
+        ShapeReport report;
+        for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
+            const std::size_t moves = move_all(sweep);
+            report.moves += moves;
+            if (moves == 0) break;
+        }
+        return report;
+    }
+
+  private:
+    std::size_t move_all(int sweep) {
+        std::size_t moves = 0, looked_at = 0;
+        for (const int v : options_.among) {
+            if (looked_at++ % vertices_between_reports == 0)
+                context_.progress(
+                    (sweep + static_cast<double>(looked_at) / static_cast<double>(options_.among.size())) /
+                    options_.sweeps);
+            if (!is_due_[v]) continue;
+            is_due_[v] = 0;
+            if (!move(v)) continue;
+            ++moves;
+            for (const int tet : star_)
+                for (const int corner : complex_.tets[tet]) is_due_[corner] = may_move_[corner];
+        }
+        return moves;
+    }
+
+    bool move(int vertex) {
+        if (!gather_star(complex_, vertex, star_)) return false;
+        shape_.gather(complex_, star_, vertex);
+        const Vec3 start = complex_.points[vertex];
+        const StarShape::Ratios ratios = shape_.radius_ratios(start);
+        const double reach = shape_.mean_height(start), slope = length(ratios.gradient) * reach;  // by edge length
+        double step = std::min(longest_step, slope / (curvature * static_cast<double>(shape_.size())));
+        for (int k = 0; k <= most_halvings && slope * step > 2 * least_gain_of_sum; ++k, step /= 2) {
+            const Vec3 trial = start + ratios.gradient * (step * reach * reach / slope);
+            if (shape_.sum_of_radius_ratios(trial) < ratios.sum + least_gain_of_sum || is_worse(start, trial)) continue;
+            complex_.points[vertex] = trial;
+            return true;
+        }
+        return false;
+    }
+
+    bool is_worse(const Vec3& start, const Vec3& trial) const {
+        const double worst = shape_.worst(trial, 2 * inverted_flatness);
+        return worst > target_ && (worst > shape_.worst(start, 2 * inverted_flatness) ||
+                                   shape_.burden(trial, target_) > shape_.burden(start, target_));
+    }
+
+    TetComplex& complex_;
+    const ShapeOptions& options_;
+    RunContext& context_;
+    double target_;
+    std::vector<std::uint8_t> may_move_, is_due_;  // by vertex
+    StarShape shape_;
+    std::vector<int> star_;
+};
+
+}  // namespace
+
+ShapeReport optimise_shapes(TetComplex& complex, const ShapeOptions& options, RunContext& context) {
+    return ShapeOptimiser(complex, options, context).run();
+}
+
+}  // namespace featuremesh
