@@ -6,7 +6,6 @@
 #include <numbers>
 #include <tuple>
 
-#include "mesh/side_table.h"
 
 namespace featuremesh {
 namespace {
@@ -19,13 +18,6 @@ double angle_between(const Vec3& u, const Vec3& v) { return std::atan2(length(cr
 /// The angle at edge (a, b) between the triangles to c and to d, degrees.
 double dihedral_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return angle_between(cross(b - a, c - a), cross(b - a, d - a));
-}
-
-SideTable table_of_segments(const Mesh& mesh) {
-    SideTable table(mesh.corner_count);
-    for (std::size_t s = 0; s < mesh.segments.size(); ++s)
-        table.value(mesh.segments[s][0], mesh.segments[s][1]) = static_cast<std::int32_t>(s);
-    return table;
 }
 
 /// Keys whose angles add up to less than `limit`, sorted.
@@ -43,20 +35,19 @@ std::vector<Key> keys_below(std::vector<std::pair<Key, double>> angles, double l
 
 }  // namespace
 
-SharpAngles::SharpAngles(const Mesh& mesh, double angle_deg) : mesh_(mesh), is_sharp_node_(mesh.corner_count, 0) {
+SharpAngles::SharpAngles(const Mesh& mesh, double angle_deg) : mesh_(mesh), short_sides_(mesh), is_sharp_node_(mesh.corner_count, 0) {
     find_sharp_segments(angle_deg);
     find_sharp_corners(angle_deg);
 }
 
 void SharpAngles::find_sharp_segments(double angle_deg) {
-    const SideTable segment_at = table_of_segments(mesh_);
     using SegmentOfSolid = std::pair<std::int32_t, SolidId>;
     std::vector<std::pair<SegmentOfSolid, double>> angles;
     for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
         const auto& n = mesh_.tets[t];
         for (const auto& [i, j, k, l] : sides) {
             if (mesh_.entities[n[i].index()].dim > 1 || mesh_.entities[n[j].index()].dim > 1) continue;
-            const std::int32_t segment = segment_at.find(n[i], n[j]);
+            const std::int32_t segment = short_sides_.segment_at(n[i], n[j]);
             if (segment < 0) continue;
             const double angle = dihedral_at(mesh_.point(n[i]), mesh_.point(n[j]), mesh_.point(n[k]), mesh_.point(n[l]));
             angles.push_back({{segment, mesh_.tet_solids[t]}, angle});
@@ -85,11 +76,10 @@ void SharpAngles::find_sharp_corners(double angle_deg) {
 }
 
 void SharpAngles::find_wedge_faces(const std::vector<char>& is_sharp_segment) {
-    const SideTable segment_at = table_of_segments(mesh_);
     std::vector<std::pair<std::int32_t, FaceId>> faces_at;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
         for (int i = 0; i < 3; ++i) {
-            const std::int32_t segment = segment_at.find(mesh_.triangles[t][i], mesh_.triangles[t][(i + 1) % 3]);
+            const std::int32_t segment = short_sides_.segment_at(mesh_.triangles[t][i], mesh_.triangles[t][(i + 1) % 3]);
             if (segment >= 0 && is_sharp_segment[static_cast<std::size_t>(segment)]) faces_at.push_back({segment, mesh_.triangle_faces[t]});
         }
     std::sort(faces_at.begin(), faces_at.end());
@@ -116,6 +106,7 @@ bool SharpAngles::lies_on(NodeId node, FaceId face) const {
 bool SharpAngles::force(TetId tet) const {
     const auto& nodes = mesh_.tets[tet.index()];
     if (std::any_of(nodes.begin(), nodes.end(), [&](NodeId n) { return is_sharp_node_[n.index()]; })) return true;
+    if (short_sides_.forced_side(tet)) return true;
     return std::any_of(wedges_.begin(), wedges_.end(), [&](const auto& wedge) {
         return std::all_of(nodes.begin(), nodes.end(), [&](NodeId n) { return lies_on(n, wedge.first) || lies_on(n, wedge.second); });
     });

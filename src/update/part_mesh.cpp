@@ -23,6 +23,7 @@
 #include "update/adopted_sizes.h"
 #include "update/foreign_fit.h"
 #include "update/keep.h"
+#include "update/thin_tets.h"
 
 namespace featuremesh {
 
@@ -188,19 +189,6 @@ Filled fill(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOp
     return with_our_errors([&] { return fill_and_check(brep, sizing, std::move(kept), options, context); });
 }
 
-/// Thinner tets than this tell of details of the part that no mesh of the wanted size can follow.
-constexpr double thin_deg = 2;
-
-void warn_of_thin_tets(const Mesh& mesh, Report& report) {
-    if (!report.quality.worst.is_valid() || report.quality.min_dihedral >= thin_deg) return;
-    Entity at;
-    for (const NodeId n : mesh.tets[report.quality.worst.index()]) at = std::min(at, mesh.entities[n.index()]);
-    const std::string angle = std::to_string(report.quality.min_dihedral);
-    report.warnings.push_back("The smallest angle of a tet is " + angle.substr(0, angle.find('.') + 3) + " degrees, " +
-                              (at.dim < 3 ? "at " + name_of(at) : std::string("inside the part")) +
-                              ": results there are poor. Take details out that are much smaller than the edge length, or mesh finer there.");
-}
-
 void record_mesh(const Mesh& mesh, const SizingField& sizing, const MeshOptions& options, RunContext& context, Report& report) {
     const RunContext::Step step(context, "measure");
     report.nodes = mesh.node_count();
@@ -209,7 +197,7 @@ void record_mesh(const Mesh& mesh, const SizingField& sizing, const MeshOptions&
     report.size = options.sizing.size;
     report.quality = measure_quality(mesh, context);
     report.lengths = measure_size_conformity(mesh, sizing);
-    warn_of_thin_tets(mesh, report);
+    for (const std::string& line : warnings_of_thin_tets(mesh, report.quality)) report.warnings.push_back(line);
 }
 
 void record_fill(const Filled& filled, Report& report) {

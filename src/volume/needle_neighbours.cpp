@@ -19,8 +19,9 @@ namespace featuremesh {
 
 namespace {
 
-/// A needle's short side is shorter than this share of its longest; the angle opposite it then stays below a degree.
-constexpr double needle_share = 0.01;
+/// A needle's short side is shorter than this share of its longest. With more, the angle opposite it is large enough to
+/// be worth something.
+constexpr double needle_share = 0.005;
 constexpr double margin_deg = 1e-4;
 constexpr int most_passes = 12;
 

@@ -12,7 +12,7 @@ namespace featuremesh {
 
 /// Flatness (tet_measures) of a tet with these corners, of which some are on the boundary. Of a needle, which has two
 /// boundary corners much nearer to one another than its others are, without the angle opposite that side: no mesh that
-/// has both nodes can have a larger one.
+/// has both nodes can have one worth speaking of.
 double unforced_flatness(const std::array<Vec3, 4>& corners, const std::array<bool, 4>& is_on_boundary);
 
 /// Sliver removal looks at the worst tet of whatever it changes, and a needle is the worst wherever it comes in: all

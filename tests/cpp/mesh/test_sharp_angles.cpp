@@ -74,3 +74,23 @@ TEST_CASE("a face's sharp corner forces the tets that touch it") {
     CHECK(SharpAngles(mesh, 21).force(TetId(0)));
     CHECK(!SharpAngles(mesh, 19).force(TetId(0)));
 }
+
+TEST_CASE("a CAD edge far shorter than the others forces its tets, a short piece of one does not") {
+    Mesh mesh;
+    const std::array<Vec3, 4> corners{Vec3{0, 0, 0}, {1e-4, 0, 0}, {0, 1, 0}, {0.3, 0.3, 1}};
+    for (int i = 0; i < 4; ++i) mesh.add_node(corners[i], entity_of(VertexId(i)));
+    mesh.corner_count = 4;
+    mesh.add_segment({NodeId(0), NodeId(1)}, EdgeId(0));
+    mesh.add_tet({NodeId(0), NodeId(1), NodeId(2), NodeId(3)}, SolidId(0));
+    CHECK(SharpAngles(mesh, 0.001).force(TetId(0)));
+    REQUIRE(ShortSides(mesh).forced_side(TetId(0)));
+    mesh.entities[1] = entity_of(EdgeId(0));
+    CHECK(!ShortSides(mesh).forced_side(TetId(0)));
+    mesh.entities[1] = entity_of(FaceId(0));
+    CHECK(!ShortSides(mesh).forced_side(TetId(0)));
+    mesh.segments.clear(), mesh.segment_edges.clear();
+    mesh.entities[1] = entity_of(EdgeId(1));
+    CHECK(ShortSides(mesh).forced_side(TetId(0)));
+    mesh.points[1].x = 0.1;
+    CHECK(!ShortSides(mesh).forced_side(TetId(0)));
+}

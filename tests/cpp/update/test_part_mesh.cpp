@@ -254,14 +254,14 @@ TEST_CASE("every tet belongs to a feature") {
     CHECK(sizes["Block"] + sizes["Boss"] > 0.99 * part->mesh.tets.size());
 }
 
-TEST_CASE("a detail much smaller than the size is told of, by its place") {
+TEST_CASE("a detail much smaller than the size is told of, by its name and size") {
     const auto step = PartDocument().box("Block", {0, 0, 0}, {60, 30, 8}).box("Step", {20, 10, 8}, {20, 10, 0.03}).fuse("Part", "Block", "Step").finish();
     const auto is_told = [](const std::string& w) {
-        return w.find("smallest angle") != std::string::npos &&
-               (w.find(", at Edge") != std::string::npos || w.find(", at Vertex") != std::string::npos);
+        return w.find("Details of the part") != std::string::npos && w.find("Edge") != std::string::npos && w.find("(0.03 mm ") != std::string::npos;
     };
     const PartMeshResult thin = meshed(step, options_of(4));
     CHECK(thin.report.quality.min_dihedral < 2);
+    CHECK(thin.report.quality.forced_by_cad > 0);
     CHECK(std::any_of(thin.report.warnings.begin(), thin.report.warnings.end(), is_told));
     const PartMeshResult good = meshed(plate_with_hole(30), options_of(4));
     CHECK(std::none_of(good.report.warnings.begin(), good.report.warnings.end(), is_told));

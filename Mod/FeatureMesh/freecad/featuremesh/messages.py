@@ -66,6 +66,9 @@ SENTENCES = (
     # The report's warnings and fallbacks
     QT_TRANSLATE_NOOP("FeatureMesh", "The smallest angle of a tet is %s degrees, at %s: results there are poor. Take details out that are much "
                                      "smaller than the edge length, or mesh finer there."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "Details of the part far smaller than the elements force an angle below 2 degrees on %s tets: %s. Results "
+                                     "there are poor. Take them out of the features that make them (points of a sketch that nearly coincide, a "
+                                     "step as shallow), or mesh finer there."),
     QT_TRANSLATE_NOOP("FeatureMesh", "Meshed finer than asked, because a face beside it would cross itself: %s."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked where these faces are near each other: %s."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked at %s, because 10-node tets of that size would be folded by the curved face."),

@@ -151,7 +151,7 @@ def _progress(step, share):
 
 def _size_in_words(report):
     quality = report["quality"]
-    forced = "" if not quality["forced_by_cad"] else ", %.1f deg where the part's own edges are not sharper" % quality["min_dihedral_unforced"]
+    forced = "" if not quality["forced_by_cad"] else ", %.1f deg where the part's own details do not force less" % quality["min_dihedral_unforced"]
     return "%d nodes and %d tets (smallest angle %.1f deg%s) in %.2f s" % (
         report["nodes"], report["tets"], quality["min_dihedral"], forced, report["seconds"]["total"])
 

@@ -283,6 +283,10 @@
       <translation>Farben</translation>
     </message>
     <message>
+      <source>Details of the part far smaller than the elements force an angle below 2 degrees on %s tets: %s. Results there are poor. Take them out of the features that make them (points of a sketch that nearly coincide, a step as shallow), or mesh finer there.</source>
+      <translation>Einzelheiten des Bauteils, die viel kleiner als die Elemente sind, erzwingen einen Winkel unter 2 Grad an %s Tetraedern: %s. Ergebnisse dort sind ungenau. Sie aus den Formelementen entfernen, die sie erzeugen (Skizzenpunkte, die fast zusammenfallen, eine ebenso flache Stufe), oder dort feiner vernetzen.</translation>
+    </message>
+    <message>
       <source>Edit the part: move a hole, change a thickness. The mesh follows, and only around the edit; loads and supports stay where they are.</source>
       <translation>Das Bauteil ändern: eine Bohrung verschieben, eine Dicke anpassen. Das Netz folgt, und nur rund um die Änderung; Lasten und Lager bleiben, wo sie sind.</translation>
     </message>

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the report says of very thin tets.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "mesh/quality.h"
+
+namespace featuremesh {
+
+/// Names the details of the part that force angles below 2 degrees, shortest first, and where the smallest angle is if
+/// nothing forces it. Empty where all angles are larger.
+std::vector<std::string> warnings_of_thin_tets(const Mesh& mesh, const QualityReport& quality);
+
+}  // namespace featuremesh
