@@ -287,12 +287,14 @@ class NeedleStrips {
     /// The best of the fans of triangles over the path, each triangle with a tet to both ends of the old side; none
     /// where that is much worse than what there is.
     std::vector<std::array<NodeId, 4>> turned_tets(const Quad& quad, const Fan& fan) const {
-        constexpr double kept_share = 0.4;
+        constexpr double kept_share = 0.4, least_angle_deg = 2;
         std::vector<std::array<NodeId, 4>> old, best;
         for (const TetId t : fan.tets) old.push_back(mesh_.tets[t.index()]);
         const Worth before = worth_of(old);
         double most = std::min(before.volume * (1 - 1e-9), least_volume_);
         if (is_careful_) most = std::max(most, kept_share * before.volume);
+        double flattest = 1 - kept_share * kept_share * (1 - before.flatness);
+        if (!is_careful_) flattest = std::max(flattest, flatness_of_angle(least_angle_deg));
         const bool is_left = is_in_order(fan, quad);
         for (std::size_t centre = 0; centre < fan.path.size(); ++centre) {
             std::vector<std::array<NodeId, 4>> tets;
@@ -305,7 +307,7 @@ class NeedleStrips {
                 tets.push_back({triangle[0], triangle[2], triangle[1], quad.b});
             }
             const Worth worth = worth_of(tets);
-            if (worth.volume <= most || 1 - worth.flatness < kept_share * kept_share * (1 - before.flatness)) continue;
+            if (worth.volume <= most || worth.flatness > flattest) continue;
             most = worth.volume;
             best = std::move(tets);
         }
