@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "core/box_tree.h"
 #include "features/face_probe.h"
 
 namespace featuremesh {
@@ -14,8 +18,12 @@ class Matcher {
   public:
     Matcher(CellModel& model, const Brep& final_shape, RunContext& context)
         : model_(model), final_shape_(final_shape), context_(context) {
-        for (std::size_t f = 0; f < final_shape.face_count(); ++f)
+        std::vector<Box> boxes;
+        for (std::size_t f = 0; f < final_shape.face_count(); ++f) {
             final_faces_.emplace_back(final_shape.face(FaceId(f)));
+            boxes.push_back(final_faces_.back().box().grown(boolean_tolerance));
+        }
+        tree_.emplace(std::move(boxes));
         model.owners_of_final_face.assign(final_shape.face_count(), {});
     }
 
@@ -60,12 +68,20 @@ class Matcher {
         if (!face.final_face.is_valid()) {
             const FaceProbe probe(face.face);
             if (!probe.inner_point()) return;
-            const Vec3 p = *probe.inner_point(), normal = outward(face, probe, p);
-            for (std::size_t f = 0; f < final_faces_.size() && !face.final_face.is_valid(); ++f)
-                if (final_faces_[f].contains(p, boolean_tolerance) && dot(outward(FaceId(f), p), normal) > same_normal)
-                    face.final_face = FaceId(f);
+            face.final_face = final_face_at(*probe.inner_point(), outward(face, probe, *probe.inner_point()));
         }
         if (face.final_face.is_valid()) give(face.final_face, face);
+    }
+
+    FaceId final_face_at(const Vec3& p, const Vec3& normal) const {
+        std::vector<std::int32_t> near;
+        tree_->visit_around(p, [&](std::int32_t f) { near.push_back(f); });
+        std::sort(near.begin(), near.end());
+        for (const std::int32_t f : near)
+            if (final_faces_[std::size_t(f)].contains(p, boolean_tolerance) &&
+                dot(outward(FaceId(f), p), normal) > same_normal)
+                return FaceId(f);
+        return {};
     }
 
     /// The final face may be smaller than the cell faces on it: look from its side.
@@ -89,6 +105,7 @@ class Matcher {
     const Brep& final_shape_;
     RunContext& context_;
     std::vector<FaceProbe> final_faces_;
+    std::optional<BoxTree> tree_;  // of their boxes
 };
 
 }  // namespace

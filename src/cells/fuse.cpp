@@ -84,14 +84,8 @@ class Builder {
     const std::string& trouble() const { return trouble_; }
     bool out_of_time() const { return out_of_time_; }
 
-    std::vector<TopoDS_Shape> images(const TopoDS_Shape& shape) {
-        if (!used_) return {shape};
-        const TopTools_ListOfShape& modified = builder_.Modified(shape);
-        if (modified.IsEmpty() && builder_.IsDeleted(shape)) return {};
-        if (modified.IsEmpty()) return {shape};
-        std::vector<TopoDS_Shape> shapes;
-        for (const TopoDS_Shape& image : modified) shapes.push_back(image);  // OCCT's iterators make no range of C++20
-        return shapes;
+    std::vector<TopoDS_Shape> images(const TopoDS_Shape& shape) const {
+        return used_ ? builder_.images_of(shape) : std::vector<TopoDS_Shape>{shape};
     }
 
   private:

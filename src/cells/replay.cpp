@@ -2,6 +2,8 @@
 #include "cells/replay.h"
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace featuremesh {
 
@@ -9,6 +11,19 @@ namespace {
 
 using CellSet = std::vector<bool>;
 
+using CellList = std::vector<std::size_t>;  // few of all cells, as a rule
+
+void unite(CellSet& a, const CellList& b) {
+    for (const std::size_t i : b) a[i] = true;
+}
+void subtract(CellSet& a, const CellList& b) {
+    for (const std::size_t i : b) a[i] = false;
+}
+void intersect(CellSet& a, const CellList& b) {
+    CellSet both(a.size());
+    for (const std::size_t i : b) both[i] = a[i];
+    a = std::move(both);
+}
 void unite(CellSet& a, const CellSet& b) {
     for (std::size_t i = 0; i < a.size(); ++i) a[i] = a[i] || b[i];
 }
@@ -25,10 +40,9 @@ void exclude(CellSet& a, const CellSet& b) {
 class Replay {
   public:
     Replay(const FeatureTree& tree, const std::vector<Cell>& cells) : tree_(tree), count_(cells.size()) {
-        for (std::size_t f = 0; f < tree.features.size(); ++f)
-            inside_.emplace_back(tree.features[f].volumes.size(), CellSet(count_));
+        for (std::size_t f = 0; f < tree.features.size(); ++f) inside_.emplace_back(tree.features[f].volumes.size());
         for (std::size_t c = 0; c < count_; ++c)
-            for (const Owner& owner : cells[c].owners) inside_[owner.feature.index()][owner.volume][c] = true;
+            for (const Owner& owner : cells[c].owners) inside_[owner.feature.index()][owner.volume].push_back(c);
         results_.resize(tree.features.size());
     }
 
@@ -52,13 +66,13 @@ class Replay {
 
     CellSet united_volumes(FeatureId id) const {
         CellSet result(count_);
-        for (const CellSet& volume : inside_[id.index()]) unite(result, volume);
+        for (const CellList& volume : inside_[id.index()]) unite(result, volume);
         return result;
     }
 
     void apply_volumes(FeatureId id, CellSet& result) const {
         for (std::size_t v = 0; v < inside_[id.index()].size(); ++v) {
-            const CellSet& volume = inside_[id.index()][v];
+            const CellList& volume = inside_[id.index()][v];
             switch (tree_[id].volumes[v].step) {
                 case Effect::adds:
                     unite(result, volume);
@@ -92,7 +106,7 @@ class Replay {
 
     const FeatureTree& tree_;
     std::size_t count_;
-    std::vector<std::vector<CellSet>> inside_;  // by feature and volume
+    std::vector<std::vector<CellList>> inside_;  // by feature and volume
     std::vector<std::optional<CellSet>> results_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cells/solid_splitter.h"
 
+#include <BOPAlgo_PaveFiller.hxx>
 #include <BOPAlgo_Tools.hxx>
 #include <BOPDS_DS.hxx>
 #include <BOPTools_BoxTree.hxx>
@@ -9,6 +10,7 @@
 #include <BRep_Tool.hxx>
 #include <Bnd_Tools.hxx>
 #include <Message_ProgressScope.hxx>
+#include <OSD_Parallel.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -17,7 +19,10 @@
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
-#include <vector>
+#include <map>
+#include <optional>
+
+#include "cells/solid_pieces.h"
 
 namespace featuremesh {
 
@@ -44,6 +49,21 @@ bool is_within(const Bnd_Box& vertices, const Bnd_Box& solid) {
         if (inner_low.Coord(i) + slack < low.Coord(i) || inner_high.Coord(i) - slack > high.Coord(i)) return false;
     return true;
 }
+
+/// The first of the solids with the same faces, as arguments share the cells they have in common.
+class SameSolids {
+  public:
+    const TopoDS_Shape& first_like(const TopoDS_Shape& solid) {
+        std::vector<int> faces;
+        for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) faces.push_back(numbers_.Add(it.Current()));
+        std::sort(faces.begin(), faces.end());
+        return first_.try_emplace(std::move(faces), solid).first->second;
+    }
+
+  private:
+    TopTools_IndexedMapOfShape numbers_;
+    std::map<std::vector<int>, TopoDS_Shape> first_;
+};
 
 }  // namespace
 
@@ -86,7 +106,52 @@ class SolidSplitter::Faces {
     BOPTools_BoxTree tree_;
 };
 
-void SolidSplitter::FillIn3DParts(TopTools_DataMapOfShapeShape& drafts, const Message_ProgressRange& range) {
+/// A solid of the arguments that is not what it was.
+struct SolidSplitter::Split {
+    TopoDS_Shape solid;
+    TopoDS_Solid draft;          // with what its faces were divided into
+    TopTools_ListOfShape inner;  // faces
+    SolidPieces pieces;          // if there are any
+};
+
+std::vector<TopoDS_Shape> SolidSplitter::images_of(const TopoDS_Shape& shape) const {
+    const TopTools_ListOfShape* images = myImages.Seek(shape);
+    if (!images) return {shape};
+    std::vector<TopoDS_Shape> list;
+    for (const TopoDS_Shape& image : *images) list.push_back(image);  // OCCT's iterators make no range of C++20
+    if (shape.ShapeType() == TopAbs_SOLID)
+        for (TopoDS_Shape& image : list) image.Orientation(shape.Orientation());
+    return list;
+}
+
+void SolidSplitter::PerformInternal1(const BOPAlgo_PaveFiller& filler, const Message_ProgressRange& range) {
+    myPaveFiller = const_cast<BOPAlgo_PaveFiller*>(&filler);  // the kernel does so, and only reads
+    myDS = myPaveFiller->PDS();
+    myContext = myPaveFiller->Context();
+    Message_ProgressScope scope(range, "cells", 10);
+    CheckData();
+    if (HasErrors()) return;
+    Prepare();
+    split_faces(scope.Next(5));
+    if (HasErrors()) return;
+    split_solids(scope.Next(4));
+    if (HasErrors()) return;
+    BuildResult(TopAbs_SOLID);
+    PostTreat(scope.Next());
+}
+
+void SolidSplitter::split_faces(const Message_ProgressRange& range) {
+    Message_ProgressScope scope(range, "faces", 10);
+    FillImagesVertices(scope.Next());
+    if (HasErrors()) return;
+    FillImagesEdges(scope.Next());
+    if (HasErrors()) return;
+    FillImagesContainers(TopAbs_WIRE, scope.Next());  // tells the next step which faces have divided edges
+    if (HasErrors()) return;
+    FillImagesFaces(scope.Next(7));
+}
+
+void SolidSplitter::split_solids(const Message_ProgressRange& range) {
     Faces faces;
     std::vector<int> solids;
     for (int i = 0; i < myDS->NbSourceShapes(); ++i) {
@@ -98,41 +163,88 @@ void SolidSplitter::FillIn3DParts(TopTools_DataMapOfShapeShape& drafts, const Me
         else
             faces.add(source.Shape());
     }
-    Message_ProgressScope scope(range, "faces within solids", static_cast<double>(solids.size()));
+    Message_ProgressScope scope(range, "solids", 2);
+    Message_ProgressScope search(scope.Next(), "faces within solids", static_cast<double>(solids.size()));
+    std::deque<Split> splits;
     for (const int solid : solids) {
-        if (UserBreak(scope)) return;
-        find_inner_faces(faces, solid, drafts, scope.Next());
+        if (UserBreak(search)) return;
+        if (!find_inner_faces(faces, solid, splits.emplace_back(), search.Next())) splits.pop_back();
     }
+    divide(splits, scope.Next());
+    if (!HasErrors()) join(splits);
 }
 
-void SolidSplitter::find_inner_faces(Faces& faces, int index, TopTools_DataMapOfShapeShape& drafts,
-                                     const Message_ProgressRange& range) {
+/// Does the solid have any, or was its border divided?
+bool SolidSplitter::find_inner_faces(Faces& faces, int index, Split& split, const Message_ProgressRange& range) {
     BOPDS_ShapeInfo& source = myDS->ChangeShapeInfo(index);
     if (source.Box().IsVoid()) myDS->BuildBndBoxSolid(index, source.ChangeBox(), false);
-    const TopoDS_Solid solid = TopoDS::Solid(source.Shape());
-    TopoDS_Solid draft;
-    BRep_Builder().MakeSolid(draft);
-    TopTools_ListOfShape own_inner, inner;
-    BuildDraftSolid(solid, draft, own_inner);
+    split.solid = source.Shape();
+    BRep_Builder().MakeSolid(split.draft);
+    TopTools_ListOfShape own_inner;
+    BuildDraftSolid(split.solid, split.draft, own_inner);
 
-    const TopTools_ListOfShape candidates = faces.within(draft, source.Box());
+    const TopTools_ListOfShape candidates = faces.within(split.draft, source.Box());
     if (!candidates.IsEmpty()) {
         TopTools_ListOfShape drafted;
-        drafted.Append(draft);
+        drafted.Append(split.draft);
         TopTools_DataMapOfShapeListOfShape own;
-        own.Bind(draft, own_inner);
-        faces.boxes().Bind(draft, source.Box());
+        own.Bind(split.draft, own_inner);
+        faces.boxes().Bind(split.draft, source.Box());
         TopTools_IndexedDataMapOfShapeListOfShape found;
         BOPAlgo_Tools::ClassifyFaces(candidates, drafted, myRunParallel, myContext, found, faces.boxes(), own, range);
-        inner = found.FindFromKey(draft);
+        split.inner = found.FindFromKey(split.draft);
     }
-    bool is_split = !inner.IsEmpty();
-    for (TopoDS_Iterator shell(solid); shell.More() && !is_split; shell.Next())
-        is_split = myImages.IsBound(shell.Value());
-    if (!is_split) return;
-    drafts.Bind(solid, draft);
-    inner.Append(own_inner);
-    if (!inner.IsEmpty()) myInParts.Bind(solid, inner);
+    bool is_split = !split.inner.IsEmpty();
+    for (TopoDS_Iterator shell(split.solid); shell.More() && !is_split; shell.Next())
+        is_split = are_faces_divided(shell.Value());
+    split.inner.Append(own_inner);
+    return is_split;
+}
+
+bool SolidSplitter::are_faces_divided(const TopoDS_Shape& shell) const {
+    for (TopoDS_Iterator face(shell); face.More(); face.Next()) {
+        const TopTools_ListOfShape* images = myImages.Seek(face.Value());
+        if (images && (images->Extent() != 1 || !images->First().IsSame(face.Value()))) return true;
+    }
+    return false;
+}
+
+void SolidSplitter::divide(std::deque<Split>& splits, const Message_ProgressRange& range) {
+    std::vector<Split*> divided;
+    for (Split& split : splits) {
+        if (split.inner.IsEmpty()) continue;
+        TopTools_ListOfShape faces;
+        for (TopExp_Explorer it(split.draft, TopAbs_FACE); it.More(); it.Next()) faces.Append(it.Current());
+        for (const TopoDS_Shape& face : split.inner)
+            for (const TopAbs_Orientation side : {TopAbs_FORWARD, TopAbs_REVERSED}) faces.Append(face.Oriented(side));
+        split.pieces.SetShapes(faces);
+        split.pieces.SetRunParallel(myRunParallel);
+        divided.push_back(&split);
+    }
+    Message_ProgressScope scope(range, "pieces", static_cast<double>(divided.size()));
+    std::vector<Message_ProgressRange> ranges;
+    for (std::size_t i = 0; i < divided.size(); ++i) ranges.push_back(scope.Next());
+    const auto perform = [&](int i) { divided[i]->pieces.Perform(ranges[i]); };
+    OSD_Parallel::For(0, static_cast<int>(divided.size()), perform, !myRunParallel);
+    UserBreak(scope);
+}
+
+void SolidSplitter::join(const std::deque<Split>& splits) {
+    SameSolids same;
+    TopTools_MapOfShape divided;
+    for (const Split& split : splits) divided.Add(split.solid);
+    for (int i = 0; i < myDS->NbSourceShapes(); ++i)
+        if (const BOPDS_ShapeInfo& source = myDS->ShapeInfo(i);
+            source.ShapeType() == TopAbs_SOLID && !divided.Contains(source.Shape()))
+            same.first_like(source.Shape());
+    for (const bool has_pieces : {false, true})
+        for (const Split& split : splits) {
+            if (split.inner.IsEmpty() == has_pieces) continue;
+            TopTools_ListOfShape images;
+            if (!has_pieces) images.Append(same.first_like(split.draft));
+            for (const TopoDS_Shape& piece : split.pieces.Areas()) images.Append(same.first_like(piece));
+            myImages.Bind(split.solid, images);
+        }
 }
 
 }  // namespace featuremesh

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/box_tree.h"
 #include "features/occt_geometry.h"
 
 namespace featuremesh {
@@ -71,6 +72,7 @@ struct SolidProbe::Data {
     };
     std::vector<TopoDS_Shape> solids;
     std::vector<ProbedFace> faces;
+    mutable std::optional<BoxTree> tree;  // of the faces' boxes, made for the first ray
     Box box;
 
     template <class BoxOf>
@@ -82,6 +84,12 @@ struct SolidProbe::Data {
             faces.push_back({face, box_of_face(face), nullptr, nullptr});
             box.add(faces.back().box);
         }
+    }
+
+    std::vector<Box> boxes() const {
+        std::vector<Box> list;
+        for (const ProbedFace& face : faces) list.push_back(face.box);
+        return list;
     }
 
     void add_hits(const ProbedFace& face, const Vec3& from, const Vec3& direction, std::vector<Hit>& hits) const {
@@ -107,8 +115,11 @@ struct SolidProbe::Data {
     /// costs more than all else.
     std::vector<Hit> nearest_hits(const Vec3& from, const Vec3& direction, double skip) const {
         std::vector<std::pair<double, std::size_t>> candidates;
-        for (std::size_t f = 0; f < faces.size(); ++f)
-            if (const auto near = entry(faces[f].box, from, direction)) candidates.emplace_back(*near, f);
+        if (!tree) tree.emplace(boxes());
+        const auto meets = [&](const Box& at) { return entry(at, from, direction).has_value(); };
+        tree->visit_where(meets, [&](std::int32_t f) {
+            candidates.emplace_back(*entry(faces[std::size_t(f)].box, from, direction), std::size_t(f));
+        });
         std::sort(candidates.begin(), candidates.end());
         std::vector<Hit> hits;
         double nearest = std::numeric_limits<double>::infinity();

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/box_tree.h"
 #include "core/errors.h"
 #include "mesh/second_order.h"
 #include "mesh/triangle_uses.h"
-#include "update/box_tree.h"
 
 namespace featuremesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "update/box_tree.h"
+#include "core/box_tree.h"
 
 #include <numeric>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boxes in a tree, for finding those around a point and the things nearest to it.
+// Boxes in a tree, for finding those around a point or along a ray and the things nearest to a point.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,11 @@ class BoxTree {
   public:
     explicit BoxTree(std::vector<Box> boxes);
 
+    /// Calls visit(index) for every box that does_meet(box), which must be true of a box around one that it is true of.
+    template <class Meets, class Visit>
+    void visit_where(Meets does_meet, Visit visit) const {
+        descend(0, does_meet, visit);
+    }
     /// Calls visit(index) for every box that holds p.
     template <class Visit>
     void visit_around(const Vec3& p, Visit visit) const {

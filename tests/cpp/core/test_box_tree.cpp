@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "catch.h"
+#include "core/box_tree.h"
+
+using namespace featuremesh;
+
+TEST_CASE("a tree of boxes finds what going over all of them finds") {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> place(0, 100), extent(0, 12);
+    std::vector<Box> boxes;
+    for (int i = 0; i < 300; ++i) {
+        const Vec3 low{place(random), place(random), place(random)};
+        boxes.push_back({low, low + Vec3{extent(random), extent(random), extent(random)}});
+    }
+    const BoxTree tree(boxes);
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 p{place(random), place(random), place(random)};
+        const auto is_beyond = [&](const Box& box) { return box.high.x > p.x && box.low.y < p.y; };
+        std::vector<std::int32_t> around, beyond, all_around, all_beyond;
+        tree.visit_around(p, [&](std::int32_t b) { around.push_back(b); });
+        tree.visit_where(is_beyond, [&](std::int32_t b) { beyond.push_back(b); });
+        for (std::int32_t b = 0; b < 300; ++b) {
+            if (boxes[std::size_t(b)].contains(p)) all_around.push_back(b);
+            if (is_beyond(boxes[std::size_t(b)])) all_beyond.push_back(b);
+        }
+        std::sort(around.begin(), around.end());
+        std::sort(beyond.begin(), beyond.end());
+        CHECK(around == all_around);
+        CHECK(beyond == all_beyond);
+    }
+}
+
+TEST_CASE("a tree without boxes finds nothing") {
+    const BoxTree tree({});
+    int found = 0;
+    tree.visit_around({0, 0, 0}, [&](std::int32_t) { ++found; });
+    CHECK(found == 0);
+    CHECK(tree.nearest({0, 0, 0}, [](std::int32_t) { return 0.0; }) == -1);
+}
