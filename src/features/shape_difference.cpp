@@ -89,6 +89,7 @@ ShapeDifference between_faces(const Change& change, bool glued, double seconds, 
     maker.SetArguments(faces);
     maker.SetIntersect(true);
     maker.SetAvoidInternalShapes(true);
+    maker.SetToFillHistory(false);
     maker.SetRunParallel(context.threads > 1);
     on_threads(context, [&] {
         Message_ProgressScope scope(deadline->Start(), "volumes between faces", 10);

@@ -151,6 +151,17 @@ class Reading(unittest.TestCase):
         numbers, _ = reading._parameters(sketch, reading._properties(sketch))
         self.assertAlmostEqual(numbers["Slope"], 28.64788975654116)
 
+    def test_an_objects_own_property_is_read_by_its_own_type(self):
+        document = new_document()
+        tool = document.addObject("Part::Cylinder", "Tool")
+        for kind in ("Part::Box", "Part::FeaturePython"):
+            named, linked = document.addObject(kind, "Named"), document.addObject(kind, "Linked")
+            named.addProperty("App::PropertyFloat", "Extra").Extra = 4
+            linked.addProperty("App::PropertyLink", "Extra").Extra = tool
+            self.assertEqual(reading._properties(named)["Extra"], "number")
+            self.assertEqual(reading._properties(linked)["Extra"], "link")
+            self.assertIn(("Extra", tool, ""), reading._links(linked, reading._properties(linked)))
+
     def test_error_is_freecads_own(self):
         document = new_document()
         body = plate_with_hole(document)

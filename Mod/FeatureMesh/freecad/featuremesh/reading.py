@@ -7,6 +7,7 @@ here: which objects the part depends on, and in which frame each of them lies.
 
 import contextlib
 import functools
+import math
 import os
 import tempfile
 from collections import deque
@@ -26,6 +27,8 @@ _REFERENCE_TYPES = ("Sketcher::", "Spreadsheet::", "App::Line", "App::Plane", "A
 # A binder's shape is all that comes from the parts behind it; those lie in frames of their own.
 _BINDERS = ("PartDesign::ShapeBinder", "PartDesign::SubShapeBinder")
 _SKIPPED_LINKS = ("_Body", "Origin", "ExpressionEngine", "Proxy", "_ChildCache", "_CopyOnChangeControl")
+# Status of a property that one object has and others of its type may not.
+_DYNAMIC = frozenset((21, "PropDynamic"))
 # Types of sketch constraints that have a value.
 DIMENSIONS = ("Distance", "DistanceX", "DistanceY", "Radius", "Diameter", "Angle", "Weight", "SnellsLaw")
 _VECTOR_TYPES = ("App::PropertyVector", "App::PropertyVectorDistance", "App::PropertyPosition", "App::PropertyDirection")
@@ -139,7 +142,7 @@ def describe(obj):
 def has_shape(obj):
     """Is there a shape with at least one face?"""
     shape = _shape_of(obj)
-    return shape is not None and len(shape.Faces) > 0
+    return shape is not None and shape.countElement("Face") > 0
 
 
 def key_of(obj, home):
@@ -166,34 +169,38 @@ def dependencies(part):
 # Which objects, in which order and frame
 
 
-def _children(obj, links):
-    """What `obj` depends on directly: (object, frame of the child's parent relative to obj's, carries volume)."""
+def _children(obj, own, links, properties):
+    """What `obj`, placed at `own`, depends on directly: (object, frame of the child's parent relative to obj's, carries volume)."""
     kind = obj.TypeId
     if kind in _BINDERS:
         return []
-    own = getattr(obj, "Placement", FreeCAD.Placement())
     linked = _linked_objects(links)
     result = []
     if kind == "PartDesign::Body":
         return [(member, own, not _is_reference(member)) for member in _members_up_to_tip(obj)]
+    is_reference, undoes = _is_reference(obj), _undoes_placements(obj, properties)
     for child in linked:
-        if _is_reference(obj) or _is_reference(child):
+        if is_reference or _is_reference(child):
             result.append((child, FreeCAD.Placement(), False))
         else:
-            result.append((child, _frame_of_child(obj, own, child), True))
+            result.append((child, _frame_of_child(obj, own, child, undoes), True))
     known = set(linked)
     result += [(child, FreeCAD.Placement(), False) for child in obj.OutList
                if child not in known and not child.isDerivedFrom("App::Origin") and child.TypeId != "PartDesign::Body"]
     return result
 
 
-def _frame_of_child(obj, own, child):
-    """Frame in which `child.Shape` enters the shape of `obj`, relative to the frame of obj's parent."""
-    child_own = getattr(child, "Placement", FreeCAD.Placement())
+def _undoes_placements(obj, properties):
+    """Does what `obj` shows lie at its own placement, wherever the original lies?"""
     if obj.TypeId == "App::Link":
-        return own if getattr(obj, "LinkTransform", False) else own.multiply(child_own.inverse())
-    if obj.TypeId == "PartDesign::FeatureBase" or _proxy_name(obj) == "_Clone" or _proxy_name(obj) == "Clone":
-        return own.multiply(child_own.inverse())
+        return not getattr(obj, "LinkTransform", False)
+    return obj.TypeId == "PartDesign::FeatureBase" or _proxy_name(obj, properties) in ("_Clone", "Clone")
+
+
+def _frame_of_child(obj, own, child, undoes):
+    """Frame in which `child.Shape` enters the shape of `obj`, relative to the frame of obj's parent."""
+    if undoes:
+        return own.multiply(getattr(child, "Placement", FreeCAD.Placement()).inverse())
     if obj.isDerivedFrom("PartDesign::Feature") and child.isDerivedFrom("PartDesign::Feature"):
         return FreeCAD.Placement()
     return own
@@ -201,10 +208,11 @@ def _frame_of_child(obj, own, child):
 
 class _Walk:
     """What `part` depends on. By object: `frames`, the placement from its parent's frame into the final one (volume-carrying links decide first);
-    `children`, what it depends on; `properties`, as _properties gives them; `links`, as _links does."""
+    `placements`, its own; `children`, what it depends on; `properties`, as _properties gives them; `links`, as _links does."""
 
     def __init__(self, part):
-        self.frames, self.children, self.properties, self.links = {part: versions.parent_frame(part)}, {}, {}, {}
+        self.frames = {part: versions.parent_frame(part)}
+        self.placements, self.children, self.properties, self.links = {}, {}, {}, {}
         strong, weak = deque([part]), deque()
         while strong or weak:
             if strong:
@@ -217,9 +225,10 @@ class _Walk:
             self._visit(obj, strong, weak)
 
     def _visit(self, obj, strong, weak):
-        self.properties[obj] = _properties(obj)
-        self.links[obj] = _links(obj, self.properties[obj])
-        found = _children(obj, self.links[obj])
+        properties = self.properties[obj] = _properties(obj)
+        links = self.links[obj] = _links(obj, properties)
+        own = self.placements[obj] = _value_of(obj, "Placement", properties) or FreeCAD.Placement()
+        found = _children(obj, own, links, properties)
         self.children[obj] = [child for child, _, _ in found]
         for child, relative, carries_volume in found:
             if child in self.frames:
@@ -266,15 +275,31 @@ def _linked_objects(links):
     return list(seen)
 
 
+# By type of object: what the properties are read for that all objects of the type have. Those of a single object cannot
+# have the name of one of them.
+_USES = {}
+
+
 def _properties(obj):
-    """(name, type, use) of every property that says something, in the order of the list."""
-    found = []
+    """Use by name of every property that says something, in the order of the list."""
+    known = _USES.setdefault(obj.TypeId, {})
+    found = {}
     for name in obj.PropertiesList:
-        kind = obj.getTypeIdOfProperty(name)
-        use = _use_of(kind)
+        use = known.get(name)
+        if use is None:
+            use = _use_of(obj.getTypeIdOfProperty(name))
+            if not _DYNAMIC.intersection(obj.getPropertyStatus(name)):
+                known[name] = use
         if use:
-            found.append((name, kind, use))
+            found[name] = use
     return found
+
+
+def _value_of(obj, name, properties):
+    """The property, None without it. Links also have the properties of what they show; to look for what is not there costs as much as to read it."""
+    if name in properties or obj.TypeId.startswith("App::Link") or obj.TypeId.endswith("Python"):
+        return getattr(obj, name, None)
+    return None
 
 
 @functools.lru_cache(maxsize=None)
@@ -282,6 +307,8 @@ def _use_of(kind):
     """What a property of that type is read for, "" for nothing."""
     if "Link" in kind:
         return "" if "Hidden" in kind else "link"
+    if kind in ("App::PropertyPythonObject", "Part::PropertyPartShape"):
+        return "elsewhere"
     if kind == "App::PropertyEnumeration":
         return "text"
     if kind.endswith("List"):
@@ -299,7 +326,7 @@ def _links(obj, properties):
     if kind in _BINDERS:
         return []
     members = _members_up_to_tip(obj) if kind == "PartDesign::Body" else None
-    return [(name, target, sub) for name, _, use in properties if use == "link" and name not in _SKIPPED_LINKS
+    return [(name, target, sub) for name, use in properties.items() if use == "link" and name not in _SKIPPED_LINKS
             for target, sub in _link_targets(getattr(obj, name)) if members is None or name != "Group" or target in members]
 
 
@@ -322,19 +349,17 @@ def _link_targets(value):
 
 
 def _record(obj, walk, shapes, keys, home):
-    own = getattr(obj, "Placement", FreeCAD.Placement())
-    kind = obj.TypeId
+    kind, own, frame, properties = obj.TypeId, walk.placements[obj], walk.frames[obj], walk.properties[obj]
     reference = _is_reference(obj)
     shape = None if reference and kind not in _BINDERS else _shape_of(obj)
-    volume = None if reference else getattr(obj, "AddSubShape", None)
-    numbers, texts = _parameters(obj, walk.properties[obj])
-    frame = walk.frames[obj]
+    volume = None if reference else _value_of(obj, "AddSubShape", properties)
+    numbers, texts = _parameters(obj, properties)
     whole = frame.multiply(own)
     return {
         "name": keys[obj],
         "label": obj.Label,
         "type": kind,
-        "proxy": _proxy_name(obj),
+        "proxy": _proxy_name(obj, properties),
         "links": [(name, keys.get(target) or key_of(target, home), sub) for name, target, sub in walk.links[obj]],
         "placement": list(own.toMatrix().A),
         "global_placement": list(whole.toMatrix().A),
@@ -342,7 +367,7 @@ def _record(obj, walk, shapes, keys, home):
         "texts": texts,
         "shape": shapes.add(shape, frame),
         "own_volume": shapes.add(volume, whole),
-        "suppressed": bool(getattr(obj, "Suppressed", False)),
+        "suppressed": bool(_value_of(obj, "Suppressed", properties)),
         "error": error_of(obj),
     }
 
@@ -383,6 +408,13 @@ def _shapes_from_bytes(data):
 @contextlib.contextmanager
 def _file_in_memory():
     """Path of a file for as long as it is needed, without a disk where there is another place."""
+    if hasattr(os, "memfd_create") and os.path.isdir("/proc/self/fd"):
+        handle = os.memfd_create("featuremesh")
+        try:
+            yield "/proc/self/fd/%d" % handle
+        finally:
+            os.close(handle)
+        return
     folder = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
     handle, path = tempfile.mkstemp(".bin", "featuremesh-", folder)
     os.close(handle)
@@ -396,8 +428,8 @@ def _parameters(obj, properties):
     """Numeric and boolean parameters (mm, degrees) and enumerations."""
     numbers, texts = {}, {}
     is_sheet = obj.TypeId == "Spreadsheet::Sheet"
-    for name, _, use in properties:
-        if use == "link" or name in ("Visibility", "Label2", "Placement") or name.startswith("_"):
+    for name, use in properties.items():
+        if use in ("link", "elsewhere") or name in ("Visibility", "Label2", "Placement") or name.startswith("_"):
             continue
         value = getattr(obj, name) if use != "constraints" else None
         if use == "text":
@@ -430,7 +462,7 @@ def _add_placement(numbers, name, placement):
     for axis in "xyz":
         numbers["%s.Base.%s" % (name, axis)] = float(getattr(base, axis))
         numbers["%s.Axis.%s" % (name, axis)] = float(getattr(direction, axis))
-    numbers["%s.Angle" % name] = float(FreeCAD.Units.Quantity(angle, "rad").getValueAs("deg"))
+    numbers["%s.Angle" % name] = math.degrees(angle)
 
 
 def _constraints(sketch):
@@ -439,21 +471,25 @@ def _constraints(sketch):
         if constraint.Type not in DIMENSIONS:
             continue
         value = constraint.Value
-        if constraint.Type == "Angle":
-            value = FreeCAD.Units.Quantity(value, "rad").getValueAs("deg")
-        numbers[constraint.Name or "Constraint%d" % (index + 1)] = float(value)
+        numbers[constraint.Name or "Constraint%d" % (index + 1)] = math.degrees(value) if constraint.Type == "Angle" else float(value)
     return numbers
 
 
-def _proxy_name(obj):
-    proxy = getattr(obj, "Proxy", None)
+def _proxy_name(obj, properties):
+    proxy = _value_of(obj, "Proxy", properties)
     return "" if proxy is None or isinstance(proxy, (str, int)) else type(proxy).__name__
 
 
+# By type of object.
+_REFERENCES = {}
+
+
 def _is_reference(obj):
-    # A datum line, told apart from PartDesign::LinearPattern.
-    datum_line = obj.TypeId == "PartDesign::Line"
-    return datum_line or obj.TypeId.startswith(_REFERENCE_TYPES) or obj.isDerivedFrom("Part::Part2DObject")
+    kind = obj.TypeId
+    if kind not in _REFERENCES:
+        datum_line = kind == "PartDesign::Line"  # told apart from PartDesign::LinearPattern
+        _REFERENCES[kind] = datum_line or kind.startswith(_REFERENCE_TYPES) or obj.isDerivedFrom("Part::Part2DObject")
+    return _REFERENCES[kind]
 
 
 def _shape_of(obj):

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What differs between FreeCAD 0.20, 1.0 and 1.1, in one place."""
 
+import functools
+
 import FreeCAD
 
 
+@functools.lru_cache(maxsize=None)
 def version():
     """(major, minor) of the running FreeCAD."""
     return tuple(int(part) for part in FreeCAD.Version()[:2])
