@@ -31,9 +31,15 @@ struct Piece {
     Effect effect, step;
     TopoDS_Shape solid;
     std::uint64_t print;
-    Box box;
     bool is_changed = true;
     std::optional<Owner> old_owner = {};  ///< of its partner, for a new piece
+    const Piece* twin = nullptr;          ///< of the same print
+    std::optional<Box> known_box = {};
+
+    const Box& box() {
+        if (!known_box) known_box = twin && twin->known_box ? *twin->known_box : box_of(solid);
+        return *known_box;
+    }
 };
 
 using Pieces = std::vector<Piece>;
@@ -48,17 +54,16 @@ Pieces pieces_of(const FeatureTree& tree) {
                                   volume.effect,
                                   volume.step,
                                   it.Current(),
-                                  print_of(it.Current()),
-                                  box_of(it.Current())});
+                                  print_of(it.Current())});
         }
     return pieces;
 }
 
-bool is_same(const Piece& a, const Piece& b) {
+bool is_same(Piece& a, Piece& b) {
     if (a.effect != b.effect || a.step != b.step) return false;
     if (a.print == b.print) return true;
-    const double close = 1e-6 * a.box.diagonal();
-    if (distance(a.box.low, b.box.low) > close || distance(a.box.high, b.box.high) > close) return false;
+    const double close = 1e-6 * a.box().diagonal();
+    if (distance(a.box().low, b.box().low) > close || distance(a.box().high, b.box().high) > close) return false;
     return unshared_faces(a.solid, b.solid).empty() && unshared_faces(b.solid, a.solid).empty();
 }
 
@@ -123,12 +128,13 @@ class Pairing {
         std::ptrdiff_t last = -1;
         for (Piece* piece : is) {
             const auto partner = std::find_if(was.begin(), was.end(),
-                                              [&](const Piece* p) { return p->is_changed && is_same(*p, *piece); });
+                                              [&](Piece* p) { return p->is_changed && is_same(*p, *piece); });
             if (partner == was.end()) continue;
             if (partner - was.begin() < last) return false;
             last = partner - was.begin();
             (*partner)->is_changed = piece->is_changed = false;
             piece->old_owner = (*partner)->owner;
+            if ((*partner)->print == piece->print) piece->twin = *partner;
         }
         return true;
     }
@@ -174,16 +180,16 @@ struct LocalCells {
 /// The changed pieces of one state and all others that may reach into them.
 class LocalFuse {
   public:
-    LocalFuse(const FeatureTree& tree, const Pieces& pieces, RunContext& context) : tree_(tree), context_(context) {
-        std::vector<const Piece*> changed;
-        for (const Piece& piece : pieces)
+    LocalFuse(const FeatureTree& tree, Pieces& pieces, RunContext& context) : tree_(tree), context_(context) {
+        std::vector<Piece*> changed;
+        for (Piece& piece : pieces)
             if (piece.is_changed) changed.push_back(&piece);
-        for (const Piece& piece : pieces)
+        for (Piece& piece : pieces)
             if (piece.is_changed) {
                 arguments_.push_back({{FeatureId(tree.features.size() + owners_.size()), 0}, piece.solid});
                 owners_.push_back(piece.owner);
             } else if (std::any_of(changed.begin(), changed.end(),
-                                   [&](const Piece* c) { return c->box.overlaps(piece.box); })) {
+                                   [&](Piece* c) { return c->box().overlaps(piece.box()); })) {
                 arguments_.push_back({piece.owner, piece.solid});
             }
     }

@@ -13,6 +13,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -47,9 +48,19 @@ struct Brep::Data {
 
 namespace {
 
+/// Numbers what is met first on the way through the shape and all within it, each kind by itself: as TopExp does.
+template <class MapOf>
+void number_all(const TopoDS_Shape& shape, const MapOf& map_of) {
+    if (TopTools_IndexedMapOfShape* map = map_of(shape.ShapeType())) {
+        const int before = map->Extent();
+        map->Add(shape);
+        if (map->Extent() == before) return;  // and so is all within it
+    }
+    for (TopoDS_Iterator child(shape); child.More(); child.Next()) number_all(child.Value(), map_of);
+}
+
 template <class Shape, class Cast>
-std::vector<Shape> numbered(const TopoDS_Shape& whole, TopAbs_ShapeEnum kind, TopTools_IndexedMapOfShape& map, Cast cast) {
-    TopExp::MapShapes(whole, kind, map);
+std::vector<Shape> listed(const TopTools_IndexedMapOfShape& map, Cast cast) {
     std::vector<Shape> list;
     for (int i = 1; i <= map.Extent(); ++i) list.push_back(cast(map(i)));
     return list;
@@ -96,11 +107,17 @@ Brep::Brep(const TopoDS_Shape& shape) {
     if (shape.IsNull()) throw InputError("The shape is empty. Recompute the document and mesh an object that has a solid.");
     auto data = std::make_shared<Data>();
     data->shape = shape;
-    data->solid = numbered<TopoDS_Solid>(shape, TopAbs_SOLID, data->solids, [](auto& s) { return TopoDS::Solid(s); });
-    data->face = numbered<TopoDS_Face>(shape, TopAbs_FACE, data->faces, [](auto& s) { return TopoDS::Face(s); });
-    data->edge = numbered<TopoDS_Edge>(shape, TopAbs_EDGE, data->edges,
-                                       [](auto& s) { return TopoDS::Edge(s.Oriented(TopAbs_FORWARD)); });
-    data->vertex = numbered<TopoDS_Vertex>(shape, TopAbs_VERTEX, data->vertices, [](auto& s) { return TopoDS::Vertex(s); });
+    number_all(shape, [&](TopAbs_ShapeEnum kind) {
+        return kind == TopAbs_SOLID    ? &data->solids
+               : kind == TopAbs_FACE   ? &data->faces
+               : kind == TopAbs_EDGE   ? &data->edges
+               : kind == TopAbs_VERTEX ? &data->vertices
+                                       : nullptr;
+    });
+    data->solid = listed<TopoDS_Solid>(data->solids, [](auto& s) { return TopoDS::Solid(s); });
+    data->face = listed<TopoDS_Face>(data->faces, [](auto& s) { return TopoDS::Face(s); });
+    data->edge = listed<TopoDS_Edge>(data->edges, [](auto& s) { return TopoDS::Edge(s.Oriented(TopAbs_FORWARD)); });
+    data->vertex = listed<TopoDS_Vertex>(data->vertices, [](auto& s) { return TopoDS::Vertex(s); });
     if (data->solid.empty())
         throw InputError("The shape has no solid. Mesh a body or a Part object whose result is a solid.");
 

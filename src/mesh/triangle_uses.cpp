@@ -38,7 +38,8 @@ std::array<std::uint32_t, count> values_of(const std::array<NodeId, count>& node
 
 }  // namespace
 
-TriangleUses::TriangleUses(const Mesh& mesh, std::span<const char> only, const RunContext& context)
+TriangleUses::TriangleUses(const Mesh& mesh, std::span<const char> only, std::span<const TetId> near,
+                           const RunContext& context)
     : begin_(mesh.points.size() + 1, 0) {
     RoundWatch watch(context);
     const auto is_wanted = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -50,8 +51,8 @@ TriangleUses::TriangleUses(const Mesh& mesh, std::span<const char> only, const R
         return count;
     };
     std::vector<std::size_t> wanted_tets;
-    for (std::size_t t = 0; !only.empty() && t < mesh.tets.size(); ++t)
-        if (count_marked(mesh.tets[t]) >= 3) wanted_tets.push_back(t);
+    for (const TetId t : near)
+        if (count_marked(mesh.tets[t.index()]) >= 3) wanted_tets.push_back(t.index());
     // Visits (smallest, middle, largest, code) of every wanted triangle, tets first.
     const auto for_each_use = [&](auto visit) {
         const std::size_t tet_count = only.empty() ? mesh.tets.size() : wanted_tets.size();

@@ -28,8 +28,9 @@ struct TriangleUse {
 /// The uses of all triangles, grouped by their smallest node.
 class TriangleUses {
   public:
-    /// All triangles, or those whose three nodes are marked in `only`.
-    explicit TriangleUses(const Mesh& mesh, std::span<const char> only = {}, const RunContext& context = {});
+    /// All triangles, or those whose three nodes are marked in `only`; `near` are then all tets with a marked node.
+    explicit TriangleUses(const Mesh& mesh, std::span<const char> only = {}, std::span<const TetId> near = {},
+                          const RunContext& context = {});
 
     std::size_t bucket_count() const { return begin_.size() - 1; }
     /// Sorts the uses with this smallest node and calls visit(uses of one triangle) for each of its triangles, tets

@@ -10,6 +10,7 @@
 #include "mesh/findings.h"
 #include "mesh/second_order.h"
 #include "mesh/side_table.h"
+#include "mesh/tets_at_nodes.h"
 #include "mesh/triangle_uses.h"
 
 namespace featuremesh {
@@ -190,15 +191,16 @@ void check_tets(const Mesh& mesh, const Expectation& expected, RunContext& conte
     check_volumes(volumes, expected, findings);
 }
 
-/// Only those of which a node is unproven. The volume is what the triangles around each solid enclose: where every
+/// Only `near`, of which a node is unproven. The volume is what the triangles around each solid enclose: where every
 /// side of a tet has a tet or a triangle on its other side, which is checked besides, that is the sum of the tets.
-void check_unproven_tets(const Mesh& mesh, const Expectation& expected, RunContext& context, Findings& findings) {
-    std::vector<Findings> parts((mesh.tets.size() + grain - 1) / grain);
-    parallel_for(context, mesh.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
+void check_unproven_tets(const Mesh& mesh, const Expectation& expected, std::span<const TetId> near, RunContext& context,
+                         Findings& findings) {
+    std::vector<Findings> parts((near.size() + grain - 1) / grain);
+    parallel_for(context, near.size(), grain, [&](std::size_t begin, std::size_t end) {
         double six_volume = 0;
-        for (std::size_t t = begin; t < end; ++t)
-            if (!are_proven(expected, mesh.tets[t]) && is_flat(mesh, mesh.tets[t], six_volume))
-                parts[begin / grain].add("tet without positive volume", tet_name(mesh, t));
+        for (const TetId t : near.subspan(begin, end - begin))
+            if (is_flat(mesh, mesh.tets[t.index()], six_volume))
+                parts[begin / grain].add("tet without positive volume", tet_name(mesh, t.index()));
     });
     for (const Findings& part : parts) findings.add(part);
     if (expected.solid_volumes.empty() || expected.face_sides.empty()) return;
@@ -250,9 +252,9 @@ void check_triangle(const Mesh& mesh, const Expectation& expected, std::span<con
     }
 }
 
-void check_triangles_against_tets(const Mesh& mesh, const Expectation& expected, RunContext& context,
-                                  Findings& findings) {
-    TriangleUses uses(mesh, expected.is_unproven, context);
+void check_triangles_against_tets(const Mesh& mesh, const Expectation& expected, std::span<const TetId> near,
+                                  RunContext& context, Findings& findings) {
+    TriangleUses uses(mesh, expected.is_unproven, near, context);
     std::vector<Findings> parts((uses.bucket_count() + grain - 1) / grain);
     parallel_for(context, uses.bucket_count(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t smallest = begin; smallest < end; ++smallest)
@@ -369,14 +371,16 @@ std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& 
     check_numbers({mesh.segment_numbers, mesh.triangle_numbers, mesh.tet_numbers}, mesh.next_element_number, "element",
                   findings);
     context.check_cancelled();
+    std::vector<TetId> near = expected.unproven_tets;
+    if (!expected.is_unproven.empty() && near.empty()) near = tets_at_nodes(mesh, expected.is_unproven);
     if (mesh.order == 1 && !expected.is_unproven.empty())
-        check_unproven_tets(mesh, expected, context, findings);
+        check_unproven_tets(mesh, expected, near, context, findings);
     else
         check_tets(mesh, expected, context, findings);
     if (mesh.tets.empty())
         check_closed_surface(mesh, expected, findings);
     else
-        check_triangles_against_tets(mesh, expected, context, findings);
+        check_triangles_against_tets(mesh, expected, near, context, findings);
     check_segments(mesh, expected, findings);
     if (mesh.order == 2) {
         check_mid_side_nodes(mesh, context, findings);

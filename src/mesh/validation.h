@@ -19,6 +19,7 @@ struct Expectation {
     /// neighbours: triangles are compared with tets only where all three nodes are unproven, 4-node tets and segments measured only where one is (see
     /// docs/design/keeping.md). Empty: everything.
     std::vector<char> is_unproven;
+    std::vector<TetId> unproven_tets;           ///< all with an unproven node, ascending; none: they are searched for
 };
 
 /// Every broken invariant, in words that name nodes, tets and faces; empty for a valid mesh. Checked: sizes of all arrays, ids in

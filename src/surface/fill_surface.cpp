@@ -337,14 +337,16 @@ std::vector<std::string> warnings_of_loose(const Brep& brep) {
 
 }  // namespace
 
-SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kept, RunContext& context) {
+SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kept, RunContext& context,
+                           const MergedEntities* known) {
     const RunContext::Step step(context, "surface");
     constexpr int attempts = 5;
     constexpr std::size_t many = 1000, hopeless = 20000;
     std::size_t crossings_before = 0;
     int times_grown = 0;
     const Extent before = extent_of(kept);
-    const MergedEntities merged(brep);
+    const std::optional<MergedEntities> found = known ? std::nullopt : std::optional<MergedEntities>(brep);
+    const MergedEntities& merged = known ? *known : *found;
     WantedLength wanted(sizing);
     std::set<std::string> refined;
     for (int attempt = 1;; ++attempt) {

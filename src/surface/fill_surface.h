@@ -9,6 +9,7 @@
 #include "features/brep.h"
 #include "mesh/mesh.h"
 #include "sizing/sizing_field.h"
+#include "surface/merged_entities.h"
 
 namespace featuremesh {
 
@@ -25,7 +26,8 @@ struct SurfaceResult {
 
 /// Takes a mesh with kept nodes, segments and triangles (or nothing), 4-node; gives it back in front, bit for bit, with a node on every CAD vertex,
 /// a chain of segments on every CAD edge and triangles on every CAD face. Conforming: faces share the nodes of their edges.
-/// Throws MeshError that names the face.
-SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kept, RunContext& context);
+/// Throws MeshError that names the face. `known`: of this very shape, where somebody has looked for them.
+SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kept, RunContext& context,
+                           const MergedEntities* known = nullptr);
 
 }  // namespace featuremesh

@@ -32,8 +32,8 @@ bool share(const std::vector<SolidId>& a, const std::vector<SolidId>& b) {
 }
 
 /// Each vertex takes the lowest one near it that stands for itself.
-std::vector<VertexId> merge_vertices(const Brep& brep, double tolerance) {
-    const std::vector<std::vector<SolidId>> solids = solids_of_vertices(brep);
+std::vector<VertexId> merge_vertices(const Brep& brep, const std::vector<std::vector<SolidId>>& solids,
+                                     double tolerance) {
     std::vector<std::size_t> by_x(brep.vertex_count());
     std::iota(by_x.begin(), by_x.end(), std::size_t{0});
     const auto point = [&](std::size_t v) { return brep.point_of(VertexId(v)); };
@@ -78,8 +78,7 @@ struct CurveSamples {
     CurveSamples(const BRepAdaptor_Curve& curve, double tolerance) {
         const int pieces = curve.GetType() == GeomAbs_Line ? 1 : 24;
         for (int i = 0; i <= pieces; ++i) points.push_back(point_at(curve, double(i) / pieces));
-        for (std::size_t i = 1; i < points.size(); ++i)
-            reach = std::max(reach, distance(points[i - 1], points[i]));
+        for (std::size_t i = 1; i < points.size(); ++i) reach = std::max(reach, distance(points[i - 1], points[i]));
         reach = (pieces == 1 ? 0.5 : 1.0) * reach + tolerance;
     }
     bool may_hold(const Vec3& p, double tolerance) const {
@@ -102,17 +101,18 @@ struct CurveSamples {
 
 /// By edge, the vertices of the same solids that lie on it away from its ends.
 std::vector<std::vector<std::pair<double, VertexId>>> find_vertices_on(const Brep& brep,
+                                                                       const std::vector<std::vector<SolidId>>& solids,
                                                                        const std::vector<VertexId>& vertex_of,
                                                                        const Projector& projector, double tolerance) {
     std::vector<std::vector<std::pair<double, VertexId>>> found(brep.edge_count());
-    const std::vector<std::vector<SolidId>> solids = solids_of_vertices(brep);
     std::vector<std::pair<double, std::size_t>> by_x;
     for (std::size_t v = 0; v < vertex_of.size(); ++v)
         if (vertex_of[v] == VertexId(v)) by_x.emplace_back(brep.point_of(VertexId(v)).x, v);
     std::sort(by_x.begin(), by_x.end());
     for (std::size_t e = 0; e < found.size(); ++e) {
         const auto ends = brep.ends_of(EdgeId(e));
-        if (brep.is_degenerated(EdgeId(e)) || !ends[0].is_valid() || !ends[1].is_valid() || ends[0] == ends[1]) continue;
+        if (brep.is_degenerated(EdgeId(e)) || !ends[0].is_valid() || !ends[1].is_valid() || ends[0] == ends[1])
+            continue;
         const CurveSamples samples(BRepAdaptor_Curve(brep.edge(EdgeId(e))), tolerance);
         const Box box = samples.box();
         const auto is_outside = [&](const Vec3& p) {
@@ -168,11 +168,13 @@ std::string listed(const std::vector<Entity>& entities) {
 
 }  // namespace
 
-MergedEntities::MergedEntities(const Brep& brep)
-    : vertex_of(merge_vertices(brep, brep.tolerances().negligible())),
-      is_point(brep.edge_count(), 0),
-      is_flat(brep.face_count(), 0) {
-    join_edges(brep);
+MergedEntities::MergedEntities(const Brep& brep) : is_point(brep.edge_count(), 0), is_flat(brep.face_count(), 0) {
+    const double tolerance = brep.tolerances().negligible();
+    const std::vector<std::vector<SolidId>> solids = solids_of_vertices(brep);
+    const Projector projector(brep);
+    vertex_of = merge_vertices(brep, solids, tolerance);
+    vertices_on = find_vertices_on(brep, solids, vertex_of, projector, tolerance);
+    join_edges(brep, projector);
     find_flat_faces(brep);
 }
 
@@ -184,10 +186,8 @@ std::vector<VertexId> MergedEntities::sequence_of(const Brep& brep, EdgeId edge)
     return sequence;
 }
 
-void MergedEntities::join_edges(const Brep& brep) {
+void MergedEntities::join_edges(const Brep& brep, const Projector& projector) {
     const double tolerance = brep.tolerances().negligible();
-    const Projector projector(brep);
-    vertices_on = find_vertices_on(brep, vertex_of, projector, tolerance);
     std::vector<EdgeId> order;  // those with most vertices on them first: others may be parts of them
     for (std::size_t e = 0; e < brep.edge_count(); ++e) {
         edge_of.emplace_back(e);
@@ -198,9 +198,8 @@ void MergedEntities::join_edges(const Brep& brep) {
         else if (ends[0] != ends[1])
             is_point[e] = featuremesh::is_point(brep, EdgeId(e), vertex_of[ends[0].index()], tolerance);
     }
-    std::stable_sort(order.begin(), order.end(), [&](EdgeId a, EdgeId b) {
-        return vertices_on[a.index()].size() > vertices_on[b.index()].size();
-    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](EdgeId a, EdgeId b) { return vertices_on[a.index()].size() > vertices_on[b.index()].size(); });
     std::map<std::array<VertexId, 2>, std::vector<EdgeId>> between;
     for (const EdgeId edge : order) {
         const std::vector<VertexId> sequence = sequence_of(brep, edge);

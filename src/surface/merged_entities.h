@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "features/brep.h"
+#include "surface/projection.h"
 
 namespace featuremesh {
 
@@ -21,8 +22,8 @@ struct MergedEntities {
     std::vector<EdgeId> edge_of;      ///< by edge: the one that has the chain, or a longer one, mostly itself
     /// By edge: vertices of other edges on it, as vertex_of gives them, by growing edge parameter.
     std::vector<std::vector<std::pair<double, VertexId>>> vertices_on;
-    std::vector<char> is_point;       ///< by edge: it has no chain
-    std::vector<char> is_flat;        ///< by face: it has no triangles
+    std::vector<char> is_point;  ///< by edge: it has no chain
+    std::vector<char> is_flat;   ///< by face: it has no triangles
 
     /// What the user should know of it.
     std::vector<std::string> warnings() const;
@@ -30,7 +31,7 @@ struct MergedEntities {
   private:
     /// The vertices along an edge that is not closed, its ends first and last.
     std::vector<VertexId> sequence_of(const Brep& brep, EdgeId edge) const;
-    void join_edges(const Brep& brep);
+    void join_edges(const Brep& brep, const Projector& projector);
     void find_flat_faces(const Brep& brep);
 };
 

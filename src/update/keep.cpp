@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 #include "features/occt_geometry.h"
-#include "surface/merged_entities.h"
 #include "surface/projection.h"
 #include "update/enclosure.h"
 #include "update/entity_finder.h"
@@ -34,9 +32,9 @@ struct Place {
 class Keeper {
   public:
     Keeper(const KeepInput& input, RunContext& context)
-        : in_(input), context_(context), projector_(input.new_brep), merged_(input.new_brep), motions_(input.old_mesh.points.size(), 0),
+        : in_(input), context_(context), projector_(input.new_brep), merged_(std::make_shared<const MergedEntities>(input.new_brep)), motions_(input.old_mesh.points.size(), 0),
           entities_(input.old_mesh.entities), parameters_(input.old_mesh.parameters),
-          is_untouched_(input.old_brep.face_count(), 0), face_boxes_(input.new_brep.face_count()) {
+          is_untouched_(input.old_brep.face_count(), 0), face_boxes_(input.new_brep.face_count()), edge_ranges_(input.new_brep.edge_count()) {
         for (const FaceChange& change : input.difference.faces)
             if (change.verdict == BoundaryVerdict::kept) is_untouched_[change.old_face.index()] = 1;
     }
@@ -180,15 +178,16 @@ class Keeper {
     }
 
     // An edge may have been split, or be one with others: the piece that the node lies within has it.
-    bool place_on_edges(Place& place, const std::vector<EdgeId>& pieces, const Vec3& p) const {
+    bool place_on_edges(Place& place, const std::vector<EdgeId>& pieces, const Vec3& p) {
         return std::any_of(pieces.begin(), pieces.end(), [&](EdgeId edge) { return place_on_edge(place, edge, p); });
     }
 
-    bool place_on_edge(Place& place, EdgeId piece, const Vec3& p) const {
-        const EdgeId edge = merged_.edge_of[piece.index()];   // the one that has the chain
+    bool place_on_edge(Place& place, EdgeId piece, const Vec3& p) {
+        const EdgeId edge = merged_->edge_of[piece.index()];   // the one that has the chain
         place.entity = entity_of(edge);
-        const auto [first, last] = range_of(in_.new_brep, edge);
-        const auto is_within = [&](double t) { return t > first && t < last; };
+        EdgeRange& range = edge_ranges_[edge.index()];
+        if (!(range.first < range.last)) range = range_of(in_.new_brep, edge);
+        const auto is_within = [&](double t) { return t > range.first && t < range.last; };
         if (is_within(place.parameter[0]) && distance(projector_.on_edge(edge, place.parameter[0]), p) <= tolerance()) return true;
         const OnEdge foot = projector_.nearest(edge, p);
         if (!is_within(foot.t) || foot.distance > tolerance()) return false;
@@ -269,11 +268,13 @@ class Keeper {
         take_triangles(kept, tets, new_index);
         mark_changed_sides(kept);
         take_segments(kept, new_index);
+        kept.rim_tets = tets.tets_at(kept.mesh, kept.is_rim, kept.node_origin);
         kept.mesh.next_node_number = in_.old_mesh.next_node_number;
         kept.mesh.next_element_number = in_.old_mesh.next_element_number;
         if (in_.old_mesh.order == 2) kept.curved = with_mid_side_nodes(kept);
         collect_active(kept, new_index);
         count_by_motion(kept, tets);
+        kept.merged = merged_;
         return kept;
     }
 
@@ -491,7 +492,7 @@ class Keeper {
         std::vector<EdgeId> candidates;
         const std::size_t r = std::size_t(motions_[nodes[0].index()]);
         for (const EdgeId piece : regions()[r].new_edges_of[in_.old_mesh.segment_edges[segment].index()])
-            if (const EdgeId edge = merged_.edge_of[piece.index()]; is_at(edge, nodes[0]) && is_at(edge, nodes[1])) candidates.push_back(edge);
+            if (const EdgeId edge = merged_->edge_of[piece.index()]; is_at(edge, nodes[0]) && is_at(edge, nodes[1])) candidates.push_back(edge);
         if (candidates.size() < 2) return candidates.empty() ? EdgeId() : candidates[0];
         const Vec3 middle = (carried(nodes[0].index()) + carried(nodes[1].index())) / 2.0;
         EdgeId best;
@@ -507,8 +508,8 @@ class Keeper {
         const Entity entity = entities_[node.index()];
         if (entity.dim == 1) return entity == entity_of(edge);
         const auto ends = in_.new_brep.ends_of(edge);
-        const VertexId vertex = merged_.vertex_of[std::size_t(entity.index)];
-        return merged_.vertex_of[ends[0].index()] == vertex || merged_.vertex_of[ends[1].index()] == vertex;
+        const VertexId vertex = merged_->vertex_of[std::size_t(entity.index)];
+        return merged_->vertex_of[ends[0].index()] == vertex || merged_->vertex_of[ends[1].index()] == vertex;
     }
 
     // The new edge may be parametrised the other way round.
@@ -576,7 +577,7 @@ class Keeper {
     const KeepInput& in_;
     RunContext& context_;
     Projector projector_;
-    const MergedEntities merged_;
+    const std::shared_ptr<const MergedEntities> merged_;
     // By old node: index of its carried region; then, where it stays, what it is on in the new shape (of inner nodes still the old solid).
     std::vector<std::int32_t> motions_;
     std::vector<Entity> entities_;
@@ -586,6 +587,7 @@ class Keeper {
     std::vector<char> near_change_;    // likewise: and it stays for those tets only
     std::vector<char> is_untouched_;   // by old face: kept in place with all its edges
     std::vector<Box> face_boxes_;      // by new face, empty until asked for
+    std::vector<EdgeRange> edge_ranges_;   // by new edge, likewise
 };
 
 }  // namespace

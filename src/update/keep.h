@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/run_context.h"
@@ -10,6 +11,7 @@
 #include "features/brep.h"
 #include "mesh/mesh.h"
 #include "sizing/sizing_field.h"
+#include "surface/merged_entities.h"
 #include "update/made_for.h"
 #include "update/report.h"
 
@@ -34,8 +36,10 @@ struct Kept {
     Mesh curved;
     std::vector<std::int32_t> node_origin, segment_origin, triangle_origin, tet_origin;   ///< indices in the old mesh
     std::vector<char> is_rim;                  ///< by kept node: a tet around it was not kept
+    std::vector<TetId> rim_tets;               ///< kept tets with such a node, ascending
     std::vector<Vec3> active;                  ///< inner nodes that only serve as start positions
     std::vector<KeptByMotion> by_motion;
+    std::shared_ptr<const MergedEntities> merged;   ///< of the new shape; none where nobody has looked for them
 };
 
 /// A node stays under a motion when it is further from that motion's changed boundary than `margin` edge lengths, the wanted size there is within

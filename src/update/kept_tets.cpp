@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "mesh/tets_at_nodes.h"
 #include "update/enclosure.h"
 
 namespace featuremesh {
@@ -43,6 +44,18 @@ KeptTets::KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::
     if (settle_at_rim(new_brep)) return;
     settle_everywhere(new_brep);
     mark_rim();
+}
+
+std::vector<TetId> KeptTets::tets_at(const Mesh& kept, std::span<const char> is_marked, std::span<const std::int32_t> node_origin) const {
+    for (std::size_t n = 0; n < is_marked.size(); ++n)
+        if (is_marked[n] && !is_rim_[std::size_t(node_origin[n])]) return tets_at_nodes(kept, is_marked);
+    std::vector<TetId> tets;
+    std::size_t dropped_before = 0;
+    for (const std::int32_t t : at_rim_) {
+        while (dropped_before < dropped_.size() && dropped_[dropped_before] < t) ++dropped_before;
+        tets.emplace_back(std::size_t(t) - dropped_before);
+    }
+    return tets;
 }
 
 bool KeptTets::stays(std::size_t tet) const {

@@ -26,6 +26,8 @@ class KeptTets {
     std::span<const std::int32_t> dropped_tets() const { return dropped_; }
     /// Those that stay and have a node in common with one that does not, in order.
     std::span<const std::int32_t> tets_at_rim() const { return at_rim_; }
+    /// Of the mesh of those that stay, in order: with a marked node. Quick where no other nodes are marked than those at the rim.
+    std::vector<TetId> tets_at(const Mesh& kept, std::span<const char> is_marked, std::span<const std::int32_t> node_origin) const;
     bool is_kept(std::size_t tet) const { return is_kept_[tet]; }
     /// Of a kept tet.
     SolidId solid_of(std::size_t tet) const { return solids_.empty() ? solid_of_group(old_.tet_solids[tet], motion_of(tet)) : solids_[tet]; }

@@ -16,6 +16,7 @@
 #include "core/errors.h"
 #include "difference/volume_faces.h"
 #include "mesh/findings.h"
+#include "mesh/tets_at_nodes.h"
 #include "mesh/validation.h"
 #include "sizing/lost_sizes.h"
 #include "surface/mid_side_nodes.h"
@@ -58,17 +59,21 @@ Expectation expectation_of(const Brep& brep) {
     return expected;
 }
 
-/// Nodes around which something is new or gone; empty when nothing was kept.
-std::vector<char> unproven_nodes(const Mesh& mesh, std::vector<char> is_rim, std::size_t first_new_tet,
-                                 const std::vector<std::array<NodeId, 4>>& released) {
-    if (is_rim.empty()) return {};
-    std::vector<char> unproven = std::move(is_rim);
+/// Marks the nodes around which something is new or gone; none when nothing was kept. The tets at them are those at the
+/// rim and the new ones, as long as none at the rim was released.
+void mark_unproven(const Mesh& mesh, Kept kept, std::size_t first_new_tet, const std::vector<std::array<NodeId, 4>>& released,
+                   Expectation& expected) {
+    if (kept.is_rim.empty()) return;
+    std::vector<char>& unproven = expected.is_unproven = std::move(kept.is_rim);
     unproven.resize(mesh.points.size(), 1);
+    bool is_wider = mesh.order == 2 || !released.empty();
     for (std::size_t t = first_new_tet; t < mesh.tets.size(); ++t)
-        for (const NodeId n : mesh.tets[t]) unproven[n.index()] = 1;
+        for (const NodeId n : mesh.tets[t]) is_wider |= !unproven[n.index()], unproven[n.index()] = 1;
     for (const auto& tet : released)
         for (const NodeId n : tet) unproven[n.index()] = 1;
-    return unproven;
+    if (is_wider) return;
+    expected.unproven_tets = std::move(kept.rim_tets);
+    for (std::size_t t = first_new_tet; t < mesh.tets.size(); ++t) expected.unproven_tets.emplace_back(t);
 }
 
 void refuse_turned(const Mesh& mesh, const std::vector<TriangleId>& turned) {
@@ -79,15 +84,30 @@ void refuse_turned(const Mesh& mesh, const std::vector<TriangleId>& turned) {
                     name_of(entity_of(mesh.triangle_faces[t])) + " at " + in_words(p) + ". The face bends too much there for this size; ask for a smaller size on it.");
 }
 
-void validate(const Mesh& mesh, const Brep& brep, std::vector<char> unproven, RunContext& context) {
+void validate(const Mesh& mesh, const Brep& brep, Kept kept, std::size_t first_new_tet, const std::vector<std::array<NodeId, 4>>& released,
+              RunContext& context) {
     RunContext::Step step(context, "validate");
     Expectation expected = expectation_of(brep);
-    expected.is_unproven = std::move(unproven);
+    mark_unproven(mesh, std::move(kept), first_new_tet, released, expected);
     const std::vector<std::string> broken = broken_invariants(mesh, expected, context);
     if (!broken.empty())
         throw MeshError("The mesh is not valid: " + broken.front() +
                         (broken.size() > 1 ? " (and " + std::to_string(broken.size() - 1) + " more)" : "") + ".");
     refuse_turned(mesh, turned_triangles(brep, mesh, expected.is_unproven, context));
+}
+
+/// Nodes of new triangles belong to it, too.
+void widen_rim(const Mesh& mesh, std::size_t kept_triangles, Kept& kept) {
+    const std::size_t kept_nodes = kept.is_rim.size();
+    kept.is_rim.resize(mesh.node_count(), 1);
+    bool is_wider = false;
+    for (std::size_t t = kept_triangles; t < mesh.triangles.size(); ++t)
+        for (const NodeId n : mesh.triangles[t]) {
+            char& is_rim = kept.is_rim[n.index()];
+            is_wider |= n.index() < kept_nodes && !is_rim;
+            is_rim = 1;
+        }
+    if (is_wider) kept.rim_tets = tets_at_nodes(mesh, kept.is_rim);
 }
 
 struct Filled {
@@ -102,22 +122,18 @@ struct Filled {
 /// `second.shorter` tells where 10-node tets need shorter edges; the result counts only when it is empty.
 Filled fill_once(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, SecondOrder& second, RunContext& context) {
     const std::size_t kept_tets = kept.mesh.tets.size(), kept_triangles = kept.mesh.triangles.size();
-    SurfaceResult surface = fill_surface(brep, sizing, std::move(kept.mesh), context);
-    if (!kept.is_rim.empty()) {
-        kept.is_rim.resize(surface.mesh.node_count(), 1);
-        for (std::size_t t = kept_triangles; t < surface.mesh.triangles.size(); ++t)
-            for (const NodeId n : surface.mesh.triangles[t]) kept.is_rim[n.index()] = 1;
-    }
+    SurfaceResult surface = fill_surface(brep, sizing, std::move(kept.mesh), context, kept.merged.get());
+    if (!kept.is_rim.empty()) widen_rim(surface.mesh, kept_triangles, kept);
     VolumeOptions volume_options = options.volume;
     volume_options.splits_wall_tets |= options.sizing.elements_across_gap >= elements_that_bend;
-    VolumeResult volume = fill_solids(brep, sizing, std::move(surface.mesh), kept.active, volume_options, context, kept.is_rim);
+    VolumeResult volume = fill_solids(brep, sizing, std::move(surface.mesh), kept.active, volume_options, context, {kept.is_rim, kept.rim_tets});
     Mesh mesh = std::move(volume.mesh);
     if (options.order == 2) {
         second = try_second_order(brep, std::move(mesh), kept.curved.order == 2 ? &kept.curved : nullptr, context);
         if (!second.shorter.empty()) return {};
         mesh = std::move(second.mesh);
     }
-    validate(mesh, brep, unproven_nodes(mesh, std::move(kept.is_rim), kept_tets - volume.released.size(), volume.released_nodes), context);
+    validate(mesh, brep, std::move(kept), kept_tets - volume.released.size(), volume.released_nodes, context);
     return {std::move(mesh), std::move(surface.report), std::move(volume.report), std::move(volume.released), std::move(volume.moved), std::move(volume.used_active)};
 }
 

@@ -97,9 +97,13 @@ void visit_triangle_sides(const Mesh& mesh, std::span<const std::array<SolidId, 
 }
 
 template <class Visit>
-void visit_kept(const Mesh& mesh, std::span<const std::uint8_t> is_released, Visit visit) {
-    for (std::size_t i = 0; i < mesh.tets.size(); ++i)
-        if (is_released.empty() || !is_released[i]) visit(TetId(i), mesh.tets[i], mesh.tet_solids[i].value);
+void visit_kept(const Mesh& mesh, std::span<const std::uint8_t> is_released, std::optional<std::span<const TetId>> near,
+                Visit visit) {
+    const std::size_t count = near ? near->size() : mesh.tets.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t t = near ? (*near)[i].index() : i;
+        if (is_released.empty() || !is_released[t]) visit(TetId(t), mesh.tets[t], mesh.tet_solids[t].value);
+    }
 }
 
 std::vector<char> open_nodes(const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,
@@ -108,19 +112,19 @@ std::vector<char> open_nodes(const Mesh& mesh, std::span<const std::array<SolidI
     visit_triangle_sides(mesh, face_sides, [&](TriangleId, const std::array<NodeId, 3>& outward, int region) {
         open.add_triangle(outward, region);
     });
-    visit_kept(mesh, is_released,
+    visit_kept(mesh, is_released, {},
                [&](TetId, const std::array<NodeId, 4>& tet, int region) { open.add_tet(tet, region); });
     return open.marks();
 }
 
 std::vector<Side> sides_at(std::span<const char> open, const Mesh& mesh,
                            std::span<const std::array<SolidId, 2>> face_sides,
-                           std::span<const std::uint8_t> is_released) {
+                           std::span<const std::uint8_t> is_released, std::optional<std::span<const TetId>> near) {
     std::vector<Side> sides;
     visit_triangle_sides(mesh, face_sides, [&](TriangleId t, const std::array<NodeId, 3>& outward, int region) {
         if (are_open(open, outward)) sides.push_back(make_side(outward, region, t, TetId()));
     });
-    visit_kept(mesh, is_released, [&](TetId t, const std::array<NodeId, 4>& tet, int region) {
+    visit_kept(mesh, is_released, near, [&](TetId t, const std::array<NodeId, 4>& tet, int region) {
         const int count = open[tet[0].index()] + open[tet[1].index()] + open[tet[2].index()] + open[tet[3].index()];
         if (count < 3) return;
         for (int k = 0; k < 4; ++k)
@@ -263,10 +267,12 @@ std::vector<int> number_parts(const Cavity& cavity, int& part_count) {
 }  // namespace
 
 Cavity find_cavity(const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,
-                   std::span<const std::uint8_t> is_released, std::span<const char> may_be_open) {
+                   std::span<const std::uint8_t> is_released, std::span<const char> may_be_open,
+                   std::optional<std::span<const TetId>> near) {
     std::vector<char> found;
     if (may_be_open.empty()) found = open_nodes(mesh, face_sides, is_released);
-    const std::vector<Side> sides = sides_at(may_be_open.empty() ? found : may_be_open, mesh, face_sides, is_released);
+    const std::vector<Side> sides =
+        sides_at(may_be_open.empty() ? found : may_be_open, mesh, face_sides, is_released, near);
     std::vector<Side> unmatched;
     for (std::size_t begin = 0; begin < sides.size();) {
         const std::size_t end = end_of_group(sides, begin);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,11 +22,13 @@ struct Cavity {
 };
 
 /// Triangles whose solid sides are not covered by a kept tet, and faces of kept tets that no other kept tet and no
-/// triangle matches. One linear pass over the tets; the rest costs what the cavity costs. `face_sides` as
-/// Brep::sides_of by FaceId; `is_released` by TetId marks tets that count as not there (empty: none); `may_be_open` by
-/// node marks all nodes that the cavity can have (empty: unknown, they are searched for).
+/// triangle matches. One linear pass over the tets, unless `near` is given; the rest costs what the cavity costs.
+/// `face_sides` as Brep::sides_of by FaceId; `is_released` by TetId marks tets that count as not there (empty: none);
+/// `may_be_open` by node marks all nodes that the cavity can have (empty: unknown, they are searched for); `near` are
+/// all tets with such a node, ascending (none: searched for).
 Cavity find_cavity(const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,
-                   std::span<const std::uint8_t> is_released = {}, std::span<const char> may_be_open = {});
+                   std::span<const std::uint8_t> is_released = {}, std::span<const char> may_be_open = {},
+                   std::optional<std::span<const TetId>> near = {});
 
 /// Facets with an edge around which the boundary of a region does not close; ascending.
 std::vector<int> open_facets(const Cavity& cavity);

@@ -86,7 +86,7 @@ bool is_flat(const TetComplex& complex, const std::array<int, 4>& tet) {
 class Filling {
   public:
     Filling(const Brep& brep, const SizingField& sizing, Mesh surface, std::span<const Vec3> active,
-            const VolumeOptions& options, RunContext& context, std::span<const char> rim)
+            const VolumeOptions& options, RunContext& context, const KeptRim& rim)
         : brep_(brep),
           sizing_(sizing),
           active_(active),
@@ -94,9 +94,10 @@ class Filling {
           context_(context),
           sides_(sides_of_faces(brep)),
           is_released_(surface.tets.size(), 0),
-          may_be_open_(rim.begin(), rim.end()),
+          may_be_open_(rim.nodes.begin(), rim.nodes.end()),
           projector_(brep) {
         result_.mesh = std::move(surface);
+        if (!rim.nodes.empty()) rim_tets_ = rim.tets;
         size_ = {[this](const Vec3& p) { return sizing_.at(p); }, sizing.largest(), sizing.is_uniform()};
     }
 
@@ -124,7 +125,7 @@ class Filling {
     /// One round; true when every cavity is full.
     bool fill_all() {
         if (!may_be_open_.empty()) may_be_open_.resize(result_.mesh.node_count(), 1);
-        cavities_ = separate_cavities(find_cavity(result_.mesh, sides_, is_released_, may_be_open_));
+        cavities_ = separate_cavities(find_cavity(result_.mesh, sides_, is_released_, may_be_open_, rim_tets_));
         fills_.assign(cavities_.size(), {});
         is_finished_.assign(cavities_.size(), 0);
         parallel_for(context_, cavities_.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -225,6 +226,7 @@ class Filling {
     void release(TetId tet) {
         is_released_[tet.index()] = 1;
         if (may_be_open_.empty()) return;
+        rim_tets_.reset();
         for (const NodeId n : result_.mesh.tets[tet.index()]) may_be_open_[n.index()] = 1;
     }
 
@@ -565,7 +567,8 @@ class Filling {
     RunContext& context_;
     std::vector<std::array<SolidId, 2>> sides_;
     std::vector<std::uint8_t> is_released_;
-    std::vector<char> may_be_open_;  ///< by node, or empty when it is not known
+    std::vector<char> may_be_open_;     ///< by node, or empty when it is not known
+    std::optional<std::span<const TetId>> rim_tets_;  ///< with a node that may be open, until a tet is released
     Projector projector_;
     WantedSize size_;
     std::vector<Cavity> cavities_;
@@ -584,7 +587,7 @@ class Filling {
 }  // namespace
 
 VolumeResult fill_solids(const Brep& brep, const SizingField& sizing, Mesh surface, std::span<const Vec3> active,
-                         const VolumeOptions& options, RunContext& context, std::span<const char> rim) {
+                         const VolumeOptions& options, RunContext& context, const KeptRim& rim) {
     if (surface.order != 1) throw InputError("solids are filled with 4-node tets; the mesh given has mid-side nodes");
     return Filling(brep, sizing, std::move(surface), active, options, context, rim).run();
 }

@@ -36,6 +36,12 @@ struct VolumeReport {
     std::vector<std::string> warnings;
 };
 
+/// Where something is missing in a mesh that is to be filled.
+struct KeptRim {
+    std::span<const char> nodes;   ///< by node: an element around it is not there; empty where that is not known
+    std::span<const TetId> tets;   ///< all with such a node, ascending
+};
+
 struct VolumeResult {
     Mesh mesh;
     VolumeReport report;
@@ -47,10 +53,10 @@ struct VolumeResult {
 
 /// Takes a 4-node mesh whose surface is complete and whose tets (if any) are kept; gives it back with every solid full.
 /// Kept nodes keep their places in the arrays, and their bits but for the moved ones; kept tets stay in front in their order but for the released
-/// ones. `active` are start positions for inner nodes that survived without being kept. `rim` marks the nodes of the
-/// input at which something is not kept; it spares the search for them (empty: searched). The same bytes for any number
+/// ones. `active` are start positions for inner nodes that survived without being kept. `rim` tells where something is
+/// not kept, which spares the search for it (no nodes: searched). The same bytes for any number
 /// of threads. Throws MeshError that names the faces where the boundary could not be recovered.
 VolumeResult fill_solids(const Brep& brep, const SizingField& sizing, Mesh surface, std::span<const Vec3> active,
-                         const VolumeOptions& options, RunContext& context, std::span<const char> rim = {});
+                         const VolumeOptions& options, RunContext& context, const KeptRim& rim = {});
 
 }  // namespace featuremesh
