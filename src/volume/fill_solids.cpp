@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -383,7 +384,7 @@ class Filling {
         if (options_.splits_wall_tets) split_wall_tets();
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
             TetComplex& complex = regions_[i].complex;
-            is_thick_[i] = thicken(complex, least_volume(mended_share), context_).empty();
+            is_thick_[i] = thicken(complex, least_volume(mended_share), context_, most_insertions(regions_[i])).empty();
             const std::size_t improved = improve_beside_needles(complex, options_.target_dihedral_deg, least_volume(mended_share), context_);
             const bool is_mended = regions_[i].taken_count() > 0 || improved > 0;
             report.released_for_quality += give_back(regions_[i], result_.mesh, is_released_);
@@ -391,6 +392,12 @@ class Filling {
                 is_mended ? regions_[i].count_bad(options_.target_dihedral_deg) : reports[i].second.left;
             if (!is_thick_[i]) leave_out_flat_tets(cavities_[i], complex);
         }
+    }
+
+    /// With fewer kept tets, or none, there is another way, which a long search here would only put off.
+    static std::size_t most_insertions(const SeamRegion& region) {
+        constexpr std::size_t at_least = 40, tets_per_insertion = 1000;
+        return region.has_seam() ? at_least + region.complex.tets.size() / tets_per_insertion : std::numeric_limits<std::size_t>::max();
     }
 
     void split_wall_tets() {
@@ -408,9 +415,8 @@ class Filling {
         SliverOptions sliver_options;
         sliver_options.target_dihedral_deg = options_.target_dihedral_deg;
         SliverReport slivers = remove_slivers(complex, sliver_options, context);
-        ShapeOptions shape_options;
-        shape_options.target_dihedral_deg = options_.target_dihedral_deg;
-        shape_options.among = regions_[i].vertices_near_seam(edges_to_seam);
+        const ShapeOptions shape_options{.target_dihedral_deg = options_.target_dihedral_deg,
+                                         .among = regions_[i].vertices_near_seam(edges_to_seam)};
         if (optimise_shapes(complex, shape_options, context).moves > 0) slivers.left = regions_[i].count_bad(options_.target_dihedral_deg);
         return {odt, slivers};
     }

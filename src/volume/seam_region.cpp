@@ -31,6 +31,10 @@ std::vector<int> SeamRegion::bad_tets_at_seam(double target_dihedral_deg) const 
     return bad;
 }
 
+bool SeamRegion::has_seam() const {
+    return std::find(is_at_seam_.begin(), is_at_seam_.end(), 1) != is_at_seam_.end();
+}
+
 std::vector<int> SeamRegion::vertices_near_seam(int edges) const {
     std::vector<std::uint8_t> is_near = is_at_seam_;
     is_near.resize(complex.points.size(), 0);

@@ -20,6 +20,8 @@ class SeamRegion {
 
     TetComplex complex;
 
+    /// Kept tets were around the cavity.
+    bool has_seam() const;
     /// Tets that touch the seam and miss the target.
     std::vector<int> bad_tets_at_seam(double target_dihedral_deg) const;
     /// Vertices with so few edges between them and the seam, ascending.

@@ -196,9 +196,10 @@ class ThickCavity {
 
 class Thickener {
   public:
-    Thickener(TetComplex& complex, double least_volume, RunContext& context)
+    Thickener(TetComplex& complex, double least_volume, std::size_t most_insertions, RunContext& context)
         : complex_(complex),
           least_volume_(least_volume),
+          insertions_left_(most_insertions),
           context_(context),
           editor_(complex),
           cavity_(editor_, least_volume) {}
@@ -294,6 +295,8 @@ class Thickener {
     /// A new vertex in the tet, or on one of its inner edges: where boundary nodes alone make it, as across a thin wall
     /// with a short edge on either side.
     bool insert(int tet) {
+        if (insertions_left_ == 0) return false;
+        --insertions_left_;
         const Tet& v = complex_.tets[tet];
         const auto& p = complex_.points;
         std::vector<std::pair<std::vector<int>, Vec3>> starts{{{tet}, (p[v[0]] + p[v[1]] + p[v[2]] + p[v[3]]) / 4}};
@@ -355,6 +358,7 @@ class Thickener {
 
     TetComplex& complex_;
     double least_volume_;
+    std::size_t insertions_left_;
     RunContext& context_;
     CavityEditor editor_;
     ThickCavity cavity_;
@@ -368,11 +372,11 @@ double thickness(const TetComplex& complex, const std::array<int, 4>& tet, doubl
     return thickness_of_corners({p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]}, least_volume);
 }
 
-std::vector<int> thicken(TetComplex& complex, double least_volume, RunContext& context) {
+std::vector<int> thicken(TetComplex& complex, double least_volume, RunContext& context, std::size_t most_insertions) {
     std::vector<int> thin = thin_tets(complex, least_volume, context);
     const double most_thin = most_thin_share * static_cast<double>(std::max(few_tets, complex.tets.size()));
     if (thin.empty() || static_cast<double>(thin.size()) > most_thin) return thin;
-    return Thickener(complex, least_volume, context).run(std::move(thin));
+    return Thickener(complex, least_volume, most_insertions, context).run(std::move(thin));
 }
 
 }  // namespace featuremesh

@@ -2,6 +2,8 @@
 // The last resort for tets that hardly have a volume.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "core/run_context.h"
@@ -15,7 +17,8 @@ double thickness(const TetComplex& complex, const std::array<int, 4>& tet, doubl
 
 /// Tets of a thickness below 1 get rid of it by moves and collapses of free vertices and removals of edges, whatever
 /// that does to angles. Gives those that are left, ascending: all, and nothing was done, where they are over 3 % of the
-/// tets (and over 60).
-std::vector<int> thicken(TetComplex& complex, double least_volume, RunContext& context);
+/// tets (and over 60). What costs most, a new vertex, is tried for at most so many tets.
+std::vector<int> thicken(TetComplex& complex, double least_volume, RunContext& context,
+                         std::size_t most_insertions = std::numeric_limits<std::size_t>::max());
 
 }  // namespace featuremesh

@@ -39,6 +39,25 @@ TEST_CASE("thin tets inside get a volume again, and the outside stays") {
     }
 }
 
+TEST_CASE("new vertices are tried for no more tets than asked for") {
+    std::size_t added = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        TetComplex start = box_of_tets(4, 0.19, seed);
+        for (const int v : {2 + 5 * 1 + 25 * 1, 2 + 5 * 2 + 25 * 1, 2 + 5 * 1 + 25 * 2, 2 + 5 * 2 + 25 * 2})
+            start.points[v] = start.points[v + 1] - Vec3{1e-3, 0, 0};
+        start.is_fixed.assign(start.points.size(), 1);
+        RunContext context;
+        for (const std::size_t most : {std::size_t{0}, std::size_t{2}}) {
+            TetComplex box = start;
+            thicken(box, 1e-3, context, most);
+            CHECK(box.points.size() - start.points.size() <= most);
+        }
+        thicken(start, 1e-3, context);
+        added = std::max(added, start.points.size() - 125);
+    }
+    CHECK(added > 2);
+}
+
 TEST_CASE("a complex without thin tets is left as it is") {
     TetComplex box = box_of_tets(3, 0.1, 7);
     const TetComplex before = box;
