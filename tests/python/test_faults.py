@@ -20,6 +20,7 @@ from freecad.featuremesh.errors import UserError
 from parts import new_document, plate_with_hole
 
 SIZE = 4.0
+EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples")
 HERE = os.path.dirname(os.path.abspath(__file__))
 SAVING_FOR_EVER = """
 import os, sys
@@ -237,10 +238,29 @@ class Faults(unittest.TestCase):
         order = np.argsort(arrays["node_numbers"])
         return arrays["points"][order[np.searchsorted(arrays["node_numbers"], numbers, sorter=order)]]
 
-    def test_twenty_edits_keep_numbers_small_and_renumbering_is_asked_for(self):
+    def test_numbers_stay_below_four_times_the_count_over_twenty_edits(self):
+        """A hole that moves on and on, with other dimensions changed in between, and nobody asks for a renumbering."""
+        path = os.path.join(self.folder, "bracket.FCStd")
+        shutil.copyfile(os.path.join(EXAMPLES, "bracket.FCStd"), path)
+        document = documents.open_document(path)
+        mesh = api.add_mesh(document.getObject("Body"), 4.0)
+        mesh.Automatic = False
+        api.update_mesh(mesh)
+        for edit in range(20):
+            parameter = {6: "HoleSketch.Hole1Radius=%g" % (4.5 + 0.02 * edit), 3: "PlateSketch.PlateLength=%g" % (120 + 0.5 * edit)}.get(
+                edit % 7, "HoleSketch.Hole6X=%g" % (96 + edit % 9))
+            api.set_parameters(document, [parameter])
+            api.recompute(document)
+            report = api.update_mesh(mesh)
+            self.assertIsNone(report["fallback"])
+        for numbers, count in ((mesh.FemMesh.Nodes, mesh.NodeCount), (mesh.FemMesh.Volumes, mesh.TetCount)):
+            self.assertLess(max(numbers), 4 * count)
+            self.assertGreater(max(numbers), count)
+
+    def test_renumbering_is_asked_for(self):
         for x in range(20):
             self.edit(21 + x % 2)
-        self.assertLess(max(self.mesh.FemMesh.Nodes), 20 * self.mesh.NodeCount)
+        self.assertGreater(max(self.mesh.FemMesh.Nodes), self.mesh.NodeCount)
         before = self.arrays()
         largest = api.renumber_mesh(self.mesh)
         self.assertEqual(largest[0], before["node_numbers"].max() if before["counters"][2] == before["node_numbers"].max() + 1

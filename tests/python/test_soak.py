@@ -201,8 +201,14 @@ class Soak(unittest.TestCase):
         # the state grows with the part, not with the number of edits
         (first, first_nodes), (last, last_nodes) = sizes[0], sizes[-1]
         self.assertLess(last, 1.5 * first * max(1, last_nodes / first_nodes) + 50 * last_nodes)
+        self.check_numbers(mesh)
         self.check_memory(mesh, states)
         return len(kept_shares)
+
+    def check_numbers(self, mesh):
+        """Of small meshes random edits use numbers up; asked for, they start at 1 again."""
+        api.renumber_mesh(mesh)
+        self.assertEqual(max(mesh.FemMesh.Nodes), mesh.NodeCount)
 
     def check_memory(self, mesh, states):
         """Updates to and fro between the last two states. FreeCAD keeps the memory of every mesh that is handed over to it, so none is."""
