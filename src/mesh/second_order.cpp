@@ -240,7 +240,9 @@ void take_over_kept_mids(Mesh& mesh, const Mesh& kept, const RunContext& context
         const std::int32_t old = kept_sides.find(a, b);
         if (old >= 0) side_of[static_cast<std::size_t>(old)] = {a, b};
     });
+    RoundWatch watch(context);
     for (std::size_t old = kept.corner_count; old < side_of.size(); ++old) {
+        watch();
         if (!side_of[old][0].is_valid()) continue;
         sides.value(side_of[old][0], side_of[old][1]) = static_cast<std::int32_t>(mesh.points.size());
         mesh.points.push_back(kept.points[old]);

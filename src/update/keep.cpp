@@ -13,6 +13,7 @@
 #include "update/entity_finder.h"
 #include "update/kept_tets.h"
 #include "update/shape_coverage.h"
+#include "update/solid_sides.h"
 
 namespace featuremesh {
 
@@ -41,10 +42,12 @@ class Keeper {
 
     Kept run() {
         choose_motions();
+        context_.check_cancelled();
         find_untouched_solids();
         drop_near_changes();
         place_on_entities();
         clear_between_motions();
+        context_.check_cancelled();
         const KeptTets tets(in_.old_mesh, motions_, regions(), in_.old_brep, in_.new_brep, near_change_, untouched_solids_);
         return assemble(tets);
     }
@@ -63,7 +66,9 @@ class Keeper {
         for (std::size_t r = 1; r < regions().size(); ++r) {
             if (regions()[r].volumes.empty()) continue;
             const Enclosure inside(regions()[r].volumes);
+            RoundWatch watch(context_);
             for (std::size_t t = 0; t < old.tets.size(); ++t) {
+                watch();
                 const auto& [a, b, c, d] = old.tets[t];
                 if (!inside.contains((old.point(a) + old.point(b) + old.point(c) + old.point(d)) / 4)) continue;
                 for (const NodeId n : old.tets[t]) motions_[n.index()] = std::int32_t(r);
@@ -99,15 +104,6 @@ class Keeper {
         }
     }
 
-    // By solid, ascending.
-    static std::vector<std::vector<FaceId>> faces_of_solids(const Brep& brep) {
-        std::vector<std::vector<FaceId>> faces(brep.solid_count());
-        for (std::size_t f = 0; f < brep.face_count(); ++f)
-            for (const SolidId s : brep.sides_of(FaceId(f)))
-                if (s.is_valid() && (faces[s.index()].empty() || faces[s.index()].back() != FaceId(f))) faces[s.index()].emplace_back(f);
-        return faces;
-    }
-
     bool size_changed(std::size_t n, double wanted) const {
         const SizedMesh old{in_.old_mesh, in_.old_sizing, in_.made_for};
         const double was = old.made_for_at(NodeId(n));
@@ -141,8 +137,10 @@ class Keeper {
     }
 
     void place_on_entities() {
-        for (std::size_t n = 0; n < node_count(); ++n)
+        for (std::size_t n = 0; n < node_count(); ++n) {
+            if (n % 4096 == 0) context_.check_cancelled();
             if (motions_[n] != dropped && !place_node(n)) motions_[n] = dropped;
+        }
     }
 
     // The verdict "unchanged" is not believed: every boundary node is measured against the new shape.
@@ -263,8 +261,10 @@ class Keeper {
     Kept assemble(const KeptTets& tets) {
         Kept kept;
         reserve(kept);
+        context_.check_cancelled();
         const std::vector<std::int32_t> new_index = take_nodes(kept, tets);
         take_tets(kept, tets, new_index);
+        context_.check_cancelled();
         take_triangles(kept, tets, new_index);
         mark_changed_sides(kept);
         take_segments(kept, new_index);
@@ -359,15 +359,6 @@ class Keeper {
             if (was[old_face.index()] == is[kept.mesh.triangle_faces[t].index()]) continue;
             for (const NodeId n : kept.mesh.triangles[t]) kept.is_rim[n.index()] = 1;
         }
-    }
-
-    static std::vector<char> counts_of_sides(const Brep& brep) {
-        std::vector<char> counts;
-        for (std::size_t f = 0; f < brep.face_count(); ++f) {
-            const auto sides = brep.sides_of(FaceId(f));
-            counts.push_back(char(sides[0].is_valid() + sides[1].is_valid()));
-        }
-        return counts;
     }
 
     template <std::size_t N>
@@ -536,7 +527,9 @@ class Keeper {
             curved.node_numbers.push_back(old.node_numbers[n]);
             return mid;
         };
+        RoundWatch watch(context_);
         for (std::size_t t = 0; t < kept.tet_origin.size(); ++t) {
+            watch();
             std::array<NodeId, 6> mids;
             for (int s = 0; s < 6; ++s) {
                 mids[s] = take(old.tet_mids[std::size_t(kept.tet_origin[t])][s]);
@@ -558,7 +551,9 @@ class Keeper {
     }
 
     void collect_active(Kept& kept, const std::vector<std::int32_t>& new_index) const {
+        RoundWatch watch(context_);
         for (std::size_t n = 0; n < in_.old_mesh.corner_count; ++n) {
+            watch();
             if (new_index[n] >= 0 || in_.old_mesh.entities[n].dim != 3) continue;
             const Vec3& p = in_.old_mesh.points[n];
             const double wanted = in_.new_sizing.at(p);

@@ -260,15 +260,17 @@ std::vector<std::int32_t> without(const std::vector<std::int32_t>& origins, cons
 }
 
 /// Kept corner nodes stay in front; kept mid-side nodes are found by their numbers, which are never given twice.
-std::vector<std::int32_t> node_origins(const Mesh& old, const Filled& filled, const std::vector<std::int32_t>& corners) {
+std::vector<std::int32_t> node_origins(const Mesh& old, const Filled& filled, const std::vector<std::int32_t>& corners, const RunContext& context) {
     const Mesh& mesh = filled.mesh;
     std::vector<std::int32_t> origins = extended(corners, mesh.node_count());
     for (const NodeId n : filled.moved) origins[n.index()] = -1;
     if (old.order == 1 || mesh.order == 1) return origins;
     std::vector<std::pair<Number, std::int32_t>> of_number;
     for (std::size_t n = old.corner_count; n < old.node_count(); ++n) of_number.emplace_back(old.node_numbers[n], std::int32_t(n));
-    std::sort(of_number.begin(), of_number.end());
+    if (!std::is_sorted(of_number.begin(), of_number.end())) std::sort(of_number.begin(), of_number.end());
+    RoundWatch watch(context);
     for (std::size_t n = mesh.corner_count; n < mesh.node_count(); ++n) {
+        watch();
         const auto it = std::lower_bound(of_number.begin(), of_number.end(), std::pair<Number, std::int32_t>{mesh.node_numbers[n], 0});
         if (it != of_number.end() && it->first == mesh.node_numbers[n]) origins[n] = it->second;
     }
@@ -439,7 +441,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     const double total = seconds_since(start);
     record_mesh(filled->mesh, sizing, options, context, report);
     record_fill(*filled, report);
-    node_origin = node_origins(old.mesh, *filled, node_origin);
+    node_origin = node_origins(old.mesh, *filled, node_origin, context);
     tet_origin = extended(without(tet_origin, filled->released), filled->mesh.tets.size());
     MadeFor sizes = made_for(filled->mesh, sizing, {old.mesh, old.sizing, old.made_for}, node_origin);
     auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled->mesh), std::move(node_origin),
@@ -488,7 +490,7 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, cons
     const double total = seconds_since(start);
     record_mesh(filled->mesh, sizing, options, context, report);
     record_fill(*filled, report);
-    node_origin = node_origins(foreign, *filled, node_origin);
+    node_origin = node_origins(foreign, *filled, node_origin, context);
     tet_origin = extended(without(tet_origin, filled->released), filled->mesh.tets.size());
     auto now = std::make_shared<PartMesh>(PartMesh{std::move(part), std::move(document), options, sizing, std::move(filled->mesh),
                                                    std::move(node_origin), std::move(tet_origin), {}, {}, adopted_sizes});

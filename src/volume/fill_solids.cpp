@@ -9,17 +9,19 @@
 #include <optional>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "core/errors.h"
 #include "mesh/findings.h"
+#include "mesh/tets_at_nodes.h"
 #include "surface/projection.h"
 #include "volume/constrained_delaunay.h"
 #include "volume/facet_split.h"
 #include "volume/fill_cavity.h"
 #include "volume/flip_facets.h"
 #include "volume/lean_needles.h"
-#include "volume/needle_neighbours.h"
 #include "volume/local_recovery.h"
+#include "volume/needle_neighbours.h"
 #include "volume/optimise.h"
 #include "volume/seam_mending.h"
 #include "volume/short_edges.h"
@@ -98,7 +100,7 @@ class Filling {
           may_be_open_(rim.nodes.begin(), rim.nodes.end()),
           projector_(brep) {
         result_.mesh = std::move(surface);
-        if (!rim.nodes.empty()) rim_tets_ = rim.tets;
+        rim_tets_.assign(rim.tets.begin(), rim.tets.end());
         size_ = {[this](const Vec3& p) { return sizing_.at(p); }, sizing.largest(), sizing.is_uniform()};
     }
 
@@ -126,7 +128,9 @@ class Filling {
     /// One round; true when every cavity is full.
     bool fill_all() {
         if (!may_be_open_.empty()) may_be_open_.resize(result_.mesh.node_count(), 1);
-        cavities_ = separate_cavities(find_cavity(result_.mesh, sides_, is_released_, may_be_open_, rim_tets_));
+        if (std::exchange(is_rim_wider_, false)) rim_tets_ = tets_at_nodes(result_.mesh, may_be_open_);
+        const auto near = may_be_open_.empty() ? std::nullopt : std::optional(std::span<const TetId>(rim_tets_));
+        cavities_ = separate_cavities(find_cavity(result_.mesh, sides_, is_released_, may_be_open_, near));
         fills_.assign(cavities_.size(), {});
         is_finished_.assign(cavities_.size(), 0);
         parallel_for(context_, cavities_.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -146,8 +150,8 @@ class Filling {
         Cavity& cavity = cavities_[i];
         CavityFill& fill = fills_[i];
         const std::vector<int>& missing = fill.places.missing;
-        if (missing.empty() || !std::all_of(missing.begin(), missing.end(),
-                                            [&](int f) { return cavity.triangle_of_facet[f].is_valid(); }))
+        if (missing.empty() ||
+            !std::all_of(missing.begin(), missing.end(), [&](int f) { return cavity.triangle_of_facet[f].is_valid(); }))
             return;
         const FacetSplit flips = flip_missing(cavity, fill, result_.mesh);
         if (flips.pieces.size() != missing.size() ||
@@ -227,7 +231,7 @@ class Filling {
     void release(TetId tet) {
         is_released_[tet.index()] = 1;
         if (may_be_open_.empty()) return;
-        rim_tets_.reset();
+        is_rim_wider_ = true;
         for (const NodeId n : result_.mesh.tets[tet.index()]) may_be_open_[n.index()] = 1;
     }
 
@@ -341,8 +345,8 @@ class Filling {
         std::size_t listed = 0;
         for (const FaceId face : faces)
             if (listed++ < 6) names += (names.empty() ? "" : ", ") + name_of(entity_of(face));
-        throw MeshError("the shape touches itself: nodes of " + names +
-                        " lie in the same place, such as " + in_words(last) + "; repair it there (Part: Check geometry)");
+        throw MeshError("the shape touches itself: nodes of " + names + " lie in the same place, such as " +
+                        in_words(last) + "; repair it there (Part: Check geometry)");
     }
 
     [[noreturn]] void throw_crossing(const Cavity& cavity, const std::vector<int>& crossing) const {
@@ -573,8 +577,9 @@ class Filling {
     RunContext& context_;
     std::vector<std::array<SolidId, 2>> sides_;
     std::vector<std::uint8_t> is_released_;
-    std::vector<char> may_be_open_;     ///< by node, or empty when it is not known
-    std::optional<std::span<const TetId>> rim_tets_;  ///< with a node that may be open, until a tet is released
+    std::vector<char> may_be_open_;  ///< by node, or empty when it is not known
+    std::vector<TetId> rim_tets_;    ///< all with such a node
+    bool is_rim_wider_ = false;      ///< so that there may be more of them
     Projector projector_;
     WantedSize size_;
     std::vector<Cavity> cavities_;

@@ -6,6 +6,7 @@
 
 #include "../mesh/box_mesh.h"
 #include "catch.h"
+#include "mesh/tets_at_nodes.h"
 #include "volume/cavity.h"
 
 using namespace featuremesh;
@@ -84,6 +85,11 @@ TEST_CASE("the cavity is what brute force finds, and encloses what was released"
     CHECK(told.nodes == cavity.nodes);
     CHECK(told.tet_of_facet == cavity.tet_of_facet);
     CHECK(told.triangle_of_facet == cavity.triangle_of_facet);
+    const std::vector<TetId> near = tets_at_nodes(mesh, rim);
+    const Cavity led = find_cavity(mesh, outer_faces, is_released, rim, near);
+    CHECK(led.nodes == cavity.nodes);
+    CHECK(led.tet_of_facet == cavity.tet_of_facet);
+    CHECK(led.triangle_of_facet == cavity.triangle_of_facet);
     CHECK(volume_between(cavity) == Approx(volume_of(mesh, is_released)));
     CHECK(open_facets(cavity).empty());
     for (std::size_t i = 0; i < cavity.facets.size(); ++i) {
