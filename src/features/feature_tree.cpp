@@ -314,6 +314,7 @@ class Interpreter {
                 difference_of(feature(i).before, after, std::min(8.0, seconds_left_), context_, known_difference(i));
             seconds_left_ = std::max(0.5, seconds_left_ - (used_seconds(context_) - start));
         }
+        feature(i).difference = std::make_shared<const ShapeDifference>(difference);
         if (!difference.closed) {
             note(i,
                  "what it adds and removes could not be told from the shapes before and after it; it is taken as one "
@@ -327,7 +328,6 @@ class Interpreter {
             feature(i).volumes.push_back({solid, Effect::removes, counts ? instance++ : 0, {}, Effect::removes});
         for (const auto& solid : difference.added)
             feature(i).volumes.push_back({solid, Effect::adds, counts ? instance++ : 0, {}, Effect::adds});
-        feature(i).difference = std::make_shared<const ShapeDifference>(difference);
         feature(i).volume_source = "before and after";
         return true;
     }

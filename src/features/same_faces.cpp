@@ -233,23 +233,35 @@ std::vector<ChangeOutline::Face> ChangeOutline::faces_of(const std::vector<TopoD
         const BRepAdaptor_Surface surface(face, false);
         Face& outline = list.emplace_back();
         outline.kind = static_cast<int>(surface.GetType());
-        const auto add = [&](double u, double v) {
-            const Vec3 p = to_vec3(surface.Value(u, v)), n = outward_normal(surface, face, u, v);
+        const auto add_point = [&](const Vec3& p, const Vec3& n) {
             const std::array<double, 12> terms{p.x,       p.y,       p.z,       p.x * p.x, p.y * p.y, p.z * p.z,
                                                p.x * p.y, p.y * p.z, p.z * p.x, n.x,       n.y,       n.z};
             for (std::size_t i = 0; i < terms.size(); ++i) outline.moments[i] += terms[i];
             ++outline.points;
             size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
         };
-        for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-            const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
-            if (left_out.has(edge)) continue;
-            const BRepAdaptor_Curve2d trace(edge, face);
-            const double first = trace.FirstParameter(), last = trace.LastParameter();
-            for (const double share : {0.0, 0.25, 0.75, 1.0}) {
-                const gp_Pnt2d uv = trace.Value(first + share * (last - first));
-                add(uv.X(), uv.Y());
+        const auto add = [&](double u, double v) {
+            add_point(to_vec3(surface.Value(u, v)), outward_normal(surface, face, u, v));
+        };
+        const auto add_edges = [&](auto&& is_left_out) {
+            for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+                const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+                if (is_left_out(edge)) continue;
+                const BRepAdaptor_Curve2d trace(edge, face);
+                const double first = trace.FirstParameter(), last = trace.LastParameter();
+                for (const double share : {0.0, 0.25, 0.75, 1.0}) {
+                    const gp_Pnt2d uv = trace.Value(first + share * (last - first));
+                    add(uv.X(), uv.Y());
+                }
             }
+        };
+        add_edges([&](const TopoDS_Edge& edge) { return left_out.has(edge); });
+        // Between the edges of faces of the other kind only the surface matters: what a pocket left of a face has a hole.
+        if (outline.points == 0 && surface.GetType() == GeomAbs_Plane) {
+            const Vec3 normal = outward_normal(surface, face, 0, 0);
+            add_point(normal * dot(normal, to_vec3(surface.Value(0, 0))), normal);
+        } else if (outline.points == 0) {
+            add_edges([](const TopoDS_Edge&) { return false; });
         }
         if (outline.points == 0 || surface.GetType() <= GeomAbs_Torus) continue;
         double u1 = 0, u2 = 0, v1 = 0, v2 = 0;  // a free-form surface may bulge between the same edges

@@ -96,7 +96,8 @@ ShapeDifference between_faces(const Change& change, bool glued, double seconds, 
         filler->Perform(scope.Next(9));
         maker.PerformWithFiller(*filler, scope.Next());
     });
-    if (deadline->is_over() || maker.HasErrors()) return result;
+    result.is_hopeless = !deadline->is_over();
+    if (!result.is_hopeless || maker.HasErrors()) return result;
     const SolidProbe before(change.before);
     const SolidProbe after(change.after);
     for (const TopoDS_Shape& solid : solids_of(maker.Shape())) {
@@ -112,7 +113,7 @@ ShapeDifference between_faces(const Change& change, bool glued, double seconds, 
 }
 
 std::vector<TopoDS_Shape> cut(const TopoDS_Shape& from, const TopoDS_Shape& tool, double seconds, RunContext& context,
-                              bool& done) {
+                              ShapeDifference& result) {
     TopTools_ListOfShape arguments, tools;
     arguments.Append(from);
     tools.Append(tool);
@@ -123,16 +124,16 @@ std::vector<TopoDS_Shape> cut(const TopoDS_Shape& from, const TopoDS_Shape& tool
     algorithm.SetNonDestructive(true);
     algorithm.SetRunParallel(context.threads > 1);
     on_threads(context, [&] { algorithm.Build(deadline->Start()); });
-    done = !deadline->is_over() && algorithm.IsDone() && done;
-    return done ? solids_of(algorithm.Shape()) : std::vector<TopoDS_Shape>();
+    result.is_hopeless = !deadline->is_over();
+    result.closed = result.is_hopeless && algorithm.IsDone();
+    return result.closed ? solids_of(algorithm.Shape()) : std::vector<TopoDS_Shape>();
 }
 
 ShapeDifference by_booleans(const Change& change, double seconds, RunContext& context) {
     ShapeDifference result;
-    bool done = true;
-    result.added = cut(change.after, change.before, seconds, context, done);
-    if (done) result.removed = cut(change.before, change.after, seconds, context, done);
-    result.closed = done && change.is_explained_by(result);
+    result.added = cut(change.after, change.before, seconds, context, result);
+    if (result.closed) result.removed = cut(change.before, change.after, seconds, context, result);
+    result.closed = result.closed && change.is_explained_by(result);
     return result;
 }
 
@@ -143,20 +144,30 @@ ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& af
     if (solids_of(before).empty()) return {solids_of(after), {}, true};
     if (solids_of(after).empty()) return {{}, solids_of(before), true};
     ShapeDifference result;
+    ChangeOutline outline;
     const double end = used_seconds(context) + seconds;
     const auto left = [&] { return std::max(0.0, end - used_seconds(context)); };
     try {
         const Change change(before, after);
         // The volumes lie between the faces that only one of the shapes has, and nothing else counts.
-        const ChangeOutline outline(change.vanished, change.appeared);
-        if (known && known->closed && outline.matches(known->outline) && change.is_explained_by(*known)) return *known;
-        result = between_faces(change, true, 0.7 * left(), context);
-        if (!result.closed) result = between_faces(change, false, 0.7 * left(), context);
-        if (!result.closed) result = by_booleans(change, left() / 2, context);
-        result.outline = outline;
+        outline = ChangeOutline(change.vanished, change.appeared);
+        if (known && outline.matches(known->outline) &&
+            (known->is_hopeless || (known->closed && change.is_explained_by(*known))))
+            return *known;
+        bool is_hopeless = true;
+        const auto attempt = [&](auto&& by) {
+            if (result.closed) return;
+            result = by();
+            is_hopeless = is_hopeless && result.is_hopeless;
+        };
+        attempt([&] { return between_faces(change, true, 0.7 * left(), context); });
+        attempt([&] { return between_faces(change, false, 0.7 * left(), context); });
+        attempt([&] { return by_booleans(change, left() / 2, context); });
+        result.is_hopeless = !result.closed && is_hopeless;
     } catch (const Standard_Failure&) {
         result = {};  // not closed: the caller takes the feature as opaque and says so
     }
+    result.outline = outline;
     return result;
 }
 

@@ -165,6 +165,47 @@ TEST_CASE("what a feature did before an edit elsewhere need not be found again")
     CHECK_FALSE(again(20, 1.001));
 }
 
+namespace {
+
+/// A plate with a hole through it, before and after a blind hole beside it.
+std::array<TopoDS_Shape, 2> pocketed_plate(double hole_x, double depth) {
+    const TopoDS_Shape plate = cut(box(0, 0, 0, 30, 20, 10), cylinder({hole_x, 10, -1}, {0, 0, 1}, 2, 12));
+    return {plate, cut(plate, cylinder({8, 10, 10 - depth}, {0, 0, 1}, 3, 20))};
+}
+
+}  // namespace
+
+TEST_CASE("a face of which all edges are left says where the change begins") {
+    RunContext context;
+    const auto [before, after] = pocketed_plate(20, 4);
+    const ShapeDifference known = difference_of(before, after, 8.0, context);
+    REQUIRE(known.closed);
+    const auto again = [&](double hole_x, double depth) {
+        const auto [plate, pocketed] = pocketed_plate(hole_x, depth);
+        const ShapeDifference found = difference_of(plate, pocketed, 8.0, context, &known);
+        REQUIRE(found.closed);
+        REQUIRE(found.removed.size() == 1);
+        CHECK(flux(found.removed[0], {}) == Approx(pi * 9 * depth));
+        return found.removed[0].IsSame(known.removed[0]);
+    };
+    CHECK(again(20, 4));
+    CHECK(again(24, 4));
+    CHECK_FALSE(again(20, 4.001));
+}
+
+TEST_CASE("what could not be told of a change is not tried again until the change is another one") {
+    RunContext context;
+    const auto [before, after] = pocketed_plate(20, 4);
+    ShapeDifference hopeless;
+    hopeless.outline = difference_of(before, after, 8.0, context).outline;
+    CHECK(difference_of(before, after, 8.0, context, &hopeless).closed);  // it was want of time
+    hopeless.is_hopeless = true;
+    CHECK_FALSE(difference_of(before, after, 8.0, context, &hopeless).closed);
+    const auto [plate, deeper] = pocketed_plate(20, 5);
+    CHECK(difference_of(plate, deeper, 8.0, context, &hopeless).closed);
+    CHECK_FALSE(difference_of(before, after, 0, context).is_hopeless);
+}
+
 TEST_CASE("a shape keeps its print when others are cut with it, and no other shape has it") {
     const TopoDS_Shape tool = cylinder({5, 5, -1}, {0, 0, 1}, 2, 12);
     const std::uint64_t print = print_of(tool);
