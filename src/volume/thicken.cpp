@@ -22,10 +22,6 @@ bool is_gain(double before, double after) {
     return before < 1 && after > 0 && (after >= 1 || after > std::max(0.0, before) * least_gain);
 }
 constexpr int most_passes = 12;
-/// Of the tets, but never of fewer than `few_tets`: where more are thin the filling is wrong, and mending it tet by tet
-/// does not end in time.
-constexpr double most_thin_share = 0.03;
-constexpr std::size_t few_tets = 2000;
 
 double thickness_of_corners(const std::array<Vec3, 4>& p, double least_volume) {
     const double six_volumes = dot(cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]);
@@ -374,8 +370,7 @@ double thickness(const TetComplex& complex, const std::array<int, 4>& tet, doubl
 
 std::vector<int> thicken(TetComplex& complex, double least_volume, RunContext& context, std::size_t most_insertions) {
     std::vector<int> thin = thin_tets(complex, least_volume, context);
-    const double most_thin = most_thin_share * static_cast<double>(std::max(few_tets, complex.tets.size()));
-    if (thin.empty() || static_cast<double>(thin.size()) > most_thin) return thin;
+    if (thin.empty()) return thin;
     return Thickener(complex, least_volume, most_insertions, context).run(std::move(thin));
 }
 

@@ -16,8 +16,8 @@ namespace featuremesh {
 double thickness(const TetComplex& complex, const std::array<int, 4>& tet, double least_volume);
 
 /// Tets of a thickness below 1 get rid of it by moves and collapses of free vertices and removals of edges, whatever
-/// that does to angles. Gives those that are left, ascending: all, and nothing was done, where they are over 3 % of the
-/// tets (and over 60). What costs most, a new vertex, is tried for at most so many tets.
+/// that does to angles. Gives those that are left, ascending. What costs most, a new vertex, is tried for at most so
+/// many tets.
 std::vector<int> thicken(TetComplex& complex, double least_volume, RunContext& context,
                          std::size_t most_insertions = std::numeric_limits<std::size_t>::max());
 

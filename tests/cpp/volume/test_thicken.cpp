@@ -66,15 +66,6 @@ TEST_CASE("a complex without thin tets is left as it is") {
     CHECK(are_same_bytes(box, before));
 }
 
-TEST_CASE("a complex most of which is thin is left as it is") {
-    TetComplex box = box_of_tets(4, 0.1, 5);
-    for (Vec3& p : box.points) p.z *= 1e-9;
-    const TetComplex before = box;
-    RunContext context;
-    CHECK(thicken(box, 1e-6, context).size() == box.tets.size());
-    CHECK(are_same_bytes(box, before));
-}
-
 TEST_CASE("no tet of a part with an edge of a hundred-thousandth of it is without volume") {
     const auto [shape, size] = GENERATE(table<TopoDS_Shape, double>({{cut_corner(5e-4), 2},
                                                                      {cut_corner(2e-3), 2},
