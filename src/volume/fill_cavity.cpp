@@ -145,6 +145,21 @@ CavityFill grow_fill(const Cavity& cavity, std::span<const NodeId> old_nodes, co
     return fill;
 }
 
+std::vector<Vec3> seeds_of(const Cavity& cavity, const CavityFill& fill) {
+    return {fill.points.begin() + static_cast<std::ptrdiff_t>(cavity.points.size()), fill.points.end()};
+}
+
+std::vector<Vec3> seeds_among(std::span<const Vec3> active, const Cavity& cavity, const CavityFill& fill) {
+    const auto before = [](const Vec3& a, const Vec3& b) {
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+    };
+    std::vector<Vec3> sorted(active.begin(), active.end());
+    std::sort(sorted.begin(), sorted.end(), before);
+    std::vector<Vec3> seeds = seeds_of(cavity, fill);
+    std::erase_if(seeds, [&](const Vec3& p) { return !std::binary_search(sorted.begin(), sorted.end(), p, before); });
+    return seeds;
+}
+
 TetComplex make_complex(const Cavity& cavity, const CavityFill& fill, const RunContext& context) {
     RoundWatch watch(context);
     const Triangulation& all = fill.triangulation;

@@ -33,6 +33,10 @@ CavityFill fill_cavity(const Cavity& cavity, std::span<const Ball> balls, std::s
 CavityFill grow_fill(const Cavity& cavity, std::span<const NodeId> old_nodes, const CavityFill& old,
                      RunContext& context);
 
+/// The points of a fill that are not the cavity's own, and those of them that are among the active ones.
+std::vector<Vec3> seeds_of(const Cavity& cavity, const CavityFill& fill);
+std::vector<Vec3> seeds_among(std::span<const Vec3> active, const Cavity& cavity, const CavityFill& fill);
+
 /// Marks and floods the facets of a triangulation of the points.
 CavityFill flood_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangulation triangulation,
                         const RunContext& context = {});

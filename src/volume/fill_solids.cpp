@@ -71,10 +71,6 @@ struct OutgrownFill {
     CavityFill fill;
 };
 
-std::vector<Vec3> seeds_of(const Cavity& cavity, const CavityFill& fill) {
-    return {fill.points.begin() + static_cast<std::ptrdiff_t>(cavity.points.size()), fill.points.end()};
-}
-
 /// All its nodes lie in one plane.
 bool is_flat(const CavityFill& fill) { return fill.triangulation.tets.empty(); }
 
@@ -455,14 +451,10 @@ class Filling {
     void note_used_active() {
         result_.used_active.clear();
         if (active_.empty()) return;
-        const auto before = [](const Vec3& a, const Vec3& b) {
-            return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-        };
-        std::vector<Vec3> sorted(active_.begin(), active_.end());
-        std::sort(sorted.begin(), sorted.end(), before);
-        for (std::size_t i = 0; i < cavities_.size(); ++i)
-            for (const Vec3& seed : seeds_of(cavities_[i], fills_[i]))
-                if (std::binary_search(sorted.begin(), sorted.end(), seed, before)) result_.used_active.push_back(seed);
+        for (std::size_t i = 0; i < cavities_.size(); ++i) {
+            const std::vector<Vec3> used = seeds_among(active_, cavities_[i], fills_[i]);
+            result_.used_active.insert(result_.used_active.end(), used.begin(), used.end());
+        }
     }
 
     /// Elements that the sizes themselves ask for are not too small: a share of the smallest wanted length's cube.
