@@ -69,6 +69,22 @@ TEST_CASE("solids that touch have partners of their own") {
         CHECK(d.regions[0].new_vertex_of[v] == VertexId(v));
 }
 
+TEST_CASE("a face stays when another solid comes to lie against it") {
+    const TopoDS_Shape block = box({0, 0, 0}, {10, 10, 10});
+    const auto beside = [&](double from) {
+        return part({{"Blocks", Effect::adds, {together({block, box({from, 2, 2}, {20 - from, 6, 6})})}, {}}});
+    };
+    const PartState apart = beside(12), touching = beside(10);
+    for (const auto& [was, is] : {std::pair(&apart, &touching), std::pair(&touching, &apart)}) {
+        const FeatureDifference d = diff(*was, *is);
+        // All of the block's; of the other solid the far end, and of its sides the length changes.
+        CHECK(count(d, BoundaryVerdict::kept) == 7);
+        CHECK(count(d, BoundaryVerdict::trimmed_differently) == 4);
+        CHECK(count(d, BoundaryVerdict::vanished) == 1);
+        CHECK(count(d, BoundaryVerdict::appeared) == 1);
+    }
+}
+
 TEST_CASE("a moved hole") {
     const FeatureDifference d = diff(part_with_cells(bracket({12, 12, 0})), part_with_cells(bracket({17, 12, 0})));
     CHECK_FALSE(d.is_empty());

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <gp_Lin.hxx>
+#include <memory>
 #include <random>
 
 #include "catch.h"
@@ -176,9 +177,10 @@ std::vector<Sample> samples_on_faces(const Brep& brep, int per_face, RandomParts
     return samples;
 }
 
-class PointOracle {
+/// What is inside of a solid.
+class SolidOracle {
   public:
-    explicit PointOracle(const Brep& brep) : shape_(brep.shape()), classifier_(shape_) {}
+    explicit SolidOracle(const TopoDS_Shape& solid) : shape_(solid), classifier_(shape_) {}
     /// Material just behind, none just before.
     bool has_boundary(const Vec3& p, const Vec3& normal) {
         return is(p - normal * off, TopAbs_IN) && is(p + normal * off, TopAbs_OUT);
@@ -204,6 +206,21 @@ class PointOracle {
 
     const TopoDS_Shape shape_;
     BRepClass3d_SolidClassifier classifier_;
+};
+
+/// Solids that share no face have boundaries of their own where they touch, so each is asked by itself.
+class PointOracle {
+  public:
+    explicit PointOracle(const Brep& brep) {
+        for (std::size_t s = 0; s < brep.solid_count(); ++s)
+            solids_.push_back(std::make_unique<SolidOracle>(brep.solid(SolidId(s))));
+    }
+    bool has_boundary(const Vec3& p, const Vec3& normal) {
+        return std::any_of(solids_.begin(), solids_.end(), [&](auto& solid) { return solid->has_boundary(p, normal); });
+    }
+
+  private:
+    std::vector<std::unique_ptr<SolidOracle>> solids_;
 };
 
 double distance_to(const TopoDS_Shape& shape, const Vec3& p) {
