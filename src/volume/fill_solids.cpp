@@ -5,16 +5,14 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "core/errors.h"
-#include "mesh/findings.h"
 #include "mesh/tets_at_nodes.h"
 #include "surface/projection.h"
+#include "volume/cavity_refusals.h"
 #include "volume/constrained_delaunay.h"
 #include "volume/facet_split.h"
 #include "volume/fill_cavity.h"
@@ -184,7 +182,7 @@ class Filling {
         try {
             fills_[i] = fill_cavity(cavity, seam_balls(result_.mesh, cavity, size_), active_, size_, context_);
         } catch (const MeshError&) {
-            require_distinct(cavity);
+            require_distinct(brep_, result_.mesh, cavity);
             throw;
         }
     }
@@ -244,7 +242,7 @@ class Filling {
     void recover(const Cavity& cavity, CavityFill& fill) {
         if (is_flat(fill))
             throw MeshError("all nodes to fill between lie in one plane, at " +
-                            names_of_faces(cavity, fill.places.missing) + "; mesh the part finer");
+                            names_of_faces(result_.mesh, cavity, fill.places.missing) + "; mesh the part finer");
         std::vector<Vec3> seeds = seeds_of(cavity, fill);
         const FacetSplit flips = flip_missing(cavity, fill, result_.mesh);
         if (!flips.pieces.empty()) {
@@ -255,10 +253,10 @@ class Filling {
                 outgrown_.push_back({cavity.nodes, std::move(fill)});
             return;
         }
-        require_closed(cavity);
+        require_closed(result_.mesh, cavity);
         const std::vector<int> crossing = crossing_facets(cavity);
         if (!crossing.empty()) {
-            if (++crossing_rounds_ > most_crossing_rounds) throw_crossing(cavity, crossing);
+            if (++crossing_rounds_ > most_crossing_rounds) throw_crossing(result_.mesh, cavity, crossing);
             log("triangles that cross others", crossing.size());
             apply(halve_longest_edges(cavity, crossing), cavity);
             return;
@@ -303,59 +301,11 @@ class Filling {
         return added;
     }
 
-    std::string names_of_faces(const Cavity& cavity, const std::vector<int>& facets) const {
-        std::set<FaceId> faces;
-        for (const int facet : facets)
-            if (const TriangleId t = cavity.triangle_of_facet[facet]; t.is_valid())
-                faces.insert(result_.mesh.triangle_faces[t.index()]);
-        std::string names;
-        for (const FaceId face : faces) names += (names.empty() ? "" : ", ") + name_of(entity_of(face));
-        return names.empty() ? "the surface" : names;
-    }
-
-    void require_closed(const Cavity& cavity) const {
-        const std::vector<int> open = open_facets(cavity);
-        if (open.empty()) return;
-        throw MeshError("the surface mesh does not close at " + names_of_faces(cavity, open) +
-                        "; check the shape there, or try another size");
-    }
-
-    /// Throws with the names of the faces where two nodes are in one place.
-    void require_distinct(const Cavity& cavity) const {
-        std::vector<std::size_t> order(cavity.points.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        const auto place = [&](std::size_t i) {
-            const Vec3& p = cavity.points[i];
-            return std::tuple(p.x, p.y, p.z);
-        };
-        std::sort(order.begin(), order.end(),
-                  [&](std::size_t a, std::size_t b) { return std::pair(place(a), a) < std::pair(place(b), b); });
-        std::set<FaceId> faces;
-        Vec3 last;
-        for (std::size_t i = 1; i < order.size(); ++i)
-            if (place(order[i - 1]) == place(order[i]))
-                for (const std::size_t n : {order[i - 1], order[i]})
-                    for (const FaceId face : faces_at(cavity.nodes[n])) faces.insert(face), last = cavity.points[n];
-        if (faces.empty()) return;
-        std::string names;
-        std::size_t listed = 0;
-        for (const FaceId face : faces)
-            if (listed++ < 6) names += (names.empty() ? "" : ", ") + name_of(entity_of(face));
-        throw MeshError("the shape touches itself: nodes of " + names + " lie in the same place, such as " +
-                        in_words(last) + "; repair it there (Part: Check geometry)");
-    }
-
-    [[noreturn]] void throw_crossing(const Cavity& cavity, const std::vector<int>& crossing) const {
-        const Vec3& place = cavity.points[std::size_t(cavity.facets[std::size_t(crossing.front())].corners[0])];
-        throw MeshError("triangles of " + names_of_faces(cavity, crossing) + " near " + in_words(place) +
-                        " cut one another; the shape may touch or cut itself there: repair it, or mesh finer there");
-    }
-
     [[noreturn]] void throw_unrecovered() const {
         std::string names;
         for (std::size_t i = 0; i < cavities_.size(); ++i)
             if (!fills_[i].is_complete())
-                names += (names.empty() ? "" : ", ") + names_of_faces(cavities_[i], fills_[i].places.missing);
+                names += (names.empty() ? "" : ", ") + names_of_faces(result_.mesh, cavities_[i], fills_[i].places.missing);
         throw MeshError("the volume mesh cannot be made to meet the triangles of " + names +
                         "; mesh finer there, or check the shape for faces that cut or touch one another");
     }
