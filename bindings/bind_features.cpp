@@ -122,6 +122,19 @@ py::dict read_tree(const py::dict& raw) {
     return out;
 }
 
+double seconds_to_interpret(const py::dict& raw, const std::optional<py::dict>& before) {
+    const RawDocument document = raw_document_from(raw), earlier = before ? raw_document_from(*before) : RawDocument{};
+    return run_released({}, 1, [&](RunContext& context) {
+        std::optional<FeatureTree> known;
+        if (before) known = interpret(earlier, context);
+        {
+            const RunContext::Step step(context, "read");
+            interpret(document, context, known ? &*known : nullptr);
+        }
+        return context.seconds().at("read");
+    });
+}
+
 }  // namespace
 
 RawDocument raw_document_from(const py::dict& raw) {
@@ -144,6 +157,8 @@ py::object motion_matrix(const RigidMotion& motion) {
 void define_features(py::module_& module) {
     module.def("read_tree", &read_tree, py::arg("raw"),
                "The feature tree as the engine understands it, with roles, volumes (mm^3) and owners.");
+    module.def("seconds_to_interpret", &seconds_to_interpret, py::arg("raw"), py::arg("before") = py::none(),
+               "What the engine adds to the reading of a document: seconds from its records to the feature tree, from nothing or after the state `before`.");
 }
 
 }  // namespace featuremesh

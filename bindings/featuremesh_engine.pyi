@@ -62,6 +62,7 @@ def read_tree(raw: dict) -> dict[str, Any]:
     """{"object", "features": [{"name", "label", "type", "role", "suppressed", "error", "depends_on", "volume_source",
     "volumes": [{"effect", "volume", "instance"}], "owns_cells", "owns_faces"}], "cells", "material_volume", "final_volume", "notes",
     "fallbacks" (those notes that say how the cells were had when the plain way failed), "untrusted" (names)}"""
+def seconds_to_interpret(raw: dict, before: dict | None = None) -> float: """From a document's records to its feature tree, from nothing or after the state `before`."""
 def compare(old: dict, new: dict, resolution: float = 0.0, fuse: bool = True) -> dict[str, Any]:
     """The feature difference: {"features": [{"name", "label", "verdict", "motion", "old_volume", "new_volume", "old_faces", "new_faces", "detail"}],
     "faces": [{"verdict", "old_face", "new_face", "old_area", "new_area", "inner"}],

@@ -8,7 +8,6 @@ import base64
 import json
 import os
 import sys
-import time
 import traceback
 from pathlib import Path
 
@@ -18,6 +17,8 @@ import freecad
 ROOT = Path(__file__).resolve().parents[2]
 freecad.__path__.append(str(ROOT / "Mod" / "FeatureMesh" / "freecad"))
 sys.path.insert(0, str(Path(__file__).parent))
+
+from timing import seconds_of, shortest  # noqa: E402
 
 
 def prepare(case):
@@ -33,7 +34,8 @@ def prepare(case):
     write_raw(folder / "new.json", reading.read_document(part))
     part.Shape.exportBrep(str(folder / "new.brep"))
     part.Shape.exportStep(str(folder / "new.step"))
-    seconds = {"recompute": shortest(lambda: recompute_all(document)), "read": shortest(lambda: reading.read_document(part))}
+    seconds = {"recompute": shortest(lambda: seconds_of(lambda: recompute_all(document))),
+               "read": shortest(lambda: seconds_of(lambda: reading.read_document(part)))}
     (folder / "reading.json").write_text(json.dumps(seconds), encoding="utf-8")
 
 
@@ -41,16 +43,6 @@ def recompute_all(document):
     for obj in document.Objects:
         obj.touch()
     document.recompute()
-
-
-def shortest(work, rounds=(3, 40), enough=1.0):
-    """Seconds of the quickest of as many rounds as are done in `enough` seconds, within the limits."""
-    seconds = []
-    while len(seconds) < rounds[0] or (len(seconds) < rounds[1] and sum(seconds) < enough):
-        start = time.perf_counter()
-        work()
-        seconds.append(time.perf_counter() - start)
-    return min(seconds)
 
 
 def open_part(name):

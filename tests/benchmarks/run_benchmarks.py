@@ -27,6 +27,7 @@ import cases  # noqa: E402
 from freecad_task import run_script  # noqa: E402
 from gmsh_peer import ALGORITHMS, mesh_with_gmsh, quality_of  # noqa: E402
 from netgen_peer import mesh_with_netgen  # noqa: E402
+from timing import shortest  # noqa: E402
 
 RESULTS = ROOT / "build" / "benchmarks.jsonl"
 OURS = ("full mesh", "update")
@@ -81,7 +82,7 @@ def measure(case, given):
         folder = Path(name)
         prepare(case, folder)
         rows = run_rounds(case, folder, given)
-        reading = reading_of(folder, rows)
+        reading = reading_of(folder)
         query = seconds_of_a_query(case, folder)
     for who, row in rows.items():
         print(row_in_words(who, row), flush=True)
@@ -141,11 +142,13 @@ def seconds_of_a_query(case, folder, count=1_000_000):
     return statistics.median(seconds)
 
 
-def reading_of(folder, rows):
+def reading_of(folder):
     """Seconds to read the edited part and to interpret it, from nothing and after the edit, and their share of FreeCAD's own recompute of the document: the
     shortest of several rounds each."""
+    import featuremesh_engine as engine
+    old, new = (read_raw(folder / name) for name in ("old.json", "new.json"))
     seconds = json.loads((folder / "reading.json").read_text(encoding="utf-8"))
-    seconds |= {name: min(rows[who]["all_steps"]["read"]) for name, who in (("interpret", "full mesh"), ("interpret_again", "update"))}
+    seconds |= {"interpret": shortest(lambda: engine.seconds_to_interpret(new)), "interpret_again": shortest(lambda: engine.seconds_to_interpret(new, old))}
     share = {name: (seconds["read"] + seconds[interpret]) / seconds["recompute"]
              for name, interpret in (("share", "interpret"), ("share_again", "interpret_again"))}
     return {**seconds, **share}
