@@ -171,37 +171,37 @@ def dependencies(part):
 
 def _children(obj, own, links, properties):
     """What `obj`, placed at `own`, depends on directly: (object, frame of the child's parent relative to obj's, carries volume)."""
-    kind = obj.TypeId
+    kind = properties.kind
     if kind in _BINDERS:
         return []
     linked = _linked_objects(links)
     result = []
     if kind == "PartDesign::Body":
         return [(member, own, not _is_reference(member)) for member in _members_up_to_tip(obj)]
-    is_reference, undoes = _is_reference(obj), _undoes_placements(obj, properties)
+    is_reference, undoes, is_step = _is_reference(obj), _undoes_placements(obj, properties), _derives(obj, "PartDesign::Feature")
     for child in linked:
         if is_reference or _is_reference(child):
             result.append((child, FreeCAD.Placement(), False))
         else:
-            result.append((child, _frame_of_child(obj, own, child, undoes), True))
+            result.append((child, _frame_of_child(own, child, undoes, is_step), True))
     known = set(linked)
     result += [(child, FreeCAD.Placement(), False) for child in obj.OutList
-               if child not in known and not child.isDerivedFrom("App::Origin") and child.TypeId != "PartDesign::Body"]
+               if child not in known and not _derives(child, "App::Origin") and child.TypeId != "PartDesign::Body"]
     return result
 
 
 def _undoes_placements(obj, properties):
     """Does what `obj` shows lie at its own placement, wherever the original lies?"""
-    if obj.TypeId == "App::Link":
+    if properties.kind == "App::Link":
         return not getattr(obj, "LinkTransform", False)
-    return obj.TypeId == "PartDesign::FeatureBase" or _proxy_name(obj, properties) in ("_Clone", "Clone")
+    return properties.kind == "PartDesign::FeatureBase" or _proxy_name(obj, properties) in ("_Clone", "Clone")
 
 
-def _frame_of_child(obj, own, child, undoes):
-    """Frame in which `child.Shape` enters the shape of `obj`, relative to the frame of obj's parent."""
+def _frame_of_child(own, child, undoes, is_step):
+    """Frame in which `child.Shape` enters the shape of an object placed at `own`, relative to the frame of that one's parent."""
     if undoes:
         return own.multiply(getattr(child, "Placement", FreeCAD.Placement()).inverse())
-    if obj.isDerivedFrom("PartDesign::Feature") and child.isDerivedFrom("PartDesign::Feature"):
+    if is_step and _derives(child, "PartDesign::Feature"):
         return FreeCAD.Placement()
     return own
 
@@ -270,7 +270,7 @@ def _linked_objects(links):
     """Objects that the links name, each once, in order."""
     seen = {}
     for _, child, _ in links:
-        if child not in seen and not child.isDerivedFrom("App::Origin") and child.TypeId != "App::Part":
+        if child not in seen and not _derives(child, "App::Origin") and child.TypeId != "App::Part":
             seen[child] = None
     return list(seen)
 
@@ -280,10 +280,19 @@ def _linked_objects(links):
 _USES = {}
 
 
+class _Properties(dict):
+    """Use by name of every property of an object that says something, in the order of its list."""
+
+    def __init__(self, kind):
+        super().__init__()
+        self.kind = kind  # type of the object
+        # A link also has the properties of what it shows, and an object written in Python whatever it likes.
+        self.may_have_others = kind.startswith("App::Link") or kind.endswith("Python")
+
+
 def _properties(obj):
-    """Use by name of every property that says something, in the order of the list."""
-    known = _USES.setdefault(obj.TypeId, {})
-    found = {}
+    found = _Properties(obj.TypeId)
+    known = _USES.setdefault(found.kind, {})
     for name in obj.PropertiesList:
         use = known.get(name)
         if use is None:
@@ -296,10 +305,8 @@ def _properties(obj):
 
 
 def _value_of(obj, name, properties):
-    """The property, None without it. Links also have the properties of what they show; to look for what is not there costs as much as to read it."""
-    if name in properties or obj.TypeId.startswith("App::Link") or obj.TypeId.endswith("Python"):
-        return getattr(obj, name, None)
-    return None
+    """The property, None without it: to look for what is not there costs as much as to read it."""
+    return getattr(obj, name, None) if name in properties or properties.may_have_others else None
 
 
 @functools.lru_cache(maxsize=None)
@@ -322,7 +329,7 @@ def _use_of(kind):
 
 def _links(obj, properties):
     """(property, object, sub-element) of every visible link, in the order of the lists; none behind a binder."""
-    kind = obj.TypeId
+    kind = properties.kind
     if kind in _BINDERS:
         return []
     members = _members_up_to_tip(obj) if kind == "PartDesign::Body" else None
@@ -349,7 +356,8 @@ def _link_targets(value):
 
 
 def _record(obj, walk, shapes, keys, home):
-    kind, own, frame, properties = obj.TypeId, walk.placements[obj], walk.frames[obj], walk.properties[obj]
+    own, frame, properties = walk.placements[obj], walk.frames[obj], walk.properties[obj]
+    kind = properties.kind
     reference = _is_reference(obj)
     shape = None if reference and kind not in _BINDERS else _shape_of(obj)
     volume = None if reference else _value_of(obj, "AddSubShape", properties)
@@ -427,7 +435,7 @@ def _file_in_memory():
 def _parameters(obj, properties):
     """Numeric and boolean parameters (mm, degrees) and enumerations."""
     numbers, texts = {}, {}
-    is_sheet = obj.TypeId == "Spreadsheet::Sheet"
+    is_sheet = properties.kind == "Spreadsheet::Sheet"
     for name, use in properties.items():
         if use in ("link", "elsewhere") or name in ("Visibility", "Label2", "Placement") or name.startswith("_"):
             continue
@@ -480,15 +488,22 @@ def _proxy_name(obj, properties):
     return "" if proxy is None or isinstance(proxy, (str, int)) else type(proxy).__name__
 
 
-# By type of object.
-_REFERENCES = {}
+# By type of object, and by base.
+_REFERENCES, _BASES = {}, {}
+
+
+def _derives(obj, base):
+    key = (obj.TypeId, base)
+    if key not in _BASES:
+        _BASES[key] = obj.isDerivedFrom(base)
+    return _BASES[key]
 
 
 def _is_reference(obj):
     kind = obj.TypeId
     if kind not in _REFERENCES:
         datum_line = kind == "PartDesign::Line"  # told apart from PartDesign::LinearPattern
-        _REFERENCES[kind] = datum_line or kind.startswith(_REFERENCE_TYPES) or obj.isDerivedFrom("Part::Part2DObject")
+        _REFERENCES[kind] = datum_line or kind.startswith(_REFERENCE_TYPES) or _derives(obj, "Part::Part2DObject")
     return _REFERENCES[kind]
 
 
