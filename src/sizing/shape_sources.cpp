@@ -109,7 +109,7 @@ class SolidCover {
         : classifier_(solid), size_(size), smallest_cell_(smallest_cell), out_(out) {
         std::vector<SourceBall> faces = on_faces;
         for (SourceBall& ball : faces) ball.size = 0;
-        distance_to_faces_ = SourceTree(std::move(faces), 1.0, std::numeric_limits<double>::infinity(), Box{});
+        distance_to_faces_ = SourceTree(std::move(faces), 1.0, std::numeric_limits<double>::infinity());
     }
 
     void run(const Box& box) {

@@ -124,7 +124,7 @@ void check_options(const SizingOptions& options, const Box& part) {
 }
 
 /// Those of the kept nodes whose mesh is clearly coarser than the global size lead above it.
-void lead_above(std::span<const SizeSource> kept, double slope, const Box& box, SizingField::Data& data) {
+void lead_above(std::span<const SizeSource> kept, double slope, SizingField::Data& data) {
     std::vector<SourceBall> coarse;
     for (const SizeSource& source : kept)
         if (source.size > scatter_of_edge_lengths * data.size)
@@ -132,7 +132,7 @@ void lead_above(std::span<const SizeSource> kept, double slope, const Box& box, 
     if (coarse.empty() || slope <= 0) return;
     for (const SourceBall& ball : coarse) data.largest = std::max(data.largest, ball.size);
     for (SourceBall& ball : coarse) ball.size = data.largest - ball.size;
-    data.lead = SourceTree(std::move(coarse), slope, data.largest - data.size, box);
+    data.lead = SourceTree(std::move(coarse), slope, data.largest - data.size);
 }
 
 /// Adds the kept nodes whose mesh is clearly finer than the field asks for.
@@ -159,14 +159,13 @@ SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::spa
     SizingOptions asked = options;
     asked.size = data->size;
     std::vector<SourceBall> sources = shape_sources(brep, asked, context);
-    const Box box = brep.box().grown(1e-3 * brep.box().diagonal());
     const double slope = options.growth - 1;
     data->largest = data->size;
-    if (data->size == options.size) lead_above(kept, slope, box, *data);
-    data->tree = SourceTree(sources, slope, data->largest, box);
+    if (data->size == options.size) lead_above(kept, slope, *data);
+    data->tree = SourceTree(sources, slope, data->largest);
     const std::size_t of_shape = sources.size();
     add_kept(kept, *data, sources);
-    if (sources.size() > of_shape) data->tree = SourceTree(std::move(sources), slope, data->largest, box);
+    if (sources.size() > of_shape) data->tree = SourceTree(std::move(sources), slope, data->largest);
     return SizingField(std::move(data));
 }
 

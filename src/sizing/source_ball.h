@@ -15,11 +15,11 @@ struct SourceBall {
     double radius = 0;
     double size = 0;
 
-    /// The smaller of `best` and what this ball asks for at p.
+    /// The smaller of `best` and what this ball asks for at p; without a root where that is clearly more.
     double lower(double best, const Vec3& p, double slope, double inverse_slope) const {
         if (size >= best) return best;
         const double reach = (best - size) * inverse_slope + radius, squared = squared_length(p - center);
-        if (squared >= reach * reach) return best;
+        if (squared > reach * reach * (1 + 1e-9)) return best;
         return std::min(best, size + slope * std::max(0.0, std::sqrt(squared) - radius));
     }
 };

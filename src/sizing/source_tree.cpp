@@ -2,93 +2,154 @@
 #include "sizing/source_tree.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
 
 namespace featuremesh {
 namespace {
 
 constexpr std::size_t balls_per_leaf = 4;
-/// Above it, listing the candidates of every place costs more than it saves.
-constexpr std::size_t most_listed = 50'000;
-
-double squared_distance_to_box(const Vec3& p, const Vec3& low, const Vec3& high) {
-    const double x = std::max({low.x - p.x, 0.0, p.x - high.x});
-    const double y = std::max({low.y - p.y, 0.0, p.y - high.y});
-    const double z = std::max({low.z - p.z, 0.0, p.z - high.z});
-    return x * x + y * y + z * z;
-}
+/// Reaches are raised by this share, which is more than the rounding errors of the few operations.
+constexpr float over = 1 + 2e-6f;
 
 }  // namespace
 
-SourceTree::SourceTree(std::vector<SourceBall> sources, double slope, double limit, const Box& box)
-    : balls_(std::move(sources)), slope_(slope), inverse_slope_(1.0 / std::max(slope, 1e-12)), limit_(limit) {
+SourceTree::SourceTree(std::vector<SourceBall> sources, double slope, double limit)
+    : balls_(std::move(sources)), slope_(slope), inverse_slope_(1 / std::max(slope, 1e-12)), limit_(limit) {
     if (balls_.empty()) return;
-    nodes_.reserve(balls_.size());
-    build(0, balls_.size());
-    if (slope > 1e-6 && balls_.size() <= most_listed) candidates_ = CandidateOctree(balls_, slope, limit, box);
+    Box box;
+    double widest = 0;
+    for (const SourceBall& ball : balls_) {
+        box.add(ball.center);
+        widest = std::max(widest, ball.radius);
+        smallest_ = std::min(smallest_, ball.size);
+    }
+    origin_ = box.center();
+    margin_ = static_cast<float>(1e-6 * (box.diagonal() + widest));
+    nodes_.reserve(balls_.size() / balls_per_leaf + 1);
+    build({0, balls_.size()});
 }
 
-std::int32_t SourceTree::build(std::size_t begin, std::size_t end) {
-    Box box, centers;
+std::int32_t SourceTree::build(Range range) {
+    const auto index = static_cast<std::size_t>(nodes_.size());
+    nodes_.emplace_back();
+    std::vector<Range> ranges{range};
+    while (ranges.size() < width) {  // the longest first, so that leaves are about equally long
+        const auto longest = std::max_element(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) {
+            return a.end - a.begin < b.end - b.begin;
+        });
+        if (longest->end - longest->begin <= balls_per_leaf) break;
+        const Range second = halve(*longest);
+        ranges.push_back(second);  // after the halving, for the list may move
+    }
+    Node node;
+    for (int slot = 0; slot < width; ++slot)
+        bound(node, slot, static_cast<std::size_t>(slot) < ranges.size() ? ranges[slot] : Range{0, 0});
+    for (std::size_t slot = 0; slot < ranges.size(); ++slot) {
+        const auto count = static_cast<std::int32_t>(ranges[slot].end - ranges[slot].begin);
+        const bool is_leaf = ranges[slot].end - ranges[slot].begin <= balls_per_leaf;
+        node.below[slot] =
+            is_leaf ? Below{static_cast<std::int32_t>(ranges[slot].begin), count} : Below{build(ranges[slot]), 0};
+    }
+    nodes_[index] = node;
+    return static_cast<std::int32_t>(index);
+}
+
+/// The first half stays in `range`.
+SourceTree::Range SourceTree::halve(Range& range) {
+    const auto at = [&](std::size_t i) { return balls_.begin() + static_cast<std::ptrdiff_t>(i); };
+    Box centers;
+    for (std::size_t i = range.begin; i < range.end; ++i) centers.add(balls_[i].center);
+    const Vec3 extent = centers.size();
+    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    const std::size_t middle = range.begin + (range.end - range.begin) / 2;
+    std::nth_element(at(range.begin), at(middle), at(range.end),
+                     [axis](const SourceBall& a, const SourceBall& b) { return a.center[axis] < b.center[axis]; });
+    return {middle, std::exchange(range.end, middle)};
+}
+
+void SourceTree::bound(Node& node, int slot, Range range) {
+    Box box;
     double size = std::numeric_limits<double>::infinity();
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
         const SourceBall& ball = balls_[i];
         const Vec3 r{ball.radius, ball.radius, ball.radius};
         box.add(ball.center - r), box.add(ball.center + r);
-        centers.add(ball.center);
         size = std::min(size, ball.size);
     }
-    const auto index = static_cast<std::int32_t>(nodes_.size());
-    nodes_.push_back(
-        {box.low, box.high, size, static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end - begin)});
-    if (end - begin <= balls_per_leaf) return index;
-    const Vec3 extent = centers.size();
-    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-    const std::size_t middle = begin + (end - begin) / 2;
-    std::nth_element(balls_.begin() + static_cast<std::ptrdiff_t>(begin),
-                     balls_.begin() + static_cast<std::ptrdiff_t>(middle),
-                     balls_.begin() + static_cast<std::ptrdiff_t>(end),
-                     [axis](const SourceBall& a, const SourceBall& b) { return a.center[axis] < b.center[axis]; });
-    build(begin, middle);
-    const std::int32_t second = build(middle, end);
-    nodes_[static_cast<std::size_t>(index)].first = second;
-    nodes_[static_cast<std::size_t>(index)].count = 0;
-    return index;
+    for (int axis = 0; axis < 3; ++axis) {
+        node.low[axis][slot / lanes][slot % lanes] =
+            box.is_empty() ? 0.0f : static_cast<float>(box.low[axis] - origin_[axis]);
+        node.high[axis][slot / lanes][slot % lanes] =
+            box.is_empty() ? 0.0f : static_cast<float>(box.high[axis] - origin_[axis]);
+    }
+    node.size[slot / lanes][slot % lanes] = static_cast<float>(size);
+}
+
+/// Squared distances from four of the boxes, in mm^2.
+SourceTree::Lanes SourceTree::squared_distances(const Node& node, int half, const Point& p) {
+    Lanes squared{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const Lanes below = node.low[axis][half] - p[axis], above = p[axis] - node.high[axis][half];
+        const Lanes outside = below > above ? below : above, away = outside > 0 ? outside : Lanes{};
+        squared += away * away;
+    }
+    return squared;
+}
+
+double SourceTree::lowest_of(const Below& leaf, const Vec3& p, double best) const {
+    for (std::int32_t i = leaf.first; i < leaf.first + leaf.count; ++i)
+        best = balls_[static_cast<std::size_t>(i)].lower(best, p, slope_, inverse_slope_);
+    return best;
+}
+
+/// What the balls ask for that are found by always going where the least is to be expected.
+double SourceTree::first_guess(const Vec3& p, const Point& point) const {
+    Below next;
+    while (next.count == 0) {
+        const Node& node = nodes_[static_cast<std::size_t>(next.first)];
+        float least = std::numeric_limits<float>::infinity();
+        int best = 0;
+        for (int half = 0; half < 2; ++half) {
+            const Lanes squared = squared_distances(node, half, point);
+            for (int i = 0; i < lanes; ++i) {
+                const float bound = node.size[half][i] + static_cast<float>(slope_) * std::sqrt(squared[i]);
+                best = bound < least ? half * lanes + i : best;
+                least = std::min(least, bound);
+            }
+        }
+        next = node.below[static_cast<std::size_t>(best)];
+    }
+    return lowest_of(next, p, limit_);
 }
 
 double SourceTree::at(const Vec3& p) const {
-    const double listed = candidates_.at(balls_, p);
-    return listed >= 0 ? listed : through_tree(p);
-}
-
-double SourceTree::through_tree(const Vec3& p) const {
-    double best = limit_;
-    if (nodes_.empty()) return best;
-    // squared distance to the node's box, kept on the stack so that it is found once
-    struct Waiting {
-        std::int32_t node;
-        double squared;
-    };
-    Waiting stack[64];
+    if (nodes_.empty()) return limit_;
+    const Vec3 from_origin = p - origin_;
+    const Point point{static_cast<float>(from_origin.x), static_cast<float>(from_origin.y),
+                      static_cast<float>(from_origin.z)};
+    double best = first_guess(p, point);
+    std::array<std::int32_t, 128> stack;
     int depth = 0;
-    stack[depth++] = {0, squared_distance_to_box(p, nodes_[0].low, nodes_[0].high)};
+    stack[depth++] = 0;
     while (depth > 0) {
-        const Waiting next = stack[--depth];
-        const Node& node = nodes_[static_cast<std::size_t>(next.node)];
-        const double far = reach(node, best);
-        if (far <= 0 || next.squared >= far * far) continue;
-        if (node.count > 0) {
-            for (std::int32_t i = node.first; i < node.first + node.count; ++i)
-                best = balls_[static_cast<std::size_t>(i)].lower(best, p, slope_, inverse_slope_);
-            continue;
+        const Node& node = nodes_[static_cast<std::size_t>(stack[--depth])];
+        const float most = static_cast<float>(best) * over, inverse = static_cast<float>(inverse_slope_) * over;
+        unsigned near = 0;
+        for (int half = 0; half < 2; ++half) {
+            const Lanes reach = (most - node.size[half]) * inverse + margin_;
+            const auto is_near = (reach > 0) & (squared_distances(node, half, point) < reach * reach * over);
+            const auto bits = is_near & Bits{1, 2, 4, 8};
+            near |= static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3])) << (half * lanes);
         }
-        const std::int32_t a = next.node + 1, b = node.first;
-        const Node &left = nodes_[static_cast<std::size_t>(a)], &right = nodes_[static_cast<std::size_t>(b)];
-        const Waiting to_left{a, squared_distance_to_box(p, left.low, left.high)};
-        const Waiting to_right{b, squared_distance_to_box(p, right.low, right.high)};
-        const bool left_first =
-            to_left.squared < to_right.squared || (to_left.squared == to_right.squared && left.size <= right.size);
-        stack[depth++] = left_first ? to_right : to_left;
-        stack[depth++] = left_first ? to_left : to_right;
+        for (; near != 0; near &= near - 1) {
+            const Below& below = node.below[static_cast<std::size_t>(std::countr_zero(near))];
+            if (below.count > 0)
+                best = lowest_of(below, p, best);
+            else
+                stack[depth++] = below.first;
+        }
     }
     return best;
 }

@@ -2,45 +2,63 @@
 // The growth-limited minimum over many size sources.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
-#include "sizing/candidate_octree.h"
 #include "sizing/source_ball.h"
 
 namespace featuremesh {
 
-/// Immutable bounding volume tree. The field is the exact minimum of size_i + slope * max(0, |x - center_i| -
-/// radius_i), so it is Lipschitz with the slope by itself; inside the given box a query reads one short list, elsewhere
-/// it goes through the tree.
+/// Immutable tree of boxes, eight below each. The field is the exact minimum of size_i + slope * max(0, |x - center_i|
+/// - radius_i), so it is Lipschitz with the slope by itself. A query first goes down to where the least size is to be
+/// expected, which is mostly the answer, and then into what may hold less still. Boxes are looked at four at a time, in
+/// single precision on the safe side; what the balls ask for is found in double precision.
 class SourceTree {
   public:
     SourceTree() = default;
-    /// Queries get fast within `box`; the field is nowhere above `limit`.
-    SourceTree(std::vector<SourceBall> sources, double slope, double limit, const Box& box);
+    /// The field is nowhere above `limit`.
+    SourceTree(std::vector<SourceBall> sources, double slope, double limit);
 
     bool empty() const { return balls_.empty(); }
-    double smallest() const { return nodes_.empty() ? std::numeric_limits<double>::infinity() : nodes_[0].size; }
+    double smallest() const { return smallest_; }
     double at(const Vec3& p) const;
     std::span<const SourceBall> balls() const { return balls_; }
 
   private:
-    struct Node {
-        Vec3 low, high;      ///< of the balls
-        double size;         ///< smallest one
-        std::int32_t first;  ///< first ball of a leaf, else the second child; the first child follows its parent
-        std::int32_t count;  ///< balls of a leaf, 0 for an inner node
+    static constexpr int width = 8, lanes = 4;
+    using Lanes =
+        float __attribute__((vector_size(lanes * sizeof(float))));  ///< numbers for half of the boxes below a node
+    using Bits = std::int32_t __attribute__((vector_size(lanes * sizeof(std::int32_t))));
+    using Point = std::array<float, 3>;
+    struct Range {
+        std::size_t begin, end;
     };
-    std::int32_t build(std::size_t begin, std::size_t end);
-    double reach(const Node& node, double best) const { return (best - node.size) * inverse_slope_; }
+    /// What is below a node: balls, or with count 0 another node.
+    struct Below {
+        std::int32_t first = 0, count = 0;
+    };
+    struct Node {
+        std::array<std::array<Lanes, 2>, 3> low, high;  ///< of the balls, from the origin
+        std::array<Lanes, 2> size;                      ///< smallest one; infinite where nothing is below
+        std::array<Below, width> below;
+    };
 
-    double through_tree(const Vec3& p) const;
+    std::int32_t build(Range range);
+    Range halve(Range& range);
+    void bound(Node& node, int slot, Range range);
+    static Lanes squared_distances(const Node& node, int half, const Point& p);
+    double lowest_of(const Below& leaf, const Vec3& p, double best) const;
+    double first_guess(const Vec3& p, const Point& point) const;
 
     std::vector<SourceBall> balls_;
     std::vector<Node> nodes_;
+    Vec3 origin_;
+    float margin_ = 0;  ///< mm, rounding errors of boxes and points in single precision
     double slope_ = 0, inverse_slope_ = 0, limit_ = std::numeric_limits<double>::infinity();
-    CandidateOctree candidates_;
+    double smallest_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace featuremesh
