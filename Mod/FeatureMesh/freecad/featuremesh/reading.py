@@ -467,10 +467,9 @@ def _add_number(numbers, name, value):
 def _add_placement(numbers, name, placement):
     base, rotation = placement.Base, placement.Rotation
     direction, angle = rotation.Axis, rotation.Angle
-    for axis in "xyz":
-        numbers["%s.Base.%s" % (name, axis)] = float(getattr(base, axis))
-        numbers["%s.Axis.%s" % (name, axis)] = float(getattr(direction, axis))
-    numbers["%s.Angle" % name] = math.degrees(angle)
+    numbers.update({name + ".Base.x": base.x, name + ".Base.y": base.y, name + ".Base.z": base.z,
+                    name + ".Axis.x": direction.x, name + ".Axis.y": direction.y, name + ".Axis.z": direction.z,
+                    name + ".Angle": math.degrees(angle)})
 
 
 def _constraints(sketch):
