@@ -192,6 +192,15 @@ std::vector<TetId> too_coarse(const Brep& brep, const Mesh& curved, const RunCon
     return {};
 }
 
+/// Kept elements stay as they are, whatever they miss.
+SecondOrder result_of(Curved curved, const KeptCounts& kept) {
+    std::vector<TetId> low = curved.low;
+    std::erase_if(low, [&](TetId t) { return t.index() < kept.tets; });
+    std::vector<SizeSource> shorter = shorter_lengths(curved.mesh, low);
+    std::string place = place_of(curved.mesh, curved.low.front());
+    return {std::move(curved.mesh), std::move(shorter), std::move(place), curved.smallest};
+}
+
 }  // namespace
 
 SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {
@@ -207,13 +216,13 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
         Curved curved = curve(brep, projector, mesh, kept, context);
         if (refinement == 0)
             if (const std::vector<TetId> bent = too_coarse(brep, curved.mesh, context); !bent.empty())
-                return {{}, shorter_lengths(curved.mesh, bent), place_of(curved.mesh, bent.front())};
-        if (curved.low.empty()) return {std::move(curved.mesh), {}, {}};
+                return {{}, shorter_lengths(curved.mesh, bent), place_of(curved.mesh, bent.front()), 0};
+        if (curved.low.empty()) return {std::move(curved.mesh), {}, {}, 1};
         const std::vector<TetId> trouble = curved.folded.empty() ? curved.low : curved.folded;
         const std::string place = place_of(curved.mesh, trouble.front());
         if (refinement == 0) {
             trouble_at_first = trouble.size();
-            if (!curved.folded.empty()) failed = {{}, shorter_lengths(curved.mesh, trouble), place};
+            if (!curved.folded.empty()) failed = {{}, shorter_lengths(curved.mesh, trouble), place, 0};
         }
         // refining that makes more trouble than it ends would go on for ever
         const bool is_hopeless = refinement == most_refinements || trouble.size() > 4 * trouble_at_first + 50 ||
@@ -223,7 +232,7 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
             best = std::move(curved);
             last_gain = refinement;
         }
-        if (!is_split && best) return {std::move(best->mesh), {}, {}};
+        if (!is_split && best) return result_of(std::move(*best), counts);
         if (!is_split) return failed;
         context.log(std::to_string(trouble.size()) + " tets are refined near " + place +
                     " so that their curved sides do not fold them.");
@@ -232,7 +241,7 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
 
 Mesh curve_to_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {
     SecondOrder result = try_second_order(brep, std::move(mesh), kept, context);
-    if (!result.shorter.empty())
+    if (!result.is_valid())
         throw MeshError(
             std::to_string(result.shorter.size()) + " 10-node tets would be folded near " + result.place +
             ": the face bends too much within one element. Ask for a smaller size there, or for 4-node tets.");

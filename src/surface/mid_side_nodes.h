@@ -14,10 +14,12 @@ namespace featuremesh {
 
 /// A 10-node mesh, or why there is none.
 struct SecondOrder {
-    Mesh mesh;
-    std::vector<SizeSource>
-        shorter;        ///< edge lengths with which it may work where elements stay folded; empty: `mesh` is valid
-    std::string place;  ///< the face at which they are
+    Mesh mesh;                        ///< empty where elements stay folded
+    std::vector<SizeSource> shorter;  ///< edge lengths with which it may work, or get better where the aim is missed
+    std::string place;                ///< the face at which that is
+    double smallest = 1;              ///< scaled Jacobian where the aim is missed
+
+    bool is_valid() const { return !mesh.tets.empty(); }
 };
 
 /// Makes a 4-node mesh a 10-node one: sides on CAD edges and faces get their mid-side node on the entity, half way in

@@ -119,7 +119,7 @@ struct Filled {
     std::vector<Vec3> used_active;
 };
 
-/// `second.shorter` tells where 10-node tets need shorter edges; the result counts only when it is empty.
+/// `second.shorter` tells where 10-node tets need shorter edges; without a valid mesh the result is empty.
 Filled fill_once(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, SecondOrder& second, RunContext& context) {
     const std::size_t kept_tets = kept.mesh.tets.size(), kept_triangles = kept.mesh.triangles.size();
     SurfaceResult surface = fill_surface(brep, sizing, std::move(kept.mesh), context, kept.merged.get());
@@ -130,15 +130,30 @@ Filled fill_once(const Brep& brep, const SizingField& sizing, Kept kept, const M
     Mesh mesh = std::move(volume.mesh);
     if (options.order == 2) {
         second = try_second_order(brep, std::move(mesh), kept.curved.order == 2 ? &kept.curved : nullptr, context);
-        if (!second.shorter.empty()) return {};
+        if (!second.is_valid()) return {};
         mesh = std::move(second.mesh);
     }
     validate(mesh, brep, std::move(kept), kept_tets - volume.released.size(), volume.released_nodes, context);
     return {std::move(mesh), std::move(surface.report), std::move(volume.report), std::move(volume.released), std::move(volume.moved), std::move(volume.used_active)};
 }
 
+/// The better of the fillings whose 10-node tets are valid.
+struct BestFilling {
+    std::optional<Filled> filled;
+    double smallest = 0;  ///< scaled Jacobian
+
+    void offer(Filled&& next, double its_smallest, const std::set<std::string>& places) {
+        if (filled && its_smallest <= smallest) return;
+        filled = std::move(next);
+        smallest = its_smallest;
+        for (const std::string& place : places)
+            filled->surface.warnings.push_back("The mesh is finer than asked at " + place +
+                                               ", because 10-node tets of that size would be folded by the curved face.");
+    }
+};
+
 /// Where 10-node tets would be folded whatever is done to them, everything that is not kept is filled again with shorter edges there; when that fails
-/// in turn, with other lengths.
+/// in turn, with other lengths. Once also where they are valid, but miss the aim: the better filling counts.
 Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, RunContext& context) {
     constexpr int attempts = 6;
     SecondOrder second;
@@ -148,21 +163,20 @@ Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, co
     int failures = 0;
     std::set<std::string> places;
     SizingField field = sizing;
+    BestFilling best;
     for (int attempt = 1;; ++attempt) {
         try {
             Filled filled = fill_once(brep, field, kept, options, second, context);
-            if (second.shorter.empty()) {
-                for (const std::string& place : places)
-                    filled.surface.warnings.push_back("The mesh is finer than asked at " + place +
-                                                      ", because 10-node tets of that size would be folded by the curved face.");
-                return filled;
-            }
+            const bool is_second_try = best.filled.has_value();
+            if (!filled.mesh.tets.empty()) best.offer(std::move(filled), second.smallest, places);
+            if (best.filled && (is_second_try || second.shorter.empty() || attempt == attempts)) return std::move(*best.filled);
             first_of_last = shorter.size();
             shorter.insert(shorter.end(), second.shorter.begin(), second.shorter.end());
             places.insert(second.place);
         } catch (const MeshError&) {
             context.check_cancelled();
             if (attempt == 1) throw;
+            if (best.filled) return std::move(*best.filled);
             const double factor = ++failures % 2 == 1 ? 1.5 : 0.4;   // milder first, then stronger
             for (std::size_t i = first_of_last; i < shorter.size(); ++i) shorter[i].size *= factor;
         }

@@ -89,15 +89,18 @@ TopoDS_Shape shaft_with_step(double height) {
         .Shape();
 }
 
-Mesh curved_mesh(const Brep& brep, double size) {
-    RunContext context;
+Mesh straight_mesh(const Brep& brep, double size, RunContext& context) {
     SizingOptions options;
     options.size = size;
     options.elements_per_circle = 0;
     const SizingField sizing = make_sizing(brep, options, {}, context);
     Mesh surface = fill_surface(brep, sizing, Mesh{}, context).mesh;
-    Mesh solid = fill_solids(brep, sizing, std::move(surface), {}, VolumeOptions{}, context).mesh;
-    return curve_to_second_order(brep, std::move(solid), nullptr, context);
+    return fill_solids(brep, sizing, std::move(surface), {}, VolumeOptions{}, context).mesh;
+}
+
+Mesh curved_mesh(const Brep& brep, double size) {
+    RunContext context;
+    return curve_to_second_order(brep, straight_mesh(brep, size, context), nullptr, context);
 }
 
 double distance_from_entities(const Brep& brep, const Mesh& mesh) {
@@ -141,6 +144,21 @@ TEST_CASE("coarse 10-node meshes of strongly curved parts are unfolded and on th
         if (c.name == "cylinder, four around") CHECK(measure_quality(mesh).min_dihedral > 25);
         CHECK(distance_from_entities(brep, mesh) < 1e-8);
     }
+}
+
+TEST_CASE("where the tets are valid, but miss the aim, shorter edges are asked for at the place") {
+    const Brep brep(block_with_hairpin());
+    RunContext context;
+    const SecondOrder result = try_second_order(brep, straight_mesh(brep, 4.89142083, context), nullptr, context);
+    REQUIRE(result.is_valid());
+    const double smallest = measure_quality(result.mesh).min_scaled_jacobian;
+    CHECK(smallest < 0.19);
+    CHECK(result.smallest == Approx(smallest).margin(1e-3));
+    CHECK(!result.shorter.empty());
+    CHECK(result.place.substr(0, 4) == "Face");
+    const SecondOrder good = try_second_order(brep, straight_mesh(brep, 10, context), nullptr, context);
+    CHECK(good.is_valid());
+    CHECK(good.shorter.empty());
 }
 
 TEST_CASE("tets far thinner than their sides are bent follow them") {
