@@ -178,7 +178,9 @@ struct Cell {
 };
 
 /// Halves cells until the field hardly changes within one; cells at the global size have nothing extra.
-void collect_cells(const SizingField& sizing, double slope, const Box& box, int depth, std::vector<Cell>& cells) {
+void collect_cells(const SizingField& sizing, double slope, const Box& box, int depth, std::vector<Cell>& cells,
+                   RoundWatch& watch) {
+    watch();
     const Vec3 center = box.center();
     const double h = sizing.at(center), reach = slope * 0.5 * box.diagonal(), size = sizing.largest();
     if (depth < 9 && reach > 0.3 * h && h - reach < size) {
@@ -186,7 +188,7 @@ void collect_cells(const SizingField& sizing, double slope, const Box& box, int 
         for (int octant = 0; octant < 8; ++octant) {
             const Vec3 low{box.low.x + (octant & 1 ? half.x : 0), box.low.y + (octant & 2 ? half.y : 0),
                            box.low.z + (octant & 4 ? half.z : 0)};
-            collect_cells(sizing, slope, {low, low + half}, depth + 1, cells);
+            collect_cells(sizing, slope, {low, low + half}, depth + 1, cells, watch);
         }
         return;
     }
@@ -206,7 +208,7 @@ bool is_inside(const Brep& brep, std::vector<std::unique_ptr<BRepClass3d_SolidCl
 }
 
 /// Classifies cells drawn at equal steps of the summed extra tets; a finer cell is drawn more often.
-double share_inside(const Brep& brep, const std::vector<Cell>& cells, double total) {
+double share_inside(const Brep& brep, const std::vector<Cell>& cells, double total, const RunContext& context) {
     constexpr int draws = 32;
     std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> classifiers(brep.solid_count());
     int inside = 0, drawn = 0;
@@ -215,6 +217,7 @@ double share_inside(const Brep& brep, const std::vector<Cell>& cells, double tot
         sum += cell.extra;
         const int due = static_cast<int>(sum / total * draws + 0.5);
         if (due <= drawn) continue;
+        context.check_cancelled();
         if (is_inside(brep, classifiers, cell.center)) inside += due - drawn;
         drawn = due;
     }
@@ -223,15 +226,16 @@ double share_inside(const Brep& brep, const std::vector<Cell>& cells, double tot
 
 }  // namespace
 
-double estimate_tets(const Brep& brep, const SizingField& sizing) {
+double estimate_tets(const Brep& brep, const SizingField& sizing, const RunContext& context) {
     const double size = sizing.largest();
     double per_volume = brep.volume() / (size * size * size);
     if (!sizing.is_uniform()) {
         std::vector<Cell> cells;
-        collect_cells(sizing, sizing.growth() - 1, brep.box(), 0, cells);
+        RoundWatch watch(context);
+        collect_cells(sizing, sizing.growth() - 1, brep.box(), 0, cells, watch);
         double extra = 0;
         for (const Cell& cell : cells) extra += cell.extra;
-        if (extra > 0) per_volume += extra * share_inside(brep, cells, extra);
+        if (extra > 0) per_volume += extra * share_inside(brep, cells, extra, context);
     }
     return tets_per_cube * per_volume;
 }

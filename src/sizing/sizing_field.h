@@ -63,6 +63,6 @@ std::vector<Box> where_different(const SizingField& a, const SizingField& b);
 SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::span<const SizeSource> sources, RunContext& context);
 
 /// About how many tets the field asks for in the part (used to refuse more than 50 million, and by the task panel).
-double estimate_tets(const Brep& brep, const SizingField& sizing);
+double estimate_tets(const Brep& brep, const SizingField& sizing, const RunContext& context = {});
 
 }  // namespace featuremesh

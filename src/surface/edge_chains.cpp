@@ -289,14 +289,15 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
         }
         chain.nodes.push_back(base.nodes.back()), chain.t.push_back(base.t.back());
     }
-    keep_off_contacts(brep, sizing, first_new_node, mesh);
+    keep_off_contacts(brep, sizing, first_new_node, mesh, context);
     for (const EdgeId edge : followers) follow_owner(brep, edge, mesh);
 }
 
 void EdgeChains::keep_off_contacts(const Brep& brep, const WantedLength& sizing, std::size_t first_new_node,
-                                   Mesh& mesh) {
+                                   Mesh& mesh, const RunContext& context) {
     std::optional<ChainNeighbours> neighbours;  // many updates need none
     for (std::size_t e = 0; e < chains_.size(); ++e) {
+        if (e % 64 == 0) context.check_cancelled();
         EdgeChain& chain = chains_[e];
         const auto is_free = [&](std::size_t i) {
             const std::size_t n = chain.nodes[i].index();

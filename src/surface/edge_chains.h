@@ -69,7 +69,8 @@ class EdgeChains {
 
   private:
     /// Divides runs of new nodes into more pieces where one of them lies on another edge.
-    void keep_off_contacts(const Brep& brep, const WantedLength& sizing, std::size_t first_new_node, Mesh& mesh);
+    void keep_off_contacts(const Brep& brep, const WantedLength& sizing, std::size_t first_new_node, Mesh& mesh,
+                           const RunContext& context);
     /// The same for the nodes from the first to before the second of `run`; where it ends now.
     std::size_t keep_off_contacts(const Brep& brep, const WantedLength& sizing, const ChainNeighbours& neighbours,
                                   EdgeId edge, const std::array<std::size_t, 2>& run, Mesh& mesh);

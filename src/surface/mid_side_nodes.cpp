@@ -133,6 +133,7 @@ struct Curved {
 Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh* kept, RunContext& context) {
     // an element whose Jacobian varies more than this makes the solution worse
     constexpr double wanted_scaled_jacobian = 0.2;
+    context.check_cancelled();
     std::vector<bool> is_movable(mesh.points.size(), true);
     if (kept)
         for (std::size_t n = 0; n < mesh.points.size(); ++n)

@@ -41,9 +41,9 @@ double peak_memory_mb() {
     return double(usage.ru_maxrss) / 1024;
 }
 
-void refuse_too_many(const Brep& brep, const SizingField& sizing, const MeshOptions& options) {
+void refuse_too_many(const Brep& brep, const SizingField& sizing, const MeshOptions& options, const RunContext& context) {
     if (10 * brep.volume() < options.most_tets * std::pow(sizing.smallest(), 3)) return;   // however the sizes are spread
-    const double tets = estimate_tets(brep, sizing);
+    const double tets = estimate_tets(brep, sizing, context);
     if (tets > options.most_tets)
         throw InputError("A size of " + std::to_string(options.sizing.size) + " mm would make about " +
                          std::to_string(std::llround(tets / 1e6)) + " million tets; at most " +
@@ -121,6 +121,7 @@ struct Filled {
 
 /// `second.shorter` tells where 10-node tets need shorter edges; without a valid mesh the result is empty.
 Filled fill_once(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, SecondOrder& second, RunContext& context) {
+    context.check_cancelled();
     const std::size_t kept_tets = kept.mesh.tets.size(), kept_triangles = kept.mesh.triangles.size();
     SurfaceResult surface = fill_surface(brep, sizing, std::move(kept.mesh), context, kept.merged.get());
     if (!kept.is_rim.empty()) widen_rim(surface.mesh, kept_triangles, kept);
@@ -388,7 +389,7 @@ PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunCo
     const auto start = std::chrono::steady_clock::now();
     PartState part = read_part_to_mesh(document, context);
     const SizingField sizing = make_sizing(part.brep, options.sizing, {}, context);
-    refuse_too_many(part.brep, sizing, options);
+    refuse_too_many(part.brep, sizing, options, context);
     Filled filled = fill(part.brep, sizing, nothing_kept(next), options, context);
     const double total = seconds_since(start);
     PartMeshResult result;
@@ -408,7 +409,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     const std::string why_full = reason_for_full_mesh(old, options);
     const std::vector<SizeSource> adopted_sizes = why_full.empty() ? old.adopted_sizes : std::vector<SizeSource>{};
     const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
-    refuse_too_many(part.brep, sizing, options);
+    refuse_too_many(part.brep, sizing, options, context);
 
     PartMeshResult result;
     Report& report = result.report;
@@ -472,7 +473,7 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, cons
     PartState part = read_part_to_mesh(document, context);
     const std::vector<SizeSource> adopted_sizes = local_sizes(foreign, options.sizing.size);
     const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
-    refuse_too_many(part.brep, sizing, options);
+    refuse_too_many(part.brep, sizing, options, context);
     PartMeshResult result;
     Report& report = result.report;
     std::vector<std::int32_t> node_origin, tet_origin;

@@ -286,7 +286,9 @@ class Filling {
         }
     }
 
+    /// Every step of the recovery is long enough to look for a cancel before it.
     void log(const char* what, std::size_t count) const {
+        context_.check_cancelled();
         context_.log("boundary recovery: " + std::to_string(count) + " " + what);
     }
 
