@@ -345,8 +345,8 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
     std::size_t crossings_before = 0;
     int times_grown = 0;
     const Extent before = extent_of(kept);
-    const std::optional<MergedEntities> found = known ? std::nullopt : std::optional<MergedEntities>(brep);
-    const MergedEntities& merged = known ? *known : *found;
+    const std::optional<MergedEntities> own = known ? std::nullopt : std::optional<MergedEntities>(brep);
+    const MergedEntities& merged = known ? *known : *own;
     WantedLength wanted(sizing);
     std::set<std::string> refined;
     for (int attempt = 1;; ++attempt) {

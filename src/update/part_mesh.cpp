@@ -149,7 +149,7 @@ struct BestFilling {
         smallest = its_smallest;
         for (const std::string& place : places)
             filled->surface.warnings.push_back("The mesh is finer than asked at " + place +
-                                               ", because 10-node tets of that size would be folded by the curved face.");
+                                               ", because 10-node tets of that size would be folded, or nearly so, by the curved face.");
     }
 };
 

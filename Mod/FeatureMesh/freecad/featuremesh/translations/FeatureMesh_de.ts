@@ -469,8 +469,8 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>Das Netz folgt jeder Neuberechnung des Dokuments</translation>
     </message>
     <message>
-      <source>The mesh is finer than asked at %s, because 10-node tets of that size would be folded by the curved face.</source>
-      <translation>Das Netz ist bei %s feiner als verlangt, weil 10-Knoten-Tetraeder dieser Größe durch die gekrümmte Fläche umklappen würden.</translation>
+      <source>The mesh is finer than asked at %s, because 10-node tets of that size would be folded, or nearly so, by the curved face.</source>
+      <translation>Das Netz ist bei %s feiner als verlangt, weil 10-Knoten-Tetraeder dieser Größe durch die gekrümmte Fläche ganz oder fast umklappen würden.</translation>
     </message>
     <message>
       <source>The mesh is finer than asked where these faces are near each other: %s.</source>
