@@ -199,19 +199,30 @@ bool has_curved_side(const Mesh& mesh, TetId tet) {
 
 namespace {
 
+/// Segments, triangles and tets by their dimension.
+template <class Visit>
+void for_each_element(const Mesh& mesh, const RunContext& context, Visit visit) {
+    RoundWatch watch(context);
+    const std::array<std::size_t, 3> counts{mesh.segments.size(), mesh.triangles.size(), mesh.tets.size()};
+    for (int dim = 1; dim <= 3; ++dim)
+        for (std::size_t i = 0; i < counts[dim - 1]; ++i) {
+            watch();
+            visit(dim, i);
+        }
+}
+
 template <class Visit>
 void for_each_side(const Mesh& mesh, const RunContext& context, Visit visit) {
-    RoundWatch watch(context);
-    for (std::size_t i = 0; i < mesh.segments.size(); ++i)
-        visit(mesh.segments[i][0], mesh.segments[i][1], entity_of(mesh.segment_edges[i]), 1, i, 0);
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-        for (int s = 0; s < 3; ++s)
-            visit(mesh.triangles[i][s], mesh.triangles[i][(s + 1) % 3], entity_of(mesh.triangle_faces[i]), 2, i, s);
-    for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
-        watch();
-        for (int s = 0; s < 6; ++s)
-            visit(mesh.tets[i][tet_sides[s][0]], mesh.tets[i][tet_sides[s][1]], entity_of(mesh.tet_solids[i]), 3, i, s);
-    }
+    for_each_element(mesh, context, [&](int dim, std::size_t element) {
+        const int sides = dim == 1 ? 1 : 3 * (dim - 1);
+        for (int side = 0; side < sides; ++side) visit(dim, element, side);
+    });
+}
+
+std::array<NodeId, 2> side_of(const Mesh& mesh, int dim, std::size_t element, int side) {
+    if (dim == 1) return mesh.segments[element];
+    if (dim == 2) return {mesh.triangles[element][side], mesh.triangles[element][(side + 1) % 3]};
+    return {mesh.tets[element][tet_sides[side][0]], mesh.tets[element][tet_sides[side][1]]};
 }
 
 NodeId& mid_of(Mesh& mesh, int dim, std::size_t element, int side) {
@@ -223,33 +234,69 @@ NodeId mid_of(const Mesh& mesh, int dim, std::size_t element, int side) {
     return mid_of(const_cast<Mesh&>(mesh), dim, element, side);
 }
 
+Entity entity_of_element(const Mesh& mesh, int dim, std::size_t element) {
+    if (dim == 1) return entity_of(mesh.segment_edges[element]);
+    return dim == 2 ? entity_of(mesh.triangle_faces[element]) : entity_of(mesh.tet_solids[element]);
+}
+
 Number number_of(const Mesh& mesh, int dim, std::size_t element) {
     const auto& numbers = dim == 1 ? mesh.segment_numbers : dim == 2 ? mesh.triangle_numbers : mesh.tet_numbers;
     return numbers[element];
 }
 
-/// Takes over the kept mid-side nodes of the sides that are still there, in their old order.
+/// Where kept elements were in the arrays of the kept 10-node mesh, found by their numbers.
+class KeptPlaces {
+  public:
+    KeptPlaces() = default;
+    KeptPlaces(const Mesh& kept, const RunContext& context)
+        : place_(static_cast<std::size_t>(kept.next_element_number), -1) {
+        for_each_element(kept, context, [&](int dim, std::size_t element) {
+            place_[static_cast<std::size_t>(number_of(kept, dim, element))] = static_cast<std::int32_t>(element);
+        });
+    }
+    /// -1 for a new element, of which a corner may be a kept one that was moved.
+    std::int32_t of(const Mesh& mesh, int dim, std::size_t element) const {
+        const auto number = static_cast<std::size_t>(number_of(mesh, dim, element));
+        return number < place_.size() ? place_[number] : -1;
+    }
+
+  private:
+    std::vector<std::int32_t> place_;
+};
+
+/// Takes over the mid-side nodes of kept elements, in their old order. The table gets those at sides that elements which
+/// lack one may share.
 void take_over_kept_mids(Mesh& mesh, const Mesh& kept, const RunContext& context, SideTable& sides) {
-    SideTable kept_sides(mesh.corner_count);
-    for_each_side(kept, context, [&](NodeId a, NodeId b, Entity, int dim, std::size_t element, int side) {
-        kept_sides.value(a, b) = mid_of(kept, dim, element, side).value;
+    const KeptPlaces places(kept, context);
+    const auto old_mid = [&](int dim, std::size_t element, int side) {
+        const std::int32_t old = places.of(mesh, dim, element);
+        return old >= 0 ? mid_of(kept, dim, static_cast<std::size_t>(old), side) : NodeId();
+    };
+    std::vector<char> lacks_mid(mesh.corner_count, 0), is_used(kept.points.size(), 0);
+    for_each_side(mesh, context, [&](int dim, std::size_t element, int side) {
+        if (const NodeId mid = old_mid(dim, element, side); mid.is_valid())
+            is_used[mid.index()] = 1;
+        else
+            for (const NodeId corner : side_of(mesh, dim, element, side)) lacks_mid[corner.index()] = 1;
     });
-    std::vector<std::array<NodeId, 2>> side_of(kept.points.size());
-    for_each_side(mesh, context, [&](NodeId a, NodeId b, Entity, int dim, std::size_t element, int) {
-        if (number_of(mesh, dim, element) >= kept.next_element_number) return;  // a kept corner may have been moved
-        const std::int32_t old = kept_sides.find(a, b);
-        if (old >= 0) side_of[static_cast<std::size_t>(old)] = {a, b};
-    });
+    std::vector<NodeId> now(kept.points.size());
     RoundWatch watch(context);
-    for (std::size_t old = kept.corner_count; old < side_of.size(); ++old) {
+    for (std::size_t old = kept.corner_count; old < is_used.size(); ++old) {
         watch();
-        if (!side_of[old][0].is_valid()) continue;
-        sides.value(side_of[old][0], side_of[old][1]) = static_cast<std::int32_t>(mesh.points.size());
+        if (!is_used[old]) continue;
+        now[old] = NodeId(mesh.points.size());
         mesh.points.push_back(kept.points[old]);
         mesh.entities.push_back(kept.entities[old]);
         mesh.parameters.push_back(kept.parameters[old]);
         mesh.node_numbers.push_back(kept.node_numbers[old]);
     }
+    for_each_side(mesh, context, [&](int dim, std::size_t element, int side) {
+        const NodeId old = old_mid(dim, element, side);
+        if (!old.is_valid()) return;
+        mid_of(mesh, dim, element, side) = now[old.index()];
+        const auto [a, b] = side_of(mesh, dim, element, side);
+        if (lacks_mid[a.index()] && lacks_mid[b.index()]) sides.value(a, b) = now[old.index()].value;
+    });
     mesh.next_node_number = std::max(mesh.next_node_number, kept.next_node_number);
 }
 
@@ -264,13 +311,17 @@ std::vector<NodeId> add_mid_side_nodes(Mesh& mesh, const Mesh* kept, const RunCo
     SideTable sides(mesh.corner_count);
     if (kept && kept->order == 2) take_over_kept_mids(mesh, *kept, context, sides);
     std::vector<NodeId> added;
-    for_each_side(mesh, context, [&](NodeId a, NodeId b, Entity entity, int dim, std::size_t element, int side) {
+    for_each_side(mesh, context, [&](int dim, std::size_t element, int side) {
+        NodeId& own = mid_of(mesh, dim, element, side);
+        if (own.is_valid()) return;
+        const auto [a, b] = side_of(mesh, dim, element, side);
         std::int32_t& mid = sides.value(a, b);
         if (mid < 0) {
-            added.push_back(mesh.add_node((mesh.point(a) + mesh.point(b)) * 0.5, entity));
+            added.push_back(
+                mesh.add_node((mesh.point(a) + mesh.point(b)) * 0.5, entity_of_element(mesh, dim, element)));
             mid = added.back().value;
         }
-        mid_of(mesh, dim, element, side) = NodeId(mid);
+        own = NodeId(mid);
     });
     return added;
 }

@@ -15,8 +15,9 @@ struct Expectation {
     std::vector<double> solid_volumes;          ///< mm^3, by SolidId
     double volume_tolerance = 0.05;             ///< share; coarse meshes of curved parts cut chords
     std::vector<std::array<SolidId, 2>> face_sides;  ///< by FaceId: solid behind (against the normal) and before it, or none
-    /// By node: whether an element around it is new or gone. Where a valid mesh was updated, elements without such a node are as they were, place and
-    /// neighbours: triangles are compared with tets only where all three nodes are unproven, 4-node tets and segments measured only where one is (see
+    /// By node: whether an element around it is new or gone. Where a valid mesh was updated, elements without such a node
+    /// are as they were, place and neighbours: triangles are compared with tets only where all three nodes are unproven;
+    /// 4-node tets and segments are measured, and mid-side nodes and Jacobians looked at, only where one is (see
     /// docs/design/keeping.md). Empty: everything.
     std::vector<char> is_unproven;
     std::vector<TetId> unproven_tets;           ///< all with an unproven node, ascending; none: they are searched for

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <functional>
 
 #include "box_mesh.h"
@@ -227,4 +228,26 @@ TEST_CASE("around what was changed, a validation of the unproven finds what one 
     Mesh swollen = good;
     for (Vec3& p : swollen.points) p = p * 1.5;
     CHECK_FALSE(broken_invariants(swollen, expected).empty());
+}
+
+TEST_CASE("around what was changed, a validation of the unproven finds wrong mid-side nodes") {
+    Mesh good = box_mesh(3);
+    add_mid_side_nodes(good);
+    Expectation expected = box_expectation();
+    expected.is_unproven.assign(good.node_count(), 0);
+    CHECK(broken_invariants(good, expected).empty());
+    const auto says = [](const std::vector<std::string>& broken, const char* words) {
+        return std::any_of(broken.begin(), broken.end(), [&](const std::string& line) { return has(line, words); });
+    };
+    for (std::size_t t = 0; t < good.tets.size(); t += 7) {
+        Expectation changed = expected;
+        for (const NodeId n : good.tets[t]) changed.is_unproven[n.index()] = 1;
+        CHECK(broken_invariants(good, changed).empty());
+        Mesh exchanged = good;
+        std::swap(exchanged.tet_mids[t][1], exchanged.tet_mids[t][4]);
+        CHECK(says(broken_invariants(exchanged, changed), "two mid-side nodes on one side"));
+        Mesh folded = good;
+        folded.points[good.tet_mids[t][3].index()] = folded.point(good.tets[t][0]) * 3 - folded.point(good.tets[t][3]) * 2;
+        CHECK(says(broken_invariants(folded, changed), "non-positive Jacobian"));
+    }
 }
