@@ -102,19 +102,24 @@ Tally tally_of(const Mesh& mesh, std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
         const auto& n = mesh.tets[t];
         const TetShape shape = shape_of(mesh.point(n[0]), mesh.point(n[1]), mesh.point(n[2]), mesh.point(n[3]));
-        const auto [low, high] = std::minmax_element(shape.cosines.begin(), shape.cosines.end());
-        for (double cosine : shape.cosines) ++tally.histogram[bin_of(cosine)];
-        tally.largest_cosine = std::max(tally.largest_cosine, *high);
-        tally.smallest_cosine = std::min(tally.smallest_cosine, *low);
-        tally.sum_of_min_angles += fast_angle_deg(*high);
+        // without branches, which nobody can foretell here
+        double low = shape.cosines[0], high = shape.cosines[0];
+        for (const double cosine : shape.cosines) {
+            low = std::min(low, cosine);
+            high = std::max(high, cosine);
+            ++tally.histogram[bin_of(cosine)];
+        }
+        tally.largest_cosine = std::max(tally.largest_cosine, high);
+        tally.smallest_cosine = std::min(tally.smallest_cosine, low);
+        tally.sum_of_min_angles += fast_angle_deg(high);
         tally.sum_of_ratios += shape.radius_ratio;
         tally.smallest_ratio = std::min(tally.smallest_ratio, shape.radius_ratio);
-        tally.below_10 += *high > cos_10;
-        tally.below_20 += *high > cos_20;
-        if (*high > cos_25)
-            tally.small.emplace_back(TetId(t), *high);
+        tally.below_10 += high > cos_10;
+        tally.below_20 += high > cos_20;
+        if (high > cos_25)
+            tally.small.emplace_back(TetId(t), high);
         else
-            tally.largest_good_cosine = std::max(tally.largest_good_cosine, *high);
+            tally.largest_good_cosine = std::max(tally.largest_good_cosine, high);
         if (mesh.order == 2 && has_curved_side(mesh, TetId(t)))
             tally.scaled_jacobian = std::min(tally.scaled_jacobian, min_scaled_jacobian(tet_nodes(mesh, TetId(t))));
     }

@@ -264,8 +264,8 @@ class KeptPlaces {
     std::vector<std::int32_t> place_;
 };
 
-/// Takes over the mid-side nodes of kept elements, in their old order. The table gets those at sides that elements which
-/// lack one may share.
+/// Takes over the mid-side nodes of kept elements, in their old order. The table gets those at sides that elements
+/// which lack one may share.
 void take_over_kept_mids(Mesh& mesh, const Mesh& kept, const RunContext& context, SideTable& sides) {
     const KeptPlaces places(kept, context);
     const auto old_mid = [&](int dim, std::size_t element, int side) {

@@ -37,7 +37,7 @@ constexpr int most_local_recoveries = 5;
 /// Kept tets that are not Delaunay may be many: then a cavity that grows by those at its seam would not end in time.
 constexpr int most_releasing_rounds = 5;
 /// What is further from the seam is filled as well as in a full mesh.
-constexpr int edges_to_seam = 4;
+constexpr int edges_to_seam = 3;
 /// Tets are mended until they have the least volume; with this share of it they are still no reason to refuse a part.
 constexpr double tolerated_share = 0.92;
 /// Of the cube of the smallest wanted length: tets below are mended, and those below are refused.

@@ -41,7 +41,7 @@ SliverReport remove_slivers(TetComplex& complex, const SliverOptions& options, R
 
 struct ShapeOptions {
     double target_dihedral_deg = 30;
-    int sweeps = 4;                ///< at most; they end when nothing gains any more
+    int sweeps = 3;                ///< at most; they end when nothing gains any more
     std::vector<int> among;        ///< only these vertices
 };
 struct ShapeReport {

@@ -16,7 +16,7 @@ constexpr double longest_step = 0.15;
 /// theirs further away.
 constexpr double curvature = 2;
 /// Of a star's sum: less is not worth a move.
-constexpr double least_gain_of_sum = 5e-3;
+constexpr double least_gain_of_sum = 1e-2;
 constexpr int most_halvings = 2;
 constexpr std::size_t vertices_between_reports = 64;
 /// Keeps this far from the target, degrees, so that rounding does not leave a tet a hair below.
