@@ -6,7 +6,6 @@
 #include <numbers>
 #include <tuple>
 
-
 namespace featuremesh {
 namespace {
 

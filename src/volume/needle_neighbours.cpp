@@ -22,7 +22,6 @@ namespace {
 /// A needle's short side is shorter than this share of its longest. With more, the angle opposite it is large enough to
 /// be worth something.
 constexpr double needle_share = 0.005;
-constexpr double margin_deg = 1e-4;
 constexpr int most_passes = 12;
 
 /// The side, by its place in edge_corners, that makes the tet a needle; -1 for none.
@@ -61,7 +60,7 @@ class NeedleNeighbours {
     NeedleNeighbours(TetComplex& complex, double target_deg, double least_volume, RunContext& context)
         : complex_(complex),
           context_(context),
-          target_(flatness_of_angle(target_deg + margin_deg)),
+          target_(flatness_to_reach(target_deg)),
           least_volume_(least_volume),
           editor_(complex) {}
 

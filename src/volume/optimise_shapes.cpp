@@ -19,8 +19,6 @@ constexpr double curvature = 2;
 constexpr double least_gain_of_sum = 1e-2;
 constexpr int most_halvings = 2;
 constexpr std::size_t vertices_between_reports = 64;
-/// Keeps this far from the target, degrees, so that rounding does not leave a tet a hair below.
-constexpr double margin_deg = 1e-4;
 
 class ShapeOptimiser {
   public:
@@ -28,7 +26,7 @@ class ShapeOptimiser {
         : complex_(complex),
           options_(options),
           context_(context),
-          target_(flatness_of_angle(options.target_dihedral_deg + margin_deg)),
+          target_(flatness_to_reach(options.target_dihedral_deg)),
           may_move_(complex.points.size(), 0),
           is_due_(complex.points.size(), 0) {
         for (const int v : options.among) may_move_[v] = complex.is_fixed[v] == 0;

@@ -21,8 +21,6 @@ constexpr std::size_t rounds_between_reports = 64;
 constexpr std::size_t refills_at_least = 4000, tets_per_refill = 50;
 /// Below this share of the target angle a new vertex is welcome even if the target stays out of reach.
 constexpr double urgent_share = 0.85;
-/// Aims this much higher, so that rounding does not leave a tet a hair below.
-constexpr double margin_deg = 1e-4;
 
 class SliverRemover {
   public:
@@ -30,7 +28,7 @@ class SliverRemover {
         : complex_(complex),
           options_(options),
           context_(context),
-          target_(flatness_of_angle(options.target_dihedral_deg + margin_deg)),
+          target_(flatness_to_reach(options.target_dihedral_deg)),
           editor_(complex),
           refill_(editor_, target_, flatness_of_angle(urgent_share * options.target_dihedral_deg)),
           refills_left_(refills_at_least + complex.tets.size() / tets_per_refill),

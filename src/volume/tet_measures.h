@@ -35,6 +35,12 @@ inline double flatness_of_angle(double degrees) {
     return cosine * cosine;
 }
 
+/// What an optimiser aims at for a smallest angle: a little more, so that rounding does not leave a tet a hair below.
+inline double flatness_to_reach(double degrees) {
+    constexpr double margin = 1e-4;
+    return flatness_of_angle(degrees + margin);
+}
+
 /// An operation has to bring the squared sine of the worst angle up by this share, else passes would go on for nothing.
 inline constexpr double least_gain = 1e-3;
 /// The flatness that such a gain asks for.
