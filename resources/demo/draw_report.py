@@ -31,9 +31,13 @@ def draw(folder):
         draw_kept(folder / "pictures" / "kept.png", old, new, {"direction": ACROSS})
         draw_kept(folder / "pictures" / "kept_close.png", old, new, {"direction": ACROSS, "focus": HOLE, "height": 36})
         draw_stress(folder / "pictures" / "stress.png", old, new)
-    series = [(name, *pictures.tet_quality(mesh["points"], mesh["tets"])) for name, mesh in (("first mesh", old), ("updated mesh", new))]
-    pictures.write_quality(folder / "pictures" / "quality.png", series)
+    pictures.write_quality(folder / "pictures" / "quality.png", [quality_series("first mesh", old), quality_series("updated mesh", new)])
     write_page(folder, numbers)
+
+
+def quality_series(name, mesh):
+    smallest, _, ratios = pictures.tet_quality(mesh["points"], mesh["tets"])
+    return name, smallest, ratios
 
 
 def draw_kept(path, old, new, view):

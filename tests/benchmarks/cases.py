@@ -17,6 +17,7 @@ class Case:
 CASES = (
     Case("bracket", "bracket", "Body", ("HoleSketch.Hole6X=105",), 1.5, about="one hole moved by 5 mm"),
     Case("bracket-fine", "bracket", "Body", ("HoleSketch.Hole6X=105",), 0.9, about="one hole moved by 5 mm"),
+    Case("bracket-finest", "bracket", "Body", ("HoleSketch.Hole6X=105",), 0.63, about="one hole moved by 5 mm, five million tets"),
     Case("bracket-diameter", "bracket", "Body", ("HoleSketch.Hole1Radius=5",), 1.5, about="one hole's radius 4 to 5"),
     Case("bracket-longer", "bracket", "Body", ("PlateSketch.PlateLength=130",), 1.5, about="the plate 10 mm longer at one end"),
     Case("bracket-unchanged", "bracket", "Body", (), 1.5, about="no change at all"),

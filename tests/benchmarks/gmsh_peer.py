@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Gmsh as a peer: meshes a BREP file in a process of its own and measures the result."""
-import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 import numpy as np
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "Mod" / "FeatureMesh" / "freecad" / "featuremesh"))
 
+from measured_process import run_measured  # noqa: E402
 from pictures import tet_quality  # noqa: E402
 
 ALGORITHMS = {"gmsh-delaunay": "del3d", "gmsh-hxt": "hxt"}
@@ -17,17 +16,13 @@ TET, NODES_OF = 4, {1: 2, 2: 3, 4: 4, 15: 1}
 
 
 def mesh_with_gmsh(name, brep, size, threads, limit_seconds=600):
-    """Wall seconds of the whole process (reading, meshing, writing) and the mesh: (seconds, points, tets)."""
+    """Wall seconds of the whole process (reading, meshing, writing), its largest memory in MB, and the mesh: (seconds, megabytes, points, tets)."""
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "mesh.msh"
         command = ["gmsh", str(brep), "-3", "-algo", ALGORITHMS[name], "-clmin", str(size), "-clmax", str(size), "-nt", str(threads),
                    "-format", "msh22", "-bin", "-o", str(out), "-v", "1"]
-        start = time.perf_counter()
-        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=limit_seconds)
-        seconds = time.perf_counter() - start
-        if done.returncode or not out.is_file():
-            raise RuntimeError(f"{name} failed: {done.stdout[-300:]}")
-        return seconds, *read_msh(out)
+        seconds, megabytes = run_measured(command, out, limit_seconds)
+        return seconds, megabytes, *read_msh(out)
 
 
 def read_msh(path):
@@ -56,6 +51,6 @@ def read_msh(path):
 
 def quality_of(points, tets):
     """The figures that the engine's report has too."""
-    smallest, ratios = tet_quality(points, tets)
-    return {"min_dihedral": float(smallest.min()), "mean_radius_ratio": float(ratios.mean()), "below_20": int((smallest < 20).sum()),
+    smallest, largest, ratios = tet_quality(points, tets)
+    return {"min_dihedral": float(smallest.min()), "max_dihedral": float(largest.max()), "mean_radius_ratio": float(ratios.mean()),
             "below_25": int((smallest < 25).sum())}

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Netgen as a peer: meshes a STEP file in a process of its own. About fifteen times slower than Gmsh's HXT, so it is run on request."""
-import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 import numpy as np
+
+from measured_process import run_measured
 
 PROGRAM = """
 import sys
@@ -24,14 +24,9 @@ np.savez(sys.argv[3], points=points, tets=tets)
 
 
 def mesh_with_netgen(step, size, limit_seconds=1800):
-    """Wall seconds of the whole process (reading, meshing, writing) and the mesh: (seconds, points, tets)."""
+    """Wall seconds of the whole process (reading, meshing, writing), its largest memory in MB, and the mesh: (seconds, megabytes, points, tets)."""
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "mesh.npz"
-        start = time.perf_counter()
-        done = subprocess.run([sys.executable, "-c", PROGRAM, str(step), str(size), str(out)], cwd=folder, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, text=True, timeout=limit_seconds)
-        seconds = time.perf_counter() - start
-        if done.returncode or not out.is_file():
-            raise RuntimeError(f"netgen failed: {done.stdout[-300:]}")
+        seconds, megabytes = run_measured([sys.executable, "-c", PROGRAM, str(step), str(size), str(out)], out, limit_seconds)
         with np.load(out) as mesh:
-            return seconds, mesh["points"], mesh["tets"]
+            return seconds, megabytes, mesh["points"], mesh["tets"]

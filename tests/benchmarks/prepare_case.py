@@ -4,7 +4,6 @@
 FEATUREMESH_CASE is JSON: part, after, final, edit, folder. Writes old.json, new.json (raw documents), new.brep and
 reading.json there: the seconds that FreeCAD takes to recompute all of the edited document and that it takes to read it.
 """
-import base64
 import json
 import os
 import sys
@@ -18,6 +17,7 @@ ROOT = Path(__file__).resolve().parents[2]
 freecad.__path__.append(str(ROOT / "Mod" / "FeatureMesh" / "freecad"))
 sys.path.insert(0, str(Path(__file__).parent))
 
+from raw_files import write_raw  # noqa: E402
 from timing import seconds_of, shortest  # noqa: E402
 
 
@@ -51,11 +51,6 @@ def open_part(name):
         return App.openDocument(str(example))
     import bench_parts
     return bench_parts.make(name)
-
-
-def write_raw(path, raw):
-    raw = {**raw, "shapes": base64.b64encode(raw["shapes"]).decode("ascii")}
-    path.write_text(json.dumps(raw), encoding="utf-8")
 
 
 def main():

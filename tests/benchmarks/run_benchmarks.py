@@ -6,7 +6,6 @@ process. In every round each of them runs once, one after the other, and ratios 
 a machine that is slower for a while does not bend them. Results are appended to build/benchmarks.jsonl.
 """
 import argparse
-import base64
 import json
 import os
 import platform
@@ -26,13 +25,17 @@ sys.path[:0] = [str(Path(__file__).parent), str(ROOT / "resources" / "launcher")
 import cases  # noqa: E402
 from freecad_task import run_script  # noqa: E402
 from gmsh_peer import ALGORITHMS, mesh_with_gmsh, quality_of  # noqa: E402
+from measured_process import run_measured  # noqa: E402
 from netgen_peer import mesh_with_netgen  # noqa: E402
+from raw_files import read_raw  # noqa: E402
 from timing import shortest  # noqa: E402
 
 RESULTS = ROOT / "build" / "benchmarks.jsonl"
 OURS = ("full mesh", "update")
+TWO_THREADS = "on two threads"
 SLOW_PEER = 20  # seconds; a peer that takes longer is measured in one round only
-HEADER = f"  {'':14s} {'tets':>9s} {'seconds':>8s} {'spread':>13s} {'tets/s':>9s} {'min deg':>8s} {'ratio':>6s} {'<20 deg':>8s}"
+HEADER = (f"  {'':14s} {'tets':>9s} {'seconds':>8s} {'spread':>13s} {'tets/s':>9s} {'min deg':>8s} {'max deg':>8s} {'ratio':>6s} {'<25 deg':>8s} "
+          f"{'GB/Mtets':>8s}")
 
 
 def main():
@@ -47,13 +50,15 @@ def main():
     if None in chosen:
         print("featuremesh bench: no such case; see featuremesh bench --list", file=sys.stderr)
         return 2
-    failed, updates, cells = 0, {}, {}
+    failed, updates, cells, per_tet = 0, {}, {}, {}
     for case in chosen:
         try:
-            updates[case.name], cells[case.name] = measure(case, given)
+            updates[case.name], cells[case.name], per_tet[case.name] = measure(case, given)
         except Exception as error:
             failed += 1
             print(f"  {case.name} failed: {error}", file=sys.stderr, flush=True)
+    if "bracket" in per_tet and "bracket-finest" in per_tet:
+        print(f"growth: a tet of the finest bracket takes {per_tet['bracket-finest'] / per_tet['bracket']:.2f} times the time of one at size 1.5")
     if "bosses-1" in updates and "bosses-64" in updates:
         print(f"growth: the update with 64 bosses takes {updates['bosses-64'] / updates['bosses-1']:.2f} times that with 1")
     if "features-150" in cells and "features-600" in cells:
@@ -75,7 +80,7 @@ def parse_arguments():
 
 
 def measure(case, given):
-    """Measures one case, prints its rows and appends them to the results. Gives the median seconds of the update, and of the cells."""
+    """Measures one case, prints its rows and appends them to the results. Gives the median seconds of the update, of the cells, and of the full mesh per tet."""
     print(f"{case.name}: {case.about}, size {case.size:g} mm, {given.threads} thread{'s' if given.threads > 1 else ''}, "
           f"{given.repeat} rounds\n{HEADER}", flush=True)
     with tempfile.TemporaryDirectory(prefix="featuremesh-bench-") as name:
@@ -87,7 +92,8 @@ def measure(case, given):
     for who, row in rows.items():
         print(row_in_words(who, row), flush=True)
     summary = compare_rows(rows) | {"sizing_query": query}
-    print("  " + "; ".join(summary_in_words(summary)), flush=True)
+    for line in summary_in_words(summary):
+        print("  " + line, flush=True)
     print(f"  cells {summary['cells']:.3f} s from nothing, {summary['cells_after_edit']:.3f} s after the edit ({summary['cells_after_edit'] / summary['cells']:.0%}); "
           f"difference {summary['difference']:.3f} s", flush=True)
     print(f"  surface {summary['surface_triangles_per_second']:,.0f} triangles/s; graded sizing field {1e6 * query:.3f} us a query", flush=True)
@@ -97,7 +103,8 @@ def measure(case, given):
               "reading": reading}
     with open(RESULTS, "a", encoding="utf-8") as results:
         results.write(json.dumps(record) + "\n")
-    return statistics.median(rows["update"]["seconds"]), summary["cells"]
+    full = rows["full mesh"]
+    return statistics.median(rows["update"]["seconds"]), summary["cells"], statistics.median(full["seconds"]) / full["tets"]
 
 
 def prepare(case, folder):
@@ -117,15 +124,27 @@ def run_rounds(case, folder, given):
     for _ in range(given.repeat):
         _, report = engine.mesh_part(new_raw, options)
         add_round(rows, "full mesh", report["seconds"]["engine_total"], figures_of(report))
+        if given.threads == 1 and os.cpu_count() > 1:
+            _, report = engine.mesh_part(new_raw, {**options, "threads": 2})
+            add_round(rows, TWO_THREADS, report["seconds"]["engine_total"], figures_of(report))
         _, report = engine.update_part(old, new_raw, options)
         add_round(rows, "update", report["seconds"]["engine_total"], figures_of(report) | kept_of(report))
         for peer in () if given.ours else ALGORITHMS:
             if peer in rows and rows[peer]["seconds"][0] > SLOW_PEER:
                 continue
             add_peer_round(rows, peer, lambda: mesh_with_gmsh(peer, folder / "new.brep", case.size, given.threads))
+    rows["full mesh"]["peak_memory_mb"] = memory_of_a_full_mesh(folder, case.size, given.threads)
     if given.netgen:
         add_peer_round(rows, "netgen", lambda: mesh_with_netgen(folder / "new.step", case.size))
     return rows
+
+
+def memory_of_a_full_mesh(folder, size, threads):
+    """MB of a process that does nothing else."""
+    out = folder / "once.json"
+    command = [sys.executable, str(Path(__file__).parent / "mesh_once.py"), str(folder / "new.json"), str(size), str(threads), str(out)]
+    engine = {**os.environ, "PYTHONPATH": str(ROOT / "build" / "release" / "bindings")}
+    return run_measured(command, out, limit_seconds=600, environment=engine)[1]
 
 
 def seconds_of_a_query(case, folder, count=1_000_000):
@@ -156,11 +175,11 @@ def reading_of(folder):
 
 def add_peer_round(rows, peer, mesh_once):
     try:
-        seconds, points, tets = mesh_once()
-    except (RuntimeError, subprocess.TimeoutExpired) as error:
+        seconds, megabytes, points, tets = mesh_once()
+    except RuntimeError as error:
         print(f"  {peer}: {error}", file=sys.stderr)
         return
-    figures = {"tets": len(tets)} if peer in rows else {"tets": len(tets), **quality_of(points, tets)}
+    figures = {"tets": len(tets), "peak_memory_mb": megabytes} | ({} if peer in rows else quality_of(points, tets))
     add_round(rows, peer, seconds, figures)
 
 
@@ -173,8 +192,8 @@ def add_round(rows, who, seconds, figures):
 
 
 def figures_of(report):
-    quality = {name: report["quality"][name] for name in ("min_dihedral", "mean_radius_ratio", "below_20", "below_25")}
-    return {"tets": report["tets"], "new_triangles": report["surface"]["new_triangles"], "steps": report["seconds"], "peak_memory_mb": report["peak_memory_mb"], **quality}
+    quality = {name: report["quality"][name] for name in ("min_dihedral", "max_dihedral", "mean_radius_ratio", "below_25")}
+    return {"tets": report["tets"], "new_triangles": report["surface"]["new_triangles"], "steps": report["seconds"], **quality}
 
 
 def kept_of(report):
@@ -195,27 +214,31 @@ def compare_rows(rows):
         if peer in rows:
             seconds = rows[peer]["seconds"]
             summary[f"update_over_{peer}"] = statistics.median(a / b for a, b in zip(update, seconds))
-            speeds = zip(full, seconds)
-            summary[f"full_speed_over_{peer}"] = statistics.median(
-                (rows["full mesh"]["tets"] / a) / (rows[peer]["tets"] / b) for a, b in speeds)
+            for who, name in (("full mesh", f"full_speed_over_{peer}"), (TWO_THREADS, f"speed_of_two_threads_over_{peer}")):
+                if who in rows:
+                    summary[name] = statistics.median((rows[who]["tets"] / a) / (rows[peer]["tets"] / b) for a, b in zip(rows[who]["seconds"], seconds))
     return summary
 
 
 def row_in_words(who, row):
     middle = statistics.median(row["seconds"])
     spread = f"{min(row['seconds']):.2f}..{max(row['seconds']):.2f}"
-    return (f"  {who:14s} {row['tets']:9,d} {middle:8.3f} {spread:>13s} {row['tets'] / middle:9,.0f} {row['min_dihedral']:8.1f} "
-            f"{row['mean_radius_ratio']:6.3f} {row['below_20']:8,d}")
+    memory = f"{row['peak_memory_mb'] / 1024 / (row['tets'] / 1e6):8.2f}" if "peak_memory_mb" in row else ""
+    return (f"  {who:14s} {row['tets']:9,d} {middle:8.3f} {spread:>13s} {row['tets'] / middle:9,.0f} {row['min_dihedral']:8.1f} {row['max_dihedral']:8.1f} "
+            f"{row['mean_radius_ratio']:6.3f} {row['below_25']:8,d} {memory}").rstrip()
 
 
 def summary_in_words(summary):
+    """Lines: what the update kept and cost, then each peer."""
     words = [f"kept {summary['kept_nodes']:.1%} of the nodes", f"update / full mesh {summary['update_over_full']:.1%}",
              f"mean radius ratio less by {summary['mean_radius_ratio_less']:.4f}, smallest angle by {summary['min_dihedral_less']:.2f} deg"]
+    lines = ["; ".join(words + ([f"fallback: {summary['fallback']}"] if summary["fallback"] else []))]
     for peer in ALGORITHMS:
         if f"update_over_{peer}" in summary:
-            words.append(f"update / {peer} {summary[f'update_over_{peer}']:.1%}")
-            words.append(f"full mesh's tets per second / {peer}'s {summary[f'full_speed_over_{peer}']:.2f}")
-    return words + ([f"fallback: {summary['fallback']}"] if summary["fallback"] else [])
+            speeds = [f"{summary[name]:.2f} {threads}" for name, threads in ((f"full_speed_over_{peer}", "times"), (f"speed_of_two_threads_over_{peer}", "on two threads"))
+                      if name in summary]
+            lines.append(f"{peer}: update / its mesh {summary[f'update_over_{peer}']:.1%}; full mesh's tets per second against its {', '.join(speeds)}")
+    return lines
 
 
 def show_history(names):
@@ -232,11 +255,6 @@ def show_history(names):
               f"{f'{min(runs):.3f}..{max(runs):.3f}':>13s} {summary['update_over_full']:8.1%} {'-' if gmsh is None else f'{gmsh:.1%}':>8s} "
               f"{summary['kept_nodes']:7.1%}")
     return 0
-
-
-def read_raw(path):
-    raw = json.loads(path.read_text(encoding="utf-8"))
-    return {**raw, "shapes": base64.b64decode(raw["shapes"])}
 
 
 def machine():

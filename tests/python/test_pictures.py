@@ -80,14 +80,16 @@ class Geometry(unittest.TestCase):
         self.assertEqual(sum(pictures.inside_any(CORNERS, self.cube[i:i + 1], probes)[0] for i in range(6)), 1)
 
     def test_quality_of_a_regular_tet(self):
-        angles, ratios = pictures.tet_quality(REGULAR, oriented(REGULAR, np.array([[0, 1, 2, 3]])))
-        self.assertAlmostEqual(angles[0], np.degrees(np.arccos(1 / 3)))
+        smallest, largest, ratios = pictures.tet_quality(REGULAR, oriented(REGULAR, np.array([[0, 1, 2, 3]])))
+        self.assertAlmostEqual(smallest[0], np.degrees(np.arccos(1 / 3)))
+        self.assertAlmostEqual(largest[0], np.degrees(np.arccos(1 / 3)))
         self.assertAlmostEqual(ratios[0], 1)
 
     def test_quality_of_a_corner_of_a_cube(self):
         corner = CORNERS[[0, 1, 2, 4]]
-        angles, ratios = pictures.tet_quality(corner, np.array([[0, 1, 2, 3]]))
-        self.assertAlmostEqual(angles[0], np.degrees(np.arccos(1 / np.sqrt(3))))
+        smallest, largest, ratios = pictures.tet_quality(corner, np.array([[0, 1, 2, 3]]))
+        self.assertAlmostEqual(smallest[0], np.degrees(np.arccos(1 / np.sqrt(3))))
+        self.assertAlmostEqual(largest[0], 90)
         in_radius, circum_radius = 1 / (3 + np.sqrt(3)), np.sqrt(3) / 2
         self.assertAlmostEqual(ratios[0], 3 * in_radius / circum_radius)
 

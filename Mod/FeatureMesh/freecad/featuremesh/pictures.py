@@ -80,22 +80,23 @@ def inside_any(points, tets, probes):
 
 
 def tet_quality(points, tets):
-    """(m,) smallest dihedral angle, degrees, and (m,) radius ratio 3 r / R of each tet."""
+    """(m,) smallest and (m,) largest dihedral angle, degrees, and (m,) radius ratio 3 r / R of each tet."""
     p = points[tets]
     a, b, c = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0], p[:, 3] - p[:, 0]
     normals = [np.cross(p[:, j] - p[:, i], p[:, k] - p[:, i]) for i, j, k in SIDES]
     lengths = [np.linalg.norm(normal, axis=1) for normal in normals]
-    smallest = np.full(len(tets), 180.0)
+    smallest, largest = np.full(len(tets), 180.0), np.zeros(len(tets))
     for i in range(4):
         for j in range(i + 1, 4):
             cosine = -np.einsum("ij,ij->i", normals[i], normals[j]) / (lengths[i] * lengths[j])
-            smallest = np.minimum(smallest, np.degrees(np.arccos(np.clip(cosine, -1, 1))))
+            angle = np.degrees(np.arccos(np.clip(cosine, -1, 1)))
+            smallest, largest = np.minimum(smallest, angle), np.maximum(largest, angle)
     six_volumes = np.einsum("ij,ij->i", a, np.cross(b, c))
     squares = [np.einsum("ij,ij->i", edge, edge)[:, None] for edge in (a, b, c)]
     circum = squares[0] * np.cross(b, c) + squares[1] * np.cross(c, a) + squares[2] * np.cross(a, b)
     circum_radius = np.linalg.norm(circum, axis=1) / (2 * six_volumes)
     in_radius = six_volumes / sum(lengths)
-    return smallest, 3 * in_radius / circum_radius
+    return smallest, largest, 3 * in_radius / circum_radius
 
 
 class Scene:
