@@ -336,8 +336,10 @@ class Filling {
         if (options_.splits_wall_tets) split_wall_tets();
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
             TetComplex& complex = regions_[i].complex;
-            is_thick_[i] = thicken(complex, least_volume(mended_share), context_, most_insertions(regions_[i])).empty();
-            const std::size_t improved = improve_beside_needles(complex, options_.target_dihedral_deg, least_volume(mended_share), context_);
+            const double least = least_volume(mended_share);
+            Thickened thickened = thicken(complex, least, context_, most_insertions(regions_[i]));
+            is_thick_[i] = thickened.left.empty();
+            const std::size_t improved = improve_beside_needles(complex, std::move(thickened.changed), options_.target_dihedral_deg, least, context_);
             const bool is_mended = regions_[i].taken_count() > 0 || improved > 0;
             report.released_for_quality += give_back(regions_[i], result_.mesh, is_released_);
             report.slivers_left +=

@@ -64,8 +64,9 @@ class NeedleNeighbours {
           least_volume_(least_volume),
           editor_(complex) {}
 
-    std::size_t improve() {
-        changed_ = tets_beside_needles();
+    std::size_t improve(std::vector<int> mended) {
+        changed_ = std::move(mended);
+        note_changed(tets_beside_needles());
         std::size_t done = 0;
         for (int pass = 0; pass < most_passes && !changed_.empty(); ++pass) {
             const std::size_t before = done;
@@ -232,9 +233,9 @@ double unforced_flatness(const std::array<Vec3, 4>& corners, const std::array<bo
     return side >= 0 ? flatness_without(corners, side) : flatness(corners[0], corners[1], corners[2], corners[3]);
 }
 
-std::size_t improve_beside_needles(TetComplex& complex, double target_dihedral_deg, double least_volume,
-                                   RunContext& context) {
-    return NeedleNeighbours(complex, target_dihedral_deg, least_volume, context).improve();
+std::size_t improve_beside_needles(TetComplex& complex, std::vector<int> mended, double target_dihedral_deg,
+                                   double least_volume, RunContext& context) {
+    return NeedleNeighbours(complex, target_dihedral_deg, least_volume, context).improve(std::move(mended));
 }
 
 }  // namespace featuremesh

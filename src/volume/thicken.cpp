@@ -200,7 +200,7 @@ class Thickener {
           editor_(complex),
           cavity_(editor_, least_volume) {}
 
-    std::vector<int> run(std::vector<int> thin) {
+    Thickened run(std::vector<int> thin) {
         for (int pass = 0; pass < most_passes && !thin.empty(); ++pass) {
             bool gained = false;
             for (const int tet : thin) {
@@ -211,7 +211,7 @@ class Thickener {
             thin = thin_tets(complex_, least_volume_, context_);
             if (!gained) break;
         }
-        return thin;
+        return {std::move(thin), std::move(changed_)};
     }
 
   private:
@@ -240,7 +240,7 @@ class Thickener {
             if (std::isinf(best.cost)) continue;
             std::array<Tet, 2 * EdgeRing::max_size> added;
             const int count = tets_of_triangulation(ring, best, added);
-            editor_.replace(ring.all_tets(), {added.data(), static_cast<std::size_t>(count)});
+            note_changed(editor_.replace(ring.all_tets(), {added.data(), static_cast<std::size_t>(count)}));
             return true;
         }
         return false;
@@ -266,7 +266,7 @@ class Thickener {
                 if (least > best) best = least, best_tets = std::move(cones);
             }
             if (!is_gain(before, best) || best_tets.empty()) continue;
-            editor_.replace(star_, best_tets);
+            note_changed(editor_.replace(star_, best_tets));
             return true;
         }
         return false;
@@ -284,9 +284,11 @@ class Thickener {
     bool move(int tet) {
         bool gained = false;
         for (const int v : complex_.tets[tet])
-            if (!complex_.is_fixed[v] && gather_star(complex_, v, star_)) gained = climb(v) || gained;
+            if (!complex_.is_fixed[v] && gather_star(complex_, v, star_) && climb(v)) note_changed(star_), gained = true;
         return gained;
     }
+
+    void note_changed(std::span<const int> tets) { changed_.insert(changed_.end(), tets.begin(), tets.end()); }
 
     /// A new vertex in the tet, or on one of its inner edges: where boundary nodes alone make it, as across a thin wall
     /// with a short edge on either side.
@@ -314,7 +316,7 @@ class Thickener {
         }
         if (best <= 0) return false;
         editor_.add_vertex(point);
-        editor_.replace(removed, cones);
+        note_changed(editor_.replace(removed, cones));
         return true;
     }
 
@@ -358,7 +360,7 @@ class Thickener {
     RunContext& context_;
     CavityEditor editor_;
     ThickCavity cavity_;
-    std::vector<int> star_;
+    std::vector<int> star_, changed_;
 };
 
 }  // namespace
@@ -368,9 +370,9 @@ double thickness(const TetComplex& complex, const std::array<int, 4>& tet, doubl
     return thickness_of_corners({p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]}, least_volume);
 }
 
-std::vector<int> thicken(TetComplex& complex, double least_volume, RunContext& context, std::size_t most_insertions) {
+Thickened thicken(TetComplex& complex, double least_volume, RunContext& context, std::size_t most_insertions) {
     std::vector<int> thin = thin_tets(complex, least_volume, context);
-    if (thin.empty()) return thin;
+    if (thin.empty()) return {};
     return Thickener(complex, least_volume, most_insertions, context).run(std::move(thin));
 }
 

@@ -15,10 +15,13 @@ namespace featuremesh {
 /// about a millionth of its other lengths; not positive without volume.
 double thickness(const TetComplex& complex, const std::array<int, 4>& tet, double least_volume);
 
+struct Thickened {
+    std::vector<int> left;     ///< tets of a thickness below 1 for which nothing helped, ascending
+    std::vector<int> changed;  ///< tets that are new or have a moved corner; some may have gone since
+};
 /// Tets of a thickness below 1 get rid of it by moves and collapses of free vertices and removals of edges, whatever
-/// that does to angles. Gives those that are left, ascending. What costs most, a new vertex, is tried for at most so
-/// many tets.
-std::vector<int> thicken(TetComplex& complex, double least_volume, RunContext& context,
+/// that does to angles. What costs most, a new vertex, is tried for at most so many tets.
+Thickened thicken(TetComplex& complex, double least_volume, RunContext& context,
                          std::size_t most_insertions = std::numeric_limits<std::size_t>::max());
 
 }  // namespace featuremesh

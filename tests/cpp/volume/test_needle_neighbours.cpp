@@ -7,6 +7,8 @@
 #include "filled_parts.h"
 #include "mesh/quality.h"
 #include "volume/box_of_tets.h"
+#include "volume/tet_measures.h"
+#include "volume/thicken.h"
 
 using namespace featuremesh;
 using namespace featuremesh::testing;
@@ -34,6 +36,13 @@ ThinTets thin_tets(const Mesh& mesh, double angle_deg) {
     return thin;
 }
 
+double smallest_angle(const TetComplex& complex) {
+    double worst = 0;
+    for (const auto& [a, b, c, d] : complex.tets)
+        if (a >= 0) worst = std::max(worst, flatness(complex.points[a], complex.points[b], complex.points[c], complex.points[d]));
+    return angle_of_flatness(worst);
+}
+
 }  // namespace
 
 TEST_CASE("the angle opposite a needle's short side does not count") {
@@ -54,8 +63,27 @@ TEST_CASE("without needles nothing changes") {
     TetComplex box = box_of_tets(5, 0.19, 3);
     const auto tets = box.tets;
     RunContext context;
-    CHECK(improve_beside_needles(box, 30, 0, context) == 0);
+    CHECK(improve_beside_needles(box, {}, 30, 0, context) == 0);
     CHECK(box.tets == tets);
+}
+
+TEST_CASE("tets that were made for their volume get angles, too") {
+    int better = 0;
+    for (unsigned seed = 1; seed <= 30; ++seed) {
+        TetComplex box = box_of_tets(4, 0.19, seed);
+        const int vertex = 2 + 5 * 2 + 25 * 2;
+        box.points[vertex] = box.points[vertex + 1] - Vec3{1e-7, 0, 0};
+        RunContext context;
+        const Thickened thickened = thicken(box, 1e-3, context);
+        REQUIRE(thickened.left.empty());
+        REQUIRE(!thickened.changed.empty());
+        const double before = smallest_angle(box);
+        improve_beside_needles(box, thickened.changed, 30, 1e-3, context);
+        CHECK(find_flaws(box).empty());
+        CHECK(smallest_angle(box) >= before);
+        better += before < 10 && smallest_angle(box) > 15;
+    }
+    CHECK(better > 5);
 }
 
 TEST_CASE("beside needles that the part forces hardly any other tet is thin") {
