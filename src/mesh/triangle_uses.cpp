@@ -72,9 +72,9 @@ TriangleUses::TriangleUses(const Mesh& mesh, std::span<const char> only, std::sp
         }
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
             auto n = values_of(mesh.triangles[t]);
+            if (!is_wanted(n[0], n[1], n[2])) continue;
             const bool odd = sort_nodes(n);
-            if (is_wanted(n[0], n[1], n[2]))
-                visit(n[0], TriangleUse{n[1], n[2], -1 - (static_cast<std::int32_t>(2 * t) + odd)});
+            visit(n[0], TriangleUse{n[1], n[2], -1 - (static_cast<std::int32_t>(2 * t) + odd)});
         }
     };
     for_each_use([&](std::uint32_t smallest, const TriangleUse&) { ++begin_[smallest]; });

@@ -102,6 +102,26 @@ class CrossingSearch {
           is_line_(brep.edge_count(), unknown) {}
 
     Crossings find(RunContext& context) {
+        gather_near_new();
+        const bool is_one_solid = brep_.solid_count() == 1;
+        if (is_one_solid) leave_out_clear_of_inexact();
+        const BoxTree tree(boxes_);
+        constexpr std::size_t chunk = 4096;
+        std::vector<std::vector<std::array<TriangleId, 2>>> found((triangles_.size() + chunk - 1) / chunk);
+        parallel_for(context, triangles_.size(), chunk, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                if (!is_exact_[i] || !is_one_solid) find_with(tree, i, found[begin / chunk]);
+        });
+        Crossings all;
+        for (const auto& part : found)
+            for (const auto& pair : part)
+                (have_common_solid(face_of(pair[0].index()), face_of(pair[1].index())) ? all.within : all.between)
+                    .push_back(pair);
+        return all;
+    }
+
+  private:
+    void gather_near_new() {
         Box region;
         for (std::size_t t = first_new_; t < mesh_.triangles.size(); ++t) region.add(box_of(mesh_, mesh_.triangles[t]));
         std::vector<char> is_near(mesh_.node_count(), 0);
@@ -118,23 +138,28 @@ class CrossingSearch {
                 chords_.insert(side_key(a, b));
         }
         for (const std::size_t t : triangles_) is_exact_.push_back(lies_in_face(t));
-        const BoxTree tree(boxes_);
-        constexpr std::size_t chunk = 4096;
-        std::vector<std::vector<std::array<TriangleId, 2>>> found((triangles_.size() + chunk - 1) / chunk);
-        const bool is_one_solid = brep_.solid_count() == 1;
-        parallel_for(context, triangles_.size(), chunk, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                if (!is_exact_[i] || !is_one_solid) find_with(tree, i, found[begin / chunk]);
-        });
-        Crossings all;
-        for (const auto& part : found)
-            for (const auto& pair : part)
-                (have_common_solid(face_of(pair[0].index()), face_of(pair[1].index())) ? all.within : all.between)
-                    .push_back(pair);
-        return all;
     }
 
-  private:
+    /// Of two triangles that cross one is new and one, perhaps the same, does not lie in its face.
+    void leave_out_clear_of_inexact() {
+        Box fresh, inexact, fresh_inexact;
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+            const bool is_new = triangles_[i] >= first_new_;
+            if (is_new) fresh.add(boxes_[i]);
+            if (!is_exact_[i]) inexact.add(boxes_[i]);
+            if (is_new && !is_exact_[i]) fresh_inexact.add(boxes_[i]);
+        }
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+            const bool is_new = triangles_[i] >= first_new_;
+            const bool may_cross = overlap(boxes_[i], fresh_inexact) || (is_new && overlap(boxes_[i], inexact)) ||
+                                   (!is_exact_[i] && overlap(boxes_[i], fresh));
+            if (!may_cross) continue;
+            triangles_[count] = triangles_[i], boxes_[count] = boxes_[i], is_exact_[count++] = is_exact_[i];
+        }
+        triangles_.resize(count), boxes_.resize(count), is_exact_.resize(count);
+    }
+
     bool is_line(EdgeId edge) {
         char& known = is_line_[edge.index()];
         if (known == unknown)

@@ -341,13 +341,11 @@ class Keeper {
         const Mesh& old = in_.old_mesh;
         Mesh& mesh = kept.mesh;
         const auto place = [&](NodeId n) { return NodeId(new_index[n.index()]); };
-        const std::size_t first = mesh.tets.size(), count = end - begin;
-        mesh.tets.resize(first + count), mesh.tet_solids.resize(first + count), kept.tet_origin.resize(first + count);
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto& [a, b, c, d] = old.tets[begin + i];
-            mesh.tets[first + i] = {place(a), place(b), place(c), place(d)};
-            mesh.tet_solids[first + i] = tets.solid_of(begin + i);
-            kept.tet_origin[first + i] = std::int32_t(begin + i);
+        for (std::size_t t = begin; t < end; ++t) {
+            const auto& [a, b, c, d] = old.tets[t];
+            mesh.tets.push_back({place(a), place(b), place(c), place(d)});
+            mesh.tet_solids.push_back(tets.solid_of(t));
+            kept.tet_origin.push_back(std::int32_t(t));
         }
         mesh.tet_numbers.insert(mesh.tet_numbers.end(), old.tet_numbers.begin() + std::ptrdiff_t(begin), old.tet_numbers.begin() + std::ptrdiff_t(end));
     }

@@ -117,6 +117,24 @@ std::vector<char> open_nodes(const Mesh& mesh, std::span<const std::array<SolidI
     return open.marks();
 }
 
+/// By nodes, region, direction and origin. Few sides have the same lowest node.
+std::vector<Side> sorted(const std::vector<Side>& sides, std::size_t node_count) {
+    std::vector<std::uint32_t> next(node_count + 1, 0);  // place of the next side with this lowest node
+    for (const Side& side : sides) ++next[side.sorted[0].index() + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<Side> rows(sides.size());
+    for (const Side& side : sides) rows[next[side.sorted[0].index()]++] = side;
+    for (std::size_t begin = 0, end; begin < rows.size(); begin = end) {
+        end = next[rows[begin].sorted[0].index()];
+        std::sort(rows.begin() + static_cast<std::ptrdiff_t>(begin), rows.begin() + static_cast<std::ptrdiff_t>(end),
+                  [](const Side& a, const Side& b) {
+                      return std::tie(a.sorted, a.region, a.is_odd_outward, a.triangle, a.tet) <
+                             std::tie(b.sorted, b.region, b.is_odd_outward, b.triangle, b.tet);
+                  });
+    }
+    return rows;
+}
+
 std::vector<Side> sides_at(std::span<const char> open, const Mesh& mesh,
                            std::span<const std::array<SolidId, 2>> face_sides,
                            std::span<const std::uint8_t> is_released, std::optional<std::span<const TetId>> near) {
@@ -131,11 +149,7 @@ std::vector<Side> sides_at(std::span<const char> open, const Mesh& mesh,
             if (const auto face = face_of(tet, k); are_open(open, face))
                 sides.push_back(make_side(face, region, TriangleId(), t));
     });
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-        return std::tie(a.sorted, a.region, a.is_odd_outward, a.triangle, a.tet) <
-               std::tie(b.sorted, b.region, b.is_odd_outward, b.triangle, b.tet);
-    });
-    return sides;
+    return sorted(sides, mesh.node_count());
 }
 
 /// Index of the next side that lies on another triangle or in another region.

@@ -32,46 +32,59 @@ bool find_ring(const TetComplex& complex, int tet, int from_corner, int to_corne
 namespace {
 
 /// The tets met so far, for the usual star of two dozen: a mark per tet of the complex would be out of the cache and
-/// not for several threads.
-class SmallTetSet {
+/// not for several threads. Whether a tet is new nobody can foretell, so nothing branches on it.
+class SmallStar {
   public:
-    SmallTetSet() { places_.fill(-1); }
-    /// False where it was there before. Holds at most `capacity`.
-    bool insert(int tet) {
+    SmallStar() { places_.fill(-1); }
+    void add(int tet) {
         std::size_t at = static_cast<std::uint32_t>(tet) * 0x9E3779B1u >> 25;
         while (places_[at] >= 0 && places_[at] != tet) at = (at + 1) % places_.size();
-        if (places_[at] == tet) return false;
+        tets_[size_] = tet;
+        size_ += places_[at] < 0;
         places_[at] = tet;
-        return true;
     }
-    static constexpr std::size_t capacity = 96;
+    bool has_room() const { return size_ + 3 < tets_.size(); }
+    std::size_t size() const { return size_; }
+    int operator[](std::size_t i) const { return tets_[i]; }
+    std::span<const int> tets() const { return {tets_.data(), size_}; }
 
   private:
     std::array<int, 128> places_;
+    std::array<int, 96> tets_;
+    std::size_t size_ = 0;
 };
+
+constexpr std::array<std::array<int, 3>, 4> other_faces{{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
+
+/// From the tets met so far on, of which the first `begin` have been left through all their faces. False where the star
+/// is not whole.
+bool gather_large_star(const TetComplex& complex, int vertex, std::size_t begin, std::vector<int>& star) {
+    for (std::size_t i = begin; i < star.size(); ++i)
+        for (const int face : other_faces[corner_of(complex.tets[star[i]], vertex)]) {
+            const int next = complex.neighbours[star[i]][face];
+            if (next < 0) return false;
+            if (std::find(star.begin(), star.end(), next) == star.end()) star.push_back(next);
+        }
+    return true;
+}
 
 }  // namespace
 
 bool gather_star(const TetComplex& complex, int vertex, std::vector<int>& star) {
     star.clear();
     if (complex.tet_of_vertex[vertex] < 0) return false;
-    SmallTetSet met;
-    const auto is_new = [&](int tet) {
-        if (star.size() < SmallTetSet::capacity) return met.insert(tet);
-        return std::find(star.begin(), star.end(), tet) == star.end();
-    };
-    star.push_back(complex.tet_of_vertex[vertex]);
-    met.insert(star[0]);
-    for (std::size_t i = 0; i < star.size(); ++i) {
-        const auto& next = complex.neighbours[star[i]];
-        const int own = corner_of(complex.tets[star[i]], vertex);
-        for (int face = 0; face < 4; ++face) {
-            if (face == own) continue;
+    SmallStar met;
+    met.add(complex.tet_of_vertex[vertex]);
+    std::size_t i = 0;
+    for (; i < met.size() && met.has_room(); ++i) {
+        const auto& next = complex.neighbours[met[i]];
+        for (const int face : other_faces[corner_of(complex.tets[met[i]], vertex)]) {
             if (next[face] < 0) return false;
-            if (is_new(next[face])) star.push_back(next[face]);
+            met.add(next[face]);
         }
     }
-    return true;
+    star.assign(met.tets().begin(), met.tets().end());
+    return i == met.size() || gather_large_star(complex, vertex, i, star);
 }
 
 CavityEditor::CavityEditor(TetComplex& complex) : complex_(complex), marks_(complex.tets.size(), 0) {

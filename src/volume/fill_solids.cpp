@@ -332,7 +332,8 @@ class Filling {
             report.odt_energy_after += reports[i].first.energy_after;
             report.slivers_before += reports[i].second.before;
         }
-        mend_seams(regions_, result_.mesh, is_released_, options_.target_dihedral_deg, context_);
+        if (std::any_of(reports.begin(), reports.end(), [](const auto& r) { return r.second.left > 0; }))
+            mend_seams(regions_, result_.mesh, is_released_, options_.target_dihedral_deg, context_);
         if (options_.splits_wall_tets) split_wall_tets();
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
             TetComplex& complex = regions_[i].complex;
@@ -371,7 +372,8 @@ class Filling {
         SliverReport slivers = remove_slivers(complex, sliver_options, context);
         const ShapeOptions shape_options{.target_dihedral_deg = options_.target_dihedral_deg,
                                          .among = regions_[i].vertices_near_seam(edges_to_seam)};
-        if (optimise_shapes(complex, shape_options, context).moves > 0) slivers.left = regions_[i].count_bad(options_.target_dihedral_deg);
+        const ShapeReport shapes = optimise_shapes(complex, shape_options, context);  // makes no good tet bad
+        if (shapes.moves > 0 && slivers.left > 0) slivers.left = regions_[i].count_bad(options_.target_dihedral_deg);
         return {odt, slivers};
     }
 

@@ -16,6 +16,12 @@ std::array<int, 3> side_of(const std::array<int, 4>& tet, int k) {
     return {tet[tet_faces[k][0]], tet[tet_faces[k][1]], tet[tet_faces[k][2]]};
 }
 
+/// The side of the tet that its neighbour is at.
+int side_towards(const Triangulation& triangulation, int tet, std::size_t neighbour) {
+    const auto& sides = triangulation.neighbours[tet];
+    return static_cast<int>(std::find(sides.begin(), sides.end(), static_cast<int>(neighbour)) - sides.begin());
+}
+
 /// Facets in rows by their lowest corner, for look-up without hashing.
 class FacetTable {
   public:
@@ -40,7 +46,7 @@ class FacetTable {
     int find(std::array<int, 3> corners) const {
         std::sort(corners.begin(), corners.end());
         for (int i = begin_[corners[0]]; i < begin_[corners[0] + 1]; ++i)
-            if (rows_[i].sorted == corners) return rows_[i].facet;
+            if (rows_[i].sorted[1] == corners[1] && rows_[i].sorted[2] == corners[2]) return rows_[i].facet;
         return -1;
     }
 
@@ -61,6 +67,9 @@ void place_missing(const Triangulation& triangulation, std::size_t point_count, 
     RoundWatch watch(context);
     const FacetTable table(point_count, facets, places.missing);
     std::vector<std::uint8_t> is_found(facets.size(), 0);
+    const auto neighbour = [&](std::size_t t, int k) {
+        return triangulation.neighbours.empty() ? -1 : triangulation.neighbours[t][k];
+    };
     for (std::size_t t = 0; t < triangulation.tets.size(); ++t) {
         watch();
         const auto& tet = triangulation.tets[t];
@@ -68,9 +77,13 @@ void place_missing(const Triangulation& triangulation, std::size_t point_count, 
         for (const int corner : tet) count += table.is_corner(corner);
         if (count < 3) continue;
         for (int k = 0; k < 4; ++k) {
-            if (count - table.is_corner(tet[k]) < 3) continue;
+            const int other = neighbour(t, k);
+            if (count - table.is_corner(tet[k]) < 3 || (other >= 0 && other < static_cast<int>(t))) continue;
             const int facet = table.find(side_of(tet, k));
-            if (facet >= 0) places.facet_at[4 * t + k] = facet, is_found[facet] = 1;
+            if (facet < 0) continue;
+            is_found[facet] = 1;
+            places.facet_at[4 * t + k] = facet;
+            if (other >= 0) places.facet_at[4 * other + side_towards(triangulation, other, t)] = facet;
         }
     }
     std::erase_if(places.missing, [&](int i) { return is_found[i] != 0; });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <span>
 
 #include "volume/cavity_editor.h"
 #include "volume/optimise.h"
@@ -30,6 +31,7 @@ class ShapeOptimiser {
           may_move_(complex.points.size(), 0),
           is_due_(complex.points.size(), 0) {
         for (const int v : options.among) may_move_[v] = complex.is_fixed[v] == 0;
+        gather_stars();
     }
 
     ShapeReport run() {
@@ -44,6 +46,23 @@ class ShapeOptimiser {
     }
 
   private:
+    /// Once, since only places change.
+    void gather_stars() {
+        begin_.assign(complex_.points.size(), 0);
+        std::vector<int> star;
+        for (const int v : options_.among) {
+            if (!may_move_[v]) continue;
+            if (!gather_star(complex_, v, star)) may_move_[v] = 0;
+            begin_[v] = stars_.size();
+            stars_.push_back(static_cast<int>(star.size()));
+            stars_.insert(stars_.end(), star.begin(), star.end());
+        }
+    }
+    std::span<const int> star_of(int vertex) const {
+        const int* count = stars_.data() + begin_[vertex];
+        return {count + 1, static_cast<std::size_t>(*count)};
+    }
+
     std::size_t move_all(int sweep) {
         std::size_t moves = 0, looked_at = 0;
         for (const int v : options_.among) {
@@ -55,15 +74,14 @@ class ShapeOptimiser {
             is_due_[v] = 0;
             if (!move(v)) continue;
             ++moves;
-            for (const int tet : star_)
+            for (const int tet : star_of(v))
                 for (const int corner : complex_.tets[tet]) is_due_[corner] = may_move_[corner];
         }
         return moves;
     }
 
     bool move(int vertex) {
-        if (!gather_star(complex_, vertex, star_)) return false;
-        shape_.gather(complex_, star_, vertex);
+        shape_.gather(complex_, star_of(vertex), vertex);
         const Vec3 start = complex_.points[vertex];
         const StarShape::Ratios ratios = shape_.radius_ratios(start);
         const double reach = shape_.mean_height(start), slope = length(ratios.gradient) * reach;  // by edge length
@@ -88,8 +106,9 @@ class ShapeOptimiser {
     RunContext& context_;
     double target_;
     std::vector<std::uint8_t> may_move_, is_due_;  // by vertex
+    std::vector<std::size_t> begin_;  // by vertex that may move: where its star begins, with its size
+    std::vector<int> stars_;
     StarShape shape_;
-    std::vector<int> star_;
 };
 
 }  // namespace

@@ -28,26 +28,31 @@ RegionLocator::RegionLocator(std::span<const Vec3> points, std::span<const Facet
     count_v_ = static_cast<int>(size[v_] / width_) + 1;
 
     begin_.assign(static_cast<std::size_t>(count_u_) * count_v_ + 1, 0);
-    const auto visit_columns = [&](const Facet& f, auto&& visit) {
+    struct Columns {
+        int first_u, last_u, first_v, last_v;
+    };
+    std::vector<Columns> columns;
+    columns.reserve(facets_.size());
+    for (const Facet& f : facets_) {
         Box box;
         for (const int c : f.corners) box.add(points_[c]);
-        const int first = column_of(box.low[u_], box.low[v_]), last = column_of(box.high[u_], box.high[v_]);
-        for (int j = first / count_u_; j <= last / count_u_; ++j)
-            for (int i = first % count_u_; i <= last % count_u_; ++i) visit(j * count_u_ + i);
+        columns.push_back({place_u(box.low), place_u(box.high), place_v(box.low), place_v(box.high)});
+    }
+    const auto visit_columns = [&](std::size_t facet, auto&& visit) {
+        const Columns& c = columns[facet];
+        for (int j = c.first_v; j <= c.last_v; ++j)
+            for (int i = c.first_u; i <= c.last_u; ++i) visit(j * count_u_ + i);
     };
-    for (const Facet& f : facets_) visit_columns(f, [&](int column) { ++begin_[column + 1]; });
+    for (std::size_t i = 0; i < facets_.size(); ++i) visit_columns(i, [&](int column) { ++begin_[column + 1]; });
     for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
     column_facets_.resize(begin_.back());
     std::vector<int> next(begin_.begin(), begin_.end() - 1);
     for (std::size_t i = 0; i < facets_.size(); ++i)
-        visit_columns(facets_[i], [&](int column) { column_facets_[next[column]++] = static_cast<int>(i); });
+        visit_columns(i, [&](int column) { column_facets_[next[column]++] = static_cast<int>(i); });
 }
 
-int RegionLocator::column_of(double u, double v) const {
-    const auto place = [&](double x, double low, int count) {
-        return std::clamp(static_cast<int>((x - low) / width_), 0, count - 1);
-    };
-    return place(v, box_.low[v_], count_v_) * count_u_ + place(u, box_.low[u_], count_u_);
+int RegionLocator::place(double offset, int count) const {
+    return std::clamp(static_cast<int>(offset / width_), 0, count - 1);
 }
 
 bool RegionLocator::meet(const Facet& facet, const Ray& ray, Hit& hit) const {
@@ -77,7 +82,7 @@ int RegionLocator::region_at(const Vec3& p, double clearance) const {
         ray.u += 0.37 * clearance * std::sin(1.0 + 2.4 * attempt);  // directions that no CAD model prefers
         ray.v += 0.37 * clearance * std::cos(1.7 + 3.1 * attempt);
         Hit nearest{std::numeric_limits<double>::infinity(), -1, false};
-        const int column = column_of(ray.u, ray.v);
+        const int column = place(ray.v - box_.low[v_], count_v_) * count_u_ + place(ray.u - box_.low[u_], count_u_);
         for (int i = begin_[column]; i < begin_[column + 1]; ++i) {
             Hit hit;
             if (!meet(facets_[column_facets_[i]], ray, hit) || hit.w <= ray.w) continue;

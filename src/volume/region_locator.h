@@ -30,7 +30,9 @@ class RegionLocator {
         double u, v, w;
     };
     Ray ray_from(const Vec3& p) const { return {p[u_], p[v_], p[w_]}; }
-    int column_of(double u, double v) const;
+    int place(double offset, int count) const;
+    int place_u(const Vec3& p) const { return place(p[u_] - box_.low[u_], count_u_); }
+    int place_v(const Vec3& p) const { return place(p[v_] - box_.low[v_], count_v_); }
     bool meet(const Facet& facet, const Ray& ray, Hit& hit) const;
 
     std::span<const Vec3> points_;

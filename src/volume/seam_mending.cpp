@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/seam_mending.h"
 
+#include <algorithm>
+
 #include "volume/optimise.h"
 
 namespace featuremesh {
@@ -47,6 +49,7 @@ void mend_seams(std::span<SeamRegion> regions, const Mesh& mesh, std::span<std::
         std::vector<std::vector<int>> bad;
         for (const SeamRegion& region : regions)
             bad.push_back(region.with_rings(region.bad_tets_at_seam(target_dihedral_deg), rings));
+        if (std::all_of(bad.begin(), bad.end(), [](const auto& tets) { return tets.empty(); })) return;
         const std::vector<std::vector<TetId>> around = kept_tets_around(regions, bad, mesh, is_released, context);
         for (std::size_t i = 0; i < regions.size(); ++i) {
             if (around[i].empty()) continue;
