@@ -19,11 +19,11 @@
 #include <utility>
 
 #include "features/carrier_caps.h"
-#include "features/faces_on_each_other.h"
 #include "features/flux.h"
 #include "features/merged_edges.h"
 #include "features/occt_geometry.h"
 #include "features/patch_faces.h"
+#include "features/sheet_contacts.h"
 #include "features/solid_probe.h"
 
 namespace featuremesh {
@@ -129,7 +129,7 @@ struct Sheet {
         int piece = 0, sense = 1;  // along the piece or against it in `face` oriented forward
     };
     std::size_t on = 0;
-    bool is_whole = false, is_reversed = false;
+    bool vanished = false, is_whole = false, is_reversed = false;
     std::vector<std::vector<Side>> wires;
     TopoDS_Face face;  // out of what was removed less what was added
 };
@@ -138,11 +138,12 @@ class PatchShells {
   public:
     PatchShells(const PatchInput& input)
         : input_(input), faces_(patch_faces(input.vanished, input.appeared)), edges_(faces_), pieces_(edges_) {
-        if (any_on_each_other(faces_, edges_)) throw Standard_DomainError("faces on each other");
         for (std::size_t f = 0; f < faces_.size(); ++f)
             if (faces_[f].carrier < 0) add_whole(f);
         for (const CarrierCap& cap : carrier_caps(faces_, edges_)) add(cap);
         for (Sheet& sheet : sheets_) make(sheet);
+        if (any_contact(contact_sheets(), faces_, edges_))
+            throw Standard_DomainError("faces that meet without an edge");
     }
 
     PatchVolumes volumes() const {
@@ -173,6 +174,16 @@ class PatchShells {
         return outer.contains(inner.low) && outer.contains(inner.high);
     }
 
+    std::vector<ContactSheet> contact_sheets() const {
+        std::vector<ContactSheet> list;
+        for (const Sheet& sheet : sheets_) {
+            ContactSheet& contact = list.emplace_back(ContactSheet{sheet.face, sheet.vanished, {}});
+            for (const auto& wire : sheet.wires)
+                for (const Sheet::Side& side : wire) contact.border.push_back(side.piece);
+        }
+        return list;
+    }
+
     double flux_of(const Sheet& sheet) const {
         const PatchFace& on = faces_[sheet.on];
         if (!sheet.is_whole) return flux(sheet.face, input_.apex, box_of(sheet.face).diagonal());
@@ -189,6 +200,7 @@ class PatchShells {
         Sheet& sheet = sheets_.emplace_back();
         sheet.on = f;
         sheet.is_whole = true;
+        sheet.vanished = faces_[f].vanished;
         sheet.is_reversed = (faces_[f].face.Orientation() == TopAbs_REVERSED) == faces_[f].vanished;
         for (const MergedEdges::Wire& wire : edges_.wires_of(f)) {
             std::vector<Sheet::Side>& sides = sheet.wires.emplace_back();
@@ -202,6 +214,7 @@ class PatchShells {
     void add(const CarrierCap& cap) {
         Sheet& sheet = sheets_.emplace_back();
         sheet.on = cap.on;
+        sheet.vanished = cap.vanished;
         sheet.is_reversed = (faces_[cap.on].face.Orientation() == TopAbs_REVERSED) == cap.vanished;
         for (const std::vector<CarrierCap::Side>& wire : cap.wires) {
             std::vector<Sheet::Side>& sides = sheet.wires.emplace_back();

@@ -4,11 +4,14 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeWedge.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -166,6 +169,17 @@ TEST_CASE("what is not told by edges is left to others") {
         const TopoDS_Shape block = box(0, 0, 0, 10, 10, 10);
         const TopoDS_Shape shell = cut(box(2, 2, 2, 6, 6, 6), box(4, 4, 4, 2, 2, 2));
         CHECK_FALSE(between(block, cut(block, shell)));
+    }
+    SECTION("two parts removed that touch each other in a line within a face") {
+        const TopoDS_Wire triangle = BRepBuilderAPI_MakePolygon(gp_Pnt(0, 5, 0), {10, 0, 0}, {10, 10, 0}, true);
+        const TopoDS_Shape rest =
+            BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(triangle).Face(), gp_Vec(0, 0, 10)).Shape();
+        CHECK_FALSE(between(box(0, 0, 0, 10, 10, 10), rest));
+    }
+    SECTION("a rounding that reaches over the end of an edge that goes through it") {
+        const TopoDS_Shape block = box(0, 0, 0, 10, 10, 10);
+        const TopoDS_Shape post = fused(block, box(4, 4, 8, 2, 2, 6));
+        CHECK_FALSE(between(post, fused(block, cylinder({5, 5, 8}, {0, 0, 1}, 1.2, 6))));
     }
     SECTION("a shaft made anew with its seam elsewhere") {
         const TopoDS_Shape shaft = cylinder({0, 0, 0}, {0, 0, 1}, 5, 10);
