@@ -46,6 +46,13 @@ class Measure {
         return t_[i] + (t_[i + 1] - t_[i]) * (width > 0 ? (wanted - metric_[i]) / width : 0.5);
     }
 
+    /// Those between equal shares, `pieces` - 1 of them.
+    std::vector<double> at_shares(int pieces) const {
+        std::vector<double> t;
+        for (int k = 1; k < pieces; ++k) t.push_back(at_share(static_cast<double>(k) / pieces));
+        return t;
+    }
+
   private:
     /// Steps are halved until each is a fraction of the wanted length, so that the cost goes with the number of nodes.
     void add(double start, double end, int depth) {
@@ -102,6 +109,19 @@ KeptOnEdges kept_on_edges(const Brep& brep, const Mesh& mesh) {
     for (std::size_t s = 0; s < mesh.segments.size(); ++s)
         kept.segments[mesh.segment_edges[s].index()].push_back(mesh.segments[s]);
     return kept;
+}
+
+/// Where nodes on the edges stay whatever their length is to be: at vertices, and where they are kept.
+std::vector<Vec3> stops_on(const std::vector<EdgeId>& edges, const Brep& brep, const MergedEntities& merged,
+                           const KeptOnEdges& kept, const Mesh& mesh) {
+    std::vector<Vec3> stops;
+    for (const EdgeId edge : edges) {
+        for (const VertexId v : brep.ends_of(edge))
+            if (v.is_valid()) stops.push_back(brep.point_of(v));
+        for (const auto& [t, v] : merged.vertices_on[edge.index()]) stops.push_back(brep.point_of(v));
+        for (const NodeId n : kept.nodes[edge.index()]) stops.push_back(mesh.point(n));
+    }
+    return stops;
 }
 
 bool is_used(const Brep& brep, EdgeId edge) {
@@ -224,8 +244,8 @@ EdgeChain kept_chain(const std::array<double, 2>& range, EdgeId edge, const std:
 
 }  // namespace
 
-EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const WantedLength& sizing, Mesh& mesh,
-                       RunContext& context)
+EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const WantedLength& sizing,
+                       const EdgesBeside& beside, Mesh& mesh, RunContext& context)
     : merged_(merged),
       projector_(brep),
       chains_(brep.edge_count()),
@@ -266,6 +286,8 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
         const EdgeChain base = kept_chain(range, edge, {node_of(ends[0]), node_of(ends[1])}, std::move(passed),
                                           kept.nodes[e], kept.segments[e], mesh);
         const auto nodes = shared_ends(edge);
+        const std::vector<EdgeId> others = beside.of(edge);
+        const std::vector<Vec3> stops = stops_on(others, brep, merged, kept, mesh);
         EdgeChain& chain = chains_[e];
         const bool is_whole = base.is_kept.size() == 1;
         std::optional<BRepAdaptor_Curve> curve;  // most edges of an update need none
@@ -280,17 +302,56 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
             const int fewest = fewest_pieces(measure, is_whole && nodes[0] == nodes[1], is_whole && between[nodes] > 1);
             int pieces = std::max(fewest, rounded(measure.metric_length()));
             if (pieces == 1 && is_whole && (misses_vertex(brep, edge) || ends_at_close(brep.edge(edge)))) pieces = 2;
-            for (int k = 1; k < pieces; ++k) {
-                const double t = measure.at_share(static_cast<double>(k) / pieces);
+            std::vector<double> parameters;
+            if (!others.empty())
+                parameters = parameters_beside(brep, sizing, edge, {base.t[i], base.t[i + 1]}, others, stops, mesh);
+            if (others.empty() || parameters.size() + 1 < static_cast<std::size_t>(fewest))
+                parameters = measure.at_shares(pieces);
+            for (const double t : parameters) {
                 chain.nodes.push_back(mesh.add_node(to_vec(curve->Value(t)), entity_of(edge), {t, 0}));
                 chain.t.push_back(t);
             }
-            chain.is_kept.insert(chain.is_kept.end(), static_cast<std::size_t>(pieces), 0);
+            chain.is_kept.insert(chain.is_kept.end(), parameters.size() + 1, 0);
         }
         chain.nodes.push_back(base.nodes.back()), chain.t.push_back(base.t.back());
     }
     keep_off_contacts(brep, sizing, first_new_node, mesh, context);
     for (const EdgeId edge : followers) follow_owner(brep, edge, mesh);
+}
+
+std::vector<double> EdgeChains::parameters_beside(const Brep& brep, const WantedLength& sizing, EdgeId edge,
+                                                  const std::array<double, 2>& between,
+                                                  const std::vector<EdgeId>& others, std::span<const Vec3> stops,
+                                                  const Mesh& mesh) const {
+    std::vector<Vec3> nodes;
+    for (const EdgeId other : others)
+        for (const NodeId n : chains_[other.index()].nodes) nodes.push_back(mesh.point(n));
+    const BRepAdaptor_Curve curve(brep.edge(edge));
+    std::vector<double> parameters;
+    double begin = between[0];
+    const auto fill_to = [&](double end) {
+        constexpr double longest = 1.7;  // wanted lengths, of a piece between nodes that are opposite others
+        std::vector<double> inner = parameters_opposite(projector_, sizing, edge, {begin, end}, nodes);
+        bool is_even = true;
+        double last = begin;
+        for (std::size_t i = 0; i <= inner.size() && is_even; ++i) {
+            const double next = i < inner.size() ? inner[i] : end;
+            is_even = Measure(curve, sizing, last, next).metric_length() <= longest;
+            last = next;
+        }
+        if (!is_even) {
+            const Measure measure(curve, sizing, begin, end);
+            inner = measure.at_shares(std::max(fewest_pieces(measure, false, false), rounded(measure.metric_length())));
+        }
+        parameters.insert(parameters.end(), inner.begin(), inner.end());
+        begin = end;
+    };
+    for (const double stop : parameters_opposite(projector_, sizing, edge, between, stops)) {
+        fill_to(stop);
+        parameters.push_back(stop);
+    }
+    fill_to(between[1]);
+    return parameters;
 }
 
 void EdgeChains::keep_off_contacts(const Brep& brep, const WantedLength& sizing, std::size_t first_new_node,

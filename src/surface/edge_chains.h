@@ -11,6 +11,7 @@
 #include "mesh/mesh.h"
 #include "surface/chain_neighbours.h"
 #include "surface/merged_entities.h"
+#include "surface/opposite_nodes.h"
 #include "surface/projection.h"
 #include "surface/wanted_length.h"
 
@@ -41,10 +42,10 @@ class EdgeChains {
   public:
     /// Keeps the mesh's nodes and segments on edges and fills the gaps by the sizing field along the arc length: equal
     /// shares, at least one piece, a curve at least one per quarter turn, two edges between the same two vertices never
-    /// the same chain. Where edges of one solid touch between their vertices, nodes keep off the place. New nodes are
-    /// appended to `mesh`.
-    EdgeChains(const Brep& brep, const MergedEntities& merged, const WantedLength& sizing, Mesh& mesh,
-               RunContext& context);
+    /// the same chain. Where edges of one solid touch between their vertices, nodes keep off the place. Edges `beside`
+    /// one another get nodes opposite one another as far as they run so. New nodes are appended to `mesh`.
+    EdgeChains(const Brep& brep, const MergedEntities& merged, const WantedLength& sizing, const EdgesBeside& beside,
+               Mesh& mesh, RunContext& context);
 
     const EdgeChain& operator[](EdgeId edge) const { return chains_[edge.index()]; }
     NodeId node_of(VertexId vertex) const { return vertex_nodes_[vertex.index()]; }
@@ -68,6 +69,10 @@ class EdgeChains {
     void add_segments(Mesh& mesh) const;
 
   private:
+    /// The parameters of new nodes between two of an edge that runs beside others; `stops`: what stays on those.
+    std::vector<double> parameters_beside(const Brep& brep, const WantedLength& sizing, EdgeId edge,
+                                          const std::array<double, 2>& between, const std::vector<EdgeId>& others,
+                                          std::span<const Vec3> stops, const Mesh& mesh) const;
     /// Divides runs of new nodes into more pieces where one of them lies on another edge.
     void keep_off_contacts(const Brep& brep, const WantedLength& sizing, std::size_t first_new_node, Mesh& mesh,
                            const RunContext& context);

@@ -32,30 +32,46 @@ struct FaceJob {
     FaceFilling filling;
 };
 
+/// Edges whose chains cross, and where one of the pieces was.
+struct PieceBeside {
+    EdgeId first, second;
+    SizeSource piece;
+};
+
 class SurfaceFiller {
   public:
-    SurfaceFiller(const Brep& brep, const MergedEntities& merged, const WantedLength& sizing, Mesh kept,
-                  RunContext& context)
+    /// `beside`: edges that are to get nodes opposite one another; null where all are divided each by itself.
+    SurfaceFiller(const Brep& brep, const MergedEntities& merged, const WantedLength& sizing,
+                  const EdgesBeside* beside, Mesh kept, RunContext& context)
         : brep_(brep),
           merged_(merged),
           sizing_(sizing),
+          beside_(beside),
           mesh_(std::move(kept)),
           context_(context),
           first_new_node_(mesh_.node_count()),
           first_new_triangle_(mesh_.triangles.size()),
-          chains_(brep, merged, sizing, mesh_, context),
+          chains_(brep, merged, sizing, beside ? *beside : EdgesBeside(), mesh_, context),
           jobs_(brep.face_count()) {}
 
-    SurfaceResult fill() {
+    /// False when there are pieces of edges that cross and are not known to run beside one another: new_beside().
+    bool bound() {
         sort_kept();
-        bound_faces();
+        return bound_faces();
+    }
+    const std::vector<PieceBeside>& new_beside() const { return new_beside_; }
+
+    /// What was kept, and more behind it.
+    Mesh take_mesh() { return std::move(mesh_); }
+
+    SurfaceResult fill() {
         fill_faces();
         chains_.add_segments(mesh_);
         separate_faces();
         for (std::size_t f = 0; f < jobs_.size(); ++f) append(FaceId(f));
         report_.new_nodes = mesh_.node_count() - first_new_node_;
         report_.new_triangles = mesh_.triangles.size() - first_new_triangle_;
-        return {std::move(mesh_), std::move(report_)};
+        return {std::move(mesh_), std::move(report_), {}};
     }
 
   private:
@@ -95,9 +111,10 @@ class SurfaceFiller {
         return is_complete;
     }
 
-    /// Triangulates the boundary of every face; where coarse chains cross in it, halves their pieces and tries again,
-    /// for all faces of the edge.
-    void bound_faces() {
+    /// Triangulates the boundary of every face. False where coarse chains cross in it that were not divided so that
+    /// their nodes are opposite one another; where they were, halves their pieces and tries again, for all faces of the
+    /// edge.
+    bool bound_faces() {
         std::vector<FaceId> open;
         const std::vector<char> is_complete = find_complete();
         for (std::size_t f = 0; f < jobs_.size(); ++f)
@@ -111,6 +128,7 @@ class SurfaceFiller {
                     bound(open[i]);
                 }
             });
+            if (beside_ && note_beside(open)) return false;
             std::set<FaceId> again;
             for (const FaceId f : open) {
                 const FaceJob& job = jobs_[f.index()];
@@ -123,6 +141,24 @@ class SurfaceFiller {
         if (!refined.empty())
             report_.warnings.push_back(
                 "Meshed finer than asked, because a face beside it would cross itself: " + listed(refined) + ".");
+        return true;
+    }
+
+    /// Whether two chains cross that were not known to run beside one another.
+    bool note_beside(const std::vector<FaceId>& faces) {
+        for (const FaceId f : faces) {
+            const FaceJob& job = jobs_[f.index()];
+            if (!job.domain || job.domain->is_valid()) continue;
+            for (const Crossing& c : job.domain->crossings()) {
+                const BoundarySegment &a = job.boundary.segments[c.first], &b = job.boundary.segments[c.second];
+                if (!a.edge.is_valid() || !b.edge.is_valid()) continue;
+                const EdgeId first = merged_.edge_of[a.edge.index()], second = merged_.edge_of[b.edge.index()];
+                if (first == second || beside_->has(first, second)) continue;
+                const auto [p, q] = std::pair(mesh_.point(job.boundary.nodes[std::size_t(a.a)]), mesh_.point(job.boundary.nodes[std::size_t(a.b)]));
+                new_beside_.push_back({first, second, {0.5 * (p + q), distance(p, q)}});
+            }
+        }
+        return !new_beside_.empty();
     }
 
     static std::string listed(const std::set<EdgeId>& edges) {
@@ -228,6 +264,7 @@ class SurfaceFiller {
     const Brep& brep_;
     const MergedEntities& merged_;
     const WantedLength& sizing_;
+    const EdgesBeside* beside_;
     Mesh mesh_;
     RunContext& context_;
     std::size_t first_new_node_, first_new_triangle_;
@@ -236,20 +273,15 @@ class SurfaceFiller {
     std::vector<std::vector<TriangleId>> kept_triangles_;
     std::vector<std::vector<NodeId>> kept_nodes_;
     SurfaceReport report_;
+    std::vector<PieceBeside> new_beside_;
 };
 
-/// How much of a mesh there is, to go back to.
-struct Extent {
-    std::size_t nodes, segments, triangles;
-    Number next_node_number, next_element_number;
-};
-
-Extent extent_of(const Mesh& mesh) {
+MeshExtent extent_of(const Mesh& mesh) {
     return {mesh.node_count(), mesh.segments.size(), mesh.triangles.size(), mesh.next_node_number,
             mesh.next_element_number};
 }
 
-void cut_back(Mesh& mesh, const Extent& extent) {
+void cut_back(Mesh& mesh, const MeshExtent& extent) {
     mesh.points.resize(extent.nodes);
     mesh.entities.resize(extent.nodes);
     mesh.parameters.resize(extent.nodes);
@@ -337,20 +369,38 @@ std::vector<std::string> warnings_of_loose(const Brep& brep) {
 
 }  // namespace
 
+Mesh taken_back(SurfaceResult filled) {
+    cut_back(filled.mesh, filled.kept);
+    return std::move(filled.mesh);
+}
+
 SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kept, RunContext& context,
-                           const MergedEntities* known) {
+                           const SurfaceOptions& options) {
     const RunContext::Step step(context, "surface");
     constexpr int attempts = 5;
     constexpr std::size_t many = 1000, hopeless = 20000;
     std::size_t crossings_before = 0;
     int times_grown = 0;
-    const Extent before = extent_of(kept);
-    const std::optional<MergedEntities> own = known ? std::nullopt : std::optional<MergedEntities>(brep);
-    const MergedEntities& merged = known ? *known : *own;
+    const MeshExtent before = extent_of(kept);
+    const std::optional<MergedEntities> own = options.known ? std::nullopt : std::optional<MergedEntities>(brep);
+    const MergedEntities& merged = options.known ? *options.known : *own;
     WantedLength wanted(sizing);
+    EdgesBeside beside;
     std::set<std::string> refined;
     for (int attempt = 1;; ++attempt) {
-        SurfaceResult result = SurfaceFiller(brep, merged, wanted, std::move(kept), context).fill();
+        std::optional<SurfaceFiller> filler;
+        const EdgesBeside* known_beside = options.narrow == NarrowFaces::own_chains ? nullptr : &beside;
+        while (!filler.emplace(brep, merged, wanted, known_beside, std::move(kept), context).bound()) {
+            for (const auto& [first, second, piece] : filler->new_beside()) {
+                beside.add(first, second);
+                if (options.narrow == NarrowFaces::shorter) wanted.limit({piece.point, 0.5 * piece.size});
+            }
+            kept = filler->take_mesh();
+            cut_back(kept, before);
+        }
+        SurfaceResult result = filler->fill();
+        result.kept = before;
+        result.report.has_opposite_nodes = !beside.is_empty();
         const Crossings found = crossing_triangles(brep, result.mesh, before.triangles, context);
         const TrianglePairs& crossings = found.within;
         if (crossings.empty()) {
@@ -368,6 +418,11 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
         if (attempt > 1) times_grown = crossings.size() > crossings_before ? times_grown + 1 : 0;
         crossings_before = crossings.size();
         const bool is_hopeless = crossings.size() > hopeless || (times_grown >= 2 && crossings.size() > many);
+        if ((attempt == attempts || is_hopeless) && !beside.is_empty()) {
+            SurfaceOptions other = options;
+            other.known = &merged, other.narrow = NarrowFaces::own_chains;
+            return fill_surface(brep, sizing, taken_back(std::move(result)), context, other);
+        }
         if (attempt == attempts || is_hopeless)
             throw MeshError("These faces cross each other: " + names_of(result.mesh, crossings, true) +
                             ". The shape intersects itself (Part: Check geometry), or is thinner there than any mesh "

@@ -120,11 +120,10 @@ struct Filled {
 };
 
 /// `second.shorter` tells where 10-node tets need shorter edges; without a valid mesh the result is empty.
-Filled fill_once(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, SecondOrder& second, RunContext& context) {
-    context.check_cancelled();
-    const std::size_t kept_tets = kept.mesh.tets.size(), kept_triangles = kept.mesh.triangles.size();
-    SurfaceResult surface = fill_surface(brep, sizing, std::move(kept.mesh), context, kept.merged.get());
-    if (!kept.is_rim.empty()) widen_rim(surface.mesh, kept_triangles, kept);
+Filled fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult surface, Kept kept, const MeshOptions& options, SecondOrder& second,
+                   RunContext& context) {
+    const std::size_t kept_tets = surface.mesh.tets.size();
+    if (!kept.is_rim.empty()) widen_rim(surface.mesh, surface.kept.triangles, kept);
     VolumeOptions volume_options = options.volume;
     volume_options.splits_wall_tets |= options.sizing.elements_across_gap >= elements_that_bend;
     VolumeResult volume = fill_solids(brep, sizing, std::move(surface.mesh), kept.active, volume_options, context, {kept.is_rim, kept.rim_tets});
@@ -136,6 +135,24 @@ Filled fill_once(const Brep& brep, const SizingField& sizing, Kept kept, const M
     }
     validate(mesh, brep, std::move(kept), kept_tets - volume.released.size(), volume.released_nodes, context);
     return {std::move(mesh), std::move(surface.report), std::move(volume.report), std::move(volume.released), std::move(volume.moved), std::move(volume.used_active)};
+}
+
+/// Where tets cannot be made to meet a narrow face whose edges have their nodes opposite one another, other chains may do.
+Filled fill_once(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, SecondOrder& second, RunContext& context) {
+    context.check_cancelled();
+    SurfaceOptions surface_options{.known = kept.merged.get()};
+    SurfaceResult surface = fill_surface(brep, sizing, std::move(kept.mesh), context, surface_options);
+    for (const NarrowFaces next : {NarrowFaces::shorter, NarrowFaces::own_chains}) {
+        if (!surface.report.has_opposite_nodes) break;
+        try {
+            return fill_volume(brep, sizing, surface, kept, options, second, context);
+        } catch (const MeshError&) {
+            context.check_cancelled();
+        }
+        surface_options.narrow = next;
+        surface = fill_surface(brep, sizing, taken_back(std::move(surface)), context, surface_options);
+    }
+    return fill_volume(brep, sizing, std::move(surface), std::move(kept), options, second, context);
 }
 
 /// The better of the fillings whose 10-node tets are valid.

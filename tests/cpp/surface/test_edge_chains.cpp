@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/edge_chains.h"
 
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -17,6 +19,8 @@
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "catch.h"
 #include "surface_checks.h"
@@ -73,6 +77,28 @@ TopoDS_Shape prism_with_gap(double gap) {
     return prism;
 }
 
+/// Two shafts on one axis, 10 long each, whose radii differ by the step and whose seams by the angle.
+TopoDS_Shape stepped_shaft(double radius, double step, double angle_deg) {
+    const TopoDS_Shape thick = BRepPrimAPI_MakeCylinder(radius, 10).Shape();
+    gp_Ax2 axes(gp_Pnt(0, 0, 10), gp_Dir(0, 0, 1));
+    axes.Rotate(axes.Axis(), angle_deg * M_PI / 180);
+    return BRepAlgoAPI_Fuse(thick, BRepPrimAPI_MakeCylinder(axes, radius - step, 10).Shape()).Shape();
+}
+
+/// Of the two edges at this height.
+std::array<std::vector<Vec3>, 2> nodes_at_step(const Brep& brep, const Mesh& mesh, double z) {
+    std::array<std::vector<Vec3>, 2> nodes;
+    std::size_t circle = 0;
+    for (std::size_t e = 0; e < brep.edge_count(); ++e) {
+        const auto ends = brep.ends_of(EdgeId(e));
+        if (ends[0] != ends[1] || std::abs(brep.point_of(ends[0]).z - z) > 1e-9) continue;
+        for (std::size_t s = 0; s < mesh.segments.size(); ++s)
+            if (mesh.segment_edges[s] == EdgeId(e)) nodes[circle].push_back(mesh.point(mesh.segments[s][0]));
+        ++circle;
+    }
+    return nodes;
+}
+
 }  // namespace
 
 TEST_CASE("an edge that ends before its vertex has a node of its own, so that a piece of it is between its ends") {
@@ -123,5 +149,56 @@ TEST_CASE("where two edges of a solid touch between their vertices neither has a
         const auto is_at_contact = [](const Vec3& p) { return distance(p, {0, 4, 3}) < 1e-3; };
         CHECK(std::none_of(mesh.points.begin(), mesh.points.end(), is_at_contact));
         CHECK(euler_characteristic(mesh) == 2);
+    }
+}
+
+TEST_CASE("edges with a step of a hundredth of an element between them get nodes opposite one another") {
+    const TopoDS_Shape shape = stepped_shaft(20, 0.005, 40);
+    const Brep brep(shape);
+    const std::size_t pieces = 42;  // 3 mm each on a circle of 20
+    for (const NarrowFaces narrow : {NarrowFaces::opposite_nodes, NarrowFaces::shorter, NarrowFaces::own_chains}) {
+        RunContext context;
+        SizingOptions sizing;
+        sizing.size = 3;
+        SurfaceOptions options;
+        options.narrow = narrow;
+        const SurfaceResult result = fill_surface(brep, make_sizing(brep, sizing, {}, context), {}, context, options);
+        CHECK(findings(brep, result.mesh).empty());
+        CHECK(result.report.has_opposite_nodes == (narrow != NarrowFaces::own_chains));
+        const std::array<std::vector<Vec3>, 2> circles = nodes_at_step(brep, result.mesh, 10);
+        if (narrow == NarrowFaces::own_chains) {
+            CHECK(circles[0].size() > 3 * pieces);
+            CHECK(result.report.warnings.size() == 1);
+            continue;
+        }
+        CHECK(circles[0].size() == circles[1].size());
+        CHECK(circles[0].size() >= pieces);
+        CHECK(circles[0].size() <= (narrow == NarrowFaces::shorter ? 2 : 1) * (pieces + 3));
+        for (const Vec3& p : circles[0])
+            CHECK(std::any_of(circles[1].begin(), circles[1].end(), [&](const Vec3& q) { return distance(p, q) < 0.006; }));
+        CHECK(result.report.warnings.empty());
+    }
+}
+
+TEST_CASE("a kept chain beside a new one gets it opposite its nodes") {
+    const Brep brep(stepped_shaft(20, 0.005, 40));
+    RunContext context;
+    SizingOptions sizing;
+    sizing.size = 3;
+    const SizingField field = make_sizing(brep, sizing, {}, context);
+    const Mesh whole = fill_surface(brep, field, {}, context).mesh;
+    for (const double radius : {20.0, 19.995}) {
+        Mesh kept;
+        kept.next_node_number = whole.next_node_number;
+        for (std::size_t n = 0; n < whole.node_count(); ++n) {
+            const Vec3 p = whole.points[n];
+            if (whole.entities[n].dim == 1 && std::abs(p.z - 10) < 1e-9 && std::abs(std::hypot(p.x, p.y) - radius) < 1e-6)
+                kept.add_node(p, whole.entities[n], whole.parameters[n]);
+        }
+        REQUIRE(kept.node_count() > 40);
+        const SurfaceResult result = fill_surface(brep, field, kept, context);
+        CHECK(findings(brep, result.mesh).empty());
+        const std::array<std::vector<Vec3>, 2> circles = nodes_at_step(brep, result.mesh, 10);
+        CHECK(circles[0].size() == circles[1].size());
     }
 }

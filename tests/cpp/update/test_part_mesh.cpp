@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,15 @@ RawDocument plate_with_hole(double x, double length = 60) {
 
 RawDocument block_and_cylinder(double x) {
     return PartDocument().box("Block", {0, 0, 0}, {60, 30, 8}).cylinder("Boss", {x, 15, 8}, 8, 16).fuse("Part", "Block", "Boss").finish();
+}
+
+/// A tube with a step of 0.005 mm around its middle, whose halves have their seams 40 degrees apart.
+RawDocument stepped_tube(double wall) {
+    gp_Ax2 axes(gp_Pnt(0, 0, 10), gp_Dir(0, 0, 1));
+    axes.Rotate(axes.Axis(), 40 * M_PI / 180);
+    PartDocument document;
+    document.cylinder("Thick", {0, 0, 0}, 14, 10).add("Thin", "Part::Cylinder", BRepPrimAPI_MakeCylinder(axes, 13.995, 10).Shape());
+    return document.fuse("Shaft", "Thick", "Thin").cylinder("Bore", {0, 0, 0}, 14 - wall, 20).cut("Part", "Shaft", "Bore").finish();
 }
 
 /// A plate with two bosses, whose feet are given.
@@ -265,6 +275,25 @@ TEST_CASE("a detail much smaller than the size is told of, by its name and size"
     CHECK(std::any_of(thin.report.warnings.begin(), thin.report.warnings.end(), is_told));
     const PartMeshResult good = meshed(plate_with_hole(30), options_of(4));
     CHECK(std::none_of(good.report.warnings.begin(), good.report.warnings.end(), is_told));
+}
+
+TEST_CASE("where tets cannot meet a narrow face with nodes opposite one another, other chains are tried") {
+    std::vector<std::size_t> longest;
+    for (const auto& [wall, order] : {std::pair(4.0, 1), std::pair(2.0, 2), std::pair(1.0, 1)}) {
+        const PartMeshResult result = meshed(stepped_tube(wall), options_of(6, order));
+        const Mesh& mesh = result.part_mesh->mesh;
+        CHECK(broken_invariants(mesh, expectation_of(result.part_mesh->part.brep)).empty());
+        std::map<EdgeId, std::size_t> pieces;
+        for (const EdgeId edge : mesh.segment_edges) ++pieces[edge];
+        std::size_t most = 0;
+        for (const auto& [edge, count] : pieces) most = std::max(most, count);
+        longest.push_back(most);
+        const auto& warnings = result.report.warnings;
+        const bool is_told = std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) { return w.find("Meshed finer") != std::string::npos; });
+        CHECK(is_told == (most > 40));
+    }
+    CHECK(longest[0] < 20);
+    CHECK(longest.back() > 20);
 }
 
 TEST_CASE("where 10-node tets would stay folded, the part is meshed finer, and the report says where") {
