@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "difference/carrier_chart.h"
 
+#include <Extrema_GenLocateExtPS.hxx>
+#include <algorithm>
 #include <numbers>
 
 namespace featuremesh {
@@ -24,7 +26,13 @@ double widest_circle(double radius, double tube, double first, double last) {
 CarrierChart::CarrierChart(const SurfaceCarrier& carrier) : carrier_(carrier) {
     if (carrier.kind != SurfaceKind::free_form) return;
     analysis_ = new ShapeAnalysis_Surface(carrier.surface);
+    evaluator_.Load(carrier.surface);
     to_own_ = carrier.placement.Inverted();
+}
+
+Vec3 CarrierChart::point(const Uv& uv) const {
+    if (carrier_.kind != SurfaceKind::free_form) return point_at(carrier_, uv[0], uv[1]);
+    return to_vec3(evaluator_.Value(uv[0], uv[1]).Transformed(carrier_.placement));
 }
 
 void CarrierChart::scale_for(const UvBox& box) {
@@ -75,15 +83,41 @@ bool CarrierChart::is_pole(const Uv& uv) const {
     return false;
 }
 
-std::optional<Uv> CarrierChart::parameters(const Vec3& p, const std::optional<Uv>& previous) const {
-    if (carrier_.kind == SurfaceKind::free_form) {
-        const gp_Pnt own = to_pnt(p).Transformed(to_own_);
-        const gp_Pnt2d found = previous ? analysis_->NextValueOfUV(gp_Pnt2d((*previous)[0], (*previous)[1]), own, 1e-6)
-                                        : analysis_->ValueOfUV(own, 1e-6);
-        const Uv uv{found.X(), found.Y()};
-        if (distance(point(uv), p) > 1e-4) return std::nullopt;
+void CarrierChart::start_searches_in(const UvBox& box) {
+    constexpr int count = 8;
+    for (int i = 0; i < count; ++i)
+        for (int j = 0; j < count; ++j) {
+            const Uv uv = box.at((i + 0.5) / count, (j + 0.5) / count);
+            starts_.push_back({uv, point(uv)});
+        }
+}
+
+Uv CarrierChart::nearest_start(const Vec3& p) const {
+    return std::min_element(starts_.begin(), starts_.end(),
+                            [&](const auto& a, const auto& b) {
+                                return squared_length(a.second - p) < squared_length(b.second - p);
+                            })
+        ->first;
+}
+
+// The kernel's search from nothing looks at a grid over all of the surface for every point: it is the last resort.
+std::optional<Uv> CarrierChart::search(const Vec3& p, const Uv& start) const {
+    constexpr double near_it = 1e-4;  // mm
+    const gp_Pnt own = to_pnt(p).Transformed(to_own_);
+    Extrema_GenLocateExtPS local(evaluator_);
+    local.Perform(own, start[0], start[1]);
+    if (local.IsDone() && local.SquareDistance() <= near_it * near_it) {
+        Uv uv;
+        local.Point().Parameter(uv[0], uv[1]);
         return uv;
     }
+    const gp_Pnt2d found = analysis_->ValueOfUV(own, 1e-6);
+    const Uv uv{found.X(), found.Y()};
+    return distance(point(uv), p) > near_it ? std::nullopt : std::optional(uv);
+}
+
+std::optional<Uv> CarrierChart::parameters(const Vec3& p, const std::optional<Uv>& previous) const {
+    if (carrier_.kind == SurfaceKind::free_form) return search(p, previous ? *previous : nearest_start(p));
     Uv uv = parameters_of(carrier_, p);
     if (previous && is_pole(uv)) uv[0] = (*previous)[0];
     for (int k = 0; k < 2; ++k)

@@ -2,9 +2,12 @@
 // The parameter plane of a carrier, scaled so that a distance in it is no shorter than in space.
 #pragma once
 
+#include <GeomAdaptor_Surface.hxx>
 #include <ShapeAnalysis_Surface.hxx>
 #include <array>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "difference/carriers.h"
 
@@ -32,20 +35,28 @@ class CarrierChart {
     void scale_for(const UvBox& box);
     Uv scale() const { return scale_; }
     double period(int direction) const;
+    /// For a free-form carrier, before anything is asked of it: where searches for parameters start when nothing is
+    /// known.
+    void start_searches_in(const UvBox& box);
     /// Parameters of a point on the carrier, near `previous` where they are not unique; nothing when the point is not
     /// on it.
     std::optional<Uv> parameters(const Vec3& p, const std::optional<Uv>& previous) const;
-    Vec3 point(const Uv& uv) const { return point_at(carrier_, uv[0], uv[1]); }
+    /// Quick where one point follows another nearby, also on a free-form carrier.
+    Vec3 point(const Uv& uv) const;
     /// Longest parameter step whose chord leaves the carrier by no more than `sag`, mm; huge along straight lines
     /// and on free-form carriers, where only the points themselves tell.
     Uv step_for_sag(double sag) const;
 
   private:
     bool is_pole(const Uv& uv) const;
+    Uv nearest_start(const Vec3& p) const;
+    std::optional<Uv> search(const Vec3& p, const Uv& start) const;
 
     SurfaceCarrier carrier_;
     Handle(ShapeAnalysis_Surface) analysis_;
+    GeomAdaptor_Surface evaluator_;  ///< remembers the polynomial of the patch that was asked for last
     gp_Trsf to_own_;
+    std::vector<std::pair<Uv, Vec3>> starts_;
     Uv scale_{1, 1};
 };
 

@@ -10,6 +10,7 @@
 namespace featuremesh {
 namespace {
 constexpr double most_border_cells = 20000;
+constexpr std::size_t most_told_cells = 64;
 constexpr double gap = 1e-6;  // mm, between ends of edges that are meant to meet
 
 /// A stretch of a changed piece in the parameter plane; the true curve is no further from it than `margin` (scaled,
@@ -18,6 +19,12 @@ struct Segment {
     Uv a, b;
     double margin;
     bool is_border;  ///< on one side of it is difference, on the other not
+};
+
+/// A cell that no border enters, and whether it belongs to the difference.
+struct ToldCell {
+    UvBox cell;
+    bool differs;
 };
 
 class TrimRaster {
@@ -34,6 +41,7 @@ class TrimRaster {
           chart_(carrier()) {}
 
     void run() {
+        if (chart_.carrier().kind == SurfaceKind::free_form) chart_.start_searches_in(natural_box());
         const bool known = take_borders();
         root_ = root_box();
         if (chart_.carrier().kind == SurfaceKind::plane && !clip_root_to_domain()) return;
@@ -84,7 +92,7 @@ class TrimRaster {
         for (const ChangedPiece& piece : group_.pieces)
             if (!is_far_loop(piece) && !take_piece(piece)) return false;
         for (const Vec3& p : group_.points) {
-            const auto uv = chart_.parameters(p, std::nullopt);
+            const auto uv = chart_.parameters(p, end_near(p));
             if (!uv) return false;
             segments_.push_back({*uv, *uv, 0, false});
         }
@@ -99,10 +107,11 @@ class TrimRaster {
         for (int i = 0; i <= count; ++i) {
             points.push_back(point_at(curve, piece.first + (piece.last - piece.first) * i / count));
             const auto uv =
-                chart_.parameters(points.back(), trace.empty() ? std::nullopt : std::optional(trace.back()));
+                chart_.parameters(points.back(), trace.empty() ? end_near(points.back()) : std::optional(trace.back()));
             if (!uv) return false;
             trace.push_back(*uv);
         }
+        ends_.insert(ends_.end(), {{points.front(), trace.front()}, {points.back(), trace.back()}});
         // The first point may be a pole, where u was arbitrary: it takes u from its neighbour.
         if (const auto again = chart_.parameters(points[0], trace[1])) trace[0] = *again;
         const double margin = count == 1 ? 0.0 : 0.15;
@@ -110,6 +119,15 @@ class TrimRaster {
             segments_.push_back({trace[i], trace[i + 1], margin, piece.is_border});
         if (piece.is_border) border_ends_.push_back(points.front()), border_ends_.push_back(points.back());
         return true;
+    }
+
+    /// Parameters of the end of an earlier piece at the same place: on a free-form carrier a search from nothing is
+    /// dear.
+    std::optional<Uv> end_near(const Vec3& p) const {
+        if (chart_.carrier().kind != SurfaceKind::free_form) return std::nullopt;
+        for (const auto& [end, uv] : ends_)
+            if (distance(end, p) <= gap) return uv;
+        return std::nullopt;
     }
 
     int samples_of(const CurveCarrier& curve, const ChangedPiece& piece) const {
@@ -340,14 +358,38 @@ class TrimRaster {
         return int(std::clamp(share * double(columns_.size()), 0.0, double(columns_.size()) - 1));
     }
 
-    /// True also when no point of the cell could be told.
-    bool differs(const UvBox& cell) const {
+    /// Of a cell that nothing enters. True also when no point of it could be told.
+    bool differs(const UvBox& cell) {
+        if (by_crossings_) return told(cell, [&](const Uv& uv) { return differs_by_crossings(uv); }).value_or(true);
+        // No border lies between two such cells that share a side.
+        for (const ToldCell& other : told_)
+            if (share_a_side(cell, other.cell)) return other.differs;
+        const auto verdict = told(cell, [&](const Uv& uv) { return differs_by_trims(uv); });
+        if (!verdict) return true;
+        if (told_.size() < most_told_cells)
+            told_.push_back({cell, *verdict});
+        else
+            told_[next_told_++ % most_told_cells] = {cell, *verdict};
+        return *verdict;
+    }
+
+    template <class DiffersAt>
+    std::optional<bool> told(const UvBox& cell, const DiffersAt& differs_at) const {
         constexpr double fractions[][2] = {{0.5, 0.5}, {0.29, 0.37}, {0.71, 0.59}, {0.37, 0.73}, {0.61, 0.23}};
-        for (const auto& [s, t] : fractions) {
-            const auto verdict = by_crossings_ ? differs_by_crossings(cell.at(s, t)) : differs_by_trims(cell.at(s, t));
-            if (verdict) return *verdict;
+        for (const auto& [s, t] : fractions)
+            if (const auto verdict = differs_at(cell.at(s, t))) return verdict;
+        return std::nullopt;
+    }
+
+    /// Cells come from halving, so that sides which meet are the same to the last bit or nearly so.
+    bool share_a_side(const UvBox& a, const UvBox& b) const {
+        for (int k = 0; k < 2; ++k) {
+            const double least = 0.5 * std::min(a.size(1 - k), b.size(1 - k));
+            const double together = std::min(a.high[1 - k], b.high[1 - k]) - std::max(a.low[1 - k], b.low[1 - k]);
+            const double gap_between = std::max(a.low[k], b.low[k]) - std::min(a.high[k], b.high[k]);
+            if (together > least && std::abs(gap_between) <= 1e-12 * root_.size(k)) return true;
         }
-        return true;
+        return false;
     }
 
     /// The parity of the borders between the point and infinity, on a cone away from the apex; nothing when a border
@@ -389,7 +431,7 @@ class TrimRaster {
     }
 
     void emit(const UvBox& cell) {
-        if (chart_.carrier().kind == SurfaceKind::free_form) return emit_free_form(cell, 0);
+        if (chart_.carrier().kind == SurfaceKind::free_form) return emit_free_form(cell);
         const auto parts = [&](int k) { return std::max(1, int(std::ceil(cell.size(k) / step_[k] - 1e-9))); };
         const int columns = parts(0), rows = parts(1);
         const auto corner = [&](int i, int j) { return chart_.point(cell.at(double(i) / columns, double(j) / rows)); };
@@ -401,26 +443,35 @@ class TrimRaster {
             }
     }
 
-    // Quarters until the middles of a cell and of its sides are close to the two triangles.
-    void emit_free_form(const UvBox& cell, int depth) {
-        const double sag = resolution_ / 8;
+    /// Corners in the order (0, 0), (1, 0), (1, 1), (0, 1).
+    using Corners = std::array<Vec3, 4>;
+
+    void emit_free_form(const UvBox& cell) {
         const auto at = [&](double s, double t) { return chart_.point(cell.at(s, t)); };
-        const Vec3 a = at(0, 0), b = at(1, 0), c = at(1, 1), d = at(0, 1);
-        const double strays =
-            std::max({squared_distance_to_segment(at(0.5, 0), a, b), squared_distance_to_segment(at(1, 0.5), b, c),
-                      squared_distance_to_segment(at(0.5, 1), c, d), squared_distance_to_segment(at(0, 0.5), d, a),
-                      squared_distance_to_segment(at(0.5, 0.5), a, c)});
+        emit_free_form(cell, {at(0, 0), at(1, 0), at(1, 1), at(0, 1)}, 0);
+    }
+
+    // Quarters until the middles of a cell and of its sides are close to the two triangles.
+    void emit_free_form(const UvBox& cell, const Corners& corners, int depth) {
+        const auto& [a, b, c, d] = corners;
+        const auto at = [&](double s, double t) { return chart_.point(cell.at(s, t)); };
+        const Vec3 ab = at(0.5, 0), bc = at(1, 0.5), cd = at(0.5, 1), da = at(0, 0.5), middle = at(0.5, 0.5);
+        const double sag = resolution_ / 8;
+        const double strays = std::max({squared_distance_to_segment(ab, a, b), squared_distance_to_segment(bc, b, c),
+                                        squared_distance_to_segment(cd, c, d), squared_distance_to_segment(da, d, a),
+                                        squared_distance_to_segment(middle, a, c)});
         const bool small = std::max(distance(a, c), distance(b, d)) <= free_form_cell_;
         if ((strays <= sag * sag && small) || depth >= 9) {
             add_triangle(a, b, c);
             add_triangle(a, c, d);
             return;
         }
+        const Corners quarters[] = {{a, ab, middle, da}, {ab, b, bc, middle}, {da, middle, cd, d}, {middle, bc, c, cd}};
         for (int quarter = 0; quarter < 4; ++quarter) {
             UvBox part;
             part.add(cell.at(0.5, 0.5));
             part.add(cell.at(quarter & 1, quarter >> 1));
-            emit_free_form(part, depth + 1);
+            emit_free_form(part, quarters[quarter], depth + 1);
         }
     }
 
@@ -440,6 +491,9 @@ class TrimRaster {
     Uv step_{};
     std::vector<Segment> segments_;
     std::vector<Vec3> border_ends_;
+    std::vector<std::pair<Vec3, Uv>> ends_;  ///< of all pieces, with their parameters
+    std::vector<ToldCell> told_;             ///< the latest, without an order
+    std::size_t next_told_ = 0;
     bool by_crossings_ = false;
     std::vector<std::vector<int>> columns_;  ///< border segments by u
 };
