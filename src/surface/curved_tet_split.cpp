@@ -17,10 +17,11 @@ constexpr double strong_bend = 0.17;
 
 class Splitting {
   public:
-    Splitting(Mesh& mesh, const Mesh& curved, const KeptCounts& kept)
+    Splitting(Mesh& mesh, const Mesh& curved, const KeptCounts& kept, double least_volume)
         : mesh_(mesh),
           curved_(curved),
           kept_(kept),
+          least_volume_(least_volume),
           is_touched_(mesh.tets.size(), false),
           tets_at_(mesh.points.size()),
           triangles_at_(mesh.points.size()) {
@@ -55,15 +56,23 @@ class Splitting {
     static bool has(const std::array<NodeId, count>& nodes, NodeId n) {
         return std::find(nodes.begin(), nodes.end(), n) != nodes.end();
     }
-    bool is_sound(const std::array<NodeId, 4>& n) const {
+    double volume_of(const std::array<NodeId, 4>& n) const {
+        return signed_volume(mesh_.point(n[0]), mesh_.point(n[1]), mesh_.point(n[2]), mesh_.point(n[3]));
+    }
+    /// With volumes of the whole and of its part.
+    bool loses_least_volume(double whole, double part) const { return part < least_volume_ && whole >= least_volume_; }
+    bool is_sound(const std::array<NodeId, 4>& n, const std::array<NodeId, 4>& whole) const {
         const Vec3 &a = mesh_.point(n[0]), &b = mesh_.point(n[1]), &c = mesh_.point(n[2]), &d = mesh_.point(n[3]);
-        return signed_volume(a, b, c, d) > 0 && dihedral_range(a, b, c, d).smallest_deg > least_dihedral_deg;
+        const double volume = signed_volume(a, b, c, d);
+        return volume > 0 && !loses_least_volume(volume_of(whole), volume) &&
+               dihedral_range(a, b, c, d).smallest_deg > least_dihedral_deg;
     }
 
     bool split_inside(TetId tet) {
         const std::size_t t = tet.index();
         if (t < kept_.tets) return false;
         const auto corners = mesh_.tets[t];
+        if (loses_least_volume(volume_of(corners), volume_of(corners) / 4)) return false;
         Vec3 center;
         for (NodeId n : corners) center += mesh_.point(n) * 0.25;
         const NodeId middle = mesh_.add_node(center, entity_of(mesh_.tet_solids[t]));
@@ -139,7 +148,8 @@ class Splitting {
         const Number number_before = mesh_.next_node_number;
         const NodeId middle = mesh_.add_node(curved_.points[m], curved_.entities[m], curved_.parameters[m]);
         for (std::size_t t : tets)
-            if (!is_sound(with(mesh_.tets[t], side[0], middle)) || !is_sound(with(mesh_.tets[t], side[1], middle))) {
+            if (!is_sound(with(mesh_.tets[t], side[0], middle), mesh_.tets[t]) ||
+                !is_sound(with(mesh_.tets[t], side[1], middle), mesh_.tets[t])) {
                 mesh_.points.pop_back(), mesh_.entities.pop_back(), mesh_.parameters.pop_back(),
                     mesh_.node_numbers.pop_back();
                 mesh_.next_node_number = number_before;
@@ -171,6 +181,7 @@ class Splitting {
     Mesh& mesh_;
     const Mesh& curved_;
     const KeptCounts kept_;
+    const double least_volume_;
     std::vector<bool> is_touched_;
     std::vector<std::vector<std::size_t>> tets_at_, triangles_at_;
 };
@@ -178,8 +189,8 @@ class Splitting {
 }  // namespace
 
 std::size_t split_folded_tets(Mesh& mesh, const Mesh& curved, const std::vector<TetId>& folded,
-                              const KeptCounts& kept) {
-    Splitting splitting(mesh, curved, kept);
+                              const KeptCounts& kept, double least_volume) {
+    Splitting splitting(mesh, curved, kept, least_volume);
     std::size_t added = 0;
     for (TetId t : folded) added += splitting.run(t);
     mesh.corner_count = mesh.points.size();

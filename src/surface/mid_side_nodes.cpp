@@ -228,7 +228,7 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
         // refining that makes more trouble than it ends would go on for ever
         const bool is_hopeless = refinement == most_refinements || trouble.size() > 4 * trouble_at_first + 50 ||
                                  (best && refinement > last_gain + most_without_gain);
-        const bool is_split = !is_hopeless && split_folded_tets(mesh, curved.mesh, trouble, counts) > 0;
+        const bool is_split = !is_hopeless && split_folded_tets(mesh, curved.mesh, trouble, counts, brep.tolerances().least_volume()) > 0;
         if (curved.folded.empty() && (!best || curved.smallest > best->smallest)) {
             best = std::move(curved);
             last_gain = refinement;

@@ -215,6 +215,29 @@ TEST_CASE("a split keeps the mesh conforming and leaves kept elements alone") {
     CHECK(broken_invariants(mesh, expectation_of(brep)).empty());
 }
 
+TEST_CASE("a split leaves no tet without the least volume that had it before") {
+    const Brep brep(BRepPrimAPI_MakeCylinder(10, 12).Shape());
+    const Mesh straight = fan_mesh(brep, 8, {0, 0, 6});
+    const Mesh curved = with_mid_side_nodes_on_faces(brep, straight);
+    const auto volume = [](const Mesh& mesh, std::size_t t) {
+        const auto& [a, b, c, d] = mesh.tets[t];
+        return signed_volume(mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d));
+    };
+    std::vector<TetId> all;
+    double least = std::numeric_limits<double>::max(), most = 0;
+    for (std::size_t t = 0; t < straight.tets.size(); ++t) {
+        all.push_back(TetId(t));
+        least = std::min(least, volume(straight, t)), most = std::max(most, volume(straight, t));
+    }
+    Mesh mesh = straight;
+    CHECK(split_folded_tets(mesh, curved, all, {}, 0.3 * least) > 0);
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) CHECK(volume(mesh, t) >= 0.3 * least);
+    mesh = straight;
+    CHECK(split_folded_tets(mesh, curved, all, {}, 0.6 * most) < all.size() / 4);
+    mesh = straight;
+    CHECK(split_folded_tets(mesh, curved, all, {}, 2 * most) > all.size() / 4);  // none had it
+}
+
 TEST_CASE("splits of tets that lie at each other keep the mesh conforming") {
     const Brep brep(BRepPrimAPI_MakeCylinder(10, 12).Shape());
     const Mesh straight = fan_mesh(brep, 8, {0, 0, 6});
