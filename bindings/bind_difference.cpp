@@ -63,8 +63,10 @@ py::dict compare_documents(const py::dict& old_raw, const py::dict& new_raw, dou
     const RawDocument old_document = raw_document_from(old_raw), new_document = raw_document_from(new_raw);
     std::vector<EdgeChange> edges;
     const FeatureDifference difference = run_released({}, 1, [&](RunContext& context) {
-        const auto read = [&](const RawDocument& document) { return fuse ? read_part(document, context) : read_part_unfused(document, context); };
-        const PartState old_state = read(old_document), new_state = read(new_document);
+        const auto read = [&](const RawDocument& document, const FeatureTree* known) {
+            return fuse ? read_part(document, context, known) : read_part_unfused(document, context, known);
+        };
+        const PartState old_state = read(old_document, nullptr), new_state = read(new_document, &old_state.tree);
         const double fine = resolution > 0 ? resolution : new_state.brep.box().diagonal() / 100;
         FeatureDifference found = compare(old_state, new_state, fine, context);
         tell_inner_faces(found.faces, old_state.brep, new_state.brep);

@@ -348,9 +348,9 @@ std::string reason_for_full_mesh(const PartMesh& old, const MeshOptions& options
     return {};
 }
 
-FeatureTree interpreted(const RawDocument& document, RunContext& context, const PartState* before) {
+FeatureTree interpreted(const RawDocument& document, RunContext& context, const FeatureTree* known) {
     const RunContext::Step step(context, "read");
-    return interpret(document, context, before ? &before->tree : nullptr);
+    return interpret(document, context, known);
 }
 
 void leave_cells_out(PartState& part) {
@@ -358,8 +358,7 @@ void leave_cells_out(PartState& part) {
     part.cells.owners_of_final_face = VolumeFaces(part.tree).owners_of_faces(part.brep);
 }
 
-PartState read_with_cells(const RawDocument& document, RunContext& context, const PartState* before, double seconds) {
-    FeatureTree tree = interpreted(document, context, before);
+PartState with_cells(FeatureTree tree, RunContext& context, const PartState* before, double seconds) {
     const RunContext::Step step(context, "cells");
     Brep brep(tree.final_shape);
     std::optional<CellModel> cells;
@@ -380,12 +379,12 @@ double margin_of(const MeshOptions& options, const SizingField& sizing) {
 
 }  // namespace
 
-PartState read_part(const RawDocument& document, RunContext& context) {
-    return read_with_cells(document, context, nullptr, most_seconds_of_cells);
+PartState read_part(const RawDocument& document, RunContext& context, const FeatureTree* known) {
+    return with_cells(interpreted(document, context, known), context, nullptr, most_seconds_of_cells);
 }
 
 PartState read_part_to_mesh(const RawDocument& document, RunContext& context, const PartState* before, double seconds) {
-    PartState part = read_with_cells(document, context, before, seconds);
+    PartState part = with_cells(interpreted(document, context, before ? &before->tree : nullptr), context, before, seconds);
     if (!part.cells.report.is_out_of_time) return part;
     const RunContext::Step step(context, "cells");
     leave_cells_out(part);
@@ -393,8 +392,8 @@ PartState read_part_to_mesh(const RawDocument& document, RunContext& context, co
     return part;
 }
 
-PartState read_part_unfused(const RawDocument& document, RunContext& context) {
-    FeatureTree tree = interpreted(document, context, nullptr);
+PartState read_part_unfused(const RawDocument& document, RunContext& context, const FeatureTree* known) {
+    FeatureTree tree = interpreted(document, context, known);
     const RunContext::Step step(context, "cells");
     Brep brep(tree.final_shape);
     PartState part{std::move(tree), std::move(brep), {}};

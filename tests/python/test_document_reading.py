@@ -148,7 +148,7 @@ class Reading(unittest.TestCase):
         sketch.addGeometry(Part.LineSegment(Vector(0, 0), Vector(10, 10)))
         sketch.renameConstraint(sketch.addConstraint(Sketcher.Constraint("Angle", 0, 0.5)), "Slope")
         document.recompute()
-        numbers, _ = reading._parameters(sketch, reading._properties(sketch))
+        numbers, _ = reading._parameters(sketch, reading._properties(sketch, sketch.TypeId))
         self.assertAlmostEqual(numbers["Slope"], 28.64788975654116)
 
     def test_an_objects_own_property_is_read_by_its_own_type(self):
@@ -158,9 +158,9 @@ class Reading(unittest.TestCase):
             named, linked = document.addObject(kind, "Named"), document.addObject(kind, "Linked")
             named.addProperty("App::PropertyFloat", "Extra").Extra = 4
             linked.addProperty("App::PropertyLink", "Extra").Extra = tool
-            self.assertEqual(reading._properties(named)["Extra"], "number")
-            self.assertEqual(reading._properties(linked)["Extra"], "link")
-            self.assertIn(("Extra", tool, ""), reading._links(linked, reading._properties(linked)))
+            self.assertEqual(reading._properties(named, named.TypeId)["Extra"], "number")
+            self.assertEqual(reading._properties(linked, linked.TypeId)["Extra"], "link")
+            self.assertIn(("Extra", tool, ""), reading._links(linked, reading._properties(linked, linked.TypeId)))
 
     def test_error_is_freecads_own(self):
         document = new_document()

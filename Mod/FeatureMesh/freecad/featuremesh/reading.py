@@ -142,7 +142,7 @@ def describe(obj):
 def has_shape(obj):
     """Is there a shape with at least one face?"""
     shape = _shape_of(obj)
-    return shape is not None and shape.countElement("Face") > 0
+    return shape is not None and (len(shape.Solids) > 0 or shape.countElement("Face") > 0)
 
 
 def key_of(obj, home):
@@ -169,24 +169,25 @@ def dependencies(part):
 # Which objects, in which order and frame
 
 
-def _children(obj, own, links, properties):
+def _children(obj, own, links, properties, kinds):
     """What `obj`, placed at `own`, depends on directly: (object, frame of the child's parent relative to obj's, carries volume)."""
     kind = properties.kind
     if kind in _BINDERS:
         return []
-    linked = _linked_objects(links)
+    linked = _linked_objects(links, kinds)
     result = []
     if kind == "PartDesign::Body":
-        return [(member, own, not _is_reference(member)) for member in _members_up_to_tip(obj)]
-    is_reference, undoes, is_step = _is_reference(obj), _undoes_placements(obj, properties), _derives(obj, "PartDesign::Feature")
+        return [(member, own, not _is_reference(member, kinds[member])) for member in _members_up_to_tip(obj)]
+    is_reference, undoes = _is_reference(obj, kind), _undoes_placements(obj, properties)
+    is_step = _derives(obj, "PartDesign::Feature", kind)
     for child in linked:
-        if is_reference or _is_reference(child):
+        if is_reference or _is_reference(child, kinds[child]):
             result.append((child, FreeCAD.Placement(), False))
         else:
-            result.append((child, _frame_of_child(own, child, undoes, is_step), True))
+            result.append((child, _frame_of_child(own, child, undoes, is_step and _derives(child, "PartDesign::Feature", kinds[child])), True))
     known = set(linked)
     result += [(child, FreeCAD.Placement(), False) for child in obj.OutList
-               if child not in known and not _derives(child, "App::Origin") and child.TypeId != "PartDesign::Body"]
+               if child not in known and kinds[child] != "PartDesign::Body" and not _derives(child, "App::Origin", kinds[child])]
     return result
 
 
@@ -197,13 +198,19 @@ def _undoes_placements(obj, properties):
     return properties.kind == "PartDesign::FeatureBase" or _proxy_name(obj, properties) in ("_Clone", "Clone")
 
 
-def _frame_of_child(own, child, undoes, is_step):
+def _frame_of_child(own, child, undoes, are_steps):
     """Frame in which `child.Shape` enters the shape of an object placed at `own`, relative to the frame of that one's parent."""
     if undoes:
         return own.multiply(getattr(child, "Placement", FreeCAD.Placement()).inverse())
-    if is_step and _derives(child, "PartDesign::Feature"):
-        return FreeCAD.Placement()
-    return own
+    return FreeCAD.Placement() if are_steps else own
+
+
+class _Kinds(dict):
+    """Types of objects, each asked for once."""
+
+    def __missing__(self, obj):
+        kind = self[obj] = obj.TypeId
+        return kind
 
 
 class _Walk:
@@ -213,6 +220,7 @@ class _Walk:
     def __init__(self, part):
         self.frames = {part: versions.parent_frame(part)}
         self.placements, self.children, self.properties, self.links = {}, {}, {}, {}
+        self._kinds = _Kinds()
         strong, weak = deque([part]), deque()
         while strong or weak:
             if strong:
@@ -225,10 +233,10 @@ class _Walk:
             self._visit(obj, strong, weak)
 
     def _visit(self, obj, strong, weak):
-        properties = self.properties[obj] = _properties(obj)
+        properties = self.properties[obj] = _properties(obj, self._kinds[obj])
         links = self.links[obj] = _links(obj, properties)
         own = self.placements[obj] = _value_of(obj, "Placement", properties) or FreeCAD.Placement()
-        found = _children(obj, own, links, properties)
+        found = _children(obj, own, links, properties, self._kinds)
         self.children[obj] = [child for child, _, _ in found]
         for child, relative, carries_volume in found:
             if child in self.frames:
@@ -266,13 +274,10 @@ def _members_up_to_tip(body):
     return members
 
 
-def _linked_objects(links):
+def _linked_objects(links, kinds):
     """Objects that the links name, each once, in order."""
-    seen = {}
-    for _, child, _ in links:
-        if child not in seen and not _derives(child, "App::Origin") and child.TypeId != "App::Part":
-            seen[child] = None
-    return list(seen)
+    return [child for child in dict.fromkeys(child for _, child, _ in links)
+            if kinds[child] != "App::Part" and not _derives(child, "App::Origin", kinds[child])]
 
 
 # By type of object: what the properties are read for that all objects of the type have. Those of a single object cannot
@@ -290,8 +295,8 @@ class _Properties(dict):
         self.may_have_others = kind.startswith("App::Link") or kind.endswith("Python")
 
 
-def _properties(obj):
-    found = _Properties(obj.TypeId)
+def _properties(obj, kind):
+    found = _Properties(kind)
     known = _USES.setdefault(found.kind, {})
     for name in obj.PropertiesList:
         use = known.get(name)
@@ -358,7 +363,7 @@ def _link_targets(value):
 def _record(obj, walk, shapes, keys, home):
     own, frame, properties = walk.placements[obj], walk.frames[obj], walk.properties[obj]
     kind = properties.kind
-    reference = _is_reference(obj)
+    reference = _is_reference(obj, kind)
     shape = None if reference and kind not in _BINDERS else _shape_of(obj)
     volume = None if reference else _value_of(obj, "AddSubShape", properties)
     numbers, texts = _parameters(obj, properties)
@@ -459,7 +464,7 @@ def _parameters(obj, properties):
 
 
 def _add_number(numbers, name, value):
-    number = getattr(value, "Value", value)
+    number = value if type(value) in (float, int, bool) else getattr(value, "Value", value)
     if isinstance(number, (bool, int, float)):
         numbers[name] = float(number)
 
@@ -491,18 +496,17 @@ def _proxy_name(obj, properties):
 _REFERENCES, _BASES = {}, {}
 
 
-def _derives(obj, base):
-    key = (obj.TypeId, base)
+def _derives(obj, base, kind):
+    key = (kind, base)
     if key not in _BASES:
         _BASES[key] = obj.isDerivedFrom(base)
     return _BASES[key]
 
 
-def _is_reference(obj):
-    kind = obj.TypeId
+def _is_reference(obj, kind):
     if kind not in _REFERENCES:
         datum_line = kind == "PartDesign::Line"  # told apart from PartDesign::LinearPattern
-        _REFERENCES[kind] = datum_line or kind.startswith(_REFERENCE_TYPES) or _derives(obj, "Part::Part2DObject")
+        _REFERENCES[kind] = datum_line or kind.startswith(_REFERENCE_TYPES) or _derives(obj, "Part::Part2DObject", kind)
     return _REFERENCES[kind]
 
 
@@ -532,7 +536,7 @@ def _checked_solid(obj):
 def _is_candidate(obj):
     if not (obj.isDerivedFrom("Part::Feature") or obj.isDerivedFrom("App::Link")):
         return False
-    if _is_reference(obj) or _is_feature_of_body(obj):
+    if _is_reference(obj, obj.TypeId) or _is_feature_of_body(obj):
         return False
     shape = _shape_of(obj)
     return shape is not None and len(shape.Solids) > 0
@@ -549,8 +553,10 @@ def _used_by(obj):
     """The objects whose volume is part of `obj` (a sketch's support is one for features without a body)."""
     if obj.isDerivedFrom("App::Link") or obj.TypeId in _BINDERS:
         return
-    for child in _linked_objects(_links(obj, _properties(obj))):
-        if not _is_reference(child):
+    kinds = _Kinds()
+    for child in _linked_objects(_links(obj, _properties(obj, kinds[obj])), kinds):
+        if not _is_reference(child, kinds[child]):
             yield child
         elif obj.isDerivedFrom("PartDesign::Feature") and child.TypeId not in _BINDERS:
-            yield from (support for support in _linked_objects(_links(child, _properties(child))) if not _is_reference(support))
+            supports = _linked_objects(_links(child, _properties(child, kinds[child])), kinds)
+            yield from (support for support in supports if not _is_reference(support, kinds[support]))
