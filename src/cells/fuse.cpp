@@ -2,12 +2,14 @@
 #include "cells/fuse.h"
 
 #include <BOPAlgo_Builder.hxx>
+#include <BRep_Builder.hxx>
 #include <Message_ProgressScope.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -38,6 +40,8 @@ struct Source {
 
 struct Sources {
     std::vector<Source> solids, faces;
+    std::size_t fused =
+        0;  ///< so many of the solids, the first, are pieces of an earlier fuse: they share what they touch
 
     void add(const FuseArgument& argument) {
         std::vector<Owner> owners;
@@ -48,6 +52,7 @@ struct Sources {
     }
     void add(const FusedComplex& complex) {
         for (const Cell& cell : complex.cells) solids.push_back({cell.solid, cell.owners});
+        fused = solids.size();
         for (const CellFace& face : complex.faces) faces.push_back({face.face, face.owners});
     }
 };
@@ -55,9 +60,8 @@ struct Sources {
 /// Runs the kernel's builder and answers what became of the solids' parts. A lone solid needs no builder.
 class Builder {
   public:
-    Builder(const std::vector<Source>& solids, const FuseOptions& options, RunContext& context) {
-        TopTools_IndexedMapOfShape different;
-        for (const Source& source : solids) different.Add(source.shape);
+    Builder(const Sources& sources, const FuseOptions& options, RunContext& context) {
+        const TopTools_IndexedMapOfShape different = arguments_of(sources);
         if (different.Extent() < 2) return;
         const Handle(Deadline) deadline = new Deadline(options.seconds, context);
         used_ = true;
@@ -89,6 +93,20 @@ class Builder {
     }
 
   private:
+    /// What was fused before is one argument: the kernel does not intersect the parts of an argument with each other.
+    static TopTools_IndexedMapOfShape arguments_of(const Sources& sources) {
+        TopTools_IndexedMapOfShape different;
+        if (sources.fused > 0) {
+            const BRep_Builder builder;
+            TopoDS_Compound pieces;
+            builder.MakeCompound(pieces);
+            for (std::size_t i = 0; i < sources.fused; ++i) builder.Add(pieces, sources.solids[i].shape);
+            different.Add(pieces);
+        }
+        for (std::size_t i = sources.fused; i < sources.solids.size(); ++i) different.Add(sources.solids[i].shape);
+        return different;
+    }
+
     void perform(const Message_ProgressRange& range) {
         Message_ProgressScope scope(range, "fuse", 10);
         filler_.Perform(scope.Next(9));
@@ -215,7 +233,7 @@ void check_arguments(FusedComplex& complex, const std::vector<FuseArgument>& arg
 }
 
 FusedComplex fuse_sources(const Sources& sources, const FuseOptions& options, RunContext& context) {
-    Builder builder(sources.solids, options, context);
+    Builder builder(sources, options, context);
     if (!builder.trouble().empty()) return {{}, {}, builder.trouble(), builder.out_of_time(), {}};
     return Collector(sources, builder, context).take();
 }

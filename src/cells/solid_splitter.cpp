@@ -136,8 +136,18 @@ void SolidSplitter::PerformInternal1(const BOPAlgo_PaveFiller& filler, const Mes
     if (HasErrors()) return;
     split_solids(scope.Next(4));
     if (HasErrors()) return;
-    BuildResult(TopAbs_SOLID);
+    collect();
     PostTreat(scope.Next());
+}
+
+/// All pieces: their tolerances are still to be brought in line. An argument may be a compound of solids.
+void SolidSplitter::collect() {
+    const BRep_Builder builder;
+    TopTools_MapOfShape seen;
+    for (int i = 0; i < myDS->NbSourceShapes(); ++i)
+        if (const TopoDS_Shape& source = myDS->Shape(i); source.ShapeType() == TopAbs_SOLID)
+            for (const TopoDS_Shape& piece : images_of(source))
+                if (seen.Add(piece)) builder.Add(myShape, piece);
 }
 
 void SolidSplitter::split_faces(const Message_ProgressRange& range) {

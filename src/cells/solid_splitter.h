@@ -32,6 +32,7 @@ class SolidSplitter : public BOPAlgo_Builder {
     bool find_inner_faces(Faces& faces, int solid, Split& split, const Message_ProgressRange& range);
     void divide(std::deque<Split>& splits, const Message_ProgressRange& range);
     void join(const std::deque<Split>& splits);
+    void collect();
     bool are_faces_divided(const TopoDS_Shape& shell) const;
 };
 
