@@ -125,8 +125,9 @@ Filled fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult su
     const std::size_t kept_tets = surface.mesh.tets.size();
     if (!kept.is_rim.empty()) widen_rim(surface.mesh, surface.kept.triangles, kept);
     VolumeOptions volume_options = options.volume;
+    volume_options.is_for_curved_tets = options.order == 2;
     volume_options.splits_wall_tets |= options.sizing.elements_across_gap >= elements_that_bend;
-    VolumeResult volume = fill_solids(brep, sizing, std::move(surface.mesh), kept.active, volume_options, context, {kept.is_rim, kept.rim_tets});
+    VolumeResult volume = fill_solids(brep, sizing, std::move(surface.mesh), kept.active, volume_options, context, {kept.is_rim, kept.rim_tets, surface.kept.nodes});
     Mesh mesh = std::move(volume.mesh);
     if (options.order == 2) {
         second = try_second_order(brep, std::move(mesh), kept.curved.order == 2 ? &kept.curved : nullptr, context);

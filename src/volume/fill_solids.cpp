@@ -12,6 +12,7 @@
 #include "core/errors.h"
 #include "mesh/tets_at_nodes.h"
 #include "surface/projection.h"
+#include "volume/boundary_moves.h"
 #include "volume/cavity_refusals.h"
 #include "volume/constrained_delaunay.h"
 #include "volume/facet_split.h"
@@ -94,6 +95,7 @@ class Filling {
           sides_(sides_of_faces(brep)),
           is_released_(surface.tets.size(), 0),
           may_be_open_(rim.nodes.begin(), rim.nodes.end()),
+          kept_nodes_(rim.kept_nodes),
           projector_(brep) {
         result_.mesh = std::move(surface);
         rim_tets_.assign(rim.tets.begin(), rim.tets.end());
@@ -345,13 +347,29 @@ class Filling {
             const double least = least_volume(mended_share);
             Thickened thickened = thicken(complex, least, context_, most_insertions(regions_[i]));
             is_thick_[i] = thickened.left.empty();
-            const std::size_t improved = improve_beside_needles(complex, std::move(thickened.changed), options_.target_dihedral_deg, least, context_);
+            std::size_t improved = improve_beside_needles(complex, std::move(thickened.changed), options_.target_dihedral_deg, least, context_);
+            if (reports[i].second.left > 0 || improved > 0)
+                improved += move_boundary(regions_[i], least);
             const bool is_mended = regions_[i].taken_count() > 0 || improved > 0;
             report.released_for_quality += give_back(regions_[i], result_.mesh, is_released_);
             report.slivers_left +=
                 is_mended ? regions_[i].count_bad(options_.target_dihedral_deg) : reports[i].second.left;
             if (!is_thick_[i]) leave_out_flat_tets(cavities_[i], complex);
         }
+    }
+
+    /// Where inner vertices were of no help. Returns how many tets that changed.
+    std::size_t move_boundary(SeamRegion& region, double least) {
+        std::vector<BoundaryVertex> vertices = movable_vertices(brep_, result_.mesh, region, kept_nodes_);
+        std::vector<int> changed = move_on_boundary(region.complex, vertices, projector_, {options_.target_dihedral_deg, least, options_.is_for_curved_tets}, context_);
+        for (const BoundaryVertex& v : vertices) {
+            const std::size_t node = region.node_of(v.vertex).index();
+            result_.mesh.points[node] = region.complex.points[static_cast<std::size_t>(v.vertex)];
+            result_.mesh.parameters[node] = v.parameters;
+        }
+        const std::size_t count = changed.size();
+        if (count > 0) improve_beside_needles(region.complex, std::move(changed), options_.target_dihedral_deg, least, context_);
+        return count;
     }
 
     /// With fewer kept tets, or none, there is another way, which a long search here would only put off.
@@ -541,6 +559,7 @@ class Filling {
     std::vector<std::array<SolidId, 2>> sides_;
     std::vector<std::uint8_t> is_released_;
     std::vector<char> may_be_open_;  ///< by node, or empty when it is not known
+    std::size_t kept_nodes_;         ///< the first so many
     std::vector<TetId> rim_tets_;    ///< all with such a node
     bool is_rim_wider_ = false;      ///< so that there may be more of them
     Projector projector_;

@@ -19,6 +19,7 @@ struct VolumeOptions {
     double target_dihedral_deg = 30;  ///< sliver removal works on tets below it (and above 180 minus it)
     int odt_sweeps = 3;               ///< over the nodes that gain
     bool splits_wall_tets = false;    ///< no tet is left whose corners all lie on two opposite walls
+    bool is_for_curved_tets = false;  ///< the tets will follow curved faces, so nodes there stay where the surface has them
     bool operator==(const VolumeOptions&) const = default;
 };
 
@@ -40,6 +41,7 @@ struct VolumeReport {
 struct KeptRim {
     std::span<const char> nodes;   ///< by node: an element around it is not there; empty where that is not known
     std::span<const TetId> tets;   ///< all with such a node, ascending
+    std::size_t kept_nodes = 0;    ///< the first so many nodes of the mesh are kept
 };
 
 struct VolumeResult {
@@ -53,7 +55,7 @@ struct VolumeResult {
 
 /// Takes a 4-node mesh whose surface is complete and whose tets (if any) are kept; gives it back with every solid full.
 /// Kept nodes keep their places in the arrays, and their bits but for the moved ones; kept tets stay in front in their order but for the released
-/// ones. `active` are start positions for inner nodes that survived without being kept. `rim` tells where something is
+/// ones. New nodes inside a CAD face may be moved along it. `active` are start positions for inner nodes that survived without being kept. `rim` tells where something is
 /// not kept, which spares the search for it (no nodes: searched). The same bytes for any number
 /// of threads. Throws MeshError that names the faces where the boundary could not be recovered.
 VolumeResult fill_solids(const Brep& brep, const SizingField& sizing, Mesh surface, std::span<const Vec3> active,

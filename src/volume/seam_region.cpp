@@ -19,13 +19,10 @@ SeamRegion::SeamRegion(const Cavity& cavity, TetComplex filled)
 
 std::vector<int> SeamRegion::bad_tets_at_seam(double target_dihedral_deg) const {
     const double target = flatness_of_angle(target_dihedral_deg);
-    const auto is_at_seam = [&](int v) {
-        return v < static_cast<int>(is_at_seam_.size()) && is_at_seam_[static_cast<std::size_t>(v)] != 0;
-    };
     std::vector<int> bad;
     for (std::size_t t = 0; t < complex.tets.size(); ++t) {
         const Tet& tet = complex.tets[t];
-        if (tet[0] < 0 || std::none_of(tet.begin(), tet.end(), is_at_seam)) continue;
+        if (tet[0] < 0 || std::none_of(tet.begin(), tet.end(), [&](int v) { return is_at_seam(v); })) continue;
         if (is_bad(tet, target)) bad.push_back(static_cast<int>(t));
     }
     return bad;

@@ -22,6 +22,10 @@ class SeamRegion {
 
     /// Kept tets were around the cavity.
     bool has_seam() const;
+    /// Some of the vertex's tets are kept, or were.
+    bool is_at_seam(int vertex) const {
+        return vertex < static_cast<int>(is_at_seam_.size()) && is_at_seam_[static_cast<std::size_t>(vertex)] != 0;
+    }
     /// Tets that touch the seam and miss the target.
     std::vector<int> bad_tets_at_seam(double target_dihedral_deg) const;
     /// Vertices with so few edges between them and the seam, ascending.

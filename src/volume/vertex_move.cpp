@@ -81,6 +81,14 @@ double StarShape::burden(const Vec3& point, double target) const {
     return sum;
 }
 
+double StarShape::steep_burden(const Vec3& point, double target) const {
+    double sum = 0;
+    for (const auto& f : faces_)
+        if (const double value = flatness(point, f[0], f[1], f[2]); value > target)
+            sum += 1 / std::max(1e-6, 1 - value) - 1 / (1 - target);
+    return sum;
+}
+
 StarShape::Ratios StarShape::radius_ratios(const Vec3& point) const {
     Ratios ratios;
     for (const auto& f : faces_) {

@@ -24,6 +24,8 @@ class StarShape {
 
     /// Sum of the tets' burdens.
     double burden(const Vec3& point, double target) const;
+    /// The same with the squares of the sines, so that the worst tets count more.
+    double steep_burden(const Vec3& point, double target) const;
 
     /// Sum of the tets' radius ratios 3 r / R, and the way in which it grows; without volume a tet adds nothing.
     struct Ratios {

@@ -265,9 +265,9 @@ TEST_CASE("every tet belongs to a feature") {
 }
 
 TEST_CASE("a detail much smaller than the size is told of, by its name and size") {
-    const auto step = PartDocument().box("Block", {0, 0, 0}, {60, 30, 8}).box("Step", {20, 10, 8}, {20, 10, 0.03}).fuse("Part", "Block", "Step").finish();
+    const auto step = PartDocument().box("Block", {0, 0, 0}, {60, 30, 8}).box("Step", {20, 10, 8}, {20, 10, 0.02}).fuse("Part", "Block", "Step").finish();
     const auto is_told = [](const std::string& w) {
-        return w.find("Details of the part") != std::string::npos && w.find("Edge") != std::string::npos && w.find("(0.03 mm ") != std::string::npos;
+        return w.find("Details of the part") != std::string::npos && w.find("Edge") != std::string::npos && w.find("(0.02 mm ") != std::string::npos;
     };
     const PartMeshResult thin = meshed(step, options_of(4));
     CHECK(thin.report.quality.min_dihedral < 2);

@@ -95,7 +95,7 @@ Mesh straight_mesh(const Brep& brep, double size, RunContext& context) {
     options.elements_per_circle = 0;
     const SizingField sizing = make_sizing(brep, options, {}, context);
     Mesh surface = fill_surface(brep, sizing, Mesh{}, context).mesh;
-    return fill_solids(brep, sizing, std::move(surface), {}, VolumeOptions{}, context).mesh;
+    return fill_solids(brep, sizing, std::move(surface), {}, {.is_for_curved_tets = true}, context).mesh;
 }
 
 Mesh curved_mesh(const Brep& brep, double size) {

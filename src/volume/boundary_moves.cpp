@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/boundary_moves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "volume/needle_neighbours.h"
+#include "volume/tet_measures.h"
+#include "volume/tet_topology.h"
+#include "volume/thicken.h"
+#include "volume/vertex_move.h"
+
+namespace featuremesh {
+
+namespace {
+
+constexpr int most_passes = 8;
+/// Of the squared sine of the worst angle: a surface node is not moved for less.
+constexpr double least_gain_on_boundary = 0.02;
+/// Below it a triangle costs more than a better tet is worth.
+constexpr double good_triangle_deg = 15;
+/// Cosine between a triangle's normals before and after.
+constexpr double least_normal_cosine = 0.8;
+
+double cosine_of_sharpest(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto cosine_at = [](const Vec3& p, const Vec3& q, const Vec3& r) {
+        return dot(normalized(q - p), normalized(r - p));
+    };
+    return std::max({cosine_at(a, b, c), cosine_at(b, c, a), cosine_at(c, a, b)});
+}
+
+class BoundaryMover {
+  public:
+    BoundaryMover(TetComplex& complex, std::span<BoundaryVertex> vertices, const Projector& projector,
+                  const BoundaryMoveOptions& options, RunContext& context)
+        : complex_(complex),
+          vertices_(vertices),
+          projector_(projector),
+          context_(context),
+          target_(flatness_to_reach(options.target_dihedral_deg)),
+          least_volume_(options.least_volume),
+          is_for_curved_tets_(options.is_for_curved_tets),
+          good_cosine_(std::cos(good_triangle_deg * 3.14159265358979323846 / 180)),
+          place_of_(complex.points.size(), -1),
+          is_due_(complex.points.size(), 1) {
+        for (std::size_t i = 0; i < vertices.size(); ++i) place_of_[vertices[i].vertex] = static_cast<int>(i);
+    }
+
+    std::vector<int> run() {
+        std::vector<int> all;
+        for (std::size_t t = 0; t < complex_.tets.size(); ++t)
+            if (complex_.tets[t][0] >= 0) changed_.push_back(static_cast<int>(t));
+        for (int pass = 0; pass < most_passes && !changed_.empty(); ++pass) {
+            context_.progress(static_cast<double>(pass) / most_passes);
+            for (const auto& [value, tet] : rank_changed()) {
+                context_.check_cancelled();
+                const Tet corners = complex_.tets[tet];
+                for (const int v : corners)
+                    if (may_move(v) && std::exchange(is_due_[v], 0) && move(v)) note_changed();
+            }
+            all.insert(all.end(), changed_.begin(), changed_.end());
+        }
+        std::sort(all.begin(), all.end());
+        all.erase(std::unique(all.begin(), all.end()), all.end());
+        return all;
+    }
+
+  private:
+    double flatness_of(const Tet& t) const {
+        const auto& p = complex_.points;
+        return flatness(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+    }
+
+    /// The changed tets that miss the target, the worst first.
+    std::vector<std::pair<double, int>> rank_changed() {
+        std::sort(changed_.begin(), changed_.end());
+        changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+        std::vector<std::pair<double, int>> ranked;
+        for (const int t : changed_)
+            if (const double value = flatness_of(complex_.tets[t]); value > target_) ranked.emplace_back(-value, t);
+        changed_.clear();
+        std::sort(ranked.begin(), ranked.end());
+        return ranked;
+    }
+
+    /// What failed once fails again until something near it has changed.
+    void note_changed() {
+        changed_.insert(changed_.end(), star_.begin(), star_.end());
+        for (const int t : star_)
+            for (const int v : complex_.tets[t]) is_due_[v] = 1;
+    }
+
+    /// The tets at a vertex inside a face, or inside an edge between two, form one fan.
+    void gather(int vertex) {
+        star_.assign(1, complex_.tet_of_vertex[vertex]);
+        rim_.clear();
+        for (std::size_t i = 0; i < star_.size(); ++i) {
+            const Tet& tet = complex_.tets[star_[i]];
+            const int own = corner_of(tet, vertex);
+            for (int face = 0; face < 4; ++face) {
+                if (face == own) continue;
+                const int next = complex_.neighbours[star_[i]][face];
+                if (next < 0)
+                    rim_.push_back(triangle_from(tet, face, vertex));
+                else if (std::find(star_.begin(), star_.end(), next) == star_.end())
+                    star_.push_back(next);
+            }
+        }
+        shape_.gather(complex_, star_, vertex);
+    }
+
+    /// The other two corners, so that the triangle has the same sense with any vertex before them.
+    std::array<Vec3, 2> triangle_from(const Tet& tet, int face, int vertex) const {
+        const auto& c = opposite_face[face];
+        int k = 0;
+        while (tet[c[k]] != vertex) ++k;
+        return {complex_.points[tet[c[(k + 1) % 3]]], complex_.points[tet[c[(k + 2) % 3]]]};
+    }
+
+    double sharpest(const Vec3& point) const {
+        double cosine = -1;
+        for (const auto& [a, b] : rim_) cosine = std::max(cosine, cosine_of_sharpest(point, a, b));
+        return cosine;
+    }
+
+    bool keeps_triangles(const Vec3& from, const Vec3& to) const {
+        for (const auto& [a, b] : rim_) {
+            const Vec3 before = cross(a - from, b - from), after = cross(a - to, b - to);
+            if (!(dot(before, after) > least_normal_cosine * length(before) * length(after))) return false;
+        }
+        if (is_curved_ && longest_side(to) > longest_side(from)) return false;
+        return sharpest(to) <= std::max(sharpest(from), good_cosine_);
+    }
+
+    /// What triangles cut off a curved face grows with the square of their sides.
+    double longest_side(const Vec3& point) const {
+        double longest = 0;
+        for (const auto& [a, b] : rim_) longest = std::max({longest, squared_length(a - point), squared_length(b - point)});
+        return longest;
+    }
+
+    /// The triangles lie in one plane, or in two at an edge.
+    bool is_flat(const BoundaryVertex& of) const {
+        constexpr double flat_cosine = 0.9999;
+        std::vector<Vec3> normals;
+        for (const auto& [a, b] : rim_) {
+            const Vec3 normal = normalized(cross(a - complex_.points[of.vertex], b - complex_.points[of.vertex]));
+            if (std::none_of(normals.begin(), normals.end(), [&](const Vec3& n) { return dot(n, normal) > flat_cosine; })) normals.push_back(normal);
+        }
+        return normals.size() <= (of.on.dim == 1 ? 2u : 1u);
+    }
+
+    double thinnest(int vertex, const Vec3& point) {
+        Vec3& place = complex_.points[vertex];
+        const Vec3 old = place;
+        place = point;
+        double least = 1;
+        for (const int t : star_) least = std::min(least, thickness(complex_, complex_.tets[t], least_volume_));
+        place = old;
+        return least;
+    }
+
+    bool may_move(int vertex) const { return place_of_[vertex] >= 0 || complex_.is_fixed[vertex] == 0; }
+
+    bool move(int vertex) {
+        BoundaryVertex inner{vertex, {}, {}};
+        return move(place_of_[vertex] < 0 ? inner : vertices_[static_cast<std::size_t>(place_of_[vertex])]);
+    }
+
+    bool move(BoundaryVertex& of) {
+        const Vec3 start = complex_.points[of.vertex];
+        gather(of.vertex);
+        const double before = shape_.worst(start, 2 * inverted_flatness);
+        if (before <= target_ || has_needle()) return false;
+        is_curved_ = of.on.dim < 3 && !is_flat(of);
+        if (is_curved_ && is_for_curved_tets_) return false;
+        const double wanted = improved_flatness(before, least_gain_on_boundary);
+        const std::optional<Vec3> aim = climb(of, start, wanted);
+        if (!aim) return false;
+        for (const double share : {1.0, 0.5, 0.25})
+            if (take_place(of, start, start + share * (*aim - start), wanted)) return true;
+        return false;
+    }
+
+    /// What helps a needle harms all others.
+    bool has_needle() const {
+        const auto& p = complex_.points;
+        const auto is_outside = [&](int v) { return complex_.is_fixed[v] == 1; };
+        return std::any_of(star_.begin(), star_.end(), [&](int t) {
+            const auto& [a, b, c, d] = complex_.tets[t];
+            return unforced_flatness({p[a], p[b], p[c], p[d]}, {is_outside(a), is_outside(b), is_outside(c), is_outside(d)}) < flatness(p[a], p[b], p[c], p[d]);
+        });
+    }
+
+    struct Place {
+        Vec3 point;
+        std::array<double, 2> parameters;
+    };
+
+    /// Nearest to `aim` on what the vertex lies on.
+    std::optional<Place> place_near(const BoundaryVertex& of, const Vec3& aim) const {
+        if (of.on.dim == 3) return Place{aim, {}};
+        if (of.on.dim == 1) {
+            const OnEdge there = projector_.nearest(EdgeId(of.on.index), aim, of.parameters[0]);
+            return Place{there.point, {there.t, 0}};
+        }
+        const FaceId face(of.on.index);
+        const std::optional<OnFace> there = projector_.nearest_by_steps(face, aim, of.parameters);
+        if (!there || !projector_.is_inside_trim(face, there->uv)) return {};
+        return Place{there->point, there->uv};
+    }
+
+    /// Near `aim`, where that is worth it for the star as a whole.
+    bool take_place(BoundaryVertex& of, const Vec3& start, const Vec3& aim, double wanted) {
+        const std::optional<Place> there = place_near(of, aim);
+        if (!there || !(shape_.worst(there->point, wanted) < wanted) || !keeps_triangles(start, there->point) ||
+            !(shape_.steep_burden(there->point, target_) < shape_.steep_burden(start, target_)) ||
+            thinnest(of.vertex, there->point) < thinnest(of.vertex, start))
+            return false;
+        complex_.points[of.vertex] = there->point;
+        of.parameters = there->parameters;
+        return true;
+    }
+
+    /// Along the axes and the diagonals of a cube.
+    static std::vector<Vec3> ways_in_space() {
+        std::vector<Vec3> ways;
+        for (int x = -1; x <= 1; ++x)
+            for (int y = -1; y <= 1; ++y)
+                for (int z = -1; z <= 1; ++z)
+                    if (x != 0 || y != 0 || z != 0) ways.push_back(normalized({double(x), double(y), double(z)}));
+        return ways;
+    }
+
+    /// Unit vectors along the face or edge, or all round.
+    std::vector<Vec3> ways_from(const BoundaryVertex& of, const Vec3& start) const {
+        if (of.on.dim == 3) return ways_in_space();
+        if (of.on.dim == 1) {
+            const Vec3 along = projector_.tangent(EdgeId(of.on.index), of.parameters[0]);
+            return {along, -1.0 * along};
+        }
+        constexpr int ways = 12;
+        const Vec3 normal = projector_.normal(FaceId(of.on.index), of.parameters);
+        const Vec3 to_other = rim_.front()[0] - start;
+        const Vec3 side = normalized(to_other - dot(to_other, normal) * normal), across = cross(normal, side);
+        std::vector<Vec3> directions;
+        for (int way = 0; way < ways; ++way) {
+            const double angle = way * (2 * 3.14159265358979323846 / ways);
+            directions.push_back(std::cos(angle) * side + std::sin(angle) * across);
+        }
+        return directions;
+    }
+
+    /// By shrinking steps, without regard to how the face or edge is curved.
+    std::optional<Vec3> climb(const BoundaryVertex& of, const Vec3& start, double wanted) const {
+        const std::vector<Vec3> ways = ways_from(of, start);
+        Vec3 place = start;
+        double best = shape_.worst(start, 2 * inverted_flatness);
+        const double first_step = 0.2 * shape_.mean_height(start);
+        for (double step = first_step; step > 0.02 * first_step && best > target_;) {
+            bool is_better = false;
+            for (const Vec3& way : ways) {
+                const Vec3 trial = place + step * way;
+                const double value = shape_.worst(trial, best);
+                if (value >= best || !keeps_triangles(start, trial)) continue;
+                best = value, place = trial, is_better = true;
+            }
+            if (!is_better) step *= 0.5;
+        }
+        return best < wanted ? std::optional(place) : std::nullopt;
+    }
+
+    TetComplex& complex_;
+    std::span<BoundaryVertex> vertices_;
+    const Projector& projector_;
+    RunContext& context_;
+    double target_, least_volume_;
+    bool is_for_curved_tets_;
+    double good_cosine_;
+    std::vector<int> place_of_;                  // by vertex, in vertices_; -1 for none
+    std::vector<std::uint8_t> is_due_;           // by vertex
+    std::vector<int> star_, changed_;
+    std::vector<std::array<Vec3, 2>> rim_;       // of the star: its triangles on the boundary
+    bool is_curved_ = false;                     // the surface there
+    StarShape shape_;
+};
+
+bool is_outside(const Brep& brep, FaceId face) {
+    const auto sides = brep.sides_of(face);
+    return sides[0].is_valid() != sides[1].is_valid();
+}
+
+}  // namespace
+
+std::vector<BoundaryVertex> movable_vertices(const Brep& brep, const Mesh& mesh, const SeamRegion& region, std::size_t first_new) {
+    std::vector<BoundaryVertex> vertices;
+    for (int v = 0; v < static_cast<int>(region.complex.points.size()); ++v) {
+        const NodeId node = region.node_of(v);
+        if (!node.is_valid() || node.index() < first_new || region.is_at_seam(v) || region.complex.tet_of_vertex[v] < 0) continue;
+        const Entity on = mesh.entities[node.index()];
+        if (on.dim != 1 && on.dim != 2) continue;
+        const std::vector<FaceId> faces = brep.faces_at(on);
+        if (faces.size() <= 2 && std::all_of(faces.begin(), faces.end(), [&](FaceId f) { return is_outside(brep, f); }))
+            vertices.push_back({v, on, mesh.parameters[node.index()]});
+    }
+    return vertices;
+}
+
+std::vector<int> move_on_boundary(TetComplex& complex, std::span<BoundaryVertex> vertices, const Projector& projector,
+                                  const BoundaryMoveOptions& options, RunContext& context) {
+    if (vertices.empty()) return {};
+    return BoundaryMover(complex, vertices, projector, options, context).run();
+}
+
+}  // namespace featuremesh

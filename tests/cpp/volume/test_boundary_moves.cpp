@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/boundary_moves.h"
+
+#include <algorithm>
+
+#include "box_of_tets.h"
+#include "catch.h"
+#include "core/errors.h"
+#include "filled_parts.h"
+#include "mesh/quality.h"
+
+using namespace featuremesh;
+using namespace featuremesh::testing;
+
+namespace {
+
+/// A cube of 4 with nothing free, and the vertex there of the lattice.
+struct FixedBox {
+    Brep brep{box_part({0, 0, 0}, {4, 4, 4})};
+    Projector projector{brep};
+    TetComplex complex = box_of_tets(4, 0, 1);
+
+    FixedBox() { complex.is_fixed.assign(complex.points.size(), 1); }
+    static int vertex_at(int x, int y, int z) { return x + 5 * y + 25 * z; }
+
+    BoundaryVertex on_nearest_face(int vertex) const {
+        for (std::size_t f = 0; f < brep.face_count(); ++f)
+            if (const OnFace there = projector.nearest(FaceId(f), complex.points[vertex]); there.distance < 1e-9)
+                return {vertex, entity_of(FaceId(f)), there.uv};
+        return {};
+    }
+    BoundaryVertex on_nearest_edge(int vertex) const {
+        for (std::size_t e = 0; e < brep.edge_count(); ++e)
+            if (const OnEdge there = projector.nearest(EdgeId(e), complex.points[vertex]); there.distance < 1e-9)
+                return {vertex, entity_of(EdgeId(e)), {there.t, 0}};
+        return {};
+    }
+    double worst_deg() const { return angle_of_flatness(worst_flatness(complex)); }
+    std::vector<int> move(std::span<BoundaryVertex> vertices) {
+        RunContext context;
+        return move_on_boundary(complex, vertices, projector, {.least_volume = 1e-9}, context);
+    }
+};
+
+double worst_in(const Mesh& mesh) { return measure_quality(mesh).min_dihedral; }
+
+/// With its surface as it is given.
+VolumeResult fill_between_kept_nodes(const Part& part) {
+    RunContext context;
+    KeptRim rim;
+    rim.kept_nodes = part.surface.node_count();
+    return fill_solids(part.brep, part.sizing, part.surface, {}, {}, context, rim);
+}
+
+}  // namespace
+
+TEST_CASE("a vertex inside a face goes along it to where its tets are good again") {
+    FixedBox box;
+    const int vertex = FixedBox::vertex_at(2, 2, 0);
+    const double good = box.worst_deg();
+    box.complex.points[vertex] += {0.55, -0.3, 0};
+    REQUIRE(box.worst_deg() < 0.6 * good);
+    std::vector<BoundaryVertex> vertices{box.on_nearest_face(vertex)};
+    CHECK(!box.move(vertices).empty());
+    CHECK(box.worst_deg() > 30);
+    CHECK(box.complex.points[vertex].z == Approx(0).margin(1e-12));
+    CHECK(distance(box.projector.on_face(FaceId(vertices[0].on.index), vertices[0].parameters), box.complex.points[vertex]) < 1e-9);
+    CHECK(find_flaws(box.complex).empty());
+    CHECK(total_volume(box.complex) == Approx(64));
+}
+
+TEST_CASE("a vertex inside an edge goes along it") {
+    FixedBox box;
+    const int vertex = FixedBox::vertex_at(2, 0, 0);
+    const double good = box.worst_deg();
+    box.complex.points[vertex] += {0.7, 0, 0};
+    REQUIRE(box.worst_deg() < 0.6 * good);
+    std::vector<BoundaryVertex> vertices{box.on_nearest_edge(vertex)};
+    CHECK(!box.move(vertices).empty());
+    CHECK(box.worst_deg() > 30);
+    CHECK(distance(box.projector.on_edge(EdgeId(vertices[0].on.index), vertices[0].parameters[0]), box.complex.points[vertex]) < 1e-9);
+    CHECK(find_flaws(box.complex).empty());
+    CHECK(total_volume(box.complex) == Approx(64));
+}
+
+TEST_CASE("only the vertices given move, and none where no tet is bad") {
+    FixedBox box;
+    std::vector<BoundaryVertex> all{box.on_nearest_face(FixedBox::vertex_at(2, 2, 0)), box.on_nearest_face(FixedBox::vertex_at(2, 0, 2))};
+    const TetComplex start = box.complex;
+    CHECK(box.move(all).empty());
+    CHECK(box.complex.points == start.points);
+    box.complex.points[FixedBox::vertex_at(2, 2, 0)] += {0.55, -0.3, 0};
+    const TetComplex bad = box.complex;
+    CHECK(box.move(std::span(all).subspan(1)).empty());
+    CHECK(box.complex.points == bad.points);
+}
+
+TEST_CASE("moves on the boundary can be cancelled") {
+    FixedBox box;
+    const int vertex = FixedBox::vertex_at(2, 2, 0);
+    box.complex.points[vertex] += {0.55, -0.3, 0};
+    std::vector<BoundaryVertex> vertices{box.on_nearest_face(vertex)};
+    RunContext context;
+    context.cancel();
+    CHECK_THROWS_AS(move_on_boundary(box.complex, vertices, box.projector, {.least_volume = 1e-9}, context), Cancelled);
+}
+
+TEST_CASE("the smallest angle of a part is larger where surface nodes may move, and they stay on their entities") {
+    double with = 0, without = 0;
+    for (const double width : {0.3, 0.5, 0.8})
+        for (const double size : {4.0, 3.0, 2.0}) {
+            INFO(width << " " << size);
+            const Part part = prepare(cut_corner(width), size);
+            const VolumeResult kept = fill_between_kept_nodes(part), free = fill(part);
+            CHECK(std::equal(part.surface.points.begin(), part.surface.points.end(), kept.mesh.points.begin()));
+            CHECK(findings(part.brep, free.mesh).empty());
+            const double before = worst_in(kept.mesh), after = worst_in(free.mesh);
+            CHECK(after > before - 0.1);
+            without += before, with += after;
+            const Projector projector(part.brep);
+            for (std::size_t n = 0; n < free.mesh.node_count(); ++n) {
+                const Entity on = free.mesh.entities[n];
+                const auto& at = free.mesh.parameters[n];
+                if (on.dim == 2) CHECK(distance(projector.on_face(FaceId(on.index), at), free.mesh.points[n]) < 1e-9);
+                if (on.dim == 1) CHECK(distance(projector.on_edge(EdgeId(on.index), at[0]), free.mesh.points[n]) < 1e-9);
+            }
+        }
+    CHECK(with > without + 20);
+}
