@@ -131,15 +131,7 @@ class BoundaryMover {
             const Vec3 before = cross(a - from, b - from), after = cross(a - to, b - to);
             if (!(dot(before, after) > least_normal_cosine * length(before) * length(after))) return false;
         }
-        if (is_curved_ && longest_side(to) > longest_side(from)) return false;
         return sharpest(to) <= std::max(sharpest(from), good_cosine_);
-    }
-
-    /// What triangles cut off a curved face grows with the square of their sides.
-    double longest_side(const Vec3& point) const {
-        double longest = 0;
-        for (const auto& [a, b] : rim_) longest = std::max({longest, squared_length(a - point), squared_length(b - point)});
-        return longest;
     }
 
     /// The triangles lie in one plane, or in two at an edge.
@@ -153,14 +145,28 @@ class BoundaryMover {
         return normals.size() <= (of.on.dim == 1 ? 2u : 1u);
     }
 
-    double thinnest(int vertex, const Vec3& point) {
+    struct Bulk {
+        double thinnest = 1, volume = 0;
+    };
+    /// Of the star's tets, with the vertex at `point`.
+    Bulk bulk_with(int vertex, const Vec3& point) {
         Vec3& place = complex_.points[vertex];
-        const Vec3 old = place;
-        place = point;
-        double least = 1;
-        for (const int t : star_) least = std::min(least, thickness(complex_, complex_.tets[t], least_volume_));
+        const Vec3 old = std::exchange(place, point);
+        Bulk bulk;
+        for (const int t : star_) {
+            const auto& [a, b, c, d] = complex_.tets[t];
+            bulk.thinnest = std::min(bulk.thinnest, thickness(complex_, complex_.tets[t], least_volume_));
+            bulk.volume += signed_volume(complex_.points[a], complex_.points[b], complex_.points[c], complex_.points[d]);
+        }
         place = old;
-        return least;
+        return bulk;
+    }
+
+    /// On a curved face other triangles cut off more of it, or less.
+    bool keeps_bulk(int vertex, const Vec3& from, const Vec3& to) {
+        constexpr double most_change = 0.005;
+        const Bulk before = bulk_with(vertex, from), after = bulk_with(vertex, to);
+        return after.thinnest >= before.thinnest && std::abs(after.volume - before.volume) <= most_change * before.volume;
     }
 
     bool may_move(int vertex) const { return place_of_[vertex] >= 0 || complex_.is_fixed[vertex] == 0; }
@@ -175,8 +181,7 @@ class BoundaryMover {
         gather(of.vertex);
         const double before = shape_.worst(start, 2 * inverted_flatness);
         if (before <= target_ || has_needle()) return false;
-        is_curved_ = of.on.dim < 3 && !is_flat(of);
-        if (is_curved_ && is_for_curved_tets_) return false;
+        if (is_for_curved_tets_ && of.on.dim < 3 && !is_flat(of)) return false;
         const double wanted = improved_flatness(before, least_gain_on_boundary);
         const std::optional<Vec3> aim = climb(of, start, wanted);
         if (!aim) return false;
@@ -218,7 +223,7 @@ class BoundaryMover {
         const std::optional<Place> there = place_near(of, aim);
         if (!there || !(shape_.worst(there->point, wanted) < wanted) || !keeps_triangles(start, there->point) ||
             !(shape_.steep_burden(there->point, target_) < shape_.steep_burden(start, target_)) ||
-            thinnest(of.vertex, there->point) < thinnest(of.vertex, start))
+            !keeps_bulk(of.vertex, start, there->point))
             return false;
         complex_.points[of.vertex] = there->point;
         of.parameters = there->parameters;
@@ -284,7 +289,6 @@ class BoundaryMover {
     std::vector<std::uint8_t> is_due_;           // by vertex
     std::vector<int> star_, changed_;
     std::vector<std::array<Vec3, 2>> rim_;       // of the star: its triangles on the boundary
-    bool is_curved_ = false;                     // the surface there
     StarShape shape_;
 };
 
