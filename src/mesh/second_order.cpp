@@ -2,6 +2,7 @@
 #include "mesh/second_order.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <queue>
 
 #include "mesh/side_table.h"
@@ -88,22 +89,24 @@ Directions directions_of(const std::array<Vec3, 10>& nodes) {
     return direction;
 }
 
-int coefficient_of(int a, int b, int c) {
-    Exponents e{};
-    ++e[a], ++e[b], ++e[c];
-    return index_of(e);
-}
-
-/// How many products of directions each coefficient is the mean of.
-constexpr std::array<int, 20> make_term_counts() {
-    std::array<int, 20> terms{};
+constexpr std::array<std::uint8_t, 64> make_coefficient_table() {
+    std::array<std::uint8_t, 64> table{};
     for (int a = 0; a < 4; ++a)
         for (int b = 0; b < 4; ++b)
             for (int c = 0; c < 4; ++c) {
                 Exponents e{};
                 ++e[a], ++e[b], ++e[c];
-                ++terms[index_of(e)];
+                table[16 * a + 4 * b + c] = static_cast<std::uint8_t>(index_of(e));
             }
+    return table;
+}
+constexpr std::array<std::uint8_t, 64> coefficient_table = make_coefficient_table();
+constexpr int coefficient_of(int a, int b, int c) { return coefficient_table[16 * a + 4 * b + c]; }
+
+/// How many products of directions each coefficient is the mean of.
+constexpr std::array<int, 20> make_term_counts() {
+    std::array<int, 20> terms{};
+    for (const std::uint8_t coefficient : coefficient_table) ++terms[coefficient];
     return terms;
 }
 constexpr std::array<int, 20> term_counts = make_term_counts();
@@ -264,9 +267,56 @@ class KeptPlaces {
     std::vector<std::int32_t> place_;
 };
 
+void take_over_node(Mesh& mesh, const Mesh& kept, std::size_t old) {
+    mesh.points.push_back(kept.points[old]);
+    mesh.entities.push_back(kept.entities[old]);
+    mesh.parameters.push_back(kept.parameters[old]);
+    mesh.node_numbers.push_back(kept.node_numbers[old]);
+}
+
+template <class T>
+bool begins_with(const std::vector<T>& list, const std::vector<T>& begin) {
+    return list.size() >= begin.size() && std::equal(begin.begin(), begin.end(), list.begin());
+}
+
+/// All kept elements are there, in front, as they are where none was released.
+bool has_all_in_front(const Mesh& mesh, const Mesh& kept) {
+    return begins_with(mesh.tet_numbers, kept.tet_numbers) && begins_with(mesh.triangle_numbers, kept.triangle_numbers) &&
+           begins_with(mesh.segment_numbers, kept.segment_numbers);
+}
+
+/// Then the mid-side nodes of the kept elements follow the corners as they did, and each element is where it was.
+void take_over_all_mids(Mesh& mesh, const Mesh& kept, const RunContext& context, SideTable& sides) {
+    std::vector<char> lacks_mid(mesh.corner_count, 0);
+    const std::array<std::size_t, 4> first_new{0, kept.segments.size(), kept.triangles.size(), kept.tets.size()};
+    for_each_element(mesh, context, [&](int dim, std::size_t element) {
+        if (element < first_new[static_cast<std::size_t>(dim)]) return;
+        if (dim == 1)
+            for (const NodeId n : mesh.segments[element]) lacks_mid[n.index()] = 1;
+        else if (dim == 2)
+            for (const NodeId n : mesh.triangles[element]) lacks_mid[n.index()] = 1;
+        else
+            for (const NodeId n : mesh.tets[element]) lacks_mid[n.index()] = 1;
+    });
+    const auto shift = static_cast<std::int32_t>(mesh.corner_count) - static_cast<std::int32_t>(kept.corner_count);
+    RoundWatch watch(context);
+    for (std::size_t old = kept.corner_count; old < kept.points.size(); ++old) watch(), take_over_node(mesh, kept, old);
+    for_each_element(kept, context, [&](int dim, std::size_t element) {
+        const int count = dim == 1 ? 1 : 3 * (dim - 1);
+        for (int side = 0; side < count; ++side) {
+            const NodeId mid(static_cast<std::size_t>(mid_of(kept, dim, element, side).value + shift));
+            mid_of(mesh, dim, element, side) = mid;
+            const auto [a, b] = side_of(mesh, dim, element, side);
+            if (lacks_mid[a.index()] && lacks_mid[b.index()]) sides.value(a, b) = mid.value;
+        }
+    });
+    mesh.next_node_number = std::max(mesh.next_node_number, kept.next_node_number);
+}
+
 /// Takes over the mid-side nodes of kept elements, in their old order. The table gets those at sides that elements
 /// which lack one may share.
 void take_over_kept_mids(Mesh& mesh, const Mesh& kept, const RunContext& context, SideTable& sides) {
+    if (has_all_in_front(mesh, kept)) return take_over_all_mids(mesh, kept, context, sides);
     const KeptPlaces places(kept, context);
     const auto old_mid = [&](int dim, std::size_t element, int side) {
         const std::int32_t old = places.of(mesh, dim, element);
@@ -285,10 +335,7 @@ void take_over_kept_mids(Mesh& mesh, const Mesh& kept, const RunContext& context
         watch();
         if (!is_used[old]) continue;
         now[old] = NodeId(mesh.points.size());
-        mesh.points.push_back(kept.points[old]);
-        mesh.entities.push_back(kept.entities[old]);
-        mesh.parameters.push_back(kept.parameters[old]);
-        mesh.node_numbers.push_back(kept.node_numbers[old]);
+        take_over_node(mesh, kept, old);
     }
     for_each_side(mesh, context, [&](int dim, std::size_t element, int side) {
         const NodeId old = old_mid(dim, element, side);
@@ -308,6 +355,11 @@ std::vector<NodeId> add_mid_side_nodes(Mesh& mesh, const Mesh* kept, const RunCo
     mesh.segment_mids.resize(mesh.segments.size());
     mesh.triangle_mids.resize(mesh.triangles.size());
     mesh.tet_mids.resize(mesh.tets.size());
+    if (kept) {
+        const std::size_t nodes = mesh.points.size() + kept->points.size();
+        mesh.points.reserve(nodes), mesh.entities.reserve(nodes);
+        mesh.parameters.reserve(nodes), mesh.node_numbers.reserve(nodes);
+    }
     SideTable sides(mesh.corner_count);
     if (kept && kept->order == 2) take_over_kept_mids(mesh, *kept, context, sides);
     std::vector<NodeId> added;

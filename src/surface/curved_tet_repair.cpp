@@ -167,16 +167,29 @@ class Unfolding {
         return weights > 0 ? sum / weights : Vec3{};
     }
 
-    /// What a move has to raise, at most what is enough: what is good enough need not get better.
-    double worst(const std::vector<TetId>& star) const {
+    /// What a move has to raise, at most what is enough: what is good enough need not get better. Stops early, with
+    /// some value no larger than `limit`, once it is down to that.
+    double worst(const std::vector<TetId>& star, double limit = -std::numeric_limits<double>::infinity()) const {
         const double enough = target_ + 0.1;
-        double low = enough, shortfalls = 0;
+        if (aim_ == Aim::smallest_bound) return smallest_bound(star, enough, limit);
+        double shortfalls = 0;
         for (TetId t : star) {
             const double bound = quick_bound(tet_nodes(mesh_, t));
-            low = std::min(low, bound);
             if (bound < enough) shortfalls += shortfall(enough, bound);
+            if (enough - shortfalls <= limit) break;
         }
-        return aim_ == Aim::smallest_bound ? low : enough - shortfalls;
+        return enough - shortfalls;
+    }
+    /// The tet that stopped the last look is the likeliest to stop the next.
+    double smallest_bound(const std::vector<TetId>& star, double enough, double limit) const {
+        if (refusing_ >= star.size()) refusing_ = 0;
+        double low = std::min(enough, quick_bound(tet_nodes(mesh_, star[refusing_])));
+        for (std::size_t i = 0; i < star.size() && low > limit; ++i) {
+            const double bound = quick_bound(tet_nodes(mesh_, star[i]));
+            low = std::min(low, bound);
+            if (low <= limit) refusing_ = i;
+        }
+        return low;
     }
     /// Grows slowly where a tet is folded many times over, as a needle is, so that it does not hide the others.
     static double shortfall(double enough, double bound) {
@@ -252,7 +265,7 @@ class Unfolding {
         double found_value = best;
         for (const Vec3& direction : directions_) {
             if (move(n, star, start, step * direction) && !is_bent_too_much(n, star)) {
-                const double value = worst(star);
+                const double value = worst(star, found_value + 1e-6);
                 if (value > found_value + 1e-6 && (!is_corner || keeps_corners_good())) {
                     found_value = value;
                     found = place(n, star);
@@ -319,6 +332,7 @@ class Unfolding {
     const double target_, least_volume_;
     const RunContext& context_;
     Aim aim_ = Aim::smallest_bound;
+    mutable std::size_t refusing_ = 0;  ///< place in the star
     const std::vector<Vec3> placed_;  ///< where the nodes were at first
     const std::vector<Vec3> directions_;
 };

@@ -168,17 +168,15 @@ std::vector<SizeSource> shorter_lengths(const Mesh& mesh, const std::vector<TetI
     return wanted;
 }
 
-/// The tets with a strongly bent side, when the corners alone are far from filling the part: then they are too few,
+/// The new tets with a strongly bent side, when the corners alone are far from filling the part: then they are too few,
 /// however well the curved sides fit.
-std::vector<TetId> too_coarse(const Brep& brep, const Mesh& curved, const RunContext& context) {
+std::vector<TetId> too_coarse(const Brep& brep, const Mesh& curved, std::size_t kept_tets, const RunContext& context) {
     constexpr double strong_bend = 0.17, least_share = 0.5;
     std::vector<TetId> bent;
-    std::vector<double> volumes(brep.solid_count(), 0);
     RoundWatch watch(context);
-    for (std::size_t t = 0; t < curved.tets.size(); ++t) {
+    for (std::size_t t = kept_tets; t < curved.tets.size(); ++t) {
         watch();
         const auto nodes = tet_nodes(curved, TetId(t));
-        volumes[curved.tet_solids[t].index()] += signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]);
         for (int s = 0; s < 6; ++s) {
             const Vec3 &a = nodes[tet_sides[s][0]], &b = nodes[tet_sides[s][1]];
             if (squared_length(nodes[4 + s] - (a + b) * 0.5) < strong_bend * strong_bend * squared_length(b - a))
@@ -188,6 +186,13 @@ std::vector<TetId> too_coarse(const Brep& brep, const Mesh& curved, const RunCon
         }
     }
     if (bent.empty()) return {};
+    std::vector<double> volumes(brep.solid_count(), 0);
+    for (std::size_t t = 0; t < curved.tets.size(); ++t) {
+        watch();
+        const auto& n = curved.tets[t];
+        volumes[curved.tet_solids[t].index()] +=
+            signed_volume(curved.point(n[0]), curved.point(n[1]), curved.point(n[2]), curved.point(n[3]));
+    }
     for (std::size_t s = 0; s < volumes.size(); ++s)
         if (volumes[s] < least_share * brep.volume_of(SolidId(s))) return bent;
     return {};
@@ -216,7 +221,7 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
     for (int refinement = 0;; ++refinement) {
         Curved curved = curve(brep, projector, mesh, kept, context);
         if (refinement == 0)
-            if (const std::vector<TetId> bent = too_coarse(brep, curved.mesh, context); !bent.empty())
+            if (const std::vector<TetId> bent = too_coarse(brep, curved.mesh, counts.tets, context); !bent.empty())
                 return {{}, shorter_lengths(curved.mesh, bent), place_of(curved.mesh, bent.front()), 0};
         if (curved.low.empty()) return {std::move(curved.mesh), {}, {}, 1};
         const std::vector<TetId> trouble = curved.folded.empty() ? curved.low : curved.folded;

@@ -514,14 +514,17 @@ class Keeper {
         const Mesh& old = in_.old_mesh;
         Mesh curved = kept.mesh;
         curved.order = 2;
+        const std::size_t nodes = old.points.size() + curved.points.size() - old.corner_count;
+        curved.points.reserve(nodes), curved.entities.reserve(nodes), curved.parameters.reserve(nodes), curved.node_numbers.reserve(nodes);
+        curved.tet_mids.reserve(kept.tet_origin.size());
         std::vector<NodeId> new_mid(old.points.size());
-        const auto take = [&](NodeId old_mid) {
+        const auto take = [&](NodeId old_mid, SolidId solid) {
             NodeId& mid = new_mid[old_mid.index()];
             if (mid.is_valid()) return mid;
             const std::size_t n = old_mid.index();
             mid = NodeId(curved.points.size());
-            curved.points.push_back(carried(n));
-            curved.entities.push_back(entities_[n]);
+            curved.points.push_back(motions_[n] == 0 ? old.points[n] : carried(n));
+            curved.entities.push_back(entities_[n].dim == 3 ? entity_of(solid) : entities_[n]);
             curved.parameters.push_back(parameters_[n]);
             curved.node_numbers.push_back(old.node_numbers[n]);
             return mid;
@@ -530,11 +533,7 @@ class Keeper {
         for (std::size_t t = 0; t < kept.tet_origin.size(); ++t) {
             watch();
             std::array<NodeId, 6> mids;
-            for (int s = 0; s < 6; ++s) {
-                mids[s] = take(old.tet_mids[std::size_t(kept.tet_origin[t])][s]);
-                Entity& entity = curved.entities[mids[s].index()];
-                if (entity.dim == 3) entity = entity_of(kept.mesh.tet_solids[t]);
-            }
+            for (int s = 0; s < 6; ++s) mids[s] = take(old.tet_mids[std::size_t(kept.tet_origin[t])][s], kept.mesh.tet_solids[t]);
             curved.tet_mids.push_back(mids);
         }
         // A triangle or segment may have been turned round: its sides are found again by their corners.
@@ -543,9 +542,9 @@ class Keeper {
             const auto& corners = old.triangles[std::size_t(kept.triangle_origin[t])];
             const bool turned = kept.node_origin[curved.triangles[t][1].index()] != corners[1].value;
             if (turned) std::swap(mids[0], mids[2]);
-            curved.triangle_mids.push_back({take(mids[0]), take(mids[1]), take(mids[2])});
+            curved.triangle_mids.push_back({take(mids[0], {}), take(mids[1], {}), take(mids[2], {})});   // tets have brought them
         }
-        for (const std::int32_t s : kept.segment_origin) curved.segment_mids.push_back(take(old.segment_mids[std::size_t(s)]));
+        for (const std::int32_t s : kept.segment_origin) curved.segment_mids.push_back(take(old.segment_mids[std::size_t(s)], {}));
         return curved;
     }
 

@@ -302,10 +302,13 @@ std::vector<std::int32_t> node_origins(const Mesh& old, const Filled& filled, co
     for (std::size_t n = old.corner_count; n < old.node_count(); ++n) of_number.emplace_back(old.node_numbers[n], std::int32_t(n));
     if (!std::is_sorted(of_number.begin(), of_number.end())) std::sort(of_number.begin(), of_number.end());
     RoundWatch watch(context);
+    auto it = of_number.begin();
     for (std::size_t n = mesh.corner_count; n < mesh.node_count(); ++n) {
         watch();
-        const auto it = std::lower_bound(of_number.begin(), of_number.end(), std::pair<Number, std::int32_t>{mesh.node_numbers[n], 0});
-        if (it != of_number.end() && it->first == mesh.node_numbers[n]) origins[n] = it->second;
+        const Number number = mesh.node_numbers[n];
+        if (it == of_number.end() || it->first != number)   // kept ones are in their old order, as a rule
+            it = std::lower_bound(of_number.begin(), of_number.end(), std::pair<Number, std::int32_t>{number, 0});
+        if (it != of_number.end() && it->first == number) origins[n] = it++->second;
     }
     return origins;
 }
