@@ -279,10 +279,25 @@ bool begins_with(const std::vector<T>& list, const std::vector<T>& begin) {
     return list.size() >= begin.size() && std::equal(begin.begin(), begin.end(), list.begin());
 }
 
-/// All kept elements are there, in front, as they are where none was released.
+/// Every side of every element has its mid-side node, and there are no others.
+bool has_its_mids(const Mesh& mesh) {
+    std::vector<char> is_used(mesh.points.size(), 0);
+    const auto use = [&](NodeId mid) {
+        if (mid.is_valid()) is_used[mid.index()] = 1;
+        return mid.is_valid();
+    };
+    const auto use_all = [&](const auto& mids) { return std::all_of(mids.begin(), mids.end(), use); };
+    return std::all_of(mesh.tet_mids.begin(), mesh.tet_mids.end(), use_all) &&
+           std::all_of(mesh.triangle_mids.begin(), mesh.triangle_mids.end(), use_all) && use_all(mesh.segment_mids) &&
+           std::all_of(is_used.begin() + static_cast<std::ptrdiff_t>(mesh.corner_count), is_used.end(),
+                       [](char used) { return used != 0; });
+}
+
+/// All kept elements are there, in front, as they are where none was released, and lack no mid-side node.
 bool has_all_in_front(const Mesh& mesh, const Mesh& kept) {
-    return begins_with(mesh.tet_numbers, kept.tet_numbers) && begins_with(mesh.triangle_numbers, kept.triangle_numbers) &&
-           begins_with(mesh.segment_numbers, kept.segment_numbers);
+    return begins_with(mesh.tet_numbers, kept.tet_numbers) &&
+           begins_with(mesh.triangle_numbers, kept.triangle_numbers) &&
+           begins_with(mesh.segment_numbers, kept.segment_numbers) && has_its_mids(kept);
 }
 
 /// Then the mid-side nodes of the kept elements follow the corners as they did, and each element is where it was.

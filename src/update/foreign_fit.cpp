@@ -259,8 +259,7 @@ class Fitter {
 
     void take_mids() {
         Kept& kept = fit_.kept;
-        kept.curved = kept.mesh;
-        Mesh& curved = kept.curved;
+        Mesh curved = kept.mesh;
         curved.order = 2;
         SideTable mids(curved.corner_count);
         for (std::size_t t = 0; t < kept.tet_origin.size(); ++t) {
@@ -285,6 +284,7 @@ class Fitter {
         kept.mesh.segment_edges = curved.segment_edges;
         kept.mesh.segment_numbers = curved.segment_numbers;
         kept.mesh.next_element_number = curved.next_element_number;
+        kept.curved = std::make_shared<const Mesh>(std::move(curved));
     }
 
     // A segment whose tets have all gone has no mid-side node any more.

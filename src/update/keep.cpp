@@ -271,7 +271,7 @@ class Keeper {
         kept.rim_tets = tets.tets_at(kept.mesh, kept.is_rim, kept.node_origin);
         kept.mesh.next_node_number = in_.old_mesh.next_node_number;
         kept.mesh.next_element_number = in_.old_mesh.next_element_number;
-        if (in_.old_mesh.order == 2) kept.curved = with_mid_side_nodes(kept);
+        if (in_.old_mesh.order == 2) kept.curved = std::make_shared<const Mesh>(with_mid_side_nodes(kept));
         context_.check_cancelled();
         collect_active(kept, new_index);
         count_by_motion(kept, tets);

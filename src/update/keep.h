@@ -32,8 +32,8 @@ struct KeepInput {
 struct Kept {
     /// 4-node: the corner nodes, segments, triangles and tets that stay, on the entities of the new shape, with their numbers.
     Mesh mesh;
-    /// The same as 10-node elements with their old mid-side nodes, where the old mesh is one; order 1 and empty otherwise.
-    Mesh curved;
+    /// The same as 10-node elements with their old mid-side nodes, where the old mesh is one; else none.
+    std::shared_ptr<const Mesh> curved;
     std::vector<std::int32_t> node_origin, segment_origin, triangle_origin, tet_origin;   ///< indices in the old mesh
     std::vector<char> is_rim;                  ///< by kept node: a tet around it was not kept
     std::vector<TetId> rim_tets;               ///< kept tets with such a node, ascending

@@ -130,7 +130,7 @@ Filled fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult su
     VolumeResult volume = fill_solids(brep, sizing, std::move(surface.mesh), kept.active, volume_options, context, {kept.is_rim, kept.rim_tets, surface.kept.nodes});
     Mesh mesh = std::move(volume.mesh);
     if (options.order == 2) {
-        second = try_second_order(brep, std::move(mesh), kept.curved.order == 2 ? &kept.curved : nullptr, context);
+        second = try_second_order(brep, std::move(mesh), kept.curved.get(), context);
         if (!second.is_valid()) return {};
         mesh = std::move(second.mesh);
     }

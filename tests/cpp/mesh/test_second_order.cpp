@@ -174,4 +174,28 @@ TEST_CASE("kept mid-side nodes keep bits, numbers and order") {
             CHECK(partly.node_numbers[partly.tet_mids[t][s].index()] == kept.node_numbers[kept.tet_mids[t][s].index()]);
         }
     for (NodeId n : added) CHECK(partly.node_numbers[n.index()] >= kept.next_node_number);
+    CHECK(partly.node_count() == kept.node_count());
+}
+
+TEST_CASE("kept mid-side nodes follow new corners and serve new elements") {
+    Mesh kept = box_mesh(2);
+    add_mid_side_nodes(kept);
+    for (std::size_t i = kept.corner_count; i < kept.points.size(); ++i) kept.points[i].x += 1e-3;
+    Mesh more = box_mesh(2);
+    more.next_node_number = kept.next_node_number;
+    const auto [a, b, c] = more.triangles[0];
+    const NodeId top = more.add_node({-1, -1, -1}, entity_of(SolidId(0)));
+    more.add_tet({a, c, b, top}, SolidId(0));
+    CHECK(add_mid_side_nodes(more, &kept).size() == 3);
+    CHECK(more.node_count() == kept.node_count() + 4);
+    for (std::size_t t = 0; t < kept.tets.size(); ++t)
+        for (int s = 0; s < 6; ++s) {
+            const std::size_t now = more.tet_mids[t][s].index(), was = kept.tet_mids[t][s].index();
+            CHECK(more.points[now] == kept.points[was]);
+            CHECK(more.node_numbers[now] == kept.node_numbers[was]);
+        }
+    for (int s = 0; s < 3; ++s) {  // sides of the triangle, from its other side: c a, b c, a b
+        const std::array<int, 3> as_seen{2, 1, 0};
+        CHECK(more.tet_mids.back()[s] == more.triangle_mids[0][as_seen[s]]);
+    }
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <random>
 
 #include "box_mesh.h"
 #include "catch.h"
+#include "mesh/second_order.h"
 #include "mesh/validation.h"
 
 using namespace featuremesh;
@@ -250,4 +253,23 @@ TEST_CASE("around what was changed, a validation of the unproven finds wrong mid
         folded.points[good.tet_mids[t][3].index()] = folded.point(good.tets[t][0]) * 3 - folded.point(good.tets[t][3]) * 2;
         CHECK(says(broken_invariants(folded, changed), "non-positive Jacobian"));
     }
+}
+
+TEST_CASE("the volume within curved triangles is that of the curved tets") {
+    Mesh mesh = box_mesh(2);
+    const std::vector<NodeId> mids = add_mid_side_nodes(mesh);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> off(-0.02, 0.02);
+    for (const NodeId n : mids) mesh.points[n.index()] += Vec3{off(random), off(random), off(random)};
+    double volume = 0;
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+        for (const double coefficient : jacobian_coefficients(tet_nodes(mesh, TetId(t)))) volume += coefficient / 120;
+    REQUIRE(std::abs(volume - 1) > 1e-3);
+    Expectation expected = box_expectation();
+    expected.is_unproven.assign(mesh.node_count(), 0);
+    expected.volume_tolerance = 1e-12;
+    expected.solid_volumes = {volume};
+    CHECK(broken_invariants(mesh, expected).empty());
+    expected.solid_volumes = {volume * (1 + 1e-10)};
+    CHECK(has(broken_invariants(mesh, expected).at(0), "volume is wrong"));
 }
