@@ -31,6 +31,11 @@ double SizingField::at(const Vec3& p) const {
     return data_->tree.empty() ? most : std::min(most, data_->tree.at(p));
 }
 bool SizingField::is_uniform() const { return data_->tree.empty() && data_->lead.empty(); }
+SizeSource shorter_than_asked(const SizingField& field, SizeSource source) {
+    if (const double asked = field.at(source.point); source.size > 0.9 * asked) source.size = 0.5 * asked;
+    return source;
+}
+
 double SizingField::smallest() const { return std::min(data_->size, data_->tree.smallest()); }
 double SizingField::growth() const { return data_->growth; }
 double SizingField::largest() const { return data_->largest; }

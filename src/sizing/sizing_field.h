@@ -62,6 +62,9 @@ std::vector<Box> where_different(const SizingField& a, const SizingField& b);
 /// Throws InputError for a size that is zero, negative, or larger than the part.
 SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::span<const SizeSource> sources, RunContext& context);
 
+/// The source as it is where it asks for less than nine tenths of what the field does, else with half of that: a field with it is another one.
+SizeSource shorter_than_asked(const SizingField& field, SizeSource source);
+
 /// About how many tets the field asks for in the part (used to refuse more than 50 million, and by the task panel).
 double estimate_tets(const Brep& brep, const SizingField& sizing, const RunContext& context = {});
 

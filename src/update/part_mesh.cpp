@@ -190,7 +190,7 @@ Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, co
             if (!filled.mesh.tets.empty()) best.offer(std::move(filled), second.smallest, places);
             if (best.filled && (is_second_try || second.shorter.empty() || attempt == attempts)) return std::move(*best.filled);
             first_of_last = shorter.size();
-            shorter.insert(shorter.end(), second.shorter.begin(), second.shorter.end());
+            for (const SizeSource& source : second.shorter) shorter.push_back(shorter_than_asked(field, source));
             places.insert(second.place);
         } catch (const MeshError&) {
             context.check_cancelled();
