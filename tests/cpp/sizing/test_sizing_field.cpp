@@ -100,6 +100,12 @@ TEST_CASE("a wrong size is refused with the figure and the part's size") {
     CHECK(message_of(block(), options).find("Edge1") != std::string::npos);
 }
 
+TEST_CASE("a part as small as the kernel's tolerance is refused") {
+    const auto cube = [](double side) { return Brep(BRepPrimAPI_MakeBox(side, side, side).Shape()); };
+    CHECK(message_of(cube(0.0005), of_size(0.0001)).find("0.0005 x 0.0005 x 0.0005 mm") != std::string::npos);
+    CHECK(message_of(cube(0.002), of_size(0.0005)).empty());
+}
+
 TEST_CASE("curvature puts the elements around the circle") {
     const SizingField field = sizing_of(block_with_hole(), of_size(8));
     const double wanted = 2 * std::numbers::pi * 3 / 12;
