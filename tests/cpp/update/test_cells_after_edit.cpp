@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reading after an edit, with the state before it at hand, says what reading from nothing says.
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <random>
 
 #include "catch.h"
@@ -190,4 +193,17 @@ TEST_CASE("nobody waits for cells to get a mesh") {
         CHECK(state->cells.owners_of_final_face == whole.cells.owners_of_final_face);
         CHECK(state->cells.report.untrusted.empty());
     }
+}
+
+TEST_CASE("what a feature did in one document is not looked for again in another") {
+    PartDocument document = PartDocument().box("Block", {0, 0, 0}, {20, 10, 10});
+    BRepFilletAPI_MakeFillet rounding(document.shape("Block"));
+    rounding.Add(2, TopoDS::Edge(TopExp_Explorer(document.shape("Block"), TopAbs_EDGE).Current()));
+    document.add("Rounding", "Part::Fillet", rounding.Shape(), {{"Base", "Block", ""}});
+    RunContext context;
+    const PartState one = read_part(document.finish(), context);
+    const auto removed_by = [](const PartState& state) { return state.tree[*state.tree.find("Rounding")].volumes.at(0).shape; };
+    CHECK(removed_by(read_part(document.finish(), context, &one.tree)).IsSame(removed_by(one)));
+    CHECK(removed_by(read_part_unfused(document.finish(), context, &one.tree)).IsSame(removed_by(one)));
+    CHECK_FALSE(removed_by(read_part(document.finish(), context)).IsSame(removed_by(one)));
 }
