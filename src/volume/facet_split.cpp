@@ -204,11 +204,14 @@ std::vector<TetId> tets_in_the_way(const FacetSplit& split, const Cavity& cavity
 }
 
 std::vector<NodeId> apply_split(const FacetSplit& split, const Cavity& cavity, const Projector& projector,
-                                double on_entity, Mesh& mesh) {
+                                double on_entity, Mesh& mesh, const RunContext& context) {
     const std::vector<FaceId> faces = faces_of_points(split, cavity, mesh);
     const Placement placement(cavity, projector, on_entity, mesh);
     std::vector<NodeId> nodes;
-    for (std::size_t i = 0; i < split.added.size(); ++i) nodes.push_back(placement.add(split.added[i], faces[i], mesh));
+    for (std::size_t i = 0; i < split.added.size(); ++i) {
+        context.check_cancelled();
+        nodes.push_back(placement.add(split.added[i], faces[i], mesh));
+    }
     cut_segments(split, cavity, nodes, mesh);
     cut_triangles(split, cavity, nodes, mesh);
     mesh.corner_count = mesh.points.size();

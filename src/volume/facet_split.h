@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/run_context.h"
 #include "features/brep.h"
 #include "mesh/mesh.h"
 #include "surface/projection.h"
@@ -41,6 +42,6 @@ std::vector<TetId> tets_in_the_way(const FacetSplit& split, const Cavity& cavity
 /// mesh's segments and triangles: the first piece takes the place of what is cut, the others are appended, all with new
 /// numbers. Gives back the new nodes, by added point.
 std::vector<NodeId> apply_split(const FacetSplit& split, const Cavity& cavity, const Projector& projector,
-                                double on_entity, Mesh& mesh);
+                                double on_entity, Mesh& mesh, const RunContext& context);
 
 }  // namespace featuremesh

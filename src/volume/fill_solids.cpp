@@ -155,7 +155,7 @@ class Filling {
         if (flips.pieces.size() != missing.size() ||
             !tets_in_the_way(flips, cavity, result_.mesh, is_released_).empty())
             return;
-        apply_split(flips, cavity, projector_, brep_.tolerances().on_entity(), result_.mesh);
+        apply_split(flips, cavity, projector_, brep_.tolerances().on_entity(), result_.mesh, context_);
         for (const FacetSplit::Piece& piece : flips.pieces) cavity.facets[piece.facet].corners = piece.corners;
         log("diagonals changed", flips.pieces.size() / 2);
         if (is_first_round_) result_.report.recovered_triangles += flips.pieces.size();
@@ -304,7 +304,7 @@ class Filling {
         for (const TetId tet : in_the_way) release(tet);
         if (!in_the_way.empty()) return {};
         std::vector<NodeId> added =
-            apply_split(split, cavity, projector_, brep_.tolerances().on_entity(), result_.mesh);
+            apply_split(split, cavity, projector_, brep_.tolerances().on_entity(), result_.mesh, context_);
         result_.report.recovery_points += added.size();
         return added;
     }
