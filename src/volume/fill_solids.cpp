@@ -39,8 +39,9 @@ constexpr int most_crossing_rounds = 3;
 constexpr int most_local_recoveries = 5;
 /// Kept tets that are not Delaunay may be many: then a cavity that grows by those at its seam would not end in time.
 constexpr int most_releasing_rounds = 5;
-/// What is further from the seam is filled as well as in a full mesh.
-constexpr int edges_to_seam = 3;
+/// What is further from the seam is filled as well as in a full mesh, or nearly so: more counts where the seam is much of a small mesh, and costs nothing there.
+constexpr int edges_to_seam = 3, edges_to_seam_if_small = 5;
+constexpr std::size_t small_cavity = 8000;  // tets
 /// Tets are mended until they have the least volume; with this share of it they are still no reason to refuse a part.
 constexpr double tolerated_share = 0.92;
 /// Of the cube of the smallest wanted length: tets below are mended, and those below are refused.
@@ -404,7 +405,7 @@ class Filling {
         sliver_options.target_dihedral_deg = options_.target_dihedral_deg;
         SliverReport slivers = remove_slivers(complex, sliver_options, context);
         const ShapeOptions shape_options{.target_dihedral_deg = options_.target_dihedral_deg,
-                                         .among = regions_[i].vertices_near_seam(edges_to_seam)};
+                                         .among = regions_[i].vertices_near_seam(complex.tets.size() < small_cavity ? edges_to_seam_if_small : edges_to_seam)};
         const ShapeReport shapes = optimise_shapes(complex, shape_options, context);  // makes no good tet bad
         if (shapes.moves > 0 && slivers.left > 0) slivers.left = regions_[i].count_bad(options_.target_dihedral_deg);
         return {odt, slivers};
