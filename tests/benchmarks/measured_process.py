@@ -1,27 +1,39 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A program run once in a process of its own, so that its time and its memory are its own."""
-import os
-import signal
+"""A program run once in a process of its own, so that its time and its memory are its own.
+
+measured_process.py OUT.json COMMAND...: runs the command and writes its wall seconds and its largest resident memory. A process starts with
+the memory of the one it came from on its account, so this small one stands between the benchmark and what is measured.
+"""
+import json
+import resource
 import subprocess
+import sys
 import tempfile
-import threading
 import time
 from pathlib import Path
 
 
 def run_measured(command, out, limit_seconds, environment=None):
     """(wall seconds, largest resident memory in MB) of a command that writes the file `out`; RuntimeError when it does not."""
-    with tempfile.TemporaryFile() as said:
-        start = time.perf_counter()
-        process = subprocess.Popen(command, cwd=Path(out).parent, stdout=said, stderr=subprocess.STDOUT, env=environment)
-        alarm = threading.Timer(limit_seconds, os.kill, (process.pid, signal.SIGKILL))
-        alarm.start()
-        _, status, usage = os.wait4(process.pid, 0)
-        seconds = time.perf_counter() - start
-        alarm.cancel()
-        process.returncode = os.waitstatus_to_exitcode(status)
-        if process.returncode or not Path(out).is_file():
-            said.seek(0)
-            words = said.read().decode(errors="replace")[-300:]
-            raise RuntimeError(f"{Path(command[0]).name} gave no mesh within {limit_seconds} s (exit {process.returncode}): {words}")
-        return seconds, usage.ru_maxrss / 1024
+    with tempfile.TemporaryDirectory() as folder:
+        figures = Path(folder) / "figures.json"
+        done = subprocess.run([sys.executable, __file__, str(figures), str(limit_seconds), *command], cwd=Path(out).parent, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, env=environment)
+        if done.returncode or not Path(out).is_file():
+            raise RuntimeError(f"{Path(command[0]).name} gave no mesh within {limit_seconds} s: {done.stdout.decode(errors='replace')[-300:]}")
+        return json.loads(figures.read_text(encoding="utf-8"))
+
+
+def measure(figures, limit_seconds, *command):
+    start = time.perf_counter()
+    try:
+        code = subprocess.run(command, timeout=float(limit_seconds)).returncode
+    except subprocess.TimeoutExpired:
+        return 1
+    seconds = time.perf_counter() - start
+    Path(figures).write_text(json.dumps((seconds, resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024)), encoding="utf-8")
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(measure(*sys.argv[1:]))
