@@ -65,7 +65,7 @@ class SeedOctree {
     }
 
     std::vector<Vec3> lattice_points() {
-        is_kept_ = !balls_.empty();
+        is_kept_ = !balls_.empty() || places_.size() > 1;  // candidates have split some, in their own order
         lattice_.clear(), seen_corners_.clear();
         if (!places_.empty()) collect(0);
         if (!is_kept_ && !places_.empty()) places_.assign(1, whole());

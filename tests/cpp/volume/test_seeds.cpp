@@ -56,6 +56,19 @@ TEST_CASE("seeds are inside, clear of the facets and of balls") {
     }
 }
 
+TEST_CASE("active points without room leave the lattice as it is") {
+    const Cavity cavity = box_boundary(8, 12);
+    const RunContext context;
+    const auto seeds_with = [&](std::span<const Vec3> active) {
+        return SeedSpace(cavity.points, cavity.facets, {}, uniform(1.5), {}, context).seeds(active);
+    };
+    std::vector<Vec3> on_boundary;
+    for (const double x : {11.9, 6.1, 0.1})
+        for (const double y : {11.9, 0.1})
+            for (const double z : {11.9, 0.1}) on_boundary.push_back({x, y, z});
+    CHECK(seeds_with(on_boundary) == seeds_with({}));
+}
+
 TEST_CASE("the lattice is anchored: another box around gives the same points inside") {
     const RunContext context;
     const Cavity small = box_boundary(6, 9), large = box_boundary(12, 18);
