@@ -136,7 +136,7 @@ struct Sheet {
 
 class PatchShells {
   public:
-    PatchShells(const PatchInput& input)
+    explicit PatchShells(const PatchInput& input)
         : input_(input), faces_(patch_faces(input.vanished, input.appeared)), edges_(faces_), pieces_(edges_) {
         for (std::size_t f = 0; f < faces_.size(); ++f)
             if (faces_[f].carrier < 0) add_whole(f);

@@ -104,7 +104,8 @@ void check_size(double size, const Box& part) {
     const Vec3 s = part.size();
     const std::string part_size = number(s.x) + " x " + number(s.y) + " x " + number(s.z) + " mm";
     if (longest_side(part) < least_extent)
-        throw InputError("The part is only " + part_size + ", and points nearer than 1e-7 mm are one to FreeCAD's geometry: nodes could not be "
+        throw InputError("The part is only " + part_size +
+                         ", and points nearer than 1e-7 mm are one to FreeCAD's geometry: nodes could not be "
                          "placed on its surface. Was it imported in another unit? Scale it up.");
     if (!std::isfinite(size) || size <= 0)
         throw InputError("The mesh size is " + number(size) + " mm; it must be larger than zero. The part is " +

@@ -333,7 +333,7 @@ class Unfolding {
     const RunContext& context_;
     Aim aim_ = Aim::smallest_bound;
     mutable std::size_t refusing_ = 0;  ///< place in the star
-    const std::vector<Vec3> placed_;  ///< where the nodes were at first
+    const std::vector<Vec3> placed_;    ///< where the nodes were at first
     const std::vector<Vec3> directions_;
 };
 

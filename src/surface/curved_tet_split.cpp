@@ -188,8 +188,8 @@ class Splitting {
 
 }  // namespace
 
-std::size_t split_folded_tets(Mesh& mesh, const Mesh& curved, const std::vector<TetId>& folded,
-                              const KeptCounts& kept, double least_volume) {
+std::size_t split_folded_tets(Mesh& mesh, const Mesh& curved, const std::vector<TetId>& folded, const KeptCounts& kept,
+                              double least_volume) {
     Splitting splitting(mesh, curved, kept, least_volume);
     std::size_t added = 0;
     for (TetId t : folded) added += splitting.run(t);

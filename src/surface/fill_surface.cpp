@@ -41,8 +41,8 @@ struct PieceBeside {
 class SurfaceFiller {
   public:
     /// `beside`: edges that are to get nodes opposite one another; null where all are divided each by itself.
-    SurfaceFiller(const Brep& brep, const MergedEntities& merged, const WantedLength& sizing,
-                  const EdgesBeside* beside, Mesh kept, RunContext& context)
+    SurfaceFiller(const Brep& brep, const MergedEntities& merged, const WantedLength& sizing, const EdgesBeside* beside,
+                  Mesh kept, RunContext& context)
         : brep_(brep),
           merged_(merged),
           sizing_(sizing),
@@ -154,7 +154,8 @@ class SurfaceFiller {
                 if (!a.edge.is_valid() || !b.edge.is_valid()) continue;
                 const EdgeId first = merged_.edge_of[a.edge.index()], second = merged_.edge_of[b.edge.index()];
                 if (first == second || beside_->has(first, second)) continue;
-                const auto [p, q] = std::pair(mesh_.point(job.boundary.nodes[std::size_t(a.a)]), mesh_.point(job.boundary.nodes[std::size_t(a.b)]));
+                const auto [p, q] = std::pair(mesh_.point(job.boundary.nodes[std::size_t(a.a)]),
+                                              mesh_.point(job.boundary.nodes[std::size_t(a.b)]));
                 new_beside_.push_back({first, second, {0.5 * (p + q), distance(p, q)}});
             }
         }

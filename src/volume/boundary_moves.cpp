@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -43,7 +44,7 @@ class BoundaryMover {
           target_(flatness_to_reach(options.target_dihedral_deg)),
           least_volume_(options.least_volume),
           is_for_curved_tets_(options.is_for_curved_tets),
-          good_cosine_(std::cos(good_triangle_deg * 3.14159265358979323846 / 180)),
+          good_cosine_(std::cos(good_triangle_deg * std::numbers::pi / 180)),
           place_of_(complex.points.size(), -1),
           is_due_(complex.points.size(), 1) {
         for (std::size_t i = 0; i < vertices.size(); ++i) place_of_[vertices[i].vertex] = static_cast<int>(i);
@@ -140,7 +141,9 @@ class BoundaryMover {
         std::vector<Vec3> normals;
         for (const auto& [a, b] : rim_) {
             const Vec3 normal = normalized(cross(a - complex_.points[of.vertex], b - complex_.points[of.vertex]));
-            if (std::none_of(normals.begin(), normals.end(), [&](const Vec3& n) { return dot(n, normal) > flat_cosine; })) normals.push_back(normal);
+            if (std::none_of(normals.begin(), normals.end(),
+                             [&](const Vec3& n) { return dot(n, normal) > flat_cosine; }))
+                normals.push_back(normal);
         }
         return normals.size() <= (of.on.dim == 1 ? 2u : 1u);
     }
@@ -156,7 +159,8 @@ class BoundaryMover {
         for (const int t : star_) {
             const auto& [a, b, c, d] = complex_.tets[t];
             bulk.thinnest = std::min(bulk.thinnest, thickness(complex_, complex_.tets[t], least_volume_));
-            bulk.volume += signed_volume(complex_.points[a], complex_.points[b], complex_.points[c], complex_.points[d]);
+            bulk.volume +=
+                signed_volume(complex_.points[a], complex_.points[b], complex_.points[c], complex_.points[d]);
         }
         place = old;
         return bulk;
@@ -166,7 +170,8 @@ class BoundaryMover {
     bool keeps_bulk(int vertex, const Vec3& from, const Vec3& to) {
         constexpr double most_change = 0.005;
         const Bulk before = bulk_with(vertex, from), after = bulk_with(vertex, to);
-        return after.thinnest >= before.thinnest && std::abs(after.volume - before.volume) <= most_change * before.volume;
+        return after.thinnest >= before.thinnest &&
+               std::abs(after.volume - before.volume) <= most_change * before.volume;
     }
 
     bool may_move(int vertex) const { return place_of_[vertex] >= 0 || complex_.is_fixed[vertex] == 0; }
@@ -196,7 +201,8 @@ class BoundaryMover {
         const auto is_outside = [&](int v) { return complex_.is_fixed[v] == 1; };
         return std::any_of(star_.begin(), star_.end(), [&](int t) {
             const auto& [a, b, c, d] = complex_.tets[t];
-            return unforced_flatness({p[a], p[b], p[c], p[d]}, {is_outside(a), is_outside(b), is_outside(c), is_outside(d)}) < flatness(p[a], p[b], p[c], p[d]);
+            return unforced_flatness({p[a], p[b], p[c], p[d]}, {is_outside(a), is_outside(b), is_outside(c),
+                                                                is_outside(d)}) < flatness(p[a], p[b], p[c], p[d]);
         });
     }
 
@@ -253,7 +259,7 @@ class BoundaryMover {
         const Vec3 side = normalized(to_other - dot(to_other, normal) * normal), across = cross(normal, side);
         std::vector<Vec3> directions;
         for (int way = 0; way < ways; ++way) {
-            const double angle = way * (2 * 3.14159265358979323846 / ways);
+            const double angle = way * (2 * std::numbers::pi / ways);
             directions.push_back(std::cos(angle) * side + std::sin(angle) * across);
         }
         return directions;
@@ -285,10 +291,10 @@ class BoundaryMover {
     double target_, least_volume_;
     bool is_for_curved_tets_;
     double good_cosine_;
-    std::vector<int> place_of_;                  // by vertex, in vertices_; -1 for none
-    std::vector<std::uint8_t> is_due_;           // by vertex
+    std::vector<int> place_of_;         // by vertex, in vertices_; -1 for none
+    std::vector<std::uint8_t> is_due_;  // by vertex
     std::vector<int> star_, changed_;
-    std::vector<std::array<Vec3, 2>> rim_;       // of the star: its triangles on the boundary
+    std::vector<std::array<Vec3, 2>> rim_;  // of the star: its triangles on the boundary
     StarShape shape_;
 };
 
@@ -299,11 +305,13 @@ bool is_outside(const Brep& brep, FaceId face) {
 
 }  // namespace
 
-std::vector<BoundaryVertex> movable_vertices(const Brep& brep, const Mesh& mesh, const SeamRegion& region, std::size_t first_new) {
+std::vector<BoundaryVertex> movable_vertices(const Brep& brep, const Mesh& mesh, const SeamRegion& region,
+                                             std::size_t first_new) {
     std::vector<BoundaryVertex> vertices;
     for (int v = 0; v < static_cast<int>(region.complex.points.size()); ++v) {
         const NodeId node = region.node_of(v);
-        if (!node.is_valid() || node.index() < first_new || region.is_at_seam(v) || region.complex.tet_of_vertex[v] < 0) continue;
+        if (!node.is_valid() || node.index() < first_new || region.is_at_seam(v) || region.complex.tet_of_vertex[v] < 0)
+            continue;
         const Entity on = mesh.entities[node.index()];
         if (on.dim != 1 && on.dim != 2) continue;
         const std::vector<FaceId> faces = brep.faces_at(on);

@@ -19,20 +19,24 @@ namespace featuremesh {
 struct BoundaryVertex {
     int vertex;
     Entity on;
-    std::array<double, 2> parameters;   ///< (t, 0) on an edge, (u, v) on a face
+    std::array<double, 2> parameters;  ///< (t, 0) on an edge, (u, v) on a face
 };
 
-/// The region's nodes from `first_new` on that are on one face, or between two, with material on one side only, and away from kept tets.
-std::vector<BoundaryVertex> movable_vertices(const Brep& brep, const Mesh& mesh, const SeamRegion& region, std::size_t first_new);
+/// The region's nodes from `first_new` on that are on one face, or between two, with material on one side only, and
+/// away from kept tets.
+std::vector<BoundaryVertex> movable_vertices(const Brep& brep, const Mesh& mesh, const SeamRegion& region,
+                                             std::size_t first_new);
 
 struct BoundaryMoveOptions {
     double target_dihedral_deg = 30;
-    double least_volume = 0;           ///< mm^3; no tet gets thinner than `thickness` allows
-    bool is_for_curved_tets = false;   ///< where the surface is curved nothing moves: other sides may fold tets that follow it
+    double least_volume = 0;  ///< mm^3; no tet gets thinner than `thickness` allows
+    bool is_for_curved_tets =
+        false;  ///< where the surface is curved nothing moves: other sides may fold tets that follow it
 };
 
-/// Moves such vertices along their face or edge, and free ones, where that helps the worst tet of their star, worst tets first; half or a quarter of the way
-/// where all of it is not worth it for the star as a whole. The star's volume stays within half a percent, so that triangles cut off no more of a curved face. They keep their side, and their
+/// Moves such vertices along their face or edge, and free ones, where that helps the worst tet of their star, worst
+/// tets first; half or a quarter of the way where all of it is not worth it for the star as a whole. The star's volume
+/// stays within half a percent, so that triangles cut off no more of a curved face. They keep their side, and their
 /// angles stay as good, or good enough. Updates the places and parameters of `vertices`; gives the tets that changed.
 std::vector<int> move_on_boundary(TetComplex& complex, std::span<BoundaryVertex> vertices, const Projector& projector,
                                   const BoundaryMoveOptions& options, RunContext& context);

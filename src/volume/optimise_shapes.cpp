@@ -106,7 +106,7 @@ class ShapeOptimiser {
     RunContext& context_;
     double target_;
     std::vector<std::uint8_t> may_move_, is_due_;  // by vertex
-    std::vector<std::size_t> begin_;  // by vertex that may move: where its star begins, with its size
+    std::vector<std::size_t> begin_;               // by vertex that may move: where its star begins, with its size
     std::vector<int> stars_;
     StarShape shape_;
 };

@@ -284,7 +284,8 @@ class Thickener {
     bool move(int tet) {
         bool gained = false;
         for (const int v : complex_.tets[tet])
-            if (!complex_.is_fixed[v] && gather_star(complex_, v, star_) && climb(v)) note_changed(star_), gained = true;
+            if (!complex_.is_fixed[v] && gather_star(complex_, v, star_) && climb(v))
+                note_changed(star_), gained = true;
         return gained;
     }
 

@@ -22,6 +22,6 @@ struct Thickened {
 /// Tets of a thickness below 1 get rid of it by moves and collapses of free vertices and removals of edges, whatever
 /// that does to angles. What costs most, a new vertex, is tried for at most so many tets.
 Thickened thicken(TetComplex& complex, double least_volume, RunContext& context,
-                         std::size_t most_insertions = std::numeric_limits<std::size_t>::max());
+                  std::size_t most_insertions = std::numeric_limits<std::size_t>::max());
 
 }  // namespace featuremesh

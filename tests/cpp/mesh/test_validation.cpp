@@ -250,7 +250,8 @@ TEST_CASE("around what was changed, a validation of the unproven finds wrong mid
         std::swap(exchanged.tet_mids[t][1], exchanged.tet_mids[t][4]);
         CHECK(says(broken_invariants(exchanged, changed), "two mid-side nodes on one side"));
         Mesh folded = good;
-        folded.points[good.tet_mids[t][3].index()] = folded.point(good.tets[t][0]) * 3 - folded.point(good.tets[t][3]) * 2;
+        folded.points[good.tet_mids[t][3].index()] =
+            folded.point(good.tets[t][0]) * 3 - folded.point(good.tets[t][3]) * 2;
         CHECK(says(broken_invariants(folded, changed), "non-positive Jacobian"));
     }
 }

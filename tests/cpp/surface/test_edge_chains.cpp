@@ -175,7 +175,8 @@ TEST_CASE("edges with a step of a hundredth of an element between them get nodes
         CHECK(circles[0].size() >= pieces);
         CHECK(circles[0].size() <= (narrow == NarrowFaces::shorter ? 2 : 1) * (pieces + 3));
         for (const Vec3& p : circles[0])
-            CHECK(std::any_of(circles[1].begin(), circles[1].end(), [&](const Vec3& q) { return distance(p, q) < 0.006; }));
+            CHECK(std::any_of(circles[1].begin(), circles[1].end(),
+                              [&](const Vec3& q) { return distance(p, q) < 0.006; }));
         CHECK(result.report.warnings.empty());
     }
 }
@@ -192,7 +193,8 @@ TEST_CASE("a kept chain beside a new one gets it opposite its nodes") {
         kept.next_node_number = whole.next_node_number;
         for (std::size_t n = 0; n < whole.node_count(); ++n) {
             const Vec3 p = whole.points[n];
-            if (whole.entities[n].dim == 1 && std::abs(p.z - 10) < 1e-9 && std::abs(std::hypot(p.x, p.y) - radius) < 1e-6)
+            if (whole.entities[n].dim == 1 && std::abs(p.z - 10) < 1e-9 &&
+                std::abs(std::hypot(p.x, p.y) - radius) < 1e-6)
                 kept.add_node(p, whole.entities[n], whole.parameters[n]);
         }
         REQUIRE(kept.node_count() > 40);

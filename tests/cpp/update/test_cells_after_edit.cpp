@@ -202,7 +202,9 @@ TEST_CASE("what a feature did in one document is not looked for again in another
     document.add("Rounding", "Part::Fillet", rounding.Shape(), {{"Base", "Block", ""}});
     RunContext context;
     const PartState one = read_part(document.finish(), context);
-    const auto removed_by = [](const PartState& state) { return state.tree[*state.tree.find("Rounding")].volumes.at(0).shape; };
+    const auto removed_by = [](const PartState& state) {
+        return state.tree[*state.tree.find("Rounding")].volumes.at(0).shape;
+    };
     CHECK(removed_by(read_part(document.finish(), context, &one.tree)).IsSame(removed_by(one)));
     CHECK(removed_by(read_part_unfused(document.finish(), context, &one.tree)).IsSame(removed_by(one)));
     CHECK_FALSE(removed_by(read_part(document.finish(), context)).IsSame(removed_by(one)));

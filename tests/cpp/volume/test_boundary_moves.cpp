@@ -64,7 +64,8 @@ TEST_CASE("a vertex inside a face goes along it to where its tets are good again
     CHECK(!box.move(vertices).empty());
     CHECK(box.worst_deg() > 30);
     CHECK(box.complex.points[vertex].z == Approx(0).margin(1e-12));
-    CHECK(distance(box.projector.on_face(FaceId(vertices[0].on.index), vertices[0].parameters), box.complex.points[vertex]) < 1e-9);
+    CHECK(distance(box.projector.on_face(FaceId(vertices[0].on.index), vertices[0].parameters),
+                   box.complex.points[vertex]) < 1e-9);
     CHECK(find_flaws(box.complex).empty());
     CHECK(total_volume(box.complex) == Approx(64));
 }
@@ -78,14 +79,16 @@ TEST_CASE("a vertex inside an edge goes along it") {
     std::vector<BoundaryVertex> vertices{box.on_nearest_edge(vertex)};
     CHECK(!box.move(vertices).empty());
     CHECK(box.worst_deg() > 30);
-    CHECK(distance(box.projector.on_edge(EdgeId(vertices[0].on.index), vertices[0].parameters[0]), box.complex.points[vertex]) < 1e-9);
+    CHECK(distance(box.projector.on_edge(EdgeId(vertices[0].on.index), vertices[0].parameters[0]),
+                   box.complex.points[vertex]) < 1e-9);
     CHECK(find_flaws(box.complex).empty());
     CHECK(total_volume(box.complex) == Approx(64));
 }
 
 TEST_CASE("only the vertices given move, and none where no tet is bad") {
     FixedBox box;
-    std::vector<BoundaryVertex> all{box.on_nearest_face(FixedBox::vertex_at(2, 2, 0)), box.on_nearest_face(FixedBox::vertex_at(2, 0, 2))};
+    std::vector<BoundaryVertex> all{box.on_nearest_face(FixedBox::vertex_at(2, 2, 0)),
+                                    box.on_nearest_face(FixedBox::vertex_at(2, 0, 2))};
     const TetComplex start = box.complex;
     CHECK(box.move(all).empty());
     CHECK(box.complex.points == start.points);
@@ -122,7 +125,8 @@ TEST_CASE("the smallest angle of a part is larger where surface nodes may move, 
                 const Entity on = free.mesh.entities[n];
                 const auto& at = free.mesh.parameters[n];
                 if (on.dim == 2) CHECK(distance(projector.on_face(FaceId(on.index), at), free.mesh.points[n]) < 1e-9);
-                if (on.dim == 1) CHECK(distance(projector.on_edge(EdgeId(on.index), at[0]), free.mesh.points[n]) < 1e-9);
+                if (on.dim == 1)
+                    CHECK(distance(projector.on_edge(EdgeId(on.index), at[0]), free.mesh.points[n]) < 1e-9);
             }
         }
     CHECK(with > without + 20);

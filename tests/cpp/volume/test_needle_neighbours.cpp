@@ -39,7 +39,9 @@ ThinTets thin_tets(const Mesh& mesh, double angle_deg) {
 double smallest_angle(const TetComplex& complex) {
     double worst = 0;
     for (const auto& [a, b, c, d] : complex.tets)
-        if (a >= 0) worst = std::max(worst, flatness(complex.points[a], complex.points[b], complex.points[c], complex.points[d]));
+        if (a >= 0)
+            worst =
+                std::max(worst, flatness(complex.points[a], complex.points[b], complex.points[c], complex.points[d]));
     return angle_of_flatness(worst);
 }
 
