@@ -8,6 +8,7 @@ import FreeCAD
 import Part
 from freecad.featuremesh import reading
 from freecad.featuremesh.errors import UserError
+from freecad.featuremesh.properties import properties_of
 from parts import Vector, new_document, placement, plate_with_hole
 
 
@@ -148,7 +149,7 @@ class Reading(unittest.TestCase):
         sketch.addGeometry(Part.LineSegment(Vector(0, 0), Vector(10, 10)))
         sketch.renameConstraint(sketch.addConstraint(Sketcher.Constraint("Angle", 0, 0.5)), "Slope")
         document.recompute()
-        numbers, _ = reading._parameters(sketch, reading._properties(sketch, sketch.TypeId))
+        numbers, _ = properties_of(sketch, sketch.TypeId).parameters(sketch)
         self.assertAlmostEqual(numbers["Slope"], 28.64788975654116)
 
     def test_an_objects_own_property_is_read_by_its_own_type(self):
@@ -158,9 +159,24 @@ class Reading(unittest.TestCase):
             named, linked = document.addObject(kind, "Named"), document.addObject(kind, "Linked")
             named.addProperty("App::PropertyFloat", "Extra").Extra = 4
             linked.addProperty("App::PropertyLink", "Extra").Extra = tool
-            self.assertEqual(reading._properties(named, named.TypeId)["Extra"], "number")
-            self.assertEqual(reading._properties(linked, linked.TypeId)["Extra"], "link")
-            self.assertIn(("Extra", tool, ""), reading._links(linked, reading._properties(linked, linked.TypeId)))
+            self.assertEqual(properties_of(named, kind).parameters(named)[0]["Extra"], 4.0)
+            self.assertNotIn("Extra", properties_of(linked, kind).parameters(linked)[0])
+            self.assertEqual(properties_of(linked, kind).links(linked), [("Extra", tool, "")])
+            self.assertEqual(properties_of(named, kind).links(named), [])
+
+    def test_parameters_are_what_the_attributes_are(self):
+        document = new_document()
+        part = document.addObject("Part::Cylinder", "Round")
+        part.Radius, part.Angle, part.MapMode, part.MapReversed = 3, 90, "ObjectXY", True
+        part.AttachmentOffset = placement(1, 2, 3, 40, (0, 1, 0))
+        numbers, texts = properties_of(part, part.TypeId).parameters(part)
+        self.assertEqual({name: numbers[name] for name in ("Radius", "Angle", "MapReversed", "MapPathParameter", "AttachmentOffset.Base.z")},
+                         {"Radius": part.Radius.Value, "Angle": 90.0, "MapReversed": 1.0, "MapPathParameter": part.MapPathParameter,
+                          "AttachmentOffset.Base.z": 3.0})
+        self.assertAlmostEqual(numbers["AttachmentOffset.Angle"], 40)
+        self.assertEqual([numbers["AttachmentOffset.Axis." + axis] for axis in "xyz"], list(part.AttachmentOffset.Rotation.Axis))
+        self.assertEqual(texts, {"MapMode": "ObjectXY"})
+        self.assertFalse({"Visibility", "Placement.Base.x", "Label2"} & set(numbers))
 
     def test_error_is_freecads_own(self):
         document = new_document()

@@ -4,7 +4,8 @@
 import FreeCAD
 
 from .errors import UserError
-from .reading import DIMENSIONS, close_names, describe, find_object
+from .properties import DIMENSIONS
+from .reading import close_names, describe, find_object
 
 _TRUE, _FALSE = ("true", "yes", "on", "1"), ("false", "no", "off", "0")
 

@@ -6,8 +6,6 @@ here: which objects the part depends on, and in which frame each of them lies.
 """
 
 import contextlib
-import functools
-import math
 import os
 import tempfile
 from collections import deque
@@ -18,6 +16,9 @@ import Part
 
 from . import versions
 from .errors import UserError
+from .properties import (
+    document_of, matrix_entries, name_of, objects_out_of, properties_of, property_if_any, property_of, state_of, type_of,
+)
 
 translate = FreeCAD.Qt.translate
 # A pattern's direction, a sketch's plane: needed for the dependencies, but without any volume of their own.
@@ -26,16 +27,6 @@ _REFERENCE_TYPES = ("Sketcher::", "Spreadsheet::", "App::Line", "App::Plane", "A
                     "PartDesign::ShapeBinder", "PartDesign::SubShapeBinder", "Part::Datum", "App::TextDocument")
 # A binder's shape is all that comes from the parts behind it; those lie in frames of their own.
 _BINDERS = ("PartDesign::ShapeBinder", "PartDesign::SubShapeBinder")
-_SKIPPED_LINKS = ("_Body", "Origin", "ExpressionEngine", "Proxy", "_ChildCache", "_CopyOnChangeControl")
-# Status of a property that one object has and others of its type may not.
-_DYNAMIC = frozenset((21, "PropDynamic"))
-# Types of sketch constraints that have a value.
-DIMENSIONS = ("Distance", "DistanceX", "DistanceY", "Radius", "Diameter", "Angle", "Weight", "SnellsLaw")
-_VECTOR_TYPES = ("App::PropertyVector", "App::PropertyVectorDistance", "App::PropertyPosition", "App::PropertyDirection")
-_NUMBER_TYPES = ("App::PropertyFloat", "App::PropertyInteger", "App::PropertyQuantity", "App::PropertyLength",
-                 "App::PropertyDistance", "App::PropertyAngle", "App::PropertyArea", "App::PropertyVolume",
-                 "App::PropertyPrecision", "App::PropertyPercent", "App::PropertyBool", "App::PropertySpeed",
-                 "Spreadsheet::PropertySpreadsheetQuantity")
 
 
 def read_document(part):
@@ -147,12 +138,13 @@ def has_shape(obj):
 
 def key_of(obj, home):
     """Name under which records know an object: its own, with the document's in front when it lives in another one."""
-    return obj.Name if obj.Document is home else "%s#%s" % (obj.Document.Name, obj.Name)
+    document = document_of(obj)
+    return name_of(obj) if document is home else "%s#%s" % (document.Name, name_of(obj))
 
 
 def error_of(obj):
     """FreeCAD's own message when the object is in error, else ""."""
-    return (obj.getStatusString() or "Invalid") if "Invalid" in obj.State else ""
+    return (obj.getStatusString() or "Invalid") if "Invalid" in state_of(obj) else ""
 
 
 def refuse_errors(part):
@@ -186,7 +178,7 @@ def _children(obj, own, links, properties, kinds):
         else:
             result.append((child, _frame_of_child(own, child, undoes, is_step and _derives(child, "PartDesign::Feature", kinds[child])), True))
     known = set(linked)
-    result += [(child, FreeCAD.Placement(), False) for child in obj.OutList
+    result += [(child, FreeCAD.Placement(), False) for child in objects_out_of(obj)
                if child not in known and kinds[child] != "PartDesign::Body" and not _derives(child, "App::Origin", kinds[child])]
     return result
 
@@ -195,7 +187,7 @@ def _undoes_placements(obj, properties):
     """Does what `obj` shows lie at its own placement, wherever the original lies?"""
     if properties.kind == "App::Link":
         return not getattr(obj, "LinkTransform", False)
-    return properties.kind == "PartDesign::FeatureBase" or _proxy_name(obj, properties) in ("_Clone", "Clone")
+    return properties.kind == "PartDesign::FeatureBase" or properties.proxy_name(obj) in ("_Clone", "Clone")
 
 
 def _frame_of_child(own, child, undoes, are_steps):
@@ -209,13 +201,13 @@ class _Kinds(dict):
     """Types of objects, each asked for once."""
 
     def __missing__(self, obj):
-        kind = self[obj] = obj.TypeId
+        kind = self[obj] = type_of(obj)
         return kind
 
 
 class _Walk:
     """What `part` depends on. By object: `frames`, the placement from its parent's frame into the final one (volume-carrying links decide first);
-    `placements`, its own; `children`, what it depends on; `properties`, as _properties gives them; `links`, as _links does."""
+    `placements`, its own; `children`, what it depends on; `properties`, what they are read for; `links`, as _links gives them."""
 
     def __init__(self, part):
         self.frames = {part: versions.parent_frame(part)}
@@ -233,9 +225,9 @@ class _Walk:
             self._visit(obj, strong, weak)
 
     def _visit(self, obj, strong, weak):
-        properties = self.properties[obj] = _properties(obj, self._kinds[obj])
+        properties = self.properties[obj] = properties_of(obj, self._kinds[obj])
         links = self.links[obj] = _links(obj, properties)
-        own = self.placements[obj] = _value_of(obj, "Placement", properties) or FreeCAD.Placement()
+        own = self.placements[obj] = properties.value(obj, "Placement") or FreeCAD.Placement()
         found = _children(obj, own, links, properties, self._kinds)
         self.children[obj] = [child for child, _, _ in found]
         for child, relative, carries_volume in found:
@@ -280,81 +272,15 @@ def _linked_objects(links, kinds):
             if kinds[child] != "App::Part" and not _derives(child, "App::Origin", kinds[child])]
 
 
-# By type of object: what the properties are read for that all objects of the type have. Those of a single object cannot
-# have the name of one of them.
-_USES = {}
-
-
-class _Properties(dict):
-    """Use by name of every property of an object that says something, in the order of its list."""
-
-    def __init__(self, kind):
-        super().__init__()
-        self.kind = kind  # type of the object
-        # A link also has the properties of what it shows, and an object written in Python whatever it likes.
-        self.may_have_others = kind.startswith("App::Link") or kind.endswith("Python")
-
-
-def _properties(obj, kind):
-    found = _Properties(kind)
-    known = _USES.setdefault(found.kind, {})
-    for name in obj.PropertiesList:
-        use = known.get(name)
-        if use is None:
-            use = _use_of(obj.getTypeIdOfProperty(name))
-            if not _DYNAMIC.intersection(obj.getPropertyStatus(name)):
-                known[name] = use
-        if use:
-            found[name] = use
-    return found
-
-
-def _value_of(obj, name, properties):
-    """The property, None without it: to look for what is not there costs as much as to read it."""
-    return getattr(obj, name, None) if name in properties or properties.may_have_others else None
-
-
-@functools.lru_cache(maxsize=None)
-def _use_of(kind):
-    """What a property of that type is read for, "" for nothing."""
-    if "Link" in kind:
-        return "" if "Hidden" in kind else "link"
-    if kind in ("App::PropertyPythonObject", "Part::PropertyPartShape"):
-        return "elsewhere"
-    if kind == "App::PropertyEnumeration":
-        return "text"
-    if kind.endswith("List"):
-        return "constraints" if kind == "Sketcher::PropertyConstraintList" else ""
-    if kind.startswith(_NUMBER_TYPES):
-        return "number"
-    if kind in _VECTOR_TYPES:
-        return "vector"
-    return {"App::PropertyPlacement": "placement", "Part::PropertyFilletEdges": "fillets"}.get(kind, "")
-
-
 def _links(obj, properties):
-    """(property, object, sub-element) of every visible link, in the order of the lists; none behind a binder."""
-    kind = properties.kind
-    if kind in _BINDERS:
+    """As Properties.links gives them; none behind a binder, and of a body's members only those up to its tip."""
+    if properties.kind in _BINDERS:
         return []
-    members = _members_up_to_tip(obj) if kind == "PartDesign::Body" else None
-    return [(name, target, sub) for name, use in properties.items() if use == "link" and name not in _SKIPPED_LINKS
-            for target, sub in _link_targets(getattr(obj, name)) if members is None or name != "Group" or target in members]
-
-
-def _link_targets(value):
-    """Flattens what a link property holds: an object, (object, subs), or a list of either."""
-    if value is None:
-        return
-    if isinstance(value, FreeCAD.DocumentObject):
-        yield value, ""
-    elif isinstance(value, tuple) and value and isinstance(value[0], FreeCAD.DocumentObject):
-        subs = [value[1]] if isinstance(value[1], str) else list(value[1] or [""])
-        for sub in subs or [""]:
-            yield value[0], sub if isinstance(sub, str) else ""
-    elif isinstance(value, (list, tuple)):
-        for entry in value:
-            yield from _link_targets(entry)
+    links = properties.links(obj)
+    if properties.kind != "PartDesign::Body":
+        return links
+    members = _members_up_to_tip(obj)
+    return [link for link in links if link[0] != "Group" or link[1] in members]
 
 
 # One record
@@ -365,22 +291,22 @@ def _record(obj, walk, shapes, keys, home):
     kind = properties.kind
     reference = _is_reference(obj, kind)
     shape = None if reference and kind not in _BINDERS else _shape_of(obj)
-    volume = None if reference else _value_of(obj, "AddSubShape", properties)
-    numbers, texts = _parameters(obj, properties)
+    volume = None if reference else properties.value(obj, "AddSubShape")
+    numbers, texts = properties.parameters(obj)
     whole = frame.multiply(own)
     return {
         "name": keys[obj],
-        "label": obj.Label,
+        "label": property_of(obj, "Label"),
         "type": kind,
-        "proxy": _proxy_name(obj, properties),
+        "proxy": properties.proxy_name(obj),
         "links": [(name, keys.get(target) or key_of(target, home), sub) for name, target, sub in walk.links[obj]],
-        "placement": list(own.toMatrix().A),
-        "global_placement": list(whole.toMatrix().A),
+        "placement": matrix_entries(own),
+        "global_placement": matrix_entries(whole),
         "numbers": numbers,
         "texts": texts,
         "shape": shapes.add(shape, frame),
         "own_volume": shapes.add(volume, whole),
-        "suppressed": bool(_value_of(obj, "Suppressed", properties)),
+        "suppressed": bool(properties.value(obj, "Suppressed")),
         "error": error_of(obj),
     }
 
@@ -437,61 +363,6 @@ def _file_in_memory():
         os.unlink(path)
 
 
-def _parameters(obj, properties):
-    """Numeric and boolean parameters (mm, degrees) and enumerations."""
-    numbers, texts = {}, {}
-    is_sheet = properties.kind == "Spreadsheet::Sheet"
-    for name, use in properties.items():
-        if use in ("link", "elsewhere") or name in ("Visibility", "Label2", "Placement") or name.startswith("_"):
-            continue
-        value = getattr(obj, name) if use != "constraints" else None
-        if use == "text":
-            texts[name] = str(value)
-        elif use == "constraints":
-            numbers.update(_constraints(obj))
-        elif use == "number":
-            _add_number(numbers, (obj.getAlias(name) or name) if is_sheet else name, value)
-        elif use == "vector":
-            for axis in "xyz":
-                _add_number(numbers, "%s.%s" % (name, axis), getattr(value, axis))
-        elif use == "placement":
-            _add_placement(numbers, name, value)
-        elif use == "fillets":
-            for index, first, second in value:
-                numbers["%s.Edge%d.first" % (name, index)] = float(first)
-                numbers["%s.Edge%d.second" % (name, index)] = float(second)
-    return numbers, texts
-
-
-def _add_number(numbers, name, value):
-    number = value if type(value) in (float, int, bool) else getattr(value, "Value", value)
-    if isinstance(number, (bool, int, float)):
-        numbers[name] = float(number)
-
-
-def _add_placement(numbers, name, placement):
-    base, rotation = placement.Base, placement.Rotation
-    direction, angle = rotation.Axis, rotation.Angle
-    numbers.update({name + ".Base.x": base.x, name + ".Base.y": base.y, name + ".Base.z": base.z,
-                    name + ".Axis.x": direction.x, name + ".Axis.y": direction.y, name + ".Axis.z": direction.z,
-                    name + ".Angle": math.degrees(angle)})
-
-
-def _constraints(sketch):
-    numbers = {}
-    for index, constraint in enumerate(sketch.Constraints):
-        if constraint.Type not in DIMENSIONS:
-            continue
-        value = constraint.Value
-        numbers[constraint.Name or "Constraint%d" % (index + 1)] = math.degrees(value) if constraint.Type == "Angle" else float(value)
-    return numbers
-
-
-def _proxy_name(obj, properties):
-    proxy = _value_of(obj, "Proxy", properties)
-    return "" if proxy is None or isinstance(proxy, (str, int)) else type(proxy).__name__
-
-
 # By type of object, and by base.
 _REFERENCES, _BASES = {}, {}
 
@@ -511,7 +382,7 @@ def _is_reference(obj, kind):
 
 
 def _shape_of(obj):
-    shape = getattr(obj, "Shape", None)
+    shape = property_if_any(obj, "Shape")
     if isinstance(shape, Part.Shape):
         return None if shape.isNull() else shape
     if obj.isDerivedFrom("App::Link"):
@@ -554,9 +425,9 @@ def _used_by(obj):
     if obj.isDerivedFrom("App::Link") or obj.TypeId in _BINDERS:
         return
     kinds = _Kinds()
-    for child in _linked_objects(_links(obj, _properties(obj, kinds[obj])), kinds):
+    for child in _linked_objects(_links(obj, properties_of(obj, kinds[obj])), kinds):
         if not _is_reference(child, kinds[child]):
             yield child
         elif obj.isDerivedFrom("PartDesign::Feature") and child.TypeId not in _BINDERS:
-            supports = _linked_objects(_links(child, _properties(child, kinds[child])), kinds)
+            supports = _linked_objects(_links(child, properties_of(child, kinds[child])), kinds)
             yield from (support for support in supports if not _is_reference(support, kinds[support]))
