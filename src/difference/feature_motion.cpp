@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "difference/numbers_in_words.h"
+#include "core/numbers_in_words.h"
 
 namespace featuremesh {
 
@@ -144,10 +144,7 @@ bool same_motion(const RigidMotion& a, const RigidMotion& b, const Sameness& s) 
 
 std::string describe(const RigidMotion& motion) {
     const auto& r = motion.rotation;
-    const auto vector = [](const Vec3& v) {
-        return std::string("(").append(in_words(v.x)) + ", " + in_words(v.y) + ", " + in_words(v.z) + ")";
-    };
-    const std::string shifted = "moved by " + vector(motion.translation) + " mm";
+    const std::string shifted = "moved by " + in_words(motion.translation) + " mm";
     if (r == RigidMotion{}.rotation) return shifted;
     Vec3 axis{r[7] - r[5], r[2] - r[6], r[3] - r[1]};
     const double angle = std::atan2(length(axis), r[0] + r[4] + r[8] - 1);
@@ -157,7 +154,7 @@ std::string describe(const RigidMotion& motion) {
         axis = {r[std::size_t(k)] + (k == 0), r[std::size_t(3 + k)] + (k == 1), r[std::size_t(6 + k)] + (k == 2)};
     }
     const std::string turned =
-        "turned by " + in_words(angle * 180 / std::numbers::pi) + " deg about " + vector(normalized(axis));
+        "turned by " + in_words(angle * 180 / std::numbers::pi) + " deg about " + in_words(normalized(axis));
     return length(motion.translation) == 0 ? turned : turned + " and " + shifted;
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "difference/numbers_in_words.h"
+#include "core/numbers_in_words.h"
 
 namespace featuremesh {
 

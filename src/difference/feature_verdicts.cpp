@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <map>
 
+#include "core/numbers_in_words.h"
 #include "difference/feature_pieces.h"
-#include "difference/numbers_in_words.h"
 
 namespace featuremesh {
 namespace {
@@ -212,7 +212,8 @@ void add_face_verdicts(const PartState& old_state, const PartState& new_state,
                        std::vector<FeatureChange>& changes) {
     std::vector<char> old_kept(old_state.brep.face_count(), 0), new_kept(new_state.brep.face_count(), 0);
     for (const FaceChange& face : faces)
-        if (face.verdict == BoundaryVerdict::kept) old_kept[face.old_face.index()] = new_kept[face.new_face.index()] = 1;
+        if (face.verdict == BoundaryVerdict::kept)
+            old_kept[face.old_face.index()] = new_kept[face.new_face.index()] = 1;
     auto old_faces = faces_by_feature(old_state, old_state.cells.owners_of_final_face),
          new_faces = faces_by_feature(new_state, owners_of_new_face);
     for (FeatureChange& change : changes) {

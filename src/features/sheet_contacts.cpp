@@ -5,9 +5,9 @@
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <ElSLib.hxx>
+#include <Extrema_GenLocateExtPS.hxx>
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <memory>
 #include <set>
 
@@ -25,8 +25,8 @@ struct Foot {
     double offset = 0;  ///< of the point from the surface, along its normal
 };
 
-/// Feet of points on a surface. On a free-form one by Newton's method from the nearest of a few points: to search all
-/// of it costs a hundred times as much.
+/// Feet of points on a surface. On a free-form one searched for from the nearest of a few points: to search all of it
+/// costs a hundred times as much.
 class Feet {
   public:
     explicit Feet(const TopoDS_Face& face) : face_(face), surface_(face, false) {
@@ -42,7 +42,7 @@ class Feet {
     }
 
     Foot of(const Vec3& p) const {
-        Foot foot = samples_.empty() ? by_formula(p) : by_newton(p);
+        Foot foot = samples_.empty() ? by_formula(p) : by_search(p);
         const Vec3 off = p - to_vec3(surface_.Value(foot.u, foot.v));
         foot.offset = dot(off, outward_normal(surface_, face_, foot.u, foot.v)) < 0 ? -length(off) : length(off);
         return foot;
@@ -75,26 +75,14 @@ class Feet {
         return foot;
     }
 
-    Foot by_newton(const Vec3& p) const {
+    Foot by_search(const Vec3& p) const {
         const auto nearest = std::min_element(samples_.begin(), samples_.end(), [&](const Sample& a, const Sample& b) {
             return squared_length(a.point - p) < squared_length(b.point - p);
         });
         Foot foot{nearest->u, nearest->v};
-        double least = std::numeric_limits<double>::infinity();
-        for (int step = 0; step < 12; ++step) {
-            gp_Pnt point;
-            gp_Vec du, dv;
-            surface_.D1(foot.u, foot.v, point, du, dv);
-            const Vec3 a = to_vec3(du), b = to_vec3(dv), off = p - to_vec3(point);
-            if (length(off) > 0.999 * least) break;
-            least = length(off);
-            const double aa = dot(a, a), ab = dot(a, b), bb = dot(b, b), determinant = aa * bb - ab * ab;
-            if (determinant <= 1e-12 * aa * bb) break;
-            foot.u += (dot(off, a) * bb - dot(off, b) * ab) / determinant;
-            foot.v += (dot(off, b) * aa - dot(off, a) * ab) / determinant;
-            foot.u = std::clamp(foot.u, surface_.FirstUParameter(), surface_.LastUParameter());
-            foot.v = std::clamp(foot.v, surface_.FirstVParameter(), surface_.LastVParameter());
-        }
+        Extrema_GenLocateExtPS local(surface_);
+        local.Perform(to_pnt(p), foot.u, foot.v);
+        if (local.IsDone()) local.Point().Parameter(foot.u, foot.v);
         return foot;
     }
 

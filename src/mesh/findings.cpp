@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/findings.h"
 
-#include <array>
-#include <cstdio>
-
 namespace featuremesh {
-
-std::string in_words(const Vec3& p) {
-    std::array<char, 96> text;
-    std::snprintf(text.data(), text.size(), "(%.7g, %.7g, %.7g)", p.x, p.y, p.z);
-    return text.data();
-}
 
 Findings::Kind& Findings::kind(const std::string& name) {
     for (Kind& known : kinds_)

@@ -5,12 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry.h"
-
 namespace featuremesh {
-
-/// "(1.5, 20, -3.25)", in mm, for messages.
-std::string in_words(const Vec3& p);
 
 class Findings {
   public:

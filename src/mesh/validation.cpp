@@ -7,6 +7,7 @@
 #include <numeric>
 #include <span>
 
+#include "core/numbers_in_words.h"
 #include "mesh/findings.h"
 #include "mesh/second_order.h"
 #include "mesh/side_table.h"
@@ -19,11 +20,7 @@ namespace {
 constexpr std::size_t grain = 1 << 14;
 
 std::string describe(const Mesh& mesh, NodeId n) {
-    const Vec3& p = mesh.point(n);
-    char text[128];
-    std::snprintf(text, sizeof text, "node %lld at (%.6g, %.6g, %.6g)",
-                  static_cast<long long>(mesh.node_numbers[n.index()]), p.x, p.y, p.z);
-    return text;
+    return "node " + std::to_string(mesh.node_numbers[n.index()]) + " at " + in_words(mesh.point(n));
 }
 std::string tet_name(const Mesh& mesh, std::size_t t) {
     return "tet " + std::to_string(mesh.tet_numbers[t]) + " with " + describe(mesh, mesh.tets[t][0]);

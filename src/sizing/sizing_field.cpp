@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "core/errors.h"
+#include "core/numbers_in_words.h"
 #include "sizing/shape_sources.h"
 #include "sizing/source_tree.h"
 
@@ -87,12 +88,6 @@ constexpr double scatter_of_edge_lengths = 1.4;
 /// Tets per cube of the edge length, as the volume step makes them (measured on parts with 5 000 to 350 000 tets).
 constexpr double tets_per_cube = 7.1;
 
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
-}
-
 constexpr double least_extent = 1e-3;  // mm: ten thousand times the kernel's own tolerance
 
 double longest_side(const Box& box) {
@@ -102,35 +97,35 @@ double longest_side(const Box& box) {
 
 void check_size(double size, const Box& part) {
     const Vec3 s = part.size();
-    const std::string part_size = number(s.x) + " x " + number(s.y) + " x " + number(s.z) + " mm";
+    const std::string part_size = in_words(s.x) + " x " + in_words(s.y) + " x " + in_words(s.z) + " mm";
     if (longest_side(part) < least_extent)
         throw InputError("The part is only " + part_size +
                          ", and points nearer than 1e-7 mm are one to FreeCAD's geometry: nodes could not be "
                          "placed on its surface. Was it imported in another unit? Scale it up.");
     if (!std::isfinite(size) || size <= 0)
-        throw InputError("The mesh size is " + number(size) + " mm; it must be larger than zero. The part is " +
+        throw InputError("The mesh size is " + in_words(size) + " mm; it must be larger than zero. The part is " +
                          part_size + ".");
     if (size > longest_side(part) * (1 + 1e-9))
-        throw InputError("The mesh size of " + number(size) + " mm is larger than the part, which is " + part_size +
+        throw InputError("The mesh size of " + in_words(size) + " mm is larger than the part, which is " + part_size +
                          ". Ask for a smaller size.");
 }
 
 void check_options(const SizingOptions& options, const Box& part) {
     check_size(options.size, part);
     if (!std::isfinite(options.min_size) || options.min_size < 0 || options.min_size > options.size)
-        throw InputError("The smallest mesh size is " + number(options.min_size) +
-                         " mm; it must lie between zero and the mesh size of " + number(options.size) + " mm.");
+        throw InputError("The smallest mesh size is " + in_words(options.min_size) +
+                         " mm; it must lie between zero and the mesh size of " + in_words(options.size) + " mm.");
     if (!std::isfinite(options.growth) || options.growth < 1)
-        throw InputError("The growth rate is " + number(options.growth) + "; it must be at least 1 (1.3 is usual).");
+        throw InputError("The growth rate is " + in_words(options.growth) + "; it must be at least 1 (1.3 is usual).");
     if (!std::isfinite(options.elements_per_circle) || options.elements_per_circle < 0)
-        throw InputError("The number of elements per circle is " + number(options.elements_per_circle) +
+        throw InputError("The number of elements per circle is " + in_words(options.elements_per_circle) +
                          "; it must not be negative (0 turns it off).");
     if (!std::isfinite(options.elements_across_gap) || options.elements_across_gap < 0)
-        throw InputError("The number of elements across gaps is " + number(options.elements_across_gap) +
+        throw InputError("The number of elements across gaps is " + in_words(options.elements_across_gap) +
                          "; it must not be negative (0 turns it off).");
     for (const LocalSize& local : options.local)
         if (!std::isfinite(local.size) || local.size <= 0)
-            throw InputError("The local mesh size at " + name_of(local.entity) + " is " + number(local.size) +
+            throw InputError("The local mesh size at " + name_of(local.entity) + " is " + in_words(local.size) +
                              " mm; it must be larger than zero.");
 }
 

@@ -11,7 +11,7 @@
 
 #include "core/activity.h"
 #include "core/errors.h"
-#include "mesh/findings.h"
+#include "core/numbers_in_words.h"
 #include "surface/chart.h"
 #include "surface/chart_domain.h"
 #include "surface/distinct_sides.h"

@@ -14,8 +14,8 @@
 
 #include "cells/cells_after_edit.h"
 #include "core/errors.h"
+#include "core/numbers_in_words.h"
 #include "difference/volume_faces.h"
-#include "mesh/findings.h"
 #include "mesh/tets_at_nodes.h"
 #include "mesh/validation.h"
 #include "sizing/lost_sizes.h"
@@ -45,7 +45,7 @@ void refuse_too_many(const Brep& brep, const SizingField& sizing, const MeshOpti
     if (10 * brep.volume() < options.most_tets * std::pow(sizing.smallest(), 3)) return;   // however the sizes are spread
     const double tets = estimate_tets(brep, sizing, context);
     if (tets > options.most_tets)
-        throw InputError("A size of " + std::to_string(options.sizing.size) + " mm would make about " +
+        throw InputError("A size of " + in_words(options.sizing.size) + " mm would make about " +
                          std::to_string(std::llround(tets / 1e6)) + " million tets; at most " +
                          std::to_string(std::llround(options.most_tets / 1e6)) + " million are made. Choose a larger size.");
 }
@@ -464,7 +464,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
             break;
         } catch (const Error& failure) {
             context.check_cancelled();
-            report.fallbacks.push_back("keeping everything further than " + std::to_string(margin) + " edge lengths from the change failed: " +
+            report.fallbacks.push_back("keeping everything further than " + in_words(margin) + " edge lengths from the change failed: " +
                                        failure.what());
         }
     }

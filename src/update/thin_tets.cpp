@@ -2,10 +2,9 @@
 #include "update/thin_tets.h"
 
 #include <algorithm>
-#include <iomanip>
 #include <map>
-#include <sstream>
 
+#include "core/numbers_in_words.h"
 #include "features/brep.h"
 #include "mesh/short_sides.h"
 
@@ -15,12 +14,6 @@ namespace {
 
 /// Thinner tets than this tell of details of the part that no mesh of the wanted size can follow.
 constexpr double thin_deg = 2;
-
-std::string in_words(double value) {
-    std::ostringstream text;
-    text << std::setprecision(2) << value;
-    return text.str();
-}
 
 Entity lowest_entity(const Mesh& mesh, TetId tet) {
     Entity lowest;
@@ -54,7 +47,7 @@ class ForcingDetails {
         std::sort(details.begin(), details.end());
         std::string text;
         for (std::size_t i = 0; i < std::min(most, details.size()); ++i)
-            text += (i == 0 ? "" : ", ") + details[i].second + " (" + in_words(details[i].first) + " mm " +
+            text += (i == 0 ? "" : ", ") + details[i].second + " (" + in_words(details[i].first, 2) + " mm " +
                     (details[i].second.find(" and ") == std::string::npos ? "long)" : "apart)");
         return details.size() > most ? text + " and " + std::to_string(details.size() - most) + " more" : text;
     }
@@ -89,7 +82,7 @@ std::vector<std::string> warnings_of_thin_tets(const Mesh& mesh, const QualityRe
                         ". Results there are poor. Take them out of the features that make them (points of a sketch that nearly coincide, a step as "
                         "shallow), or mesh finer there.");
     if (!details.force(quality.worst))
-        lines.push_back("The smallest angle of a tet is " + in_words(quality.min_dihedral) + " degrees, " + place_of(mesh, quality.worst) +
+        lines.push_back("The smallest angle of a tet is " + in_words(quality.min_dihedral, 2) + " degrees, " + place_of(mesh, quality.worst) +
                         ": results there are poor. Take details out that are much smaller than the edge length, or mesh finer there.");
     return lines;
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/errors.h"
-#include "mesh/findings.h"
+#include "core/numbers_in_words.h"
 
 namespace featuremesh {
 

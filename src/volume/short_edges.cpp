@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/short_edges.h"
 
-#include <iomanip>
 #include <set>
-#include <sstream>
+
+#include "core/numbers_in_words.h"
 
 namespace featuremesh {
 
@@ -25,14 +25,14 @@ std::string short_edges_among(const Brep& brep, const Mesh& mesh, std::span<cons
             }
     }
     constexpr int most = 3;
-    std::ostringstream text;
+    std::string text;
     int listed = 0;
     for (const auto& [length, edge] : edges) {
         if (listed == most) break;
-        text << (listed++ == 0 ? " beside " : ", ") << name_of(entity_of(edge)) << " (" << std::setprecision(2)
-             << length << " mm long)";
+        text +=
+            (listed++ == 0 ? " beside " : ", ") + name_of(entity_of(edge)) + " (" + in_words(length, 2) + " mm long)";
     }
-    return text.str();
+    return text;
 }
 
 }  // namespace featuremesh

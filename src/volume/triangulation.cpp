@@ -13,7 +13,7 @@
 #include <string>
 
 #include "core/errors.h"
-#include "mesh/findings.h"
+#include "core/numbers_in_words.h"
 #include "mesh/second_order.h"
 
 namespace featuremesh {
