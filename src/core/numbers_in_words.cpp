@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/numbers_in_words.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace featuremesh {
+
+std::string in_words(double x, int digits) {
+    std::array<char, 32> text;
+    std::snprintf(text.data(), text.size(), "%.*g", digits, std::abs(x) < 5e-10 ? 0.0 : x);
+    return text.data();
+}
+
+std::string in_words(const Vec3& p) {
+    return std::string("(").append(in_words(p.x)) + ", " + in_words(p.y) + ", " + in_words(p.z) + ")";
+}
+
+}  // namespace featuremesh
