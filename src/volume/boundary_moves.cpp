@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "volume/needle_neighbours.h"
+#include "volume/needles.h"
 #include "volume/tet_measures.h"
 #include "volume/tet_topology.h"
 #include "volume/thicken.h"
@@ -70,18 +70,13 @@ class BoundaryMover {
     }
 
   private:
-    double flatness_of(const Tet& t) const {
-        const auto& p = complex_.points;
-        return flatness(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
-    }
-
     /// The changed tets that miss the target, the worst first.
     std::vector<std::pair<double, int>> rank_changed() {
         std::sort(changed_.begin(), changed_.end());
         changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
         std::vector<std::pair<double, int>> ranked;
         for (const int t : changed_)
-            if (const double value = flatness_of(complex_.tets[t]); value > target_) ranked.emplace_back(-value, t);
+            if (const double value = unforced_flatness(complex_, complex_.tets[t]); value > target_) ranked.emplace_back(-value, t);
         changed_.clear();
         std::sort(ranked.begin(), ranked.end());
         return ranked;
@@ -198,11 +193,9 @@ class BoundaryMover {
     /// What helps a needle harms all others.
     bool has_needle() const {
         const auto& p = complex_.points;
-        const auto is_outside = [&](int v) { return complex_.is_fixed[v] == 1; };
         return std::any_of(star_.begin(), star_.end(), [&](int t) {
             const auto& [a, b, c, d] = complex_.tets[t];
-            return unforced_flatness({p[a], p[b], p[c], p[d]}, {is_outside(a), is_outside(b), is_outside(c),
-                                                                is_outside(d)}) < flatness(p[a], p[b], p[c], p[d]);
+            return unforced_flatness(complex_, complex_.tets[t]) < flatness(p[a], p[b], p[c], p[d]);
         });
     }
 

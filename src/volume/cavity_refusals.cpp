@@ -2,6 +2,7 @@
 #include "volume/cavity_refusals.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <set>
 #include <tuple>
@@ -21,6 +22,21 @@ std::string names_of_faces(const Mesh& mesh, const Cavity& cavity, std::span<con
     std::string names;
     for (const FaceId face : faces) names += (names.empty() ? "" : ", ") + name_of(entity_of(face));
     return names.empty() ? "the surface" : names;
+}
+
+std::vector<FaceId> nearest_faces(const Brep& brep, const Mesh& mesh, const Cavity& cavity,
+                                  const std::array<int, 4>& tet) {
+    std::map<FaceId, int> counts;
+    for (const int corner : tet) {
+        if (corner >= static_cast<int>(cavity.nodes.size())) continue;
+        for (const FaceId face : brep.faces_at(mesh.entities[cavity.nodes[corner].index()])) ++counts[face];
+    }
+    int most = 0;
+    for (const auto& [face, count] : counts) most = std::max(most, count);
+    std::vector<FaceId> nearest;
+    for (const auto& [face, count] : counts)
+        if (count == most) nearest.push_back(face);
+    return nearest;
 }
 
 void require_closed(const Mesh& mesh, const Cavity& cavity) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "volume/edge_removal.h"
+#include "volume/needles.h"
 #include "volume/tet_measures.h"
 
 namespace featuremesh {
@@ -33,14 +34,27 @@ void ConeCavity::add(int tet) {
     }
 }
 
-void ConeCavity::add_face(int tet, int face) {
+std::array<bool, 3> ConeCavity::are_outside(const std::array<int, 3>& corners) const {
+    const TetComplex& complex = editor_.complex();
+    return {may_have_needle(complex, corners[0]), may_have_needle(complex, corners[1]),
+            may_have_needle(complex, corners[2])};
+}
+
+double ConeCavity::cone_flatness(const std::array<int, 3>& f) const {
     const auto& p = editor_.complex().points;
+    const double all = flatness(point_, p[f[0]], p[f[1]], p[f[2]]);
+    if (all < least_flatness_of_needle || all == inverted_flatness) return all;
+    const auto [a, b, c] = are_outside(f);
+    return unforced_flatness({point_, p[f[0]], p[f[1]], p[f[2]]}, {apex_ >= 0 && may_have_needle(editor_.complex(), apex_), a, b, c});
+}
+
+void ConeCavity::add_face(int tet, int face) {
     const Tet& v = editor_.complex().tets[tet];
     const auto& corner = opposite_face[face];
     const std::array<int, 3> f{v[corner[0]], v[corner[1]], v[corner[2]]};
     const bool has_apex = apex_ >= 0 && (f[0] == apex_ || f[1] == apex_ || f[2] == apex_);
     // a triangle with the apex makes no cone, but is part of the outside
-    faces_.push_back({tet, face, f, has_apex ? 0 : flatness(point_, p[f[0]], p[f[1]], p[f[2]])});
+    faces_.push_back({tet, face, f, has_apex ? 0 : cone_flatness(f)});
 }
 
 void ConeCavity::remove_face(int tet, int face) {
@@ -102,19 +116,19 @@ void ConeCavity::rebuild(std::size_t count) {
 void ConeCavity::climb(double good_enough) {
     const auto& p = editor_.complex().points;
     shape_.clear();
-    for (const Face& f : faces_) shape_.add(p[f.vertices[0]], p[f.vertices[1]], p[f.vertices[2]]);
+    for (const Face& f : faces_)
+        shape_.add(p[f.vertices[0]], p[f.vertices[1]], p[f.vertices[2]], are_outside(f.vertices));
     worst_after_ = shape_.climb(point_, good_enough);
 }
 
 double ConeCavity::burden_before(double target) const { return burden_of(editor_.complex(), tets_, target); }
 
 double ConeCavity::burden_after(double target) const {
-    const auto& p = editor_.complex().points;
     double sum = 0;
     for (const Face& f : faces_) {
         const auto& v = f.vertices;
         if (v[0] == apex_ || v[1] == apex_ || v[2] == apex_) continue;
-        sum += burden(flatness(point_, p[v[0]], p[v[1]], p[v[2]]), target);
+        sum += burden(cone_flatness(v), target);
     }
     return sum;
 }

@@ -45,6 +45,8 @@ class ConeCavity {
     void reset(std::span<const int> start);
     void add(int tet);
     void add_face(int tet, int face);
+    std::array<bool, 3> are_outside(const std::array<int, 3>& corners) const;
+    double cone_flatness(const std::array<int, 3>& face) const;
     void remove_face(int tet, int face);
     const Face* worst_face() const;
     bool loses_fixed_vertex() const;

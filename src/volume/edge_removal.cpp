@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "volume/needles.h"
+
 namespace featuremesh {
 
 namespace {
@@ -16,11 +18,6 @@ struct RingPoints {
     Vec3 from, to;
     std::array<Vec3, EdgeRing::max_size> corners;
 };
-
-double flatness_of(const TetComplex& complex, const Tet& v) {
-    const auto& p = complex.points;
-    return flatness(p[v[0]], p[v[1]], p[v[2]], p[v[3]]);
-}
 
 }  // namespace
 
@@ -38,8 +35,12 @@ int tets_of_triangulation(const EdgeRing& ring, const RingTriangulation& triangu
 RingTriangulation least_flat_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit) {
     const RingPoints p(complex, ring);
     return triangulate_ring<WorstOf>(ring.size, limit, [&](int i, int j, int k) {
-        const double upper = flatness(p.corners[i], p.corners[j], p.corners[k], p.to);
-        return upper >= limit ? upper : std::max(upper, flatness(p.corners[j], p.corners[i], p.corners[k], p.from));
+        double upper = flatness(p.corners[i], p.corners[j], p.corners[k], p.to);
+        if (upper >= least_flatness_of_needle) upper = unforced_flatness(complex, {ring.vertices[i], ring.vertices[j], ring.vertices[k], ring.to});
+        if (upper >= limit) return upper;
+        double lower = flatness(p.corners[j], p.corners[i], p.corners[k], p.from);
+        if (lower >= least_flatness_of_needle) lower = unforced_flatness(complex, {ring.vertices[j], ring.vertices[i], ring.vertices[k], ring.from});
+        return std::max(upper, lower);
     });
 }
 
@@ -54,19 +55,19 @@ RingTriangulation lowest_energy_triangulation(const TetComplex& complex, const E
 
 double worst_flatness(const TetComplex& complex, std::span<const int> tets) {
     double worst = 0;
-    for (int tet : tets) worst = std::max(worst, flatness_of(complex, complex.tets[tet]));
+    for (int tet : tets) worst = std::max(worst, unforced_flatness(complex, complex.tets[tet]));
     return worst;
 }
 
 double burden_of(const TetComplex& complex, std::span<const int> tets, double target) {
     double sum = 0;
-    for (int tet : tets) sum += burden(flatness_of(complex, complex.tets[tet]), target);
+    for (int tet : tets) sum += burden(unforced_flatness(complex, complex.tets[tet]), target);
     return sum;
 }
 
 double burden_of(const TetComplex& complex, std::span<const Tet> tets, double target) {
     double sum = 0;
-    for (const Tet& tet : tets) sum += burden(flatness_of(complex, tet), target);
+    for (const Tet& tet : tets) sum += burden(unforced_flatness(complex, tet), target);
     return sum;
 }
 

@@ -21,6 +21,7 @@
 #include "volume/lean_needles.h"
 #include "volume/local_recovery.h"
 #include "volume/needle_neighbours.h"
+#include "volume/needles.h"
 #include "volume/optimise.h"
 #include "volume/seam_mending.h"
 #include "volume/short_edges.h"
@@ -42,8 +43,6 @@ constexpr int most_releasing_rounds = 5;
 /// What is further from the seam is filled as well as in a full mesh, or nearly so: more counts where the seam is much of a small mesh, and costs nothing there.
 constexpr int edges_to_seam = 3, edges_to_seam_if_small = 5;
 constexpr std::size_t small_cavity = 8000;  // tets
-/// Tets are mended until they have the least volume; with this share of it they are still no reason to refuse a part.
-constexpr double tolerated_share = 0.92;
 /// Of the cube of the smallest wanted length: tets below are mended, and those below are refused.
 constexpr double mended_share = 1e-2, refused_share = 1e-3;
 
@@ -75,13 +74,6 @@ struct OutgrownFill {
 
 /// All its nodes lie in one plane.
 bool is_flat(const CavityFill& fill) { return fill.triangulation.tets.empty(); }
-
-/// What the validation of a mesh refuses.
-bool is_flat(const TetComplex& complex, const std::array<int, 4>& tet) {
-    const Vec3 &a = complex.points[tet[0]], u = complex.points[tet[1]] - a, v = complex.points[tet[2]] - a,
-               w = complex.points[tet[3]] - a;
-    return !(dot(cross(u, v), w) > 1.01e-6 * length(u) * length(v) * length(w));
-}
 
 /// The filling of one mesh, round by round: what does not hold is released or recovered, and filled again.
 class Filling {
@@ -322,6 +314,7 @@ class Filling {
     void optimise_all() {
         regions_.assign(cavities_.size(), {});
         is_thick_.assign(cavities_.size(), 0);
+        unoptimised_.assign(cavities_.size(), {});
         VolumeReport& report = result_.report;
         report.odt_energy_before = report.odt_energy_after = 0;
         report.slivers_before = report.slivers_left = report.released_for_quality = 0;
@@ -346,9 +339,7 @@ class Filling {
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
             TetComplex& complex = regions_[i].complex;
             const double least = least_volume(mended_share);
-            Thickened thickened = thicken(complex, least, context_, most_insertions(regions_[i]));
-            is_thick_[i] = thickened.left.empty();
-            std::size_t improved = improve_beside_needles(complex, std::move(thickened.changed), options_.target_dihedral_deg, least, context_);
+            std::size_t improved = make_thick(i, least);
             if (reports[i].second.left > 0 || improved > 0)
                 improved += move_boundary(regions_[i], least);
             const bool is_mended = regions_[i].taken_count() > 0 || improved > 0;
@@ -357,6 +348,26 @@ class Filling {
                 is_mended ? regions_[i].count_bad(options_.target_dihedral_deg) : reports[i].second.left;
             if (!is_thick_[i]) leave_out_flat_tets(cavities_[i], complex);
         }
+    }
+
+    /// Returns how many operations made angles better afterwards.
+    std::size_t make_thick(std::size_t i, double least) {
+        TetComplex& complex = regions_[i].complex;
+        const auto mend = [&] {
+            Thickened thickened = thicken(complex, least, context_, most_insertions(regions_[i]));
+            is_thick_[i] = thickened.left.empty();
+            return improve_beside_needles(complex, std::move(thickened.changed), options_.target_dihedral_deg, least,
+                                          context_);
+        };
+        const auto is_refused = [&](const auto& tet) { return tet[0] >= 0 && is_too_thin(complex, tet, least_volume(refused_share)); };
+        const std::size_t improved = mend();
+        if (is_thick_[i] || !unoptimised_[i].has_value() || regions_[i].taken_count() > 0 ||
+            std::none_of(complex.tets.begin(), complex.tets.end(), is_refused))
+            return improved;
+        regions_[i] = std::move(*unoptimised_[i]);
+        complex.excuses_needles = false;
+        improve_angles(i, context_);
+        return mend() + 1;
     }
 
     /// Where inner vertices were of no help. Returns how many tets that changed.
@@ -399,6 +410,11 @@ class Filling {
     std::pair<OdtReport, SliverReport> optimise(std::size_t i, RunContext& context) {
         regions_[i] = SeamRegion(cavities_[i], make_complex(cavities_[i], fills_[i], context_));
         fills_[i] = {};
+        if (has_needle(regions_[i].complex)) unoptimised_[i] = regions_[i];
+        return improve_angles(i, context);
+    }
+
+    std::pair<OdtReport, SliverReport> improve_angles(std::size_t i, RunContext& context) {
         TetComplex& complex = regions_[i].complex;
         const OdtReport odt = optimise_odt(complex, sizing_, {options_.odt_sweeps, !sizing_.is_uniform()}, context);
         SliverOptions sliver_options;
@@ -458,12 +474,9 @@ class Filling {
         std::vector<std::array<int, 4>> thin;
         for (const auto& tet : complex.tets) {
             if (tet[0] < 0) continue;
-            const Vec3 &a = complex.points[tet[0]], &b = complex.points[tet[1]], &c = complex.points[tet[2]],
-                       &d = complex.points[tet[3]];
-            if (!is_flat(complex, tet) && signed_volume(a, b, c, d) >= tolerated_share * least_volume(refused_share))
-                continue;
+            if (!is_too_thin(complex, tet, least_volume(refused_share))) continue;
             thin.push_back(tet);
-            for (const FaceId face : nearest_faces(cavity, tet)) near.insert(face);
+            for (const FaceId face : nearest_faces(brep_, result_.mesh, cavity, tet)) near.insert(face);
         }
         if (thin.empty()) return;
         std::string names;
@@ -474,23 +487,6 @@ class Filling {
                         short_edges_among(brep_, result_.mesh, cavity.nodes, thin) +
                         "; mesh finer there, or take out what is much smaller than the rest of the part");
     }
-
-    /// The faces that most of its corners lie on.
-    std::vector<FaceId> nearest_faces(const Cavity& cavity, const std::array<int, 4>& tet) const {
-        std::map<FaceId, int> counts;
-        for (const int corner : tet) {
-            if (corner >= static_cast<int>(cavity.nodes.size())) continue;
-            for (const FaceId face : faces_at(cavity.nodes[corner])) ++counts[face];
-        }
-        int most = 0;
-        for (const auto& [face, count] : counts) most = std::max(most, count);
-        std::vector<FaceId> nearest;
-        for (const auto& [face, count] : counts)
-            if (count == most) nearest.push_back(face);
-        return nearest;
-    }
-
-    std::vector<FaceId> faces_at(NodeId node) const { return brep_.faces_at(result_.mesh.entities[node.index()]); }
 
     void drop_released() {
         Mesh& mesh = result_.mesh;
@@ -572,6 +568,8 @@ class Filling {
     std::vector<std::uint8_t> is_finished_;  ///< by cavity
     std::vector<OutgrownFill> outgrown_;
     std::vector<SeamRegion> regions_;  ///< by cavity
+    /// By cavity, where there are needles: volume may be left to them only while their angles count.
+    std::vector<std::optional<SeamRegion>> unoptimised_;
     std::vector<char> is_thick_;       ///< by cavity: all its tets have a volume to speak of
     int crossing_rounds_ = 0, local_recoveries_ = 0;
     bool is_first_round_ = true;

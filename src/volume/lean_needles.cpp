@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "volume/needle_neighbours.h"
+#include "volume/needles.h"
 #include "volume/tet_measures.h"
 
 namespace featuremesh {

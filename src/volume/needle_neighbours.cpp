@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include "volume/cavity_editor.h"
 #include "volume/edge_removal.h"
+#include "volume/needles.h"
 #include "volume/tet_measures.h"
 #include "volume/tet_topology.h"
 #include "volume/thicken.h"
@@ -19,41 +19,7 @@ namespace featuremesh {
 
 namespace {
 
-/// A needle's short side is shorter than this share of its longest. With more, the angle opposite it is large enough to
-/// be worth something.
-constexpr double needle_share = 0.005;
 constexpr int most_passes = 12;
-
-/// The side, by its place in edge_corners, that makes the tet a needle; -1 for none.
-int needle_side(const std::array<Vec3, 4>& p, const std::array<bool, 4>& is_on_boundary) {
-    int shortest = -1;
-    double least = std::numeric_limits<double>::max(), most = 0;
-    for (int side = 0; side < 6; ++side) {
-        const auto& [i, j] = edge_corners[side];
-        const double squared = squared_length(p[i] - p[j]);
-        most = std::max(most, squared);
-        if (squared < least && is_on_boundary[i] && is_on_boundary[j]) least = squared, shortest = side;
-    }
-    return least < needle_share * needle_share * most ? shortest : -1;
-}
-
-/// Largest squared cosine of the dihedral angles but that opposite the side.
-double flatness_without(const std::array<Vec3, 4>& p, int side) {
-    if (!(signed_volume(p[0], p[1], p[2], p[3]) > 0)) return inverted_flatness;
-    std::array<Vec3, 4> normal;
-    for (int i = 0; i < 4; ++i) {
-        const auto& [a, b, c] = opposite_face[i];
-        normal[i] = normalized(cross(p[b] - p[a], p[c] - p[a]));
-    }
-    double worst = 0;
-    for (int other = 0; other < 6; ++other) {
-        // the triangles opposite the ends of the short side meet at the side opposite to it
-        if (other == side) continue;
-        const double cosine = dot(normal[edge_corners[other][0]], normal[edge_corners[other][1]]);
-        worst = std::max(worst, std::min(1.0, cosine * cosine));
-    }
-    return worst;
-}
 
 class NeedleNeighbours {
   public:
@@ -106,7 +72,7 @@ class NeedleNeighbours {
     double measure(const Tet& tet) const {
         const double thick = thickness(complex_, tet, least_volume_);
         if (thick < 1) return inverted_flatness - std::max(0.0, thick);
-        return unforced_flatness(corners_of(tet), boundary_corners_of(tet));
+        return unforced_flatness(complex_, tet);
     }
 
     /// Two layers round the needles.
@@ -194,23 +160,22 @@ class NeedleNeighbours {
         return gained;
     }
 
-    /// Climbs by the star's other tets, and asks the needles afterwards.
+    /// Climbs by the angles, and asks the thickness afterwards: with part of the way a tet may still be thick enough.
     bool move(int vertex) {
         if (!gather_star(complex_, vertex, star_)) return false;
         const Worth before = worth_of(star_);
         if (before.worst <= target_) return false;
-        others_.clear();
-        for (const int t : star_)
-            if (!is_needle(complex_.tets[t])) others_.push_back(t);
         const Vec3 old = complex_.points[vertex];
         Vec3 place = old;
-        shape_.gather(complex_, others_, vertex);
+        shape_.gather(complex_, star_, vertex);
         shape_.climb(place, target_);
-        complex_.points[vertex] = place;
-        const Worth after = worth_of(star_);
-        if (after.worst < improved_flatness(before.worst, least_gain) && after.burden < before.burden) {
-            note_changed(star_);
-            return true;
+        for (const double share : {1.0, 0.5, 0.25}) {
+            complex_.points[vertex] = old + share * (place - old);
+            const Worth after = worth_of(star_);
+            if (after.worst < improved_flatness(before.worst, least_gain) && after.burden < before.burden) {
+                note_changed(star_);
+                return true;
+            }
         }
         complex_.points[vertex] = old;
         return false;
@@ -223,18 +188,14 @@ class NeedleNeighbours {
     double target_, least_volume_;
     CavityEditor editor_;
     StarShape shape_;
-    std::vector<int> changed_, star_, others_;
+    std::vector<int> changed_, star_;
 };
 
 }  // namespace
 
-double unforced_flatness(const std::array<Vec3, 4>& corners, const std::array<bool, 4>& is_on_boundary) {
-    const int side = needle_side(corners, is_on_boundary);
-    return side >= 0 ? flatness_without(corners, side) : flatness(corners[0], corners[1], corners[2], corners[3]);
-}
-
 std::size_t improve_beside_needles(TetComplex& complex, std::vector<int> mended, double target_dihedral_deg,
                                    double least_volume, RunContext& context) {
+    complex.excuses_needles = true;
     return NeedleNeighbours(complex, target_dihedral_deg, least_volume, context).improve(std::move(mended));
 }
 

@@ -11,11 +11,6 @@
 
 namespace featuremesh {
 
-/// Flatness (tet_measures) of a tet with these corners, of which some are on the boundary. Of a needle, which has two
-/// boundary corners much nearer to one another than its others are, without the angle opposite that side: no mesh that
-/// has both nodes can have one worth speaking of.
-double unforced_flatness(const std::array<Vec3, 4>& corners, const std::array<bool, 4>& is_on_boundary);
-
 /// Sliver removal looks at the worst tet of whatever it changes, and a needle is the worst wherever it comes in: all
 /// tets with a vertex at it stay as they were. Here needles count by unforced_flatness, which lets the tets around
 /// them improve: edges are removed and free vertices moved where the worst so measured gets better and the burden of

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "volume/cavity_editor.h"
+#include "volume/needles.h"
 #include "volume/tet_measures.h"
 #include "volume/tet_topology.h"
 
@@ -55,8 +56,7 @@ std::size_t SeamRegion::count_bad(double target_dihedral_deg) const {
 }
 
 bool SeamRegion::is_bad(const Tet& tet, double target_flatness) const {
-    const auto& p = complex.points;
-    return flatness(p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]) > target_flatness;
+    return unforced_flatness(complex, tet) > target_flatness;
 }
 
 std::vector<int> SeamRegion::with_rings(std::vector<int> tets, int rings) const {

@@ -22,6 +22,7 @@ struct TetComplex {
     std::vector<int> regions;                    ///< by tet: the solid; faces between regions are
                                                  ///< never flipped away
     std::vector<int> tet_of_vertex;              ///< any one live tet of the vertex; -1 for none
+    bool excuses_needles = true;                 ///< they are measured without the angle that is forced (needles.h)
 };
 
 /// Finds neighbours and tet_of_vertex from points and tets. A triangle between two regions counts as boundary (-1 on

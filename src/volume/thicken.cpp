@@ -371,6 +371,16 @@ double thickness(const TetComplex& complex, const std::array<int, 4>& tet, doubl
     return thickness_of_corners({p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]}, least_volume);
 }
 
+bool is_too_thin(const TetComplex& complex, const std::array<int, 4>& tet, double least_volume) {
+    // tets are mended until they have the least volume; with this share of it they are still no reason to refuse a part
+    constexpr double tolerated_share = 0.92;
+    const Vec3 &a = complex.points[tet[0]], u = complex.points[tet[1]] - a, v = complex.points[tet[2]] - a,
+               w = complex.points[tet[3]] - a;
+    const double six_volumes = dot(cross(u, v), w);
+    return !(six_volumes > 1.01e-6 * length(u) * length(v) * length(w)) ||
+           six_volumes < 6 * tolerated_share * least_volume;
+}
+
 Thickened thicken(TetComplex& complex, double least_volume, RunContext& context, std::size_t most_insertions) {
     std::vector<int> thin = thin_tets(complex, least_volume, context);
     if (thin.empty()) return {};

@@ -15,6 +15,10 @@ namespace featuremesh {
 /// about a millionth of its other lengths; not positive without volume.
 double thickness(const TetComplex& complex, const std::array<int, 4>& tet, double least_volume);
 
+/// A mesh with such a tet is refused: flat, as the validation of a mesh has it, or with clearly less than this volume,
+/// mm^3.
+bool is_too_thin(const TetComplex& complex, const std::array<int, 4>& tet, double least_volume);
+
 struct Thickened {
     std::vector<int> left;     ///< tets of a thickness below 1 for which nothing helped, ascending
     std::vector<int> changed;  ///< tets that are new or have a moved corner; some may have gone since

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "volume/needles.h"
 #include "volume/tet_measures.h"
 #include "volume/tet_topology.h"
 
@@ -53,19 +54,29 @@ struct RatioParts {
 }  // namespace
 
 void StarShape::gather(const TetComplex& complex, std::span<const int> star, int vertex) {
+    const auto is_outside = [&](int v) { return may_have_needle(complex, v); };
     faces_.clear();
+    set_on_boundary(is_outside(vertex));
     for (int tet : star) {
         const Tet& v = complex.tets[tet];
         const auto& face = opposite_face[corner_of(v, vertex)];
-        add(complex.points[v[face[0]]], complex.points[v[face[1]]], complex.points[v[face[2]]]);
+        const int a = v[face[0]], b = v[face[1]], c = v[face[2]];
+        add(complex.points[a], complex.points[b], complex.points[c], {is_outside(a), is_outside(b), is_outside(c)});
     }
+}
+
+double StarShape::flatness_at(const Vec3& point, const Face& face) const {
+    const auto& [a, b, c] = face.corners;
+    const double all = flatness(point, a, b, c);
+    if (all < least_flatness_of_needle || all == inverted_flatness) return all;
+    return unforced_flatness({point, a, b, c}, {is_on_boundary_, face.is_on_boundary[0], face.is_on_boundary[1], face.is_on_boundary[2]});
 }
 
 double StarShape::worst(const Vec3& point, double limit) const {
     double result = 0;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
         const auto& f = faces_[i];
-        const double value = flatness(point, f[0], f[1], f[2]);
+        const double value = flatness_at(point, f);
         if (value <= result) continue;
         result = value;
         if (value < limit) continue;
@@ -77,14 +88,14 @@ double StarShape::worst(const Vec3& point, double limit) const {
 
 double StarShape::burden(const Vec3& point, double target) const {
     double sum = 0;
-    for (const auto& f : faces_) sum += featuremesh::burden(flatness(point, f[0], f[1], f[2]), target);
+    for (const auto& f : faces_) sum += featuremesh::burden(flatness_at(point, f), target);
     return sum;
 }
 
 double StarShape::steep_burden(const Vec3& point, double target) const {
     double sum = 0;
     for (const auto& f : faces_)
-        if (const double value = flatness(point, f[0], f[1], f[2]); value > target)
+        if (const double value = flatness_at(point, f); value > target)
             sum += 1 / std::max(1e-6, 1 - value) - 1 / (1 - target);
     return sum;
 }
@@ -92,7 +103,7 @@ double StarShape::steep_burden(const Vec3& point, double target) const {
 StarShape::Ratios StarShape::radius_ratios(const Vec3& point) const {
     Ratios ratios;
     for (const auto& f : faces_) {
-        const RatioParts parts(point, f);
+        const RatioParts parts(point, f.corners);
         const double ratio = parts.ratio();
         if (!(ratio > 0)) continue;
         ratios.sum += ratio;
@@ -103,13 +114,13 @@ StarShape::Ratios StarShape::radius_ratios(const Vec3& point) const {
 
 double StarShape::sum_of_radius_ratios(const Vec3& point) const {
     double sum = 0;
-    for (const auto& f : faces_) sum += RatioParts(point, f).ratio();
+    for (const auto& f : faces_) sum += RatioParts(point, f.corners).ratio();
     return sum;
 }
 
 double StarShape::mean_height(const Vec3& point) const {
     double sum = 0;
-    for (const auto& f : faces_) sum += distance(point, f[0]);
+    for (const auto& f : faces_) sum += distance(point, f.corners[0]);
     return sum / static_cast<double>(std::max<std::size_t>(1, faces_.size()));
 }
 

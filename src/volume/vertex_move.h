@@ -14,8 +14,13 @@ namespace featuremesh {
 /// from one point.
 class StarShape {
   public:
-    void clear() { faces_.clear(); }
-    void add(const Vec3& a, const Vec3& b, const Vec3& c) { faces_.push_back({a, b, c}); }
+    void clear() { faces_.clear(), is_on_boundary_ = false; }
+    void add(const Vec3& a, const Vec3& b, const Vec3& c, const std::array<bool, 3>& is_on_boundary = {}) {
+        faces_.push_back({{a, b, c}, is_on_boundary});
+    }
+    /// The point has its place on the boundary. Of needles, which have two corners there, the angle that these force
+    /// does not count (`unforced_flatness`).
+    void set_on_boundary(bool is_on_boundary) { is_on_boundary_ = is_on_boundary; }
     void gather(const TetComplex& complex, std::span<const int> star, int vertex);
     std::size_t size() const { return faces_.size(); }
 
@@ -43,9 +48,16 @@ class StarShape {
     double climb(Vec3& point, double good_enough) const;
 
   private:
+    struct Face {
+        std::array<Vec3, 3> corners;
+        std::array<bool, 3> is_on_boundary;
+    };
+    double flatness_at(const Vec3& point, const Face& face) const;
+
+    bool is_on_boundary_ = false;
     // the triangle that refused last is the likeliest to refuse again and moves to the front: results do not depend on
     // the order
-    mutable std::vector<std::array<Vec3, 3>> faces_;
+    mutable std::vector<Face> faces_;
 };
 
 }  // namespace featuremesh

@@ -7,6 +7,7 @@
 #include "filled_parts.h"
 #include "mesh/quality.h"
 #include "volume/box_of_tets.h"
+#include "volume/needles.h"
 #include "volume/tet_measures.h"
 #include "volume/thicken.h"
 
@@ -110,4 +111,12 @@ TEST_CASE("so it is in an engraving of a few millionths of the part") {
     const ThinTets thin = thin_tets(result.mesh, 5);
     CHECK(thin.needles > 50);
     CHECK(5 * thin.others < thin.needles);
+}
+
+TEST_CASE("a needle does not hold the angles of the tets beside it") {
+    const auto [width, size] = GENERATE(table<double, double>({{5e-3, 2}, {1e-3, 1}, {1e-4, 1}}));
+    const Part part = prepare(cut_corner(width), size);
+    const Mesh mesh = fill(part).mesh;
+    CHECK(findings(part.brep, mesh).empty());
+    CHECK(thin_tets(mesh, 25).others == 0);
 }
