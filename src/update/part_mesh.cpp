@@ -173,7 +173,7 @@ struct BestFilling {
 
 /// Where 10-node tets would be folded whatever is done to them, everything that is not kept is filled again with shorter edges there; when that fails
 /// in turn, with other lengths. Once also where they are valid, but miss the aim: the better filling counts.
-Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, RunContext& context) {
+Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, MeshOptions options, RunContext& context) {
     constexpr int attempts = 6;
     SecondOrder second;
     if (options.order == 1) return fill_once(brep, sizing, std::move(kept), options, second, context);
@@ -192,6 +192,8 @@ Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, co
             first_of_last = shorter.size();
             for (const SizeSource& source : second.shorter) shorter.push_back(shorter_than_asked(field, source));
             places.insert(second.place);
+            // what is best for straight tets may leave curved ones no room
+            options.volume.moves_surface_nodes = !best.filled;
         } catch (const MeshError&) {
             context.check_cancelled();
             if (attempt == 1) throw;

@@ -21,6 +21,8 @@ namespace {
 constexpr int most_passes = 8;
 /// Of the squared sine of the worst angle: a surface node is not moved for less.
 constexpr double least_gain_on_boundary = 0.02;
+/// Share of the sum of the star's radius ratios that is left: one angle is not worth all other shapes.
+constexpr double least_kept_ratios = 0.75;
 /// Below it a triangle costs more than a better tet is worth.
 constexpr double good_triangle_deg = 15;
 /// Cosine between a triangle's normals before and after.
@@ -64,6 +66,8 @@ class BoundaryMover {
             }
             all.insert(all.end(), changed_.begin(), changed_.end());
         }
+        raise_poor_stars();
+        all.insert(all.end(), changed_.begin(), changed_.end());
         std::sort(all.begin(), all.end());
         all.erase(std::unique(all.begin(), all.end()), all.end());
         return all;
@@ -114,6 +118,64 @@ class BoundaryMover {
         int k = 0;
         while (tet[c[k]] != vertex) ++k;
         return {complex_.points[tet[c[(k + 1) % 3]]], complex_.points[tet[c[(k + 2) % 3]]]};
+    }
+
+    /// Where most of a star is poor its worst angle is not all that counts, and in walls of one layer nothing else looks
+    /// at the rest.
+    void raise_poor_stars() {
+        constexpr int most_sweeps = 8;
+        std::fill(is_due_.begin(), is_due_.end(), 1);
+        changed_.clear();
+        bool is_any = true;
+        for (int sweep = 0; sweep < most_sweeps && is_any; ++sweep) {
+            is_any = false;
+            for (BoundaryVertex& of : vertices_) {
+                context_.check_cancelled();
+                if (!std::exchange(is_due_[of.vertex], 0) || !raise(of)) continue;
+                note_changed();
+                is_any = true;
+            }
+        }
+    }
+
+    /// Along the face or edge, the way in which the sum of the star's radius ratios grows.
+    bool raise(BoundaryVertex& of) {
+        constexpr double poor = 0.6, longest_step = 0.15, curvature = 2, least_gain_of_sum = 0.02;
+        constexpr int most_halvings = 2;
+        gather(of.vertex);
+        const Vec3 start = complex_.points[of.vertex];
+        const StarShape::Ratios ratios = shape_.radius_ratios(start);
+        const double count = static_cast<double>(shape_.size());
+        if (ratios.sum >= poor * count || has_needle() || (is_for_curved_tets_ && !is_flat(of))) return false;
+        const Vec3 way = along_entity(of, ratios.gradient);
+        const double reach = shape_.mean_height(start), slope = length(way) * reach;
+        double step = std::min(longest_step, slope / (curvature * count));
+        for (int k = 0; k <= most_halvings && slope * step > 2 * least_gain_of_sum; ++k, step /= 2) {
+            const std::optional<Place> there = place_near(of, start + way * (step * reach * reach / slope));
+            if (!there || shape_.sum_of_radius_ratios(there->point) < ratios.sum + least_gain_of_sum ||
+                is_worse(start, there->point) || !keeps_triangles(start, there->point) ||
+                !keeps_bulk(of.vertex, start, there->point))
+                continue;
+            complex_.points[of.vertex] = there->point;
+            of.parameters = there->parameters;
+            return true;
+        }
+        return false;
+    }
+
+    bool is_worse(const Vec3& start, const Vec3& trial) const {
+        const double worst = shape_.worst(trial, 2 * inverted_flatness);
+        return worst > target_ && (worst > shape_.worst(start, 2 * inverted_flatness) ||
+                                   shape_.steep_burden(trial, target_) > shape_.steep_burden(start, target_));
+    }
+
+    Vec3 along_entity(const BoundaryVertex& of, const Vec3& way) const {
+        if (of.on.dim == 1) {
+            const Vec3 along = projector_.tangent(EdgeId(of.on.index), of.parameters[0]);
+            return dot(along, way) * along;
+        }
+        const Vec3 normal = projector_.normal(FaceId(of.on.index), of.parameters);
+        return way - dot(normal, way) * normal;
     }
 
     double sharpest(const Vec3& point) const {
@@ -222,6 +284,7 @@ class BoundaryMover {
         const std::optional<Place> there = place_near(of, aim);
         if (!there || !(shape_.worst(there->point, wanted) < wanted) || !keeps_triangles(start, there->point) ||
             !(shape_.steep_burden(there->point, target_) < shape_.steep_burden(start, target_)) ||
+            shape_.sum_of_radius_ratios(there->point) < least_kept_ratios * shape_.sum_of_radius_ratios(start) ||
             !keeps_bulk(of.vertex, start, there->point))
             return false;
         complex_.points[of.vertex] = there->point;

@@ -37,7 +37,8 @@ struct BoundaryMoveOptions {
 /// Moves such vertices along their face or edge, and free ones, where that helps the worst tet of their star, worst
 /// tets first; half or a quarter of the way where all of it is not worth it for the star as a whole. The star's volume
 /// stays within half a percent, so that triangles cut off no more of a curved face. They keep their side, and their
-/// angles stay as good, or good enough. Updates the places and parameters of `vertices`; gives the tets that changed.
+/// angles stay as good, or good enough. Afterwards those of stars with a poor mean radius ratio move where that is
+/// larger and no bad angle worse. Updates the places and parameters of `vertices`; gives the tets that changed.
 std::vector<int> move_on_boundary(TetComplex& complex, std::span<BoundaryVertex> vertices, const Projector& projector,
                                   const BoundaryMoveOptions& options, RunContext& context);
 

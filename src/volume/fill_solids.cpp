@@ -340,7 +340,7 @@ class Filling {
             TetComplex& complex = regions_[i].complex;
             const double least = least_volume(mended_share);
             std::size_t improved = make_thick(i, least);
-            if (reports[i].second.left > 0 || improved > 0)
+            if (options_.moves_surface_nodes && (reports[i].second.left > 0 || improved > 0))
                 improved += move_boundary(regions_[i], least);
             const bool is_mended = regions_[i].taken_count() > 0 || improved > 0;
             report.released_for_quality += give_back(regions_[i], result_.mesh, is_released_);

@@ -20,6 +20,7 @@ struct VolumeOptions {
     int odt_sweeps = 3;               ///< over the nodes that gain
     bool splits_wall_tets = false;    ///< no tet is left whose corners all lie on two opposite walls
     bool is_for_curved_tets = false;  ///< the tets will follow curved faces, so nodes there stay where the surface has them
+    bool moves_surface_nodes = true;  ///< new ones, for tets that nodes inside cannot help (boundary_moves.h)
     bool operator==(const VolumeOptions&) const = default;
 };
 

@@ -36,9 +36,18 @@ struct FixedBox {
         return {};
     }
     double worst_deg() const { return angle_of_flatness(worst_flatness(complex)); }
-    std::vector<int> move(std::span<BoundaryVertex> vertices) {
+    double mean_radius_ratio_at(int vertex) const {
+        double sum = 0;
+        int count = 0;
+        for (const auto& t : complex.tets)
+            if (const auto& p = complex.points; std::find(t.begin(), t.end(), vertex) != t.end())
+                sum += radius_ratio(p[t[0]], p[t[1]], p[t[2]], p[t[3]]), ++count;
+        return sum / count;
+    }
+    std::vector<int> move(std::span<BoundaryVertex> vertices, double target_deg = 30) {
         RunContext context;
-        return move_on_boundary(complex, vertices, projector, {.least_volume = 1e-9}, context);
+        return move_on_boundary(complex, vertices, projector,
+                                {.target_dihedral_deg = target_deg, .least_volume = 1e-9}, context);
     }
 };
 
@@ -66,6 +75,24 @@ TEST_CASE("a vertex inside a face goes along it to where its tets are good again
     CHECK(box.complex.points[vertex].z == Approx(0).margin(1e-12));
     CHECK(distance(box.projector.on_face(FaceId(vertices[0].on.index), vertices[0].parameters),
                    box.complex.points[vertex]) < 1e-9);
+    CHECK(find_flaws(box.complex).empty());
+    CHECK(total_volume(box.complex) == Approx(64));
+}
+
+TEST_CASE("a vertex goes to where most of its tets are rounder, at the cost of no angle") {
+    FixedBox box;
+    const int on_face = FixedBox::vertex_at(2, 2, 0), on_edge = FixedBox::vertex_at(2, 0, 0);
+    const auto [vertex, shift] = GENERATE_COPY(
+        table<int, Vec3>({{on_face, {0.85, 0.6, 0}}, {on_face, {0.5, -0.45, 0}}, {on_edge, {0.9, 0, 0}}}));
+    box.complex.points[vertex] += shift;
+    const double before = box.mean_radius_ratio_at(vertex), angle = box.worst_deg();
+    REQUIRE(before < 0.6);
+    std::vector<BoundaryVertex> vertices{vertex == on_face ? box.on_nearest_face(vertex) : box.on_nearest_edge(vertex)};
+    constexpr double no_angle_matters = 0.5;
+    CHECK(!box.move(vertices, no_angle_matters).empty());
+    CHECK(box.mean_radius_ratio_at(vertex) > before + 0.05);
+    CHECK(box.worst_deg() >= std::min(angle, no_angle_matters));
+    CHECK(box.complex.points[vertex].z == Approx(0).margin(1e-12));
     CHECK(find_flaws(box.complex).empty());
     CHECK(total_volume(box.complex) == Approx(64));
 }
