@@ -73,6 +73,24 @@ class BoundaryMover {
         return all;
     }
 
+    /// To where this tet reaches the target, or nearer to that, whatever it does to the angles of the others.
+    bool move_for(int vertex, int tet) {
+        if (!may_move(vertex)) return false;
+        BoundaryVertex inner{vertex, {}, {}};
+        BoundaryVertex& of = place_of_[vertex] < 0 ? inner : vertices_[static_cast<std::size_t>(place_of_[vertex])];
+        const Vec3 start = complex_.points[vertex];
+        gather(vertex);
+        if (has_needle() || (is_for_curved_tets_ && of.on.dim < 3 && !is_flat(of))) return false;
+        shape_.gather(complex_, std::array{tet}, vertex);
+        const double wanted = improved_flatness(unforced_flatness(complex_, complex_.tets[tet]), least_gain_on_boundary);
+        const std::optional<Vec3> aim = climb(of, start, wanted);
+        const std::optional<Place> there = aim ? place_near(of, *aim) : std::nullopt;
+        if (!there || !keeps_triangles(start, there->point) || !keeps_bulk(vertex, start, there->point)) return false;
+        complex_.points[vertex] = there->point;
+        of.parameters = there->parameters;
+        return true;
+    }
+
   private:
     /// The changed tets that miss the target, the worst first.
     std::vector<std::pair<double, int>> rank_changed() {
@@ -381,6 +399,11 @@ std::vector<int> move_on_boundary(TetComplex& complex, std::span<BoundaryVertex>
                                   const BoundaryMoveOptions& options, RunContext& context) {
     if (vertices.empty()) return {};
     return BoundaryMover(complex, vertices, projector, options, context).run();
+}
+
+bool move_for_tet(TetComplex& complex, std::span<BoundaryVertex> vertices, int vertex, int tet,
+                  const Projector& projector, const BoundaryMoveOptions& options, RunContext& context) {
+    return BoundaryMover(complex, vertices, projector, options, context).move_for(vertex, tet);
 }
 
 }  // namespace featuremesh

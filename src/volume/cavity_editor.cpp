@@ -87,6 +87,23 @@ bool gather_star(const TetComplex& complex, int vertex, std::vector<int>& star) 
     return i == met.size() || gather_large_star(complex, vertex, i, star);
 }
 
+bool is_forced(const TetComplex& complex, int tet, double flatness) {
+    std::array<Vec3, 4> normal;
+    int count = 0;
+    for (int face = 0; face < 4; ++face) {
+        if (complex.neighbours[tet][face] >= 0) continue;
+        const auto& corner = opposite_face[face];
+        const auto at = [&](int k) { return complex.points[complex.tets[tet][corner[k]]]; };
+        normal[count++] = normalized(cross(at(1) - at(0), at(2) - at(0)));
+    }
+    for (int i = 0; i < count; ++i)
+        for (int j = 0; j < i; ++j) {
+            const double cosine = dot(normal[i], normal[j]);
+            if (cosine * cosine >= flatness * (1 - 1e-9)) return true;
+        }
+    return false;
+}
+
 CavityEditor::CavityEditor(TetComplex& complex) : complex_(complex), marks_(complex.tets.size(), 0) {
     for (std::size_t t = complex.tets.size(); t-- > 0;)
         if (complex.tets[t][0] < 0) free_slots_.push_back(static_cast<int>(t));

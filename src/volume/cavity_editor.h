@@ -27,6 +27,9 @@ bool find_ring(const TetComplex& complex, int tet, int from_corner, int to_corne
 /// All tets of a vertex that is inside. False, with some of them, when it lies on the boundary or has no tet.
 bool gather_star(const TetComplex& complex, int vertex, std::vector<int>& star);
 
+/// The worst angle of a tet of this flatness lies between two boundary triangles: no operation can change it.
+bool is_forced(const TetComplex& complex, int tet, double flatness);
+
 /// Works on one complex; keeps its marks, free slots and scratch memory between operations.
 class CavityEditor {
   public:

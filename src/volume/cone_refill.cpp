@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace featuremesh {
 
@@ -11,6 +12,8 @@ namespace {
 constexpr double least_gain_of_insertion = 0.05;
 /// For an insertion the cavity is grown and the point moved this often in turn.
 constexpr int insertion_rounds = 2;
+/// Above a side of the tet, in square roots of twice its area; a regular tet is 0.88 high.
+constexpr std::array heights_of_insertion{0.5, 0.9};
 }  // namespace
 
 const ConePlan* ConeRefill::plan(int tet) {
@@ -67,6 +70,21 @@ void ConeRefill::plan_insertions(int tet) {
     for (const auto& [from, to] : edge_corners) {
         EdgeRing ring;
         if (find_ring(complex, tet, from, to, ring)) plan_insertion(ring.all_tets(), (p[ring.from] + p[ring.to]) / 2);
+    }
+    if (is_last_resort_ && best_.flatness > target_) plan_insertions_above(tet);
+}
+
+void ConeRefill::plan_insertions_above(int tet) {
+    const Tet& v = editor_.complex().tets[tet];
+    const auto& p = editor_.complex().points;
+    for (int face = 0; face < 4; ++face) {
+        const auto& corner = opposite_face[face];
+        const Vec3 &a = p[v[corner[0]]], &b = p[v[corner[1]]], &c = p[v[corner[2]]];
+        const Vec3 middle = (a + b + c) / 3;
+        Vec3 normal = cross(b - a, c - a);
+        if (dot(normal, p[v[face]] - middle) < 0) normal = -1.0 * normal;
+        const double reach = std::sqrt(length(normal));
+        for (const double height : heights_of_insertion) plan_insertion(std::array{tet}, middle + (height / reach) * normal);
     }
 }
 

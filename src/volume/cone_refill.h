@@ -23,9 +23,10 @@ struct ConePlan {
 class ConeRefill {
   public:
     /// Stops looking for better once a plan is less flat than `target`. A new vertex that does not reach the target is
-    /// worth its tets only where the worst is flatter than `urgent`.
-    ConeRefill(CavityEditor& editor, double target, double urgent)
-        : editor_(editor), cavity_(editor), target_(target), urgent_(urgent) {}
+    /// worth its tets only where the worst is flatter than `urgent`. As a last resort new vertices are tried in more
+    /// places.
+    ConeRefill(CavityEditor& editor, double target, double urgent, bool is_last_resort = false)
+        : editor_(editor), cavity_(editor), target_(target), urgent_(urgent), is_last_resort_(is_last_resort) {}
 
     /// The best plan, or nullptr where none brings the worst angle of its cavity up. Valid until the next call.
     const ConePlan* plan(int tet);
@@ -36,12 +37,14 @@ class ConeRefill {
     void plan_from_corners(int tet);
     void plan_collapses(int tet);
     void plan_insertions(int tet);
+    void plan_insertions_above(int tet);
     void plan_insertion(std::span<const int> start, const Vec3& point);
 
     CavityEditor& editor_;
     ConeCavity cavity_;
     ConePlan best_;
     double target_, urgent_;
+    bool is_last_resort_;
     std::vector<int> star_, others_;
 };
 

@@ -15,6 +15,7 @@
 #include "volume/boundary_moves.h"
 #include "volume/cavity_refusals.h"
 #include "volume/constrained_delaunay.h"
+#include "volume/detours.h"
 #include "volume/facet_split.h"
 #include "volume/fill_cavity.h"
 #include "volume/flip_facets.h"
@@ -370,17 +371,18 @@ class Filling {
         return mend() + 1;
     }
 
-    /// Where inner vertices were of no help. Returns how many tets that changed.
+    /// Where inner vertices were of no help. Returns how often something changed.
     std::size_t move_boundary(SeamRegion& region, double least) {
         std::vector<BoundaryVertex> vertices = movable_vertices(brep_, result_.mesh, region, kept_nodes_);
-        std::vector<int> changed = move_on_boundary(region.complex, vertices, projector_, {options_.target_dihedral_deg, least, options_.is_for_curved_tets}, context_);
+        const BoundaryMoveOptions options{options_.target_dihedral_deg, least, options_.is_for_curved_tets};
+        std::vector<int> changed = move_on_boundary(region.complex, vertices, projector_, options, context_);
+        const std::size_t count = changed.size() + take_detours(region.complex, vertices, projector_, options, context_);
         for (const BoundaryVertex& v : vertices) {
             const std::size_t node = region.node_of(v.vertex).index();
             result_.mesh.points[node] = region.complex.points[static_cast<std::size_t>(v.vertex)];
             result_.mesh.parameters[node] = v.parameters;
         }
-        const std::size_t count = changed.size();
-        if (count > 0) improve_beside_needles(region.complex, std::move(changed), options_.target_dihedral_deg, least, context_);
+        if (!changed.empty()) improve_beside_needles(region.complex, std::move(changed), options_.target_dihedral_deg, least, context_);
         return count;
     }
 

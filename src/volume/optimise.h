@@ -28,6 +28,7 @@ struct SliverOptions {
     double target_dihedral_deg = 30;
     int passes = 30;               ///< at most; they end when nothing gains any more
     std::vector<int> among;        ///< only these tets, and what changes on their account; empty: all
+    bool is_last_resort = false;   ///< new vertices are tried in more places, at a price in time and mean shape
 };
 struct SliverReport {
     std::size_t before = 0, left = 0;

@@ -30,7 +30,8 @@ class SliverRemover {
           context_(context),
           target_(flatness_to_reach(options.target_dihedral_deg)),
           editor_(complex),
-          refill_(editor_, target_, flatness_of_angle(urgent_share * options.target_dihedral_deg)),
+          refill_(editor_, target_, flatness_of_angle(urgent_share * options.target_dihedral_deg),
+                  options.is_last_resort),
           refills_left_(refills_at_least + complex.tets.size() / tets_per_refill),
           changed_at_(complex.points.size(), 1),
           tried_at_(complex.tets.size(), 0) {}
@@ -49,7 +50,7 @@ class SliverRemover {
             if (!gained) break;
         }
         report_.left = count_missing(worst_first);
-        for (const Candidate& c : worst_first) report_.forced += is_forced(c.tet, c.flatness);
+        for (const Candidate& c : worst_first) report_.forced += is_forced(complex_, c.tet, c.flatness);
         return report_;
     }
 
@@ -107,29 +108,8 @@ class SliverRemover {
     bool is_worth_trying(int tet, double value) const {
         const Tet& v = complex_.tets[tet];
         const bool is_new = std::any_of(v.begin(), v.end(), [&](int c) { return changed_at_[c] > tried_at_[tet]; });
-        return is_new && !is_forced(tet, value);
+        return is_new && !is_forced(complex_, tet, value);
     }
-
-    /// The worst angle lies between two boundary triangles: no operation can change it.
-    bool is_forced(int tet, double value) const {
-        std::array<Vec3, 4> normal;
-        int count = 0;
-        for (int face = 0; face < 4; ++face) {
-            if (complex_.neighbours[tet][face] >= 0) continue;
-            const auto& corner = opposite_face[face];
-            const Vec3 &a = corner_point(tet, corner[0]), &b = corner_point(tet, corner[1]),
-                       &c = corner_point(tet, corner[2]);
-            normal[count++] = normalized(cross(b - a, c - a));
-        }
-        for (int i = 0; i < count; ++i)
-            for (int j = 0; j < i; ++j) {
-                const double cosine = dot(normal[i], normal[j]);
-                if (cosine * cosine >= value * (1 - 1e-9)) return true;
-            }
-        return false;
-    }
-
-    const Vec3& corner_point(int tet, int corner) const { return complex_.points[complex_.tets[tet][corner]]; }
 
     bool improve(int tet) { return remove_edge(tet) || move_corners(tet) || refill(tet); }
 
