@@ -22,7 +22,7 @@ constexpr int most_passes = 8;
 /// Of the squared sine of the worst angle: a surface node is not moved for less.
 constexpr double least_gain_on_boundary = 0.02;
 /// Share of the sum of the star's radius ratios that is left: one angle is not worth all other shapes.
-constexpr double least_kept_ratios = 0.75;
+constexpr double least_kept_ratios = 0.5;
 /// Below it a triangle costs more than a better tet is worth.
 constexpr double good_triangle_deg = 15;
 /// Cosine between a triangle's normals before and after.
