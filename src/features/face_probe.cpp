@@ -16,13 +16,13 @@ namespace featuremesh {
 
 struct FaceProbe::Data {
     TopoDS_Face face;
-    Box box;
+    std::optional<Box> box;
     BRepAdaptor_Surface surface;
     std::unique_ptr<BRepTopAdaptor_FClass2d> trim;
     Handle(ShapeAnalysis_Surface) free_form;
     std::optional<std::optional<Vec3>> inner_point;
 
-    explicit Data(const TopoDS_Face& f) : face(f), box(box_of(f)), surface(f, false) {}
+    explicit Data(const TopoDS_Face& f) : face(f), surface(f, false) {}
 
     gp_Pnt2d nearest_parameters(const gp_Pnt& p) {
         double u = 0, v = 0;
@@ -62,7 +62,10 @@ FaceProbe::FaceProbe(FaceProbe&&) noexcept = default;
 FaceProbe& FaceProbe::operator=(FaceProbe&&) noexcept = default;
 
 const TopoDS_Face& FaceProbe::face() const { return data_->face; }
-const Box& FaceProbe::box() const { return data_->box; }
+const Box& FaceProbe::box() const {
+    if (!data_->box) data_->box = box_of(data_->face);
+    return *data_->box;
+}
 
 double FaceProbe::distance_to_surface(const Vec3& p) const {
     const gp_Pnt point = to_pnt(p);
@@ -71,7 +74,7 @@ double FaceProbe::distance_to_surface(const Vec3& p) const {
 }
 
 bool FaceProbe::contains(const Vec3& p, double tolerance) const {
-    if (!data_->box.grown(tolerance).contains(p)) return false;
+    if (!box().grown(tolerance).contains(p)) return false;
     const gp_Pnt point = to_pnt(p);
     const gp_Pnt2d uv = data_->nearest_parameters(point);
     if (data_->surface.Value(uv.X(), uv.Y()).Distance(point) > tolerance) return false;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <functional>
 #include <numbers>
 #include <vector>
@@ -27,6 +28,7 @@ using Integrand = std::function<double(double)>;
 
 constexpr double relative_error = 1e-10;
 constexpr int deepest = 14;
+constexpr double no_stretch = 1e-12;   // of the range of a parameter
 constexpr double loose = 1e-8;         // tolerance of an edge over the size of its face from which its ribbon counts
 constexpr double ribbon_error = 1e-9;  // of the size's cube; two curves that were fitted to one another are rough
 
@@ -34,37 +36,43 @@ struct Estimate {
     double value = 0, error = 0;
 };
 
-/// Gauss 7 and Kronrod 15 points on [a, b].
-Estimate kronrod(const Integrand& f, double a, double b) {
-    static constexpr std::array<double, 8> x{
-        0.991455371120812639, 0.949107912342758525, 0.864864423359769073, 0.741531185599394440,
-        0.586087235467691130, 0.405845151377397167, 0.207784955007898468, 0.0};
-    static constexpr std::array<double, 8> k{0.022935322010529225, 0.063092092629978553, 0.104790010322250184,
-                                             0.140653259715525919, 0.169004726639267903, 0.190350578064785410,
-                                             0.204432940075298892, 0.209482141084727828};
-    static constexpr std::array<double, 4> g{0.129484966168869693, 0.279705391489276668, 0.381830050505118945,
-                                             0.417959183673469388};
+/// Patterson's rules on [a, b], each with the points of the one before: Gauss's 3, 7, and 15 where those two differ.
+Estimate patterson(const Integrand& f, double a, double b, double error) {
+    static constexpr std::array<double, 4> x7{0.0, 0.774596669241483377, 0.434243749346802558, 0.960491268708020283};
+    static constexpr std::array<double, 2> w3{8.0 / 9, 5.0 / 9};
+    static constexpr std::array<double, 4> w7{0.450916538658474142, 0.268488089868333440, 0.401397414775962222,
+                                              0.104656226026467265};
+    static constexpr std::array<double, 4> x15{0.223386686428966881, 0.621102946737226402, 0.888459232872256998,
+                                               0.993831963212755022};
+    static constexpr std::array<double, 8> w15{0.225510499798206687,  0.134415255243784220, 0.200628529376989021,
+                                               0.0516032829970797396, 0.219156858401587496, 0.171511909136391380,
+                                               0.0929271953151245376, 0.0170017196299402603};
     const double middle = (a + b) / 2, half = (b - a) / 2;
-    double fine = k[7] * f(middle), coarse = g[3] * f(middle);
-    for (int i = 0; i < 7; ++i) {
-        const double pair = f(middle - half * x[i]) + f(middle + half * x[i]);
-        fine += k[i] * pair;
-        if (i % 2 == 1) coarse += g[i / 2] * pair;
-    }
-    return {fine * half, std::abs(fine - coarse) * half};
+    const auto pair = [&](double x) { return f(middle - half * x) + f(middle + half * x); };
+    std::array<double, 4> at{f(middle)};
+    for (std::size_t i = 1; i < 4; ++i) at[i] = pair(x7[i]);
+    double fine = 0;
+    for (std::size_t i = 0; i < 4; ++i) fine += w7[i] * at[i];
+    const double coarse = w3[0] * at[0] + w3[1] * at[1];
+    if (std::abs(fine - coarse) * half <= error) return {fine * half, std::abs(fine - coarse) * half};
+    double finest = 0;
+    for (std::size_t i = 0; i < 4; ++i) finest += w15[i] * at[i] + w15[i + 4] * pair(x15[i]);
+    return {finest * half, std::abs(finest - fine) * half};
 }
 
 double integrate(const Integrand& f, double a, double b, double error, int depth = 0) {
-    const Estimate whole = kronrod(f, a, b);
+    const Estimate whole = patterson(f, a, b, error);
     if (whole.error <= error || depth == deepest) return whole.value;
     const double middle = (a + b) / 2;
     return integrate(f, a, middle, error / 2, depth + 1) + integrate(f, middle, b, error / 2, depth + 1);
 }
 
-/// Integral over [a, b] with n Gauss points, n = 1, 3 or 8.
+/// Integral over [a, b] with n Gauss points, n = 1, 3, 5 or 8.
 template <class F>
 double gauss(const F& f, double a, double b, int n) {
     static constexpr std::array<double, 2> x3{0.774596669241483377, 0.0}, w3{5.0 / 9, 8.0 / 9};
+    static constexpr std::array<double, 2> x5{0.906179845938663993, 0.538469310105683091};
+    static constexpr std::array<double, 3> w5{0.236926885056189088, 0.478628670499366468, 0.568888888888888889};
     static constexpr std::array<double, 4> x8{0.960289856497536232, 0.796666477413626740, 0.525532409916328986,
                                               0.183434642495649805};
     static constexpr std::array<double, 4> w8{0.101228536290376259, 0.222381034453374471, 0.313706645877887287,
@@ -73,6 +81,10 @@ double gauss(const F& f, double a, double b, int n) {
     if (n == 1) return 2 * half * f(middle);
     if (n == 3) return half * (w3[0] * (f(middle - half * x3[0]) + f(middle + half * x3[0])) + w3[1] * f(middle));
     double sum = 0;
+    if (n == 5) {
+        for (int i = 0; i < 2; ++i) sum += w5[i] * (f(middle - half * x5[i]) + f(middle + half * x5[i]));
+        return half * (sum + w5[2] * f(middle));
+    }
     for (int i = 0; i < 4; ++i) sum += w8[i] * (f(middle - half * x8[i]) + f(middle + half * x8[i]));
     return half * sum;
 }
@@ -183,7 +195,11 @@ double flux_of_plane(const TopoDS_Face& face, const BRepAdaptor_Surface& surface
                    const CurvePoint c = point_on(curve, t);
                    return dot(cross(c.point - o, c.derivative), normal);
                };
-               const double share = along(swept, stretches, relative_error * size * size) * height / 6;
+               const double area =
+                   curve.GetType() == GeomAbs_Line
+                       ? swept(curve.FirstParameter()) * (curve.LastParameter() - curve.FirstParameter())
+                       : along(swept, stretches, relative_error * size * size);
+               const double share = area * height / 6;
                if (!has_ribbon(edge, size)) return share;
                const Integrand off_plane = [&](double t) {
                    const CurvePoint c = point_on(curve, t);
@@ -194,52 +210,85 @@ double flux_of_plane(const TopoDS_Face& face, const BRepAdaptor_Surface& surface
            });
 }
 
+/// One of a surface's parameters: the stretches on which the surface is smooth, and how many Gauss points each needs.
+struct Direction {
+    std::vector<double> stretches;
+    int points = 8;
+};
+
+bool is_spline(const BRepAdaptor_Surface& surface) {
+    return surface.GetType() == GeomAbs_BSplineSurface || surface.GetType() == GeomAbs_BezierSurface;
+}
+
+/// For a spline of degree n without weights the density is a polynomial of degree 3 n - 1.
+int points_along_v(const BRepAdaptor_Surface& surface) {
+    const GeomAbs_SurfaceType type = surface.GetType();
+    if (type == GeomAbs_Cylinder || type == GeomAbs_SurfaceOfExtrusion) return 1;
+    if (type == GeomAbs_Cone) return 3;
+    if (!is_spline(surface) || surface.IsURational() || surface.IsVRational() || surface.VDegree() > 3) return 8;
+    return surface.VDegree() == 3 ? 5 : 3;
+}
+
+Direction along_v(const BRepAdaptor_Surface& surface) {
+    TColStd_Array1OfReal bounds(1, surface.NbVIntervals(GeomAbs_CN) + 1);
+    surface.VIntervals(bounds, GeomAbs_CN);
+    Direction v;
+    v.points = points_along_v(surface);
+    // A turn of a torus or a sphere needs more than one stretch for full accuracy.
+    const GeomAbs_SurfaceType type = surface.GetType();
+    const bool periodic = type == GeomAbs_Torus || type == GeomAbs_Sphere || surface.IsVPeriodic();
+    for (int i = bounds.Lower(); i < bounds.Upper(); ++i) {
+        const int parts = periodic ? 1 + static_cast<int>((bounds(i + 1) - bounds(i)) / (std::numbers::pi / 2)) : 1;
+        for (int k = 0; k < parts; ++k) v.stretches.push_back(bounds(i) + (bounds(i + 1) - bounds(i)) * k / parts);
+    }
+    v.stretches.push_back(bounds(bounds.Upper()));
+    return v;
+}
+
 /// The flux through a curved face by Green's theorem: minus the integral over its border of H du, H the flux up to v.
 class CurvedFace {
   public:
     CurvedFace(const TopoDS_Face& face, const BRepAdaptor_Surface& surface, const Vec3& apex, double size)
         // Forward, for of a seam's two curves the kernel gives that which goes with the orientations of edge and face.
-        : face_(TopoDS::Face(face.Oriented(TopAbs_FORWARD))), surface_(surface), apex_(apex), size_(size) {
-        TColStd_Array1OfReal bounds(1, surface.NbVIntervals(GeomAbs_CN) + 1);
-        surface.VIntervals(bounds, GeomAbs_CN);
-        const GeomAbs_SurfaceType type = surface.GetType();
-        points_ = type == GeomAbs_Cylinder || type == GeomAbs_SurfaceOfExtrusion ? 1 : type == GeomAbs_Cone ? 3 : 8;
-        // A turn of a torus or a sphere needs more than one stretch for full accuracy.
-        const bool periodic = type == GeomAbs_Torus || type == GeomAbs_Sphere || surface.IsVPeriodic();
-        for (int i = bounds.Lower(); i < bounds.Upper(); ++i) {
-            const int parts = periodic ? 1 + static_cast<int>((bounds(i + 1) - bounds(i)) / (std::numbers::pi / 2)) : 1;
-            for (int k = 0; k < parts; ++k) stretches_.push_back(bounds(i) + (bounds(i + 1) - bounds(i)) * k / parts);
-        }
-        stretches_.push_back(bounds(bounds.Upper()));
+        : face_(TopoDS::Face(face.Oriented(TopAbs_FORWARD))),
+          surface_(surface),
+          apex_(apex),
+          size_(size),
+          v_(along_v(surface)) {
+        if (is_spline(surface) && v_.stretches.size() > 2)
+            for (std::size_t i = 1; i < v_.stretches.size(); ++i) patches_.emplace_back(face_, false);
     }
 
     double value() const {
         if (face_.NbChildren() == 0) return over_natural_bounds();
-        double across_gaps = 0;
+        double up_to_border = 0;
         for (const Gap& gap : gaps_of_border(face_, [&](const TopoDS_Edge&edge, bool first) {
                  const BRepAdaptor_Curve2d curve(edge, face_);
                  const gp_Pnt2d uv = curve.Value(first ? curve.FirstParameter() : curve.LastParameter());
                  return Vec3{uv.X(), uv.Y(), 0};
              }))
-            across_gaps -= up_to((gap.from.x + gap.to.x) / 2, (gap.from.y + gap.to.y) / 2) * (gap.to.x - gap.from.x);
-        return across_gaps + sum_over_edges(face_, [&](const TopoDS_Edge& edge) {
-                   const BRepAdaptor_Curve2d curve(edge, face_);
-                   const Integrand share = [&](double t) {
-                       gp_Pnt2d uv;
-                       gp_Vec2d d;
-                       curve.D1(t, uv, d);
-                       return d.X() == 0 ? 0.0 : up_to(uv.X(), uv.Y()) * d.X();
-                   };
-                   const double up_to_border = -along(share, smooth_stretches(curve), relative_error * cube());
-                   return has_ribbon(edge, size_) ? up_to_border + beyond_border(edge, curve) : up_to_border;
-               });
+            up_to_border += up_to((gap.from.x + gap.to.x) / 2, (gap.from.y + gap.to.y) / 2) * (gap.to.x - gap.from.x);
+        up_to_border += sum_over_edges(face_, [&](const TopoDS_Edge& edge) {
+            const BRepAdaptor_Curve2d curve(edge, face_);
+            const Integrand share = [&](double t) {
+                gp_Pnt2d uv;
+                gp_Vec2d d;
+                curve.D1(t, uv, d);
+                return d.X() == 0 ? 0.0 : up_to(uv.X(), uv.Y()) * d.X();
+            };
+            return along(share, smooth_stretches(curve), relative_error * cube());
+        });
+        const double beyond = sum_over_edges(face_, [&](const TopoDS_Edge& edge) {
+            return has_ribbon(edge, size_) ? beyond_border(edge, BRepAdaptor_Curve2d(edge, face_)) : 0.0;
+        });
+        return beyond - up_to_border;
     }
 
   private:
-    double density(double u, double v) const {
+    double density(const BRepAdaptor_Surface& surface, double u, double v) const {
         gp_Pnt p;
         gp_Vec du, dv;
-        surface_.D1(u, v, p, du, dv);
+        surface.D1(u, v, p, du, dv);
         return dot(to_vec3(p) - apex_, cross(to_vec3(du), to_vec3(dv))) / 3;
     }
 
@@ -253,20 +302,28 @@ class CurvedFace {
             curve.D1(t, uv, d);
             gp_Pnt p;
             gp_Vec du, dv;
-            surface_.D1(uv.X(), uv.Y(), p, du, dv);
+            surface_.D1(off_ends(uv.X(), surface_.FirstUParameter(), surface_.LastUParameter()),
+                        off_ends(uv.Y(), surface_.FirstVParameter(), surface_.LastVParameter()), p, du, dv);
             return ribbon({to_vec3(p), to_vec3(du) * d.X() + to_vec3(dv) * d.Y()}, point_on(in_space, t), apex_);
         };
         return along(share, smooth_stretches(in_space), ribbon_error * cube());
     }
 
+    /// At the ends of a parameter's range the kernel takes several times as long on splines.
+    static double off_ends(double t, double first, double last) {
+        return t == first ? t + no_stretch * (last - first) : t == last ? t - no_stretch * (last - first) : t;
+    }
+
     double up_to(double u, double v) const {
-        const auto along_v = [&](double s) { return density(u, s); };
-        if (stretches_.size() == 2) return gauss(along_v, stretches_[0], v, points_);
-        double sum = 0, from = stretches_[0];
-        for (std::size_t i = 1; i < stretches_.size() && from != v; ++i) {
-            const bool last = i + 1 == stretches_.size() || v < stretches_[i];
-            const double to = last ? v : stretches_[i];
-            sum += gauss(along_v, from, to, points_);
+        const std::vector<double>& stretches = v_.stretches;
+        // A border along the lower end.
+        if (std::abs(v - stretches.front()) <= no_stretch * (stretches.back() - stretches.front())) return 0;
+        double sum = 0, from = stretches[0];
+        for (std::size_t i = 1; i < stretches.size() && from != v; ++i) {
+            const BRepAdaptor_Surface& surface = patches_.empty() ? surface_ : patches_[i - 1];
+            const bool last = i + 1 == stretches.size() || v < stretches[i];
+            const double to = last ? v : stretches[i];
+            sum += gauss([&](double s) { return density(surface, u, s); }, from, to, v_.points);
             from = to;
         }
         return sum;
@@ -283,13 +340,14 @@ class CurvedFace {
     const BRepAdaptor_Surface& surface_;
     Vec3 apex_;
     double size_;
-    int points_ = 8;
-    std::vector<double> stretches_;
+    Direction v_;
+    std::deque<BRepAdaptor_Surface> patches_;  ///< by stretch: the kernel keeps the powers of one patch of a spline
 };
 
 }  // namespace
 
 double flux(const TopoDS_Face& face, const Vec3& apex, double size) {
+    if (face.Orientation() != TopAbs_FORWARD && face.Orientation() != TopAbs_REVERSED) return 0;
     const BRepAdaptor_Surface surface(face, false);
     const double share = surface.GetType() == GeomAbs_Plane
                              ? flux_of_plane(face, surface, apex, size)
@@ -301,7 +359,6 @@ double flux(const TopoDS_Shape& faces, const Vec3& apex) {
     double sum = 0;
     for (TopExp_Explorer it(faces, TopAbs_FACE); it.More(); it.Next()) {
         const TopoDS_Face& face = TopoDS::Face(it.Current());
-        if (face.Orientation() != TopAbs_FORWARD && face.Orientation() != TopAbs_REVERSED) continue;
         sum += flux(face, apex, box_of(face).diagonal());
     }
     return sum;

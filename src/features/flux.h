@@ -16,7 +16,7 @@ namespace featuremesh {
 /// The kernel's own VolumeProperties is no help here: it puts the apex where it likes, so that its results for open
 /// shapes cannot be added, and with spline edges it is off by 1e-5 and more, differently when a face is split.
 double flux(const TopoDS_Shape& faces, const Vec3& apex);
-/// The same of one face about as wide as `size`, mm, as it is oriented.
+/// The same of one face about as wide as `size`, mm, as it is oriented; zero for one that no material ends at.
 double flux(const TopoDS_Face& face, const Vec3& apex, double size);
 
 }  // namespace featuremesh

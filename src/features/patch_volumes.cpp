@@ -132,6 +132,7 @@ struct Sheet {
     bool vanished = false, is_whole = false, is_reversed = false;
     std::vector<std::vector<Side>> wires;
     TopoDS_Face face;  // out of what was removed less what was added
+    Box box;
 };
 
 class PatchShells {
@@ -151,7 +152,7 @@ class PatchShells {
         std::vector<std::pair<Box, TopoDS_Shape>> solids[2];  // of what was added, of what was removed
         for (const std::vector<std::size_t>& members : shells()) {
             Box box;
-            for (const std::size_t s : members) box.add(box_of(sheets_[s].face));
+            for (const std::size_t s : members) box.add(sheets_[s].box);
             double volume = 0;
             for (const std::size_t s : members) volume += flux_of(sheets_[s]);
             found.change -= volume;
@@ -177,7 +178,7 @@ class PatchShells {
     std::vector<ContactSheet> contact_sheets() const {
         std::vector<ContactSheet> list;
         for (const Sheet& sheet : sheets_) {
-            ContactSheet& contact = list.emplace_back(ContactSheet{sheet.face, sheet.vanished, {}});
+            ContactSheet& contact = list.emplace_back(ContactSheet{sheet.face, sheet.box, sheet.vanished, {}});
             for (const auto& wire : sheet.wires)
                 for (const Sheet::Side& side : wire) contact.border.push_back(side.piece);
         }
@@ -186,7 +187,7 @@ class PatchShells {
 
     double flux_of(const Sheet& sheet) const {
         const PatchFace& on = faces_[sheet.on];
-        if (!sheet.is_whole) return flux(sheet.face, input_.apex, box_of(sheet.face).diagonal());
+        if (!sheet.is_whole) return flux(sheet.face, input_.apex, sheet.box.diagonal());
         return on.vanished ? input_.flux_of_vanished[on.index] : -input_.flux_of_appeared[on.index];
     }
 
@@ -229,6 +230,7 @@ class PatchShells {
         const TopoDS_Face& on = faces_[sheet.on].face;
         sheet.face = sheet.is_whole && are_edges_kept(sheet) ? on : bordered(on, sheet);
         sheet.face.Orientation(sheet.is_reversed ? TopAbs_REVERSED : TopAbs_FORWARD);
+        sheet.box = box_of(sheet.face);
     }
 
     bool are_edges_kept(const Sheet& sheet) const {

@@ -6,6 +6,7 @@
 #include <Message_ProgressScope.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -45,12 +46,19 @@ struct Change {
     Change(const TopoDS_Shape& b, const TopoDS_Shape& a)
         : before(b), after(a), vanished(unshared_faces(b, a)), appeared(unshared_faces(a, b)) {
         Box box;
-        for (const auto& faces : {vanished, appeared})
-            for (const TopoDS_Shape& face : faces) box.add(box_of(face));
+        std::vector<double> widths;
+        for (const auto* faces : {&vanished, &appeared})
+            for (const TopoDS_Shape& face : *faces) {
+                const Box its = box_of(face);
+                widths.push_back(its.diagonal());
+                box.add(its);
+            }
         if (box.is_empty()) return;
         apex = box.center();
-        for (const TopoDS_Shape& face : vanished) flux_of_vanished.push_back(flux(face, apex));
-        for (const TopoDS_Shape& face : appeared) flux_of_appeared.push_back(flux(face, apex));
+        auto width = widths.begin();
+        for (const auto& [faces, fluxes] :
+             {std::pair{&vanished, &flux_of_vanished}, std::pair{&appeared, &flux_of_appeared}})
+            for (const TopoDS_Shape& face : *faces) fluxes->push_back(flux(TopoDS::Face(face), apex, *width++));
         const double gained = std::accumulate(flux_of_appeared.begin(), flux_of_appeared.end(), 0.0);
         const double lost = std::accumulate(flux_of_vanished.begin(), flux_of_vanished.end(), 0.0);
         volume = gained - lost;

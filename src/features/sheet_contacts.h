@@ -12,6 +12,7 @@ namespace featuremesh {
 /// A face with the pieces of its border.
 struct ContactSheet {
     TopoDS_Face face;
+    Box box;
     bool vanished = false;    ///< of the shape before
     std::vector<int> border;  ///< pieces
 };

@@ -3,17 +3,24 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_Circle.hxx>
+#include <Geom_CylindricalSurface.hxx>
 #include <Geom_Line.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <array>
+#include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "catch.h"
 #include "core/errors.h"
@@ -35,6 +42,41 @@ TEST_CASE("volumes of the primitives, wherever the apex is") {
         CHECK(flux(BRepPrimAPI_MakeTorus(5.0, 2.0).Solid(), apex) == Approx(2 * pi * pi * 5 * 4).epsilon(1e-9));
         CHECK(flux(BRepPrimAPI_MakeCone(3.0, 1.0, 6.0).Solid(), apex) ==
               Approx(pi * 6 / 3 * (9 + 3 + 1)).epsilon(1e-11));
+    }
+}
+
+namespace {
+
+/// Of a face that is all of a surface.
+double flux_of_surface(const Handle(Geom_Surface) & surface) {
+    return flux(BRepBuilderAPI_MakeFace(surface, 1e-7).Shape(), {7, -3, 11});
+}
+
+/// Without weights, as a loft makes it, of one stretch along u and three along v.
+Handle(Geom_Surface) wavy_spline(int v_degree) {
+    const int count = v_degree + 3;
+    TColgp_Array2OfPnt poles(1, 4, 1, count);
+    for (int i = 1; i <= 4; ++i)
+        for (int k = 1; k <= count; ++k) poles(i, k) = {i + 0.1 * k, 2.0 * k, std::sin(3.0 * i + 5.0 * k)};
+    TColStd_Array1OfReal u_knots(1, 2), v_knots(1, 4);
+    TColStd_Array1OfInteger u_times(1, 2), v_times(1, 4);
+    for (int i = 1; i <= 2; ++i) u_knots(i) = i, u_times(i) = 4;
+    for (int i = 1; i <= 4; ++i) v_knots(i) = i * i, v_times(i) = i == 1 || i == 4 ? v_degree + 1 : 1;
+    return new Geom_BSplineSurface(poles, u_knots, v_knots, u_times, v_times, 3, v_degree);
+}
+
+}  // namespace
+
+TEST_CASE("a spline's flux does not depend on which parameter is which, with and without weights") {
+    const Handle(Geom_Surface) round = new Geom_CylindricalSurface(gp_Ax3({1, 2, 3}, {0, 1, 1}), 4);
+    std::vector<Handle(Geom_Surface)> surfaces{new Geom_RectangularTrimmedSurface(round, 0.2, 3.1, -1.0, 6.0)};
+    for (const int degree : {2, 3, 4}) surfaces.push_back(wavy_spline(degree));
+    for (const auto& surface : surfaces) {
+        const auto one = GeomConvert::SurfaceToBSplineSurface(surface);
+        const auto turned = Handle(Geom_BSplineSurface)::DownCast(one->Copy());
+        turned->ExchangeUV();
+        CHECK(flux_of_surface(one) == Approx(-flux_of_surface(turned)).epsilon(1e-9));
+        CHECK(flux_of_surface(one) == Approx(flux_of_surface(surface)).epsilon(1e-9));
     }
 }
 
