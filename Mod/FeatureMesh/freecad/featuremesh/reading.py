@@ -6,6 +6,7 @@ here: which objects the part depends on, and in which frame each of them lies.
 """
 
 import contextlib
+import io
 import os
 import tempfile
 from collections import deque
@@ -328,16 +329,16 @@ class _ShapeList:
 
     def to_bytes(self):
         """One compound in FreeCAD's binary form, which leaves out the triangulations of a view."""
-        with _file_in_memory() as path:
+        with _file_in_memory() as (path, handle):
             Part.Compound(self._shapes).exportBinary(path)
-            with open(path, "rb") as stream:
-                return stream.read()
+            with io.FileIO(path if handle is None else handle, closefd=handle is None) as stream:
+                return stream.readall()
 
 
 def _shapes_from_bytes(data):
     """The shapes that _ShapeList.to_bytes put together."""
     compound = Part.Shape()
-    with _file_in_memory() as path:
+    with _file_in_memory() as (path, _):
         with open(path, "wb") as stream:
             stream.write(bytes(data))
         compound.importBinary(path)
@@ -346,11 +347,11 @@ def _shapes_from_bytes(data):
 
 @contextlib.contextmanager
 def _file_in_memory():
-    """Path of a file for as long as it is needed, without a disk where there is another place."""
+    """Path of a file for as long as it is needed, and a handle at its start or None; without a disk where there is another place."""
     if hasattr(os, "memfd_create") and os.path.isdir("/proc/self/fd"):
         handle = os.memfd_create("featuremesh")
         try:
-            yield "/proc/self/fd/%d" % handle
+            yield "/proc/self/fd/%d" % handle, handle
         finally:
             os.close(handle)
         return
@@ -358,7 +359,7 @@ def _file_in_memory():
     handle, path = tempfile.mkstemp(".bin", "featuremesh-", folder)
     os.close(handle)
     try:
-        yield path
+        yield path, None
     finally:
         os.unlink(path)
 
