@@ -64,9 +64,10 @@ void check_array_sizes(const Mesh& mesh, Findings& findings) {
 template <std::size_t count>
 void check_nodes(const std::vector<std::array<NodeId, count>>& elements, std::size_t begin, std::size_t end,
                  const char* kind, Findings& findings) {
+    const auto first = static_cast<std::uint32_t>(begin), places = static_cast<std::uint32_t>(end - begin);
     bool is_within = true;
     for (const auto& element : elements)
-        for (const NodeId n : element) is_within &= n.value >= 0 && n.index() >= begin && n.index() < end;
+        for (const NodeId n : element) is_within &= static_cast<std::uint32_t>(n.value) - first < places;
     if (is_within) return;  // the common case, looked at many at a time
     for (std::size_t i = 0; i < elements.size(); ++i)
         for (NodeId n : elements[i])

@@ -128,8 +128,10 @@ std::vector<Side> sorted(const std::vector<Side>& sides, std::size_t node_count)
         end = next[rows[begin].sorted[0].index()];
         std::sort(rows.begin() + static_cast<std::ptrdiff_t>(begin), rows.begin() + static_cast<std::ptrdiff_t>(end),
                   [](const Side& a, const Side& b) {
-                      return std::tie(a.sorted, a.region, a.is_odd_outward, a.triangle, a.tet) <
-                             std::tie(b.sorted, b.region, b.is_odd_outward, b.triangle, b.tet);
+                      if (a.sorted[1] != b.sorted[1]) return a.sorted[1] < b.sorted[1];
+                      if (a.sorted[2] != b.sorted[2]) return a.sorted[2] < b.sorted[2];
+                      return std::tie(a.region, a.is_odd_outward, a.triangle, a.tet) <
+                             std::tie(b.region, b.is_odd_outward, b.triangle, b.tet);
                   });
     }
     return rows;
@@ -183,14 +185,16 @@ void append_unmatched(const Mesh& mesh, std::span<const Side> group, std::vector
 
 Cavity make_cavity(const Mesh& mesh, const std::vector<Side>& sides) {
     Cavity cavity;
-    for (const Side& side : sides) cavity.nodes.insert(cavity.nodes.end(), side.sorted.begin(), side.sorted.end());
-    std::sort(cavity.nodes.begin(), cavity.nodes.end());
-    cavity.nodes.erase(std::unique(cavity.nodes.begin(), cavity.nodes.end()), cavity.nodes.end());
-    cavity.points.reserve(cavity.nodes.size());
-    for (const NodeId n : cavity.nodes) cavity.points.push_back(mesh.point(n));
-    const auto local = [&](NodeId n) {
-        return static_cast<int>(std::lower_bound(cavity.nodes.begin(), cavity.nodes.end(), n) - cavity.nodes.begin());
-    };
+    std::vector<int> place(mesh.node_count(), -1);  // among the nodes of the cavity
+    for (const Side& side : sides)
+        for (const NodeId n : side.sorted) place[n.index()] = 0;
+    for (std::size_t n = 0; n < place.size(); ++n) {
+        if (place[n] < 0) continue;
+        place[n] = static_cast<int>(cavity.nodes.size());
+        cavity.nodes.emplace_back(n);
+        cavity.points.push_back(mesh.points[n]);
+    }
+    const auto local = [&](NodeId n) { return place[n.index()]; };
     for (const Side& side : sides) {
         Facet facet{{local(side.sorted[0]), local(side.sorted[1]), local(side.sorted[2])}, {-1, -1}};
         // A tet fills what is behind its face: the cavity is before it.
