@@ -383,6 +383,11 @@ double margin_of(const MeshOptions& options, const SizingField& sizing) {
     return sizing.is_uniform() ? 0.9 : 1.5;
 }
 
+/// The share of the part that is not kept.
+double share_to_fill(const Kept& kept, const Mesh& old) {
+    return 1 - double(kept.tet_origin.size()) / double(std::max<std::size_t>(1, old.tets.size()));
+}
+
 }  // namespace
 
 PartState read_part(const RawDocument& document, RunContext& context, const FeatureTree* known) {
@@ -452,11 +457,19 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     }
     std::vector<std::int32_t> node_origin, tet_origin;
     std::optional<Filled> filled;
+    double share_tried = 0;   // of the part, by all attempts
+    std::string why_nothing = "full mesh: nothing could be kept";
     for (const double margin : margins) {
         try {
             Kept kept = with_our_errors([&] {
                 return keep({old.mesh, old.part.brep, part.brep, report.difference, old.sizing, sizing, old.made_for, margin, old.options.sizing == options.sizing}, context);
             });
+            const double share = share_to_fill(kept, old.mesh);
+            if (share_tried > 0 && share_tried + share > 1) {
+                why_nothing = "full mesh: keeping still less would take longer than meshing the part anew";
+                break;
+            }
+            share_tried += share;
             node_origin = kept.node_origin;
             tet_origin = kept.tet_origin;
             const std::vector<KeptByMotion> by_motion = kept.by_motion;
@@ -471,7 +484,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
         }
     }
     if (!filled) {
-        if (!margins.empty()) report.fallbacks.push_back("full mesh: nothing could be kept");
+        if (!margins.empty()) report.fallbacks.push_back(why_nothing);
         node_origin.clear(), tet_origin.clear();
         filled = fill(part.brep, sizing, nothing_kept({old.mesh.next_node_number, old.mesh.next_element_number}), options, context);
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/run_context.h"
@@ -29,10 +30,12 @@ struct SliverOptions {
     int passes = 30;               ///< at most; they end when nothing gains any more
     std::vector<int> among;        ///< only these tets, and what changes on their account; empty: all
     bool is_last_resort = false;   ///< new vertices are tried in more places, at a price in time and mean shape
+    std::optional<std::size_t> most_refills;  ///< of the dearest operation, tried in vain or not; none: many, more of them for more tets
 };
 struct SliverReport {
     std::size_t before = 0, left = 0;
     std::size_t forced = 0;        ///< of those left: the worst angle lies between two boundary triangles
+    std::size_t refills = 0;       ///< tried, most of them in vain
     std::size_t edge_removals = 0, face_flips = 0, moves = 0, insertions = 0, collapses = 0;
 };
 /// Worst first; each operation is accepted only if the worst dihedral angle (small and large alike) of its cavity gets better (and, where the target

@@ -32,7 +32,7 @@ class SliverRemover {
           editor_(complex),
           refill_(editor_, target_, flatness_of_angle(urgent_share * options.target_dihedral_deg),
                   options.is_last_resort),
-          refills_left_(refills_at_least + complex.tets.size() / tets_per_refill),
+          refills_left_(options.most_refills.value_or(refills_at_least + complex.tets.size() / tets_per_refill)),
           changed_at_(complex.points.size(), 1),
           tried_at_(complex.tets.size(), 0) {}
 
@@ -182,6 +182,7 @@ class SliverRemover {
     bool refill(int tet) {
         if (refills_left_ == 0) return false;
         --refills_left_;
+        ++report_.refills;
         const ConePlan* plan = refill_.plan(tet);
         if (!plan) return false;
         if (plan->is_insertion) {

@@ -11,6 +11,9 @@ namespace {
 
 /// Kept tets so far from bad ones at the seam, counted in tets, are taken in at most.
 constexpr int most_rings = 3;
+/// In each of the steps. Where many tets at a seam cannot be helped, refilling round all of them would cost more than
+/// the cavity itself, and the mean quality.
+constexpr std::size_t most_refills = 300;
 
 /// The kept tets that share a node with the tets given for each region; one that does with two goes to the first.
 std::vector<std::vector<TetId>> kept_tets_around(std::span<const SeamRegion> regions,
@@ -57,6 +60,7 @@ void mend_seams(std::span<SeamRegion> regions, const Mesh& mesh, std::span<std::
             SliverOptions options;
             options.target_dihedral_deg = target_dihedral_deg;
             options.among = std::move(bad[i]);
+            options.most_refills = most_refills;
             mend(regions[i], mesh, around[i], rings > 0, std::move(options), context);
         }
     }

@@ -91,3 +91,17 @@ TEST_CASE("where only what lies near the change cannot be filled around, twice t
     CHECK(result.report.kept_nodes_share > 0.5);
     CHECK(findings(*result.part_mesh) == "");
 }
+
+TEST_CASE("where little would be kept, the part is meshed anew after the first failure, and the report says why") {
+    MeshOptions options = options_of(1);
+    options.keep_margin = 6;
+    RunContext context;
+    const auto old = mesh_part(plate(15), options, context).part_mesh;
+    const PartMeshResult result = update_part(damaged(*old, 15, 100), plate(17), options, context);
+    const auto& fallbacks = result.report.fallbacks;
+    CHECK(fallbacks.size() == 2);
+    CHECK(has(fallbacks, 0, "further than 6 "));
+    CHECK(has(fallbacks, 1, "full mesh: keeping still less would take longer"));
+    CHECK(result.report.kept_nodes_share == 0);
+    CHECK(findings(*result.part_mesh) == "");
+}

@@ -86,6 +86,23 @@ TEST_CASE("a new vertex helps where all vertices are fixed") {
         if (box.is_fixed[v]) REQUIRE(box.tet_of_vertex[v] >= 0);
 }
 
+TEST_CASE("refills are tried as often as allowed at most") {
+    TetComplex start = box_of_tets(4, 0.2, 31);
+    std::fill(start.is_fixed.begin(), start.is_fixed.end(), 1);
+    for (Vec3& p : start.points) p.z *= 0.7;
+    RunContext context;
+    const auto refills = [&](std::optional<std::size_t> most) {
+        TetComplex box = start;
+        const SliverReport report = remove_slivers(box, {.target_dihedral_deg = 35, .most_refills = most}, context);
+        CHECK(report.insertions + report.collapses + report.face_flips <= report.refills);
+        CHECK(find_flaws(box).empty());
+        return report.refills;
+    };
+    CHECK(refills(std::nullopt) > 7);
+    CHECK(refills(7) == 7);
+    CHECK(refills(0) == 0);
+}
+
 TEST_CASE("a free vertex that spoils its star is moved or collapsed") {
     TetComplex box = box_of_tets(2, 0, 1);
     box.points[13] = box.points[14] + Vec3{-0.02, 0.001, 0.001};

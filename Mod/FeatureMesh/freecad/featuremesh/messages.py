@@ -83,6 +83,7 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "meshed from scratch: %s"),
     QT_TRANSLATE_NOOP("FeatureMesh", "full mesh: no element of the old mesh is clear of what changed"),
     QT_TRANSLATE_NOOP("FeatureMesh", "full mesh: nothing could be kept"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "full mesh: keeping still less would take longer than meshing the part anew"),
     QT_TRANSLATE_NOOP("FeatureMesh", "full mesh: %s"),
     QT_TRANSLATE_NOOP("FeatureMesh", "keeping everything further than %s edge lengths from the change failed: %s"),
     QT_TRANSLATE_NOOP("FeatureMesh", "keeping all that fits failed: %s"),

@@ -685,6 +685,10 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>ganz neu vernetzt: %s</translation>
     </message>
     <message>
+      <source>full mesh: keeping still less would take longer than meshing the part anew</source>
+      <translation>ganz neu vernetzt: noch weniger zu behalten würde länger dauern, als das Teil neu zu vernetzen</translation>
+    </message>
+    <message>
       <source>full mesh: no element of the old mesh is clear of what changed</source>
       <translation>ganz neu vernetzt: kein Element des alten Netzes ist von der Änderung frei</translation>
     </message>
