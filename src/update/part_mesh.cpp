@@ -172,23 +172,22 @@ struct BestFilling {
 };
 
 /// Where 10-node tets would be folded whatever is done to them, everything that is not kept is filled again with shorter edges there; when that fails
-/// in turn, with other lengths. Once also where they are valid, but miss the aim: the better filling counts.
+/// in turn, with other lengths. Twice at most where they are valid, but miss the aim: the best filling counts.
 Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, MeshOptions options, RunContext& context) {
-    constexpr int attempts = 6;
+    constexpr int attempts = 6, most_valid = 3;
     SecondOrder second;
     if (options.order == 1) return fill_once(brep, sizing, std::move(kept), options, second, context);
     std::vector<SizeSource> shorter;
     std::size_t first_of_last = 0;
-    int failures = 0;
+    int failures = 0, valid = 0;
     std::set<std::string> places;
     SizingField field = sizing;
     BestFilling best;
     for (int attempt = 1;; ++attempt) {
         try {
             Filled filled = fill_once(brep, field, kept, options, second, context);
-            const bool is_second_try = best.filled.has_value();
-            if (!filled.mesh.tets.empty()) best.offer(std::move(filled), second.smallest, places);
-            if (best.filled && (is_second_try || second.shorter.empty() || attempt == attempts)) return std::move(*best.filled);
+            if (!filled.mesh.tets.empty()) ++valid, best.offer(std::move(filled), second.smallest, places);
+            if (best.filled && (valid == most_valid || second.shorter.empty() || attempt == attempts)) return std::move(*best.filled);
             first_of_last = shorter.size();
             for (const SizeSource& source : second.shorter) shorter.push_back(shorter_than_asked(field, source));
             places.insert(second.place);

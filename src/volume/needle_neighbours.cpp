@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "volume/cavity_editor.h"
+#include "volume/cone_refill.h"
 #include "volume/edge_removal.h"
 #include "volume/needles.h"
 #include "volume/tet_measures.h"
@@ -28,7 +29,8 @@ class NeedleNeighbours {
           context_(context),
           target_(flatness_to_reach(target_deg)),
           least_volume_(least_volume),
-          editor_(complex) {}
+          editor_(complex),
+          refill_(editor_, target_, flatness_of_angle(target_deg)) {}
 
     std::size_t improve(std::vector<int> mended) {
         changed_ = std::move(mended);
@@ -41,7 +43,7 @@ class NeedleNeighbours {
                 if (i % 64 == 0) context_.progress((pass + static_cast<double>(i) / static_cast<double>(ranked.size())) / most_passes);
                 const auto [value, tet] = ranked[i];
                 if (complex_.tets[tet][0] < 0 || measure(complex_.tets[tet]) != value) continue;
-                done += remove_edge(tet) || move_corners(tet);
+                done += remove_edge(tet) || move_corners(tet) || refill(tet);
             }
             if (done == before) break;
         }
@@ -181,12 +183,26 @@ class NeedleNeighbours {
         return false;
     }
 
+    /// Collapses and flips of several faces, of the worst tets: where vertices lie on one another there is no room to
+    /// move.
+    bool refill(int tet) {
+        constexpr double urgent_deg = 5;
+        if (measure(complex_.tets[tet]) < flatness_of_angle(urgent_deg)) return false;
+        const ConePlan* plan = refill_.plan(tet);
+        if (!plan || plan->is_insertion) return false;
+        const Worth before = worth_of(plan->removed), after = worth_of(plan->added);
+        if (after.worst >= improved_flatness(before.worst, least_gain) || after.burden >= before.burden) return false;
+        note_changed(editor_.replace(plan->removed, plan->added));
+        return true;
+    }
+
     void note_changed(std::span<const int> tets) { changed_.insert(changed_.end(), tets.begin(), tets.end()); }
 
     TetComplex& complex_;
     RunContext& context_;
     double target_, least_volume_;
     CavityEditor editor_;
+    ConeRefill refill_;
     StarShape shape_;
     std::vector<int> changed_, star_;
 };
