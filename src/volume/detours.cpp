@@ -21,6 +21,8 @@ namespace {
 /// A tet is mended together with those that share a vertex with it, and those that do with these.
 constexpr int rings_of_patch = 2;
 constexpr std::size_t tries_at_least = 50, tets_per_try = 2000;
+/// Where so many tets meet, or so many are bad, a try would take as long as hundreds elsewhere.
+constexpr std::size_t most_tets = 400, most_bad_tets = 20, looks_per_try = 4;
 /// Of the burden of the tets that change: less is not worth it.
 constexpr double least_gain_of_burden = 0.02;
 
@@ -64,14 +66,15 @@ class DetourSearch {
     std::size_t run() {
         const std::size_t most_tries = tries_at_least + complex_.tets.size() / tets_per_try;
         std::set<std::pair<double, int>> seen;
-        std::size_t taken = 0, tries = 0;
+        std::size_t taken = 0, tries = 0, looks = 0;
         for (bool gained = true; std::exchange(gained, false);)
             for (const auto& candidate : rank()) {
                 const auto& [value, tet] = candidate;
                 if (complex_.tets[tet][0] < 0 || unforced_flatness(complex_, complex_.tets[tet]) != -value) continue;
                 if (!seen.insert(candidate).second) continue;
+                if (looks++ == looks_per_try * most_tries) return taken;
                 const std::vector<int> around = tets_around(tet);
-                if (has_needle(around)) continue;
+                if (around.size() > most_tets || count_bad(around) > most_bad_tets || has_needle(around)) continue;
                 if (tries++ == most_tries) return taken;
                 context_.progress(static_cast<double>(tries) / static_cast<double>(most_tries));
                 if (mend(cut_out(around))) ++taken, gained = true;
@@ -89,6 +92,12 @@ class DetourSearch {
         }
         std::sort(ranked.begin(), ranked.end());
         return ranked;
+    }
+
+    std::size_t count_bad(std::span<const int> tets) const {
+        return static_cast<std::size_t>(std::count_if(tets.begin(), tets.end(), [&](int t) {
+            return unforced_flatness(complex_, complex_.tets[t]) > target_;
+        }));
     }
 
     /// What helps a needle, or a tet that hardly has a volume, harms all others.
@@ -181,7 +190,7 @@ class DetourSearch {
                 return std::any_of(t.begin(), t.end(),
                                    [&](int v) { return std::binary_search(corners.begin(), corners.end(), v); });
             };
-            for (std::size_t i = 0; i < found.size(); ++i)
+            for (std::size_t i = 0; i < found.size() && found.size() <= most_tets; ++i)
                 for (const int next : complex_.neighbours[found[i]]) {
                     if (next < 0 || editor_.is_marked(next) || !is_near(complex_.tets[next])) continue;
                     editor_.mark(next);
