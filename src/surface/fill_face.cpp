@@ -97,6 +97,7 @@ class FaceFiller {
         smooth(patch_, geometry_, heart_);
         if (split_folded(patch_, geometry_, heart_) > 0) smooth(patch_, geometry_, heart_);
         raise_smallest_angles(patch_, geometry_, wanted_angle, brep_.tolerances().least_length(), heart_);
+        if (chart_.cone_sine() != 0) split_folded(patch_, geometry_, heart_);
         patch_.compact();
     }
 

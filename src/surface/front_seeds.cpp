@@ -133,48 +133,88 @@ class Front {
         for (const int p : boundary_.lone_points) grid_.add(place(p), spacing * wanted(p));
     }
 
-    /// A ring of nodes around a cone's apex. Angles say nothing there: the fewer triangles meet in the apex, the better
-    /// they look in the developed plane, and the flatter is the tip.
+    /// What of a cone lies around its apex: two boundary points as far along the pieces that end there.
+    struct Tip {
+        int from, to;
+        double sector;  ///< angle in the plane between them, counterclockwise
+    };
+
+    /// Rings of nodes around a cone's apex. Angles say nothing there: the fewer triangles meet in the apex, the better
+    /// they look in the developed plane, and the flatter is the tip. Further out a side as long as wanted may still
+    /// reach half around.
     void plant_rings() {
-        if (chart_.cone_sine() == 0) return;
-        for (const auto& out : boundary_.segments) {
-            if (!is_apex(out.a)) continue;
-            double sector = 2 * M_PI, from = angle_of(out.b), distance_in = 0;
-            for (const auto& in : boundary_.segments) {
-                if (in.b != out.a) continue;
-                double turn = std::fmod(angle_of(in.a) - from + 4 * M_PI, 2 * M_PI);
-                if (turn > 1e-9 && turn < sector) sector = turn, distance_in = distance(point(in.a), Vec2{});
-            }
-            if (distance_in > 0) plant_ring(from, sector, distance(point(out.b), Vec2{}), distance_in);
+        for (Tip tip : find_tips()) {
+            plant_ring(tip);
+            while (!is_fine_enough(tip) && step_out(tip)) plant_ring(tip);
         }
     }
 
-    void plant_ring(double from, double sector, double first, double last) {
+    std::vector<Tip> find_tips() const {
+        std::vector<Tip> tips;
+        if (chart_.cone_sine() == 0) return tips;
+        for (const auto& out : boundary_.segments) {
+            if (!is_apex(out.a)) continue;
+            Tip tip{out.b, -1, 2 * M_PI};
+            for (const auto& in : boundary_.segments) {
+                if (in.b != out.a) continue;
+                const double turn = std::fmod(angle_of(in.a) - angle_of(out.b) + 4 * M_PI, 2 * M_PI);
+                if (turn > 1e-9 && turn < tip.sector) tip.sector = turn, tip.to = in.a;
+            }
+            if (tip.to >= 0) tips.push_back(tip);
+        }
+        return tips;
+    }
+
+    double radius_of(const Tip& tip) const { return 0.5 * (length_of(tip.from) + length_of(tip.to)); }
+
+    /// Whether so many sides as wanted go around there that none reaches far.
+    bool is_fine_enough(const Tip& tip) const {
+        constexpr double enough = 5;
+        return tip.sector * radius_of(tip) > enough * std::max(wanted(tip.from), wanted(tip.to));
+    }
+
+    /// On to the next points on the same straight lines from the apex, if there are any.
+    bool step_out(Tip& tip) const {
+        const int from = next_outside(tip.from, true), to = next_outside(tip.to, false);
+        if (from < 0 || to < 0) return false;
+        tip.from = from, tip.to = to;
+        return true;
+    }
+
+    int next_outside(int p, bool ahead) const {
+        for (const auto& s : boundary_.segments)
+            if ((ahead ? s.a : s.b) == p)
+                if (const int next = ahead ? s.b : s.a; length_of(next) > length_of(p))
+                    if (std::abs(cross(point(p), point(next))) < 1e-6 * length_of(p) * length_of(next)) return next;
+        return -1;
+    }
+
+    void plant_ring(const Tip& tip) {
         constexpr double smallest_corner = 28 * M_PI / 180;
-        const double turn = sector / chart_.cone_sine(), h = wanted_[0];
+        const double turn = tip.sector / chart_.cone_sine(), radius = radius_of(tip);
         const auto pieces_of = [&](double most) {
             return std::max(1, static_cast<int>(std::ceil(turn / most - 0.01)));
         };
         int pieces = pieces_of(2 * M_PI / 5);
-        if (sector / pieces < smallest_corner) pieces = pieces_of(M_PI / 2);
-        pieces = std::max(
-            pieces, static_cast<int>(std::lround(sector * 0.5 * (first + last) / std::max(h, 0.5 * (first + last)))));
+        if (tip.sector / pieces < smallest_corner) pieces = pieces_of(M_PI / 2);
+        pieces =
+            std::max(pieces, static_cast<int>(std::lround(tip.sector * radius / std::max(wanted(tip.from), radius))));
         for (int k = 1; k < pieces; ++k) {
-            const double share = static_cast<double>(k) / pieces, angle = from + share * sector;
-            const double r = first + share * (last - first);
+            const double share = static_cast<double>(k) / pieces, angle = angle_of(tip.from) + share * tip.sector;
+            const double r = length_of(tip.from) + share * (length_of(tip.to) - length_of(tip.from));
             const Vec2 p{r * std::cos(angle), r * std::sin(angle)};
             void* hint = nullptr;
             if (!domain_.contains(p, hint)) continue;
             const Chart::Frame frame = chart_.frame(p);
-            grid_.add(frame.point, spacing * r);
-            seeds_.push_back({p, frame.point, -std::sin(angle) * frame.dx + std::cos(angle) * frame.dy,
-                              sizing_.at(frame.point), hint});
+            const double h = sizing_.at(frame.point);
+            grid_.add(frame.point, spacing * std::min(r, h));
+            seeds_.push_back({p, frame.point, -std::sin(angle) * frame.dx + std::cos(angle) * frame.dy, h, hint});
         }
     }
 
+    double length_of(int p) const { return distance(point(p), Vec2{}); }
     bool is_apex(int p) const {
-        return distance(point(p), Vec2{}) <
-               1e-7 * distance(point(boundary_.segments.front().a), point(boundary_.segments.front().b));
+        return length_of(p) < 1e-7 * distance(point(boundary_.segments.front().a), point(boundary_.segments.front().b));
     }
     double angle_of(int p) const { return std::atan2(point(p).y, point(p).x); }
 

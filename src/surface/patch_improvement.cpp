@@ -55,15 +55,59 @@ bool is_badly_turned(const TrianglePatch& patch, int t, int i) {
     return patch.can_flip(t, i) && !would_fold(patch, t, i);
 }
 
-/// Turns the sides of the queued triangles, and of those that this changes, until all are Delaunay.
-void flip_from(TrianglePatch& patch, std::vector<int>& queue, std::vector<int>* touched = nullptr) {
+/// Whether three points of the patch, in their order, stand across the surface: at their middle, or at all three, where
+/// they reach more than half around it and their middle says nothing.
+bool is_folded(const TrianglePatch& patch, const PatchGeometry& geometry, const std::array<int, 3>& corners) {
+    constexpr double least_cosine = 0.25, noticeable_sag = 0.1;
+    const Chart& chart = geometry.chart();
+    if (chart.is_plane()) return false;
+    std::array<Vec3, 3> places;
+    for (int i = 0; i < 3; ++i) {
+        const int p = corners[at(i)];
+        places[at(i)] = geometry.is_flat() ? chart.point(patch.point(p)) : patch.place(p);
+    }
+    const auto& [a, b, c] = places;
+    const Vec3 normal = normalized(area_vector(a, b, c));
+    const auto is_against = [&](const Chart::Frame& frame) {
+        const Vec3 across = cross(frame.dx, frame.dy);
+        return dot(across, normal) < least_cosine * length(across);
+    };
+    const Chart::Frame middle =
+        chart.frame((1.0 / 3) * (patch.point(corners[0]) + patch.point(corners[1]) + patch.point(corners[2])));
+    if (is_against(middle)) return true;
+    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+    if (distance(middle.point, (a + b + c) / 3) < noticeable_sag * longest) return false;
+    return std::all_of(corners.begin(), corners.end(), [&](int p) {
+        const bool is_apex = chart.cone_sine() != 0 && distance(patch.point(p), Vec2{}) < 1e-7 * longest;
+        return is_apex || is_against(chart.frame(patch.point(p)));
+    });
+}
+
+bool is_folded(const TrianglePatch& patch, const PatchGeometry& geometry, int t) {
+    return !patch.is_at_pole(t) && is_folded(patch, geometry, patch.corners(t));
+}
+
+/// Whether turning the side opposite corner i of t would make a folded triangle where there is none.
+bool would_fold(const TrianglePatch& patch, const PatchGeometry& geometry, int t, int i) {
+    const int n = patch.neighbour(t, i);
+    const auto& c = patch.corners(t);
+    const int a = c[at(i)], b = c[at((i + 1) % 3)], d = c[at((i + 2) % 3)];
+    const int e = patch.corners(n)[at(patch.opposite_index(n, t))];
+    return !is_folded(patch, geometry, t) && !is_folded(patch, geometry, n) &&
+           (is_folded(patch, geometry, {a, b, e}) || is_folded(patch, geometry, {a, e, d}));
+}
+
+/// Turns the sides of the queued triangles, and of those that this changes, until all are Delaunay. On the surface of
+/// `geometry`, if there is one, none may fold.
+void flip_from(TrianglePatch& patch, std::vector<int>& queue, std::vector<int>* touched = nullptr,
+               const PatchGeometry* geometry = nullptr) {
     std::size_t budget = 64 + 24 * patch.triangles.size();
     while (!queue.empty() && budget > 0) {
         const int t = queue.back();
         queue.pop_back();
         if (patch.is_removed(t)) continue;
         for (int i = 0; i < 3; ++i) {
-            if (!is_badly_turned(patch, t, i)) continue;
+            if (!is_badly_turned(patch, t, i) || (geometry && would_fold(patch, *geometry, t, i))) continue;
             const int n = patch.neighbour(t, i);
             patch.flip(t, i);
             --budget;
@@ -225,19 +269,6 @@ std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry
 
 namespace {
 
-bool is_folded(const TrianglePatch& patch, const PatchGeometry& geometry, int t) {
-    constexpr double least_cosine = 0.25;
-    if (patch.is_at_pole(t)) return false;
-    const auto& c = patch.corners(t);
-    const auto place = [&](int p) {
-        return geometry.is_flat() ? geometry.chart().point(patch.point(p)) : patch.place(p);
-    };
-    const Vec2 centre = (1.0 / 3) * (patch.point(c[0]) + patch.point(c[1]) + patch.point(c[2]));
-    const Chart::Frame frame = geometry.chart().frame(centre);
-    const Vec3 across = cross(frame.dx, frame.dy), normal = area_vector(place(c[0]), place(c[1]), place(c[2]));
-    return dot(across, normal) < least_cosine * length(across) * length(normal);
-}
-
 /// The longest side that is not at the boundary; -1 for none.
 int longest_inner_side(const TrianglePatch& patch, int t) {
     int longest = -1;
@@ -277,7 +308,7 @@ std::size_t split_folded(TrianglePatch& patch, const PatchGeometry& geometry, co
                                                  longest_inner_side(patch, static_cast<int>(t)));
             ++splits;
             patch.star(p, star);
-            flip_from(patch, star);
+            flip_from(patch, star, nullptr, &geometry);
         }
         if (splits == before) break;
     }
@@ -368,6 +399,7 @@ class AngleRaiser {
             const int n = patch_.neighbour(t, i);
             if (n < 0 || !patch_.can_flip(t, i) || would_fold(patch_, t, i)) continue;
             if (angle_after_turn(t, i) <= std::min(angle_of(t), angle_of(n)) + 1e-9) continue;
+            if (would_fold(patch_, geometry_, t, i)) continue;
             patch_.flip(t, i);
             return true;
         }
@@ -444,7 +476,8 @@ class AngleRaiser {
         double best = angle_of(star_) + 1e-3;
         int best_apex = -1;
         for (int apex = 0; apex < count; ++apex)
-            if (const double angle = smallest_in_fan(ring, apex); angle > best) best = angle, best_apex = apex;
+            if (const double angle = smallest_in_fan(ring, apex); angle > best && !folds(ring, apex))
+                best = angle, best_apex = apex;
         if (best_apex < 0) return false;
         for (int k = 1; k + 2 < count; ++k) {
             const int gone = ring[at((best_apex + k) % count)];
@@ -474,6 +507,15 @@ class AngleRaiser {
             smallest = std::min(smallest, smallest_angle(patch_.place(a), patch_.place(b), patch_.place(c)));
         }
         return smallest;
+    }
+
+    bool folds(const std::vector<int>& ring, int apex) const {
+        const int count = static_cast<int>(ring.size());
+        for (int k = 1; k + 1 < count; ++k)
+            if (is_folded(patch_, geometry_,
+                          {ring[at(apex)], ring[at((apex + k) % count)], ring[at((apex + k + 1) % count)]}))
+                return true;
+        return false;
     }
 
     /// Splits the longest inner side of a needle or cap when the two new nodes' surroundings gain by it.

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "features/occt_geometry.h"
 #include "surface/projection.h"
 
 namespace featuremesh {
@@ -18,6 +19,7 @@ namespace {
 constexpr std::size_t grain = 1 << 12;
 /// Needles along a curved edge stand almost upright on their face; they are no folds.
 constexpr double least_against = -0.2;
+constexpr double at_apex = 1e-6;  // mm
 
 using Uv = std::array<double, 2>;
 
@@ -35,6 +37,7 @@ class NormalCheck {
         if (plane_normal_) return dot(across, *plane_normal_) < most;
         int seen = 0;
         for (const NodeId n : corners) {
+            if (apex_ && distance(mesh_.point(n), *apex_) < at_apex) continue;
             const std::optional<Uv> uv = parameters_of(n, face);
             if (!uv) continue;
             ++seen;
@@ -47,9 +50,10 @@ class NormalCheck {
     void enter(FaceId face) {
         if (face == face_) return;
         face_ = face;
-        plane_normal_.reset();
-        if (BRepAdaptor_Surface(brep_.face(face), false).GetType() == GeomAbs_Plane)
-            plane_normal_ = projector_.normal(face, {0, 0});
+        plane_normal_.reset(), apex_.reset();
+        const BRepAdaptor_Surface surface(brep_.face(face), false);
+        if (surface.GetType() == GeomAbs_Plane) plane_normal_ = projector_.normal(face, {0, 0});
+        if (surface.GetType() == GeomAbs_Cone) apex_ = to_vec3(surface.Cone().Apex());
     }
 
     std::optional<Uv> parameters_of(NodeId n, FaceId face) const {
@@ -76,6 +80,7 @@ class NormalCheck {
     const Projector projector_;
     FaceId face_;
     std::optional<Vec3> plane_normal_;
+    std::optional<Vec3> apex_;  ///< of a cone, which has no normal there
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "catch.h"
 #include "core/errors.h"
@@ -158,6 +160,17 @@ TEST_CASE("a coarse mesh is still a closed surface") {
         INFO((broken.empty() ? std::string() : broken.front()));
         CHECK(broken.empty());
     }
+}
+
+TEST_CASE("no triangle reaches around the tip of a slender cone") {
+    const double half_angle_deg = GENERATE(6.0, 11.4, 20.0), size = GENERATE(0.8, 1.0, 1.3, 2.0);
+    INFO("half angle " << half_angle_deg << ", size " << size);
+    const double radius = 10 * std::tan(half_angle_deg * std::numbers::pi / 180);
+    const Brep brep(BRepPrimAPI_MakeCone(radius, 0, 10).Shape());
+    const SurfaceResult result = mesh_surface(brep, size);
+    CHECK(findings(brep, result.mesh) == std::vector<std::string>{});
+    RunContext context;
+    CHECK(turned_triangles(brep, result.mesh, {}, context).empty());
 }
 
 TEST_CASE("a strip far thinner than the size gets no nodes but those of its edges") {

@@ -298,7 +298,7 @@ TEST_CASE("where tets cannot meet a narrow face with nodes opposite one another,
 
 TEST_CASE("where 10-node tets would stay folded, the part is meshed finer, and the report says where") {
     const RawDocument ball = PartDocument().add("Ball", "Part::Sphere", BRepPrimAPI_MakeSphere(10).Shape()).finish();
-    MeshOptions options = options_of(14, 2);
+    MeshOptions options = options_of(18, 2);
     options.sizing.elements_per_circle = 0;
     const PartMeshResult result = meshed(ball, options);
     Expectation sides = expectation_of(result.part_mesh->part.brep);
