@@ -95,16 +95,31 @@ std::vector<std::array<std::size_t, 3>> corners_of(std::span<const Facet> facets
     return result;
 }
 
+/// The facets with a normal, as far as numbers tell: the library leaves out any other, but only after writing it to the
+/// standard error and a file of its own. Their sides are those of their neighbours.
+std::vector<int> facets_with_normal(const Cavity& cavity) {
+    std::vector<int> facets;
+    for (std::size_t f = 0; f < cavity.facets.size(); ++f) {
+        const auto& [i, j, k] = cavity.facets[f].corners;
+        const Vec3 &a = cavity.points[i], &b = cavity.points[j], &c = cavity.points[k];
+        const std::array<Vec3, 3> normals{cross(a - c, b - c), cross(b - a, c - a), cross(c - b, a - b)};
+        if (std::find(normals.begin(), normals.end(), Vec3{}) == normals.end()) facets.push_back(static_cast<int>(f));
+    }
+    return facets;
+}
+
 /// Reads the library's triangulation back into indices.
 class Reading {
   public:
-    /// `points` are the cavity's own and the seeds.
-    Reading(const Constrained& constrained, const std::vector<Point>& points, const Cavity& cavity)
+    /// `points` are the cavity's own and the seeds; `facet_of` tells the cavity's facet of each constraint.
+    Reading(const Constrained& constrained, const std::vector<Point>& points, const Cavity& cavity,
+            std::span<const int> facet_of)
         : constrained_(constrained),
           all_(constrained.triangulation()),
           points_(points),
           own_(static_cast<int>(cavity.points.size())),
-          facets_(cavity.facets) {}
+          facets_(cavity.facets),
+          facet_of_(facet_of) {}
 
     ConstrainedTriangulation read() {
         number_vertices();
@@ -143,7 +158,7 @@ class Reading {
             FacetSplit::Added added;
             added.point = {v->point().x(), v->point().y(), v->point().z()};
             if (v->ccdt_3_data().is_Steiner_vertex_in_face())
-                added.facet = static_cast<int>(v->ccdt_3_data().face_index());
+                added.facet = facet_of_[static_cast<std::size_t>(v->ccdt_3_data().face_index())];
             result_.split.added.push_back(added);
         }
     }
@@ -163,7 +178,7 @@ class Reading {
 
     void read_pieces() {
         for (const auto& [cell, k] : constrained_.constrained_facets()) {
-            const int facet = static_cast<int>(constrained_.face_constraint_index(cell, k));
+            const int facet = facet_of_[static_cast<std::size_t>(constrained_.face_constraint_index(cell, k))];
             FacetSplit::Piece piece{{index_of(cell->vertex((k + 1) % 4)), index_of(cell->vertex((k + 2) % 4)),
                                      index_of(cell->vertex((k + 3) % 4))},
                                     facet};
@@ -212,6 +227,7 @@ class Reading {
     const std::vector<Point>& points_;
     int own_;
     std::span<const Facet> facets_;
+    std::span<const int> facet_of_;  ///< by constraint
     std::vector<int> index_;
     ConstrainedTriangulation result_;
 };
@@ -229,13 +245,17 @@ ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<co
     std::vector<Point> points;
     append_converted(cavity.points, points);
     append_converted(seeds, points);
+    const std::vector<int> facet_of = facets_with_normal(cavity);
+    std::vector<Facet> facets;
+    for (const int f : facet_of) facets.push_back(cavity.facets[static_cast<std::size_t>(f)]);
     const VertexBudget budget(2 * points.size() + 5000, context);
     try {
-        const Constrained constrained(points, corners_of(cavity.facets));
-        return Reading(constrained, points, cavity).read();
+        const Constrained constrained(points, corners_of(facets));
+        return Reading(constrained, points, cavity, facet_of).read();
     } catch (const CGAL::Constrained_triangulation_insertion_exception& error) {
         ConstrainedTriangulation result;
-        for (const auto facet : error.failed_faces()) result.failed.push_back(static_cast<int>(facet));
+        for (const auto facet : error.failed_faces())
+            result.failed.push_back(facet_of[static_cast<std::size_t>(facet)]);
         return result;
     } catch (const Cancelled&) {
         throw;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <filesystem>
 
 #include "catch.h"
 #include "filled_parts.h"
@@ -75,6 +76,23 @@ TEST_CASE("missing triangles come back by constraint, in the whole cavity and ar
     const auto local = recover_locally(filled.cavity, filled.fill);
     REQUIRE(local.has_value());
     check_recovered(filled, *local);
+}
+
+TEST_CASE("a facet without a normal is left to its neighbours, and the library writes no file about it") {
+    Cavity cavity;
+    cavity.points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {2, 0, 0}};
+    cavity.facets = {{{0, 2, 1}, {0, -1}}, {{1, 2, 3}, {0, -1}}, {{0, 3, 2}, {0, -1}},
+                     {{0, 4, 3}, {0, -1}}, {{4, 1, 3}, {0, -1}}, {{0, 1, 4}, {0, -1}}};
+    const auto files = [] {
+        const std::filesystem::directory_iterator here(std::filesystem::current_path());
+        return std::distance(begin(here), end(here));
+    };
+    const auto before = files();
+    const ConstrainedTriangulation recovered = constrained_delaunay(cavity, {});
+    CHECK(files() == before);
+    CHECK(recovered.failed.empty());
+    CHECK(recovered.split.added.empty());
+    CHECK(recovered.triangulation.tets.size() == 2);
 }
 
 TEST_CASE("facets that cross others are found, and those that only meet are not") {
