@@ -25,6 +25,7 @@
 #include "update/foreign_fit.h"
 #include "update/keep.h"
 #include "update/thin_tets.h"
+#include "update/too_coarse.h"
 
 namespace featuremesh {
 
@@ -76,24 +77,20 @@ void mark_unproven(const Mesh& mesh, Kept kept, std::size_t first_new_tet, const
     for (std::size_t t = first_new_tet; t < mesh.tets.size(); ++t) expected.unproven_tets.emplace_back(t);
 }
 
-void refuse_turned(const Mesh& mesh, const std::vector<TriangleId>& turned) {
-    if (turned.empty()) return;
-    const std::size_t t = turned.front().index();
-    const Vec3& p = mesh.point(mesh.triangles[t][0]);
-    throw MeshError("The mesh is not valid: " + std::to_string(turned.size()) + " surface triangles are turned over, the first on " +
-                    name_of(entity_of(mesh.triangle_faces[t])) + " at " + in_words(p) + ". The face bends too much there for this size; ask for a smaller size on it.");
-}
-
 void validate(const Mesh& mesh, const Brep& brep, Kept kept, std::size_t first_new_tet, const std::vector<std::array<NodeId, 4>>& released,
               RunContext& context) {
     RunContext::Step step(context, "validate");
     Expectation expected = expectation_of(brep);
     mark_unproven(mesh, std::move(kept), first_new_tet, released, expected);
     const std::vector<std::string> broken = broken_invariants(mesh, expected, context);
+    if (broken.size() == 1)
+        if (const std::vector<SolidId> off = solids_off_volume(mesh, brep, expected.volume_tolerance); !off.empty())
+            throw off_volume(mesh, brep, off.front(), broken.front());
     if (!broken.empty())
         throw MeshError("The mesh is not valid: " + broken.front() +
                         (broken.size() > 1 ? " (and " + std::to_string(broken.size() - 1) + " more)" : "") + ".");
-    refuse_turned(mesh, turned_triangles(brep, mesh, expected.is_unproven, context));
+    const std::vector<TriangleId> turned = turned_triangles(brep, mesh, expected.is_unproven, context);
+    if (!turned.empty()) throw turned_over(mesh, turned);
 }
 
 /// Nodes of new triangles belong to it, too.
@@ -156,6 +153,29 @@ Filled fill_once(const Brep& brep, const SizingField& sizing, Kept kept, const M
     return fill_volume(brep, sizing, std::move(surface), std::move(kept), options, second, context);
 }
 
+/// A whole mesh that is too coarse to follow the part is made again with shorter edges there. What an update keeps is not worth a copy for that: it
+/// keeps less, and in the end nothing.
+Filled fill_following(const Brep& brep, SizingField sizing, std::vector<SizeSource> shorter, Kept kept, const MeshOptions& options, SecondOrder& second,
+                      RunContext& context) {
+    constexpr int attempts = 4;
+    std::set<std::string> places;
+    for (int attempt = 1; kept.mesh.points.empty(); ++attempt) {
+        try {
+            Filled filled = fill_once(brep, sizing, kept, options, second, context);
+            for (const std::string& place : places)
+                filled.surface.warnings.push_back("The mesh is finer than asked at " + place + ", because elements of that size cannot follow the part there.");
+            return filled;
+        } catch (const TooCoarse& coarse) {
+            context.check_cancelled();
+            if (attempt == attempts) throw;
+            for (const SizeSource& source : coarse.shorter) shorter.push_back(shorter_than_asked(sizing, source));
+            places.insert(coarse.place);
+            sizing = make_sizing(brep, options.sizing, shorter, context);
+        }
+    }
+    return fill_once(brep, sizing, std::move(kept), options, second, context);
+}
+
 /// The better of the fillings whose 10-node tets are valid.
 struct BestFilling {
     std::optional<Filled> filled;
@@ -176,7 +196,7 @@ struct BestFilling {
 Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, MeshOptions options, RunContext& context) {
     constexpr int attempts = 6, most_valid = 3;
     SecondOrder second;
-    if (options.order == 1) return fill_once(brep, sizing, std::move(kept), options, second, context);
+    if (options.order == 1) return fill_following(brep, sizing, {}, std::move(kept), options, second, context);
     std::vector<SizeSource> shorter;
     std::size_t first_of_last = 0;
     int failures = 0, valid = 0;
@@ -185,7 +205,7 @@ Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, Me
     BestFilling best;
     for (int attempt = 1;; ++attempt) {
         try {
-            Filled filled = fill_once(brep, field, kept, options, second, context);
+            Filled filled = fill_following(brep, field, shorter, kept, options, second, context);
             if (!filled.mesh.tets.empty()) ++valid, best.offer(std::move(filled), second.smallest, places);
             if (best.filled && (valid == most_valid || second.shorter.empty() || attempt == attempts)) return std::move(*best.filled);
             first_of_last = shorter.size();

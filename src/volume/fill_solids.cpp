@@ -376,7 +376,8 @@ class Filling {
         std::vector<BoundaryVertex> vertices = movable_vertices(brep_, result_.mesh, region, kept_nodes_);
         const BoundaryMoveOptions options{options_.target_dihedral_deg, least, options_.is_for_curved_tets};
         std::vector<int> changed = move_on_boundary(region.complex, vertices, projector_, options, context_);
-        const std::size_t count = changed.size() + take_detours(region.complex, vertices, projector_, options, context_);
+        const std::size_t count =
+            changed.size() + (region.has_seam() ? 0 : take_detours(region.complex, vertices, projector_, options, context_));
         for (const BoundaryVertex& v : vertices) {
             const std::size_t node = region.node_of(v.vertex).index();
             result_.mesh.points[node] = region.complex.points[static_cast<std::size_t>(v.vertex)];

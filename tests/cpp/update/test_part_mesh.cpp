@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <algorithm>
@@ -307,6 +308,22 @@ TEST_CASE("where 10-node tets would stay folded, the part is meshed finer, and t
     CHECK(result.report.quality.min_scaled_jacobian > 0.199);
     const auto& warnings = result.report.warnings;
     CHECK(std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) { return w.find("finer than asked at Face1") != std::string::npos; }));
+}
+
+TEST_CASE("a solid whose volume a coarse mesh misses is meshed finer, and the report says where") {
+    const TopoDS_Shape lens = BRepAlgoAPI_Common(BRepPrimAPI_MakeSphere(gp_Pnt(0, 0, 0), 10).Shape(),
+                                                 BRepPrimAPI_MakeSphere(gp_Pnt(0, 0, 19), 10).Shape())
+                                  .Shape();
+    const double wanted = Brep(lens).volume_of(SolidId(std::size_t{0}));
+    MeshOptions options = options_of(5);
+    options.sizing.elements_per_circle = 0;
+    const PartMeshResult result = meshed(PartDocument().add("Lens", "Part::Common", lens).finish(), options);
+    const Mesh& mesh = result.part_mesh->mesh;
+    double volume = 0;
+    for (const auto& [a, b, c, d] : mesh.tets) volume += signed_volume(mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d));
+    CHECK(volume == Approx(wanted).epsilon(0.3));
+    const auto& warnings = result.report.warnings;
+    CHECK(std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) { return w.find("finer than asked at Solid1") != std::string::npos; }));
 }
 
 TEST_CASE("a local size on a face that no longer exists is a warning that names it, in a mesh and in an update") {

@@ -473,6 +473,10 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>Das Netz ist bei %s feiner als verlangt, weil 10-Knoten-Tetraeder dieser Größe durch die gekrümmte Fläche ganz oder fast umklappen würden.</translation>
     </message>
     <message>
+      <source>The mesh is finer than asked at %s, because elements of that size cannot follow the part there.</source>
+      <translation>Das Netz ist bei %s feiner als verlangt, weil Elemente dieser Größe der Form dort nicht folgen können.</translation>
+    </message>
+    <message>
       <source>The mesh is finer than asked where these faces are near each other: %s.</source>
       <translation>Das Netz ist feiner als gewünscht, wo diese Flächen nahe beieinander liegen: %s.</translation>
     </message>

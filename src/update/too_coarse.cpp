@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "update/too_coarse.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numbers_in_words.h"
+
+namespace featuremesh {
+
+namespace {
+
+SizeSource half_length_at(const Mesh& mesh, std::size_t triangle) {
+    const auto& corners = mesh.triangles[triangle];
+    const Vec3 &a = mesh.point(corners[0]), &b = mesh.point(corners[1]), &c = mesh.point(corners[2]);
+    return {(a + b + c) / 3, 0.5 * std::max({distance(a, b), distance(b, c), distance(c, a)})};
+}
+
+}  // namespace
+
+TooCoarse turned_over(const Mesh& mesh, const std::vector<TriangleId>& turned) {
+    const std::size_t first = turned.front().index();
+    const std::string face = name_of(entity_of(mesh.triangle_faces[first]));
+    std::vector<SizeSource> shorter;
+    for (const TriangleId t : turned) shorter.push_back(half_length_at(mesh, t.index()));
+    return {"The mesh is not valid: " + std::to_string(turned.size()) + " surface triangles are turned over, the first on " +
+                face + " at " + in_words(mesh.point(mesh.triangles[first][0])) +
+                ". The face bends too much there for this size; ask for a smaller size on it.",
+            face, std::move(shorter)};
+}
+
+std::vector<SolidId> solids_off_volume(const Mesh& mesh, const Brep& brep, double tolerance) {
+    std::vector<double> volumes(brep.solid_count(), 0);
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+        const auto& [a, b, c, d] = mesh.tets[t];
+        volumes[mesh.tet_solids[t].index()] += signed_volume(mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d));
+    }
+    std::vector<SolidId> off;
+    for (std::size_t s = 0; s < volumes.size(); ++s) {
+        const double wanted = brep.volume_of(SolidId(s));
+        if (std::abs(volumes[s] - wanted) > tolerance * std::abs(wanted)) off.emplace_back(s);
+    }
+    return off;
+}
+
+TooCoarse off_volume(const Mesh& mesh, const Brep& brep, SolidId solid, const std::string& finding) {
+    std::vector<SizeSource> shorter;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto sides = brep.sides_of(mesh.triangle_faces[t]);
+        if (std::find(sides.begin(), sides.end(), solid) != sides.end()) shorter.push_back(half_length_at(mesh, t));
+    }
+    return {"The mesh is not valid: " + finding + ".", "Solid" + std::to_string(solid.index() + 1), std::move(shorter)};
+}
+
+}  // namespace featuremesh
