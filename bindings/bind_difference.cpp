@@ -7,14 +7,20 @@ namespace {
 
 const char* name_of_verdict(BoundaryVerdict verdict) {
     switch (verdict) {
-        case BoundaryVerdict::kept: return "kept";
-        case BoundaryVerdict::vanished: return "vanished";
-        case BoundaryVerdict::appeared: return "appeared";
-        default: return "trimmed differently";
+        case BoundaryVerdict::kept:
+            return "kept";
+        case BoundaryVerdict::vanished:
+            return "vanished";
+        case BoundaryVerdict::appeared:
+            return "appeared";
+        default:
+            return "trimmed differently";
     }
 }
 
-py::object face_name(FaceId face) { return face.is_valid() ? py::object(py::str(name_of(entity_of(face)))) : py::none(); }
+py::object face_name(FaceId face) {
+    return face.is_valid() ? py::object(py::str(name_of(entity_of(face)))) : py::none();
+}
 
 py::list face_names(const std::vector<FaceId>& faces) {
     py::list names;
@@ -48,7 +54,9 @@ py::dict face_dict(const FaceChange& change) {
 }
 
 py::dict edge_dict(const EdgeChange& change) {
-    const auto edge_name = [](EdgeId edge) { return edge.is_valid() ? py::object(py::str(name_of(entity_of(edge)))) : py::none(); };
+    const auto edge_name = [](EdgeId edge) {
+        return edge.is_valid() ? py::object(py::str(name_of(entity_of(edge)))) : py::none();
+    };
     py::dict out;
     out["verdict"] = name_of_verdict(change.verdict);
     out["old_edge"] = edge_name(change.old_edge);
@@ -90,8 +98,9 @@ py::dict to_dict(const FeatureDifference& difference) {
     out["features"] = features;
     out["faces"] = faces;
     out["notes"] = difference.notes;
-    const std::span<const std::array<Vec3, 3>> triangles =
-        difference.regions.empty() ? std::span<const std::array<Vec3, 3>>{} : difference.regions.front().changed.triangles();
+    const std::span<const std::array<Vec3, 3>> triangles = difference.regions.empty()
+                                                               ? std::span<const std::array<Vec3, 3>>{}
+                                                               : difference.regions.front().changed.triangles();
     py::array_t<double> boundary({triangles.size(), std::size_t{3}, std::size_t{3}});
     if (!triangles.empty()) std::memcpy(boundary.mutable_data(), triangles.data(), triangles.size_bytes());
     out["changed_boundary"] = boundary;
@@ -99,9 +108,12 @@ py::dict to_dict(const FeatureDifference& difference) {
 }
 
 void define_difference(py::module_& module) {
-    module.def("compare", &compare_documents, py::arg("old"), py::arg("new"), py::arg("resolution") = 0.0, py::arg("fuse") = true,
-               "The feature difference of two states of a part. `resolution` (mm): edge length of the changed boundary's triangles where a face is "
-               "trimmed differently; 0 takes a hundredth of the part's diagonal. Without `fuse` no cells are built: quicker, and owners of faces are found by points of them.");
+    module.def("compare", &compare_documents, py::arg("old"), py::arg("new"), py::arg("resolution") = 0.0,
+               py::arg("fuse") = true,
+               "The feature difference of two states of a part. `resolution` (mm): edge length of the changed "
+               "boundary's triangles where a face is "
+               "trimmed differently; 0 takes a hundredth of the part's diagonal. Without `fuse` no cells are built: "
+               "quicker, and owners of faces are found by points of them.");
 }
 
 }  // namespace featuremesh

@@ -30,12 +30,14 @@ void define_errors(py::module_& module) {
         } catch (const Error& e) {
             PyErr_SetString(error.ptr(), e.what());
         } catch (const Standard_Failure& e) {
-            const std::string message = std::string("The geometry kernel failed: ") + e.DynamicType()->Name() + " " + e.GetMessageString();
+            const std::string message =
+                std::string("The geometry kernel failed: ") + e.DynamicType()->Name() + " " + e.GetMessageString();
             PyErr_SetString(kernel.ptr(), message.c_str());
         }
     });
     module.def("write_activity_of_crash_to", &write_activity_of_crash_to, py::arg("descriptor"),
-               "From now on a crash first writes what its thread was working on (\"surface, Face12\") to the file descriptor.");
+               "From now on a crash first writes what its thread was working on (\"surface, Face12\") to the file "
+               "descriptor.");
 }
 
 }  // namespace featuremesh

@@ -151,14 +151,16 @@ RawDocument raw_document_from(const py::dict& raw) {
 py::object motion_matrix(const RigidMotion& motion) {
     const auto& r = motion.rotation;
     const Vec3& t = motion.translation;
-    return py::cast(std::vector<double>{r[0], r[1], r[2], t.x, r[3], r[4], r[5], t.y, r[6], r[7], r[8], t.z, 0, 0, 0, 1});
+    return py::cast(
+        std::vector<double>{r[0], r[1], r[2], t.x, r[3], r[4], r[5], t.y, r[6], r[7], r[8], t.z, 0, 0, 0, 1});
 }
 
 void define_features(py::module_& module) {
     module.def("read_tree", &read_tree, py::arg("raw"),
                "The feature tree as the engine understands it, with roles, volumes (mm^3) and owners.");
     module.def("seconds_to_interpret", &seconds_to_interpret, py::arg("raw"), py::arg("before") = py::none(),
-               "What the engine adds to the reading of a document: seconds from its records to the feature tree, from nothing or after the state `before`.");
+               "What the engine adds to the reading of a document: seconds from its records to the feature tree, from "
+               "nothing or after the state `before`.");
 }
 
 }  // namespace featuremesh

@@ -9,7 +9,8 @@ namespace featuremesh {
 
 namespace {
 
-static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Entity) == 8 && sizeof(NodeId) == 4, "arrays are handed over as they lie");
+static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Entity) == 8 && sizeof(NodeId) == 4,
+              "arrays are handed over as they lie");
 
 /// A read-only view of a vector of small fixed-size rows of `Scalar`; `owner` keeps it alive.
 template <class Scalar, class Row>
@@ -17,7 +18,8 @@ py::array view(const std::vector<Row>& rows, const py::object& owner) {
     constexpr std::size_t width = sizeof(Row) / sizeof(Scalar);
     const auto* data = reinterpret_cast<const Scalar*>(rows.data());
     py::array array = width == 1 ? py::array(py::dtype::of<Scalar>(), {rows.size()}, {sizeof(Scalar)}, data, owner)
-                                 : py::array(py::dtype::of<Scalar>(), {rows.size(), width}, {sizeof(Row), sizeof(Scalar)}, data, owner);
+                                 : py::array(py::dtype::of<Scalar>(), {rows.size(), width},
+                                             {sizeof(Row), sizeof(Scalar)}, data, owner);
     array.attr("setflags")(py::arg("write") = false);
     return array;
 }
@@ -28,7 +30,8 @@ void read(const py::dict& arrays, const char* name, std::vector<Row>& rows) {
     if (!arrays.contains(name)) throw StateError(std::string("The saved mesh has no array '") + name + "'.");
     const auto array = py::array_t<Scalar, py::array::c_style | py::array::forcecast>::ensure(arrays[name]);
     if (!array) throw StateError(std::string("The saved array '") + name + "' is not numeric.");
-    const bool fits = array.size() == 0 || (width == 1 ? array.ndim() == 1 : array.ndim() == 2 && std::size_t(array.shape(1)) == width);
+    const bool fits = array.size() == 0 ||
+                      (width == 1 ? array.ndim() == 1 : array.ndim() == 2 && std::size_t(array.shape(1)) == width);
     if (!fits) throw StateError(std::string("The saved array '") + name + "' has the wrong shape.");
     rows.resize(std::size_t(array.size()) / width);
     std::memcpy(static_cast<void*>(rows.data()), array.data(), rows.size() * sizeof(Row));
@@ -38,24 +41,26 @@ template <std::size_t N>
 void check_nodes(const std::vector<std::array<NodeId, N>>& rows, std::size_t nodes) {
     for (const auto& row : rows)
         for (const NodeId n : row)
-            if (!n.is_valid() || n.index() >= nodes) throw StateError("The saved mesh refers to nodes that it does not have.");
+            if (!n.is_valid() || n.index() >= nodes)
+                throw StateError("The saved mesh refers to nodes that it does not have.");
 }
 
 void check_sizes(const Mesh& mesh) {
     const std::size_t n = mesh.points.size();
     const std::size_t mids = mesh.order == 2 ? 1 : 0;
-    if (mesh.corner_count > n || mesh.entities.size() != n || mesh.parameters.size() != n || mesh.node_numbers.size() != n ||
-        mesh.segment_edges.size() != mesh.segments.size() || mesh.triangle_faces.size() != mesh.triangles.size() ||
-        mesh.tet_solids.size() != mesh.tets.size() || mesh.segment_numbers.size() != mesh.segments.size() ||
-        mesh.triangle_numbers.size() != mesh.triangles.size() || mesh.tet_numbers.size() != mesh.tets.size() ||
-        mesh.segment_mids.size() != mids * mesh.segments.size() || mesh.triangle_mids.size() != mids * mesh.triangles.size() ||
-        mesh.tet_mids.size() != mids * mesh.tets.size())
+    if (mesh.corner_count > n || mesh.entities.size() != n || mesh.parameters.size() != n ||
+        mesh.node_numbers.size() != n || mesh.segment_edges.size() != mesh.segments.size() ||
+        mesh.triangle_faces.size() != mesh.triangles.size() || mesh.tet_solids.size() != mesh.tets.size() ||
+        mesh.segment_numbers.size() != mesh.segments.size() || mesh.triangle_numbers.size() != mesh.triangles.size() ||
+        mesh.tet_numbers.size() != mesh.tets.size() || mesh.segment_mids.size() != mids * mesh.segments.size() ||
+        mesh.triangle_mids.size() != mids * mesh.triangles.size() || mesh.tet_mids.size() != mids * mesh.tets.size())
         throw StateError("The saved mesh is cut short: its arrays do not fit together.");
     check_nodes(mesh.segments, n), check_nodes(mesh.triangles, n), check_nodes(mesh.tets, n);
     check_nodes(mesh.triangle_mids, n), check_nodes(mesh.tet_mids, n);
 }
 
-py::array_t<double> wanted_sizes(const PartMesh& part, const py::array_t<double, py::array::c_style | py::array::forcecast>& points) {
+py::array_t<double> wanted_sizes(const PartMesh& part,
+                                 const py::array_t<double, py::array::c_style | py::array::forcecast>& points) {
     if (points.ndim() != 2 || points.shape(1) != 3) throw InputError("Points are an array of shape (n,3).");
     py::array_t<double> sizes(points.shape(0));
     const auto at = points.unchecked<2>();
@@ -164,7 +169,8 @@ MadeFor made_for_from(const py::dict& arrays) {
     if (!arrays.contains("made_for_nodes")) return made_for;
     read<std::int32_t>(arrays, "made_for_nodes", made_for.nodes);
     read<double>(arrays, "made_for_sizes", made_for.sizes);
-    if (made_for.nodes.size() != made_for.sizes.size()) throw StateError("The saved mesh is cut short: its arrays do not fit together.");
+    if (made_for.nodes.size() != made_for.sizes.size())
+        throw StateError("The saved mesh is cut short: its arrays do not fit together.");
     return made_for;
 }
 
@@ -180,15 +186,23 @@ void define_mesh(py::module_& module) {
         .def_property_readonly("corner_count", [](const PartMesh& p) { return p.mesh.corner_count; })
         .def("arrays", &arrays_of_part,
              "All arrays of the mesh by name, read-only views; points in mm, indices counted from 0.")
-        .def("node_origin", [](const py::object& self) { return view<std::int32_t>(self.cast<const PartMesh&>().node_origin, self); },
-             "(n,) index of the node in the mesh before the update, -1 for a new one.")
-        .def("tet_origin", [](const py::object& self) { return view<std::int32_t>(self.cast<const PartMesh&>().tet_origin, self); },
-             "(m,) index of the tet in the mesh before the update, -1 for a new one.")
-        .def("active_points", [](const py::object& self) { return view<double>(self.cast<const PartMesh&>().active_points, self); },
-             "(k,3) mm: inner nodes that survived the update as start positions only.")
-        .def("wanted_sizes", &wanted_sizes, py::arg("points"), "(n,) mm: the edge length that the mesh was to have at each of the points, (n,3) mm.")
+        .def(
+            "node_origin",
+            [](const py::object& self) { return view<std::int32_t>(self.cast<const PartMesh&>().node_origin, self); },
+            "(n,) index of the node in the mesh before the update, -1 for a new one.")
+        .def(
+            "tet_origin",
+            [](const py::object& self) { return view<std::int32_t>(self.cast<const PartMesh&>().tet_origin, self); },
+            "(m,) index of the tet in the mesh before the update, -1 for a new one.")
+        .def(
+            "active_points",
+            [](const py::object& self) { return view<double>(self.cast<const PartMesh&>().active_points, self); },
+            "(k,3) mm: inner nodes that survived the update as start positions only.")
+        .def("wanted_sizes", &wanted_sizes, py::arg("points"),
+             "(n,) mm: the edge length that the mesh was to have at each of the points, (n,3) mm.")
         .def("owners_of_faces", &owners_of_faces, "By face of the final shape: names of the features that own it.")
-        .def("owners_of_tets", &tets_of_each_feature, "(feature name, numbers of the tets that have their middle in one of its volumes).");
+        .def("owners_of_tets", &tets_of_each_feature,
+             "(feature name, numbers of the tets that have their middle in one of its volumes).");
 }
 
 }  // namespace featuremesh

@@ -17,7 +17,8 @@ Entity entity_from_name(const std::string& name) {
     for (int dim = 0; dim < 4; ++dim) {
         const std::string kind = kinds[dim];
         const std::string number = name.substr(std::min(kind.size(), name.size()));
-        if (name.compare(0, kind.size(), kind) == 0 && !number.empty() && number.find_first_not_of("0123456789") == std::string::npos)
+        if (name.compare(0, kind.size(), kind) == 0 && !number.empty() &&
+            number.find_first_not_of("0123456789") == std::string::npos)
             return {dim, std::stoi(number) - 1};
     }
     throw InputError("'" + name + "' is no face, edge, vertex or solid; write it as FreeCAD does, e.g. Face12.");
@@ -29,8 +30,9 @@ struct Asked {
 };
 
 Asked asked_from(const py::dict& options) {
-    static const std::vector<std::string> known{"size",  "min_size", "elements_per_circle", "elements_across_gap", "growth",      "order",
-                                                "local", "threads",  "target_dihedral_deg", "keep_margin", "most_tets"};
+    static const std::vector<std::string> known{
+        "size",  "min_size", "elements_per_circle", "elements_across_gap", "growth",   "order",
+        "local", "threads",  "target_dihedral_deg", "keep_margin",         "most_tets"};
     for (const auto& [key, value] : options)
         if (std::find(known.begin(), known.end(), key.cast<std::string>()) == known.end())
             throw InputError("Unknown mesh option '" + key.cast<std::string>() + "'.");
@@ -49,7 +51,8 @@ Asked asked_from(const py::dict& options) {
     if (options.contains("local"))
         for (const auto& [name, size] : options["local"].cast<std::vector<std::pair<std::string, double>>>())
             sizing.local.push_back({entity_from_name(name), size});
-    if (asked.options.order != 1 && asked.options.order != 2) throw InputError("The element order is 1 (4-node tets) or 2 (10-node tets).");
+    if (asked.options.order != 1 && asked.options.order != 2)
+        throw InputError("The element order is 1 (4-node tets) or 2 (10-node tets).");
     if (asked.threads < 1) throw InputError("The number of threads is at least 1.");
     return asked;
 }
@@ -133,7 +136,8 @@ py::dict to_dict(const Report& report) {
     out["kept"] = kept_dict(report);
     out["difference"] = to_dict(report.difference);
     out["volume"] = to_dict(report.volume);
-    out["surface"] = py::dict(py::arg("new_nodes") = report.surface.new_nodes, py::arg("new_triangles") = report.surface.new_triangles,
+    out["surface"] = py::dict(py::arg("new_nodes") = report.surface.new_nodes,
+                              py::arg("new_triangles") = report.surface.new_triangles,
                               py::arg("min_angle") = report.surface.min_angle_deg);
     out["fallback"] = joined(report.fallbacks);
     out["warnings"] = report.warnings;
@@ -144,46 +148,55 @@ py::tuple answer(const PartMeshResult& result) {
     return py::make_tuple(std::const_pointer_cast<PartMesh>(result.part_mesh), to_dict(result.report));
 }
 
-py::tuple mesh_document(const py::dict& raw, const py::dict& options, const Progress& progress, std::pair<Number, Number> next_numbers) {
+py::tuple mesh_document(const py::dict& raw, const py::dict& options, const Progress& progress,
+                        std::pair<Number, Number> next_numbers) {
     RawDocument document = raw_document_from(raw);
     const Asked asked = asked_from(options);
     const NextNumbers next{next_numbers.first, next_numbers.second};
     if (next.node < 1 || next.element < 1) throw InputError("Numbers of nodes and elements start at 1.");
-    return answer(run_released(progress, asked.threads,
-                               [&](RunContext& context) { return mesh_part(std::move(document), asked.options, context, next); }));
+    return answer(run_released(progress, asked.threads, [&](RunContext& context) {
+        return mesh_part(std::move(document), asked.options, context, next);
+    }));
 }
 
 py::tuple update_document(const PartMesh& old, const py::dict& raw, const py::dict& options, const Progress& progress) {
     RawDocument document = raw_document_from(raw);
     const Asked asked = asked_from(options);
-    return answer(run_released(progress, asked.threads,
-                               [&](RunContext& context) { return update_part(old, std::move(document), asked.options, context); }));
+    return answer(run_released(progress, asked.threads, [&](RunContext& context) {
+        return update_part(old, std::move(document), asked.options, context);
+    }));
 }
 
-py::tuple adopt_document(const py::dict& raw, const py::dict& options, const py::dict& arrays, const Progress& progress) {
+py::tuple adopt_document(const py::dict& raw, const py::dict& options, const py::dict& arrays,
+                         const Progress& progress) {
     RawDocument document = raw_document_from(raw);
     const Asked asked = asked_from(options);
     const Mesh foreign = mesh_from(arrays);
-    return answer(run_released(progress, asked.threads,
-                               [&](RunContext& context) { return adopt_part(std::move(document), asked.options, foreign, context); }));
+    return answer(run_released(progress, asked.threads, [&](RunContext& context) {
+        return adopt_part(std::move(document), asked.options, foreign, context);
+    }));
 }
 
-std::shared_ptr<PartMesh> restore_document(const py::dict& raw, const py::dict& options, const py::dict& arrays, const Progress& progress) {
+std::shared_ptr<PartMesh> restore_document(const py::dict& raw, const py::dict& options, const py::dict& arrays,
+                                           const Progress& progress) {
     RawDocument document = raw_document_from(raw);
     const Asked asked = asked_from(options);
     Mesh mesh = mesh_from(arrays);
     MadeFor made_for = made_for_from(arrays);
     std::vector<SizeSource> adopted_sizes = adopted_sizes_from(arrays);
     return std::const_pointer_cast<PartMesh>(run_released(progress, asked.threads, [&](RunContext& context) {
-        return restore_part(std::move(document), asked.options, std::move(mesh), context, std::move(made_for), std::move(adopted_sizes));
+        return restore_part(std::move(document), asked.options, std::move(mesh), context, std::move(made_for),
+                            std::move(adopted_sizes));
     }));
 }
 
 using Table = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-py::tuple transfer_values(const py::dict& old_arrays, const py::dict& new_arrays, const Table& values, double same_place, int threads) {
+py::tuple transfer_values(const py::dict& old_arrays, const py::dict& new_arrays, const Table& values,
+                          double same_place, int threads) {
     const Mesh old_mesh = mesh_from(old_arrays), new_mesh = mesh_from(new_arrays);
-    const bool fits = (values.ndim() == 1 || values.ndim() == 2) && std::size_t(values.shape(0)) == old_mesh.node_count();
+    const bool fits =
+        (values.ndim() == 1 || values.ndim() == 2) && std::size_t(values.shape(0)) == old_mesh.node_count();
     if (!fits) throw InputError("Values are (n,) or (n,k) with a row per node of the old mesh.");
     const std::span<const double> rows(values.data(), std::size_t(values.size()));
     const TransferredField field = run_released({}, threads, [&](RunContext& context) {
@@ -192,8 +205,10 @@ py::tuple transfer_values(const py::dict& old_arrays, const py::dict& new_arrays
     std::vector<py::ssize_t> shape{py::ssize_t(new_mesh.node_count())};
     if (values.ndim() == 2) shape.push_back(values.shape(1));
     py::array_t<std::uint8_t> sources(py::ssize_t(field.sources.size()));
-    for (std::size_t n = 0; n < field.sources.size(); ++n) sources.mutable_at(py::ssize_t(n)) = std::uint8_t(field.sources[n]);
-    return py::make_tuple(py::array_t<double>(shape, field.values.data()), py::array_t<double>(shape, field.errors.data()), sources);
+    for (std::size_t n = 0; n < field.sources.size(); ++n)
+        sources.mutable_at(py::ssize_t(n)) = std::uint8_t(field.sources[n]);
+    return py::make_tuple(py::array_t<double>(shape, field.values.data()),
+                          py::array_t<double>(shape, field.errors.data()), sources);
 }
 
 double estimate(const py::dict& raw, const py::dict& options) {
@@ -208,18 +223,25 @@ double estimate(const py::dict& raw, const py::dict& options) {
 }  // namespace
 
 void define_update(py::module_& module) {
-    module.def("mesh_part", &mesh_document, py::arg("raw"), py::arg("options"), py::arg("progress") = py::none(),
-               py::arg("next_numbers") = std::pair<Number, Number>{1, 1},
-               "Meshes the part from scratch, with node and element numbers from `next_numbers` on; (PartMesh, report).");
-    module.def("update_part", &update_document, py::arg("old"), py::arg("raw"), py::arg("options"), py::arg("progress") = py::none(),
-               "Meshes the new state of the part, keeping what did not change; (PartMesh, report). The old PartMesh stays as it is.");
-    module.def("adopt_part", &adopt_document, py::arg("raw"), py::arg("options"), py::arg("arrays"), py::arg("progress") = py::none(),
+    module.def(
+        "mesh_part", &mesh_document, py::arg("raw"), py::arg("options"), py::arg("progress") = py::none(),
+        py::arg("next_numbers") = std::pair<Number, Number>{1, 1},
+        "Meshes the part from scratch, with node and element numbers from `next_numbers` on; (PartMesh, report).");
+    module.def("update_part", &update_document, py::arg("old"), py::arg("raw"), py::arg("options"),
+               py::arg("progress") = py::none(),
+               "Meshes the new state of the part, keeping what did not change; (PartMesh, report). The old PartMesh "
+               "stays as it is.");
+    module.def("adopt_part", &adopt_document, py::arg("raw"), py::arg("options"), py::arg("arrays"),
+               py::arg("progress") = py::none(),
                "Makes another maker's mesh of the part ours, keeping what fits; (PartMesh, report).");
-    module.def("restore_part", &restore_document, py::arg("raw"), py::arg("options"), py::arg("arrays"), py::arg("progress") = py::none(),
+    module.def("restore_part", &restore_document, py::arg("raw"), py::arg("options"), py::arg("arrays"),
+               py::arg("progress") = py::none(),
                "The PartMesh whose arrays were saved. Raises StateError when they do not fit the part.");
-    module.def("transfer_field", &transfer_values, py::arg("old_arrays"), py::arg("new_arrays"), py::arg("values"), py::arg("same_place") = 0.0,
-               py::arg("threads") = 1, "Nodal values carried from one mesh to another; (values, error estimates, sources).");
-    module.def("estimate_tets", &estimate, py::arg("raw"), py::arg("options"), "About how many tets the options ask for.");
+    module.def("transfer_field", &transfer_values, py::arg("old_arrays"), py::arg("new_arrays"), py::arg("values"),
+               py::arg("same_place") = 0.0, py::arg("threads") = 1,
+               "Nodal values carried from one mesh to another; (values, error estimates, sources).");
+    module.def("estimate_tets", &estimate, py::arg("raw"), py::arg("options"),
+               "About how many tets the options ask for.");
 }
 
 }  // namespace featuremesh

@@ -3,7 +3,8 @@
 
 PYBIND11_MODULE(featuremesh_engine, module) {
     using namespace featuremesh;
-    module.doc() = "FeatureMesh's engine: cellular model, feature difference and local variational tetrahedral meshing.";
+    module.doc() =
+        "FeatureMesh's engine: cellular model, feature difference and local variational tetrahedral meshing.";
     define_errors(module);
     define_features(module);
     define_difference(module);

@@ -50,11 +50,8 @@ Pieces pieces_of(const FeatureTree& tree) {
         for (std::size_t v = 0; v < tree.features[f].volumes.size(); ++v) {
             const FeatureVolume& volume = tree.features[f].volumes[v];
             for (TopExp_Explorer it(volume.shape, TopAbs_SOLID); it.More(); it.Next())
-                pieces.push_back({{FeatureId(f), int(v)},
-                                  volume.effect,
-                                  volume.step,
-                                  it.Current(),
-                                  print_of(it.Current())});
+                pieces.push_back(
+                    {{FeatureId(f), int(v)}, volume.effect, volume.step, it.Current(), print_of(it.Current())});
         }
     return pieces;
 }
@@ -127,8 +124,8 @@ class Pairing {
         const std::vector<Piece*> was = of(old_pieces, old_id), is = of(new_pieces, new_id);
         std::ptrdiff_t last = -1;
         for (Piece* piece : is) {
-            const auto partner = std::find_if(was.begin(), was.end(),
-                                              [&](Piece* p) { return p->is_changed && is_same(*p, *piece); });
+            const auto partner =
+                std::find_if(was.begin(), was.end(), [&](Piece* p) { return p->is_changed && is_same(*p, *piece); });
             if (partner == was.end()) continue;
             if (partner - was.begin() < last) return false;
             last = partner - was.begin();

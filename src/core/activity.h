@@ -19,11 +19,12 @@ class Activity {
     std::size_t outer_;
 };
 
-/// What the calling thread works on, outermost first: "surface, Face12"; empty when nothing was said. At most 200 bytes.
+/// What the calling thread works on, outermost first: "surface, Face12"; empty when nothing was said. At most 200
+/// bytes.
 std::string_view current_activity();
 
-/// From now on a crash of this process (SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL) first writes the activity of the thread that crashed
-/// to the file descriptor, and then ends the process as it would have.
+/// From now on a crash of this process (SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL) first writes the activity of the
+/// thread that crashed to the file descriptor, and then ends the process as it would have.
 void write_activity_of_crash_to(int descriptor);
 
 }  // namespace featuremesh

@@ -20,10 +20,11 @@ std::int32_t BoxTree::build(std::int32_t begin, std::int32_t end) {
     const Vec3 size = box.size();
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const std::int32_t middle = begin + (end - begin) / 2;
-    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end, [&](std::int32_t a, std::int32_t b) {
-        const double ca = boxes_[std::size_t(a)].center()[axis], cb = boxes_[std::size_t(b)].center()[axis];
-        return ca != cb ? ca < cb : a < b;
-    });
+    std::nth_element(
+        order_.begin() + begin, order_.begin() + middle, order_.begin() + end, [&](std::int32_t a, std::int32_t b) {
+            const double ca = boxes_[std::size_t(a)].center()[axis], cb = boxes_[std::size_t(b)].center()[axis];
+            return ca != cb ? ca < cb : a < b;
+        });
     const std::int32_t left = build(begin, middle), right = build(middle, end);
     nodes_[std::size_t(index)].left = left;
     nodes_[std::size_t(index)].right = right;
@@ -32,7 +33,8 @@ std::int32_t BoxTree::build(std::int32_t begin, std::int32_t end) {
 
 double BoxTree::squared_distance_to(const Box& box, const Vec3& p) {
     const auto beyond = [](double low, double high, double x) { return std::max({low - x, 0.0, x - high}); };
-    return squared_length({beyond(box.low.x, box.high.x, p.x), beyond(box.low.y, box.high.y, p.y), beyond(box.low.z, box.high.z, p.z)});
+    return squared_length(
+        {beyond(box.low.x, box.high.x, p.x), beyond(box.low.y, box.high.y, p.y), beyond(box.low.z, box.high.z, p.z)});
 }
 
 }  // namespace featuremesh

@@ -22,24 +22,28 @@ class BoxTree {
     /// Calls visit(index) for every box that holds p.
     template <class Visit>
     void visit_around(const Vec3& p, Visit visit) const {
-        descend(0, [&](const Box& box) { return box.contains(p); }, visit);
+        descend(
+            0, [&](const Box& box) { return box.contains(p); }, visit);
     }
-    /// Index for which squared_distance(index) is smallest, the first of equals; it must not be below that of its box. -1 for an empty tree.
+    /// Index for which squared_distance(index) is smallest, the first of equals; it must not be below that of its box.
+    /// -1 for an empty tree.
     template <class Distance>
     std::int32_t nearest(const Vec3& p, Distance squared_distance) const {
         std::int32_t best = -1;
         double least = std::numeric_limits<double>::infinity();
-        descend(0, [&](const Box& box) { return squared_distance_to(box, p) <= least; }, [&](std::int32_t i) {
-            const double d = squared_distance(i);
-            if (d < least || (d == least && i < best)) least = d, best = i;
-        });
+        descend(
+            0, [&](const Box& box) { return squared_distance_to(box, p) <= least; },
+            [&](std::int32_t i) {
+                const double d = squared_distance(i);
+                if (d < least || (d == least && i < best)) least = d, best = i;
+            });
         return best;
     }
 
   private:
     struct Node {
         Box box;
-        std::int32_t begin, end;    // of order_; a leaf where the children are none
+        std::int32_t begin, end;  // of order_; a leaf where the children are none
         std::int32_t left = -1, right = -1;
     };
     static double squared_distance_to(const Box& box, const Vec3& p);

@@ -17,7 +17,11 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 }  // namespace
 
 RunContext::Step::Step(RunContext& context, std::string name)
-    : context_(context), name_(std::move(name)), outer_(std::exchange(context.step_, name_)), activity_(name_), start_(Clock::now()) {
+    : context_(context),
+      name_(std::move(name)),
+      outer_(std::exchange(context.step_, name_)),
+      activity_(name_),
+      start_(Clock::now()) {
     context_.last_report_ = {};
     context_.share_ = 0;
 }

@@ -18,7 +18,8 @@ namespace featuremesh {
 
 class RunContext {
   public:
-    /// Called with the step's name and its done share 0..1; false cancels. Called from the thread that started the work.
+    /// Called with the step's name and its done share 0..1; false cancels. Called from the thread that started the
+    /// work.
     std::function<bool(std::string_view step, double share)> on_progress;
     std::function<void(std::string_view line)> on_log;
     int threads = 1;
@@ -38,11 +39,11 @@ class RunContext {
         std::chrono::steady_clock::time_point start_;
     };
 
-    /// Tells the caller how far the current step is; throws Cancelled when the caller says stop. Cheap (throttled to 20 ms). Threads other than the one
-    /// that made this object only look whether to stop.
+    /// Tells the caller how far the current step is; throws Cancelled when the caller says stop. Cheap (throttled to 20
+    /// ms). Threads other than the one that made this object only look whether to stop.
     void progress(double share);
-    /// Throws Cancelled when somebody asked to stop; on the thread that made this object the caller is asked, too. Cheap enough for every thousandth
-    /// round of a loop, from any thread.
+    /// Throws Cancelled when somebody asked to stop; on the thread that made this object the caller is asked, too.
+    /// Cheap enough for every thousandth round of a loop, from any thread.
     void check_cancelled() const;
     /// Work that this object stands for ends when that of `outer`, which lives longer, is cancelled.
     void end_with(const RunContext& outer) { outer_ = &outer; }
@@ -77,8 +78,9 @@ class RoundWatch {
     std::uint32_t rounds_ = 0;
 };
 
-/// Runs body(begin, end) over chunks of [0, count) on `context.threads` threads. The chunks depend on `grain` only, never on the
-/// number of threads, so that a body that writes to its own indices gives the same bytes for any number of threads.
+/// Runs body(begin, end) over chunks of [0, count) on `context.threads` threads. The chunks depend on `grain` only,
+/// never on the number of threads, so that a body that writes to its own indices gives the same bytes for any number of
+/// threads.
 void parallel_for(RunContext& context, std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t begin, std::size_t end)>& body);
 

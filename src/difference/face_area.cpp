@@ -96,9 +96,9 @@ double area_of(const BoundaryModel& model, FaceId id) {
         const CurveCarrier& curve = edge.curve;
         Vec3 share = cross(edge.first - origin, edge.last - origin);
         if (curve.kind == CurveKind::circle)
-            share = cross(to_vec3(curve.position.Location()) - origin, edge.last - edge.first) +
-                    curve.radius * curve.radius * (curve.last - curve.first) *
-                        to_vec3(gp_Vec(curve.position.Direction()));
+            share =
+                cross(to_vec3(curve.position.Location()) - origin, edge.last - edge.first) +
+                curve.radius * curve.radius * (curve.last - curve.first) * to_vec3(gp_Vec(curve.position.Direction()));
         doubled += use.forward ? share : -share;
     }
     return 0.5 * std::abs(dot(doubled, to_vec3(gp_Vec(face.carrier.position.Direction()))));

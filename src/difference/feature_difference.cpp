@@ -119,7 +119,8 @@ FeatureDifference compare_states(const PartState& old_state, const PartState& ne
         region.features = std::move(moved.features);
         region.volumes = std::move(moved.additive_volumes);
         // A hole takes no material along, so nobody will ask.
-        region.changed = region.volumes.empty() ? ChangedBoundary({}, Box{}) : changed_boundary(pair, match, resolution);
+        region.changed =
+            region.volumes.empty() ? ChangedBoundary({}, Box{}) : changed_boundary(pair, match, resolution);
         difference.regions.push_back(std::move(region));
         context.progress(0.6 + 0.4 * double(m + 1) / double(verdicts.moved.size()));
     }

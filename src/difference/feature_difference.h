@@ -42,14 +42,14 @@ struct FaceChange {
     BoundaryVerdict verdict = BoundaryVerdict::kept;
     FaceId old_face, new_face;          ///< none where there is no partner
     double old_area = 0, new_area = 0;  ///< mm^2, of faces that changed
-    bool inner = false;  ///< vanished into the material, or appeared out of it; see tell_inner_faces
+    bool inner = false;                 ///< vanished into the material, or appeared out of it; see tell_inner_faces
 };
 
 struct EdgeChange {
     BoundaryVerdict verdict = BoundaryVerdict::kept;
     EdgeId old_edge, new_edge;              ///< none where there is no partner
     double old_length = 0, new_length = 0;  ///< mm
-    bool inner = false;  ///< vanished into the material, or appeared out of it
+    bool inner = false;                     ///< vanished into the material, or appeared out of it
 };
 
 /// The part of either boundary that the other does not have, as triangles, conservative: every point of the symmetric
@@ -80,11 +80,11 @@ struct CarriedRegion {
     std::vector<std::string> features;  ///< that moved with it; all that stayed for the identity
     /// Old volumes (additive, moved rigidly by `motion`) whose material prefers this motion; empty for the identity.
     std::vector<TopoDS_Shape> volumes;
-    /// In the new state's place: old boundary under the motion against the new one. All of space for another motion than
-    /// the identity that carries no volume.
+    /// In the new state's place: old boundary under the motion against the new one. All of space for another motion
+    /// than the identity that carries no volume.
     ChangedBoundary changed;
-    std::vector<FaceId> new_face_of;  ///< by old FaceId: the new face on the same carrier under the motion; none
-    std::vector<EdgeId> new_edge_of;  ///< by old EdgeId, same curve under the motion (trims may differ); none
+    std::vector<FaceId> new_face_of;      ///< by old FaceId: the new face on the same carrier under the motion; none
+    std::vector<EdgeId> new_edge_of;      ///< by old EdgeId, same curve under the motion (trims may differ); none
     std::vector<VertexId> new_vertex_of;  ///< by old VertexId; none
     /// All new faces (edges) that overlap the old one, the likeliest first, so that [0] is the one above: a face may
     /// have been split.
@@ -97,9 +97,10 @@ struct FeatureDifference {
     std::vector<FaceChange> faces;
     std::vector<CarriedRegion> regions;  ///< identity first
     std::vector<std::string> notes;      ///< e.g. "the two parts look unrelated"
-    /// By new FaceId, as CellModel::owners_of_final_face; where the new cells are a summary, faces that stayed have their old owners.
+    /// By new FaceId, as CellModel::owners_of_final_face; where the new cells are a summary, faces that stayed have
+    /// their old owners.
     std::vector<std::vector<Owner>> owners_of_new_face;
-    bool is_empty() const;               ///< nothing changed at all
+    bool is_empty() const;  ///< nothing changed at all
 };
 
 /// For reports: which of the vanished faces now lie inside the material (the boundary became inner), and which of the

@@ -29,8 +29,8 @@ struct PieceMatch {
 PieceMatch match_pieces(const std::vector<FeaturePiece>& was, const std::vector<FeaturePiece>& is,
                         const RigidMotion& hint, const Sameness& sameness);
 
-/// "1 of 6 holes moved by (-5, 0, 0) mm from x 110, y 70 to x 105, y 70"; empty when nothing happened. Positions are the
-/// middles of what of the pieces is within the box of the part, without the directions in which that is all of it.
+/// "1 of 6 holes moved by (-5, 0, 0) mm from x 110, y 70 to x 105, y 70"; empty when nothing happened. Positions are
+/// the middles of what of the pieces is within the box of the part, without the directions in which that is all of it.
 std::string in_words(const PieceMatch& match, const std::vector<FeaturePiece>& was, const std::vector<FeaturePiece>& is,
                      const Box& old_part, const Box& new_part);
 

@@ -234,7 +234,8 @@ class FaceHistory {
           has_partner_(match.group_of_new_face.size(), 0) {
         for (std::size_t f = 0; f < twins_of_.size(); ++f)
             for (const FaceId partner : region.new_faces_of[f])
-                if (finder_.same_trim(FaceId(f), partner)) twins_of_[f].push_back(partner), has_twin_[partner.index()] = 1;
+                if (finder_.same_trim(FaceId(f), partner))
+                    twins_of_[f].push_back(partner), has_twin_[partner.index()] = 1;
     }
 
     std::vector<FaceChange> changes() {
@@ -265,7 +266,8 @@ class FaceHistory {
             change.verdict = kept ? BoundaryVerdict::kept : BoundaryVerdict::trimmed_differently;
             change.new_face = partner;
         }
-        if (change.new_face.is_valid() && match_.groups[std::size_t(match_.group_of_old_face[f.index()])].is_unchanged())
+        if (change.new_face.is_valid() &&
+            match_.groups[std::size_t(match_.group_of_old_face[f.index()])].is_unchanged())
             change.verdict = BoundaryVerdict::kept;
         if (change.verdict == BoundaryVerdict::kept) return change;
         change.old_area = area_of(pair_.old_model, f);

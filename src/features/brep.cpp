@@ -4,8 +4,8 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
-#include <BRep_Tool.hxx>
 #include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -29,7 +29,7 @@ namespace featuremesh {
 
 struct Brep::Data {
     TopoDS_Shape shape;
-    TopTools_IndexedMapOfShape solids, faces, edges, vertices;   // orientation ignored, numbers as FreeCAD's
+    TopTools_IndexedMapOfShape solids, faces, edges, vertices;  // orientation ignored, numbers as FreeCAD's
     std::vector<TopoDS_Solid> solid;
     std::vector<TopoDS_Face> face;
     std::vector<TopoDS_Edge> edge;
@@ -104,7 +104,8 @@ Box tight_box_of(const std::vector<TopoDS_Face>& faces) {
 }  // namespace
 
 Brep::Brep(const TopoDS_Shape& shape) {
-    if (shape.IsNull()) throw InputError("The shape is empty. Recompute the document and mesh an object that has a solid.");
+    if (shape.IsNull())
+        throw InputError("The shape is empty. Recompute the document and mesh an object that has a solid.");
     auto data = std::make_shared<Data>();
     data->shape = shape;
     number_all(shape, [&](TopAbs_ShapeEnum kind) {
@@ -157,17 +158,21 @@ Brep::Brep(const TopoDS_Shape& shape) {
             const bool behind = it.Current().Orientation() == data->face[face.index()].Orientation();
             if (it.Current().Orientation() != TopAbs_INTERNAL) data->sides[face.index()][behind ? 0 : 1] = SolidId(s);
             // An edge within a face (where another feature is tangent to it) is no border and needs no second face.
-            for (const FaceEdge& use : data->uses_in_face[face.index()]) uses[use.edge.index()] += use.is_internal ? 2 : 1;
+            for (const FaceEdge& use : data->uses_in_face[face.index()])
+                uses[use.edge.index()] += use.is_internal ? 2 : 1;
             if (it.Current().Orientation() == TopAbs_FORWARD || it.Current().Orientation() == TopAbs_REVERSED)
-                volume += flux(TopoDS::Face(it.Current()), data->box.center(), data->box_of_face[face.index()].diagonal());
+                volume +=
+                    flux(TopoDS::Face(it.Current()), data->box.center(), data->box_of_face[face.index()].diagonal());
         }
         for (std::size_t e = 0; e < uses.size(); ++e)
             if (uses[e] == 1 && !data->is_degenerated[e])
-                throw InputError("The shell of " + name_of(entity_of(SolidId(s))) + " is open at " + name_of(entity_of(EdgeId(e))) +
+                throw InputError("The shell of " + name_of(entity_of(SolidId(s))) + " is open at " +
+                                 name_of(entity_of(EdgeId(e))) +
                                  ". Close the gap (Part: Check geometry, then sew or rebuild the feature there).");
         data->volumes.push_back(volume);
         if (!(volume > 0))
-            throw InputError(name_of(entity_of(SolidId(s))) + " has no positive volume. Its faces point inwards or cross each other; check the "
+            throw InputError(name_of(entity_of(SolidId(s))) +
+                             " has no positive volume. Its faces point inwards or cross each other; check the "
                              "feature that made it (Part: Check geometry).");
     }
     data_ = std::move(data);

@@ -23,8 +23,8 @@ namespace featuremesh {
 /// An edge in the wires of a face.
 struct FaceEdge {
     EdgeId edge;
-    bool is_forward = true;                                ///< against the face as it is oriented in the shape
-    bool is_internal = false, is_external = false;         ///< drawn into the face, or beside it: no border
+    bool is_forward = true;                         ///< against the face as it is oriented in the shape
+    bool is_internal = false, is_external = false;  ///< drawn into the face, or beside it: no border
 };
 
 /// A solid, or several, with faces, edges and vertices numbered as FreeCAD numbers them (TopExp order, 0 is "Face1").
@@ -40,8 +40,8 @@ class Brep {
     std::size_t edge_count() const;
     std::size_t vertex_count() const;
     const TopoDS_Solid& solid(SolidId id) const;
-    const TopoDS_Face& face(FaceId id) const;      ///< oriented as it is first met in the shape
-    const TopoDS_Edge& edge(EdgeId id) const;      ///< oriented forward
+    const TopoDS_Face& face(FaceId id) const;  ///< oriented as it is first met in the shape
+    const TopoDS_Edge& edge(EdgeId id) const;  ///< oriented forward
     const TopoDS_Vertex& vertex(VertexId id) const;
 
     /// Ids from entities of this very shape (orientation ignored); none for others.
@@ -59,17 +59,17 @@ class Brep {
     std::array<SolidId, 2> sides_of(FaceId face) const;
     /// The faces that what lies on a vertex, edge or face lies on; ascending. None for a solid.
     std::vector<FaceId> faces_at(Entity entity) const;
-    bool is_degenerated(EdgeId edge) const;   ///< a pole: no length in space
+    bool is_degenerated(EdgeId edge) const;  ///< a pole: no length in space
     bool is_seam(EdgeId edge, FaceId face) const;
 
-    Vec3 point_of(VertexId vertex) const;     ///< within its tolerance where its edges end (vertex_places)
+    Vec3 point_of(VertexId vertex) const;  ///< within its tolerance where its edges end (vertex_places)
     /// From that point, or from the kernel's own, where other meshers put the node.
     double distance_from(VertexId vertex, const Vec3& p) const;
-    const Box& box_of(FaceId face) const;     ///< holds it, not the tightest
-    const Box& box() const;                   ///< exact enough for sizes, not for topology
+    const Box& box_of(FaceId face) const;  ///< holds it, not the tightest
+    const Box& box() const;                ///< exact enough for sizes, not for topology
     Tolerances tolerances() const;
-    double volume_of(SolidId solid) const;    ///< mm^3
-    double volume() const;                    ///< of all solids, mm^3; what they share counts twice
+    double volume_of(SolidId solid) const;  ///< mm^3
+    double volume() const;                  ///< of all solids, mm^3; what they share counts twice
 
   private:
     struct Data;

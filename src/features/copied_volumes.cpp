@@ -54,7 +54,8 @@ std::optional<Vec3> vector_of(const RawRecord& record, const std::string& name) 
 Placements mirrors(const RawRecord& copy) {
     const auto base = vector_of(copy, "Base"), normal = vector_of(copy, "Normal");
     if (!base || !normal || length(*normal) < 1e-12) return {};
-    const gp_Trsf own = to_trsf(copy.placement), whole = to_trsf(copy.global_placement), parent = whole * own.Inverted();
+    const gp_Trsf own = to_trsf(copy.placement), whole = to_trsf(copy.global_placement),
+                  parent = whole * own.Inverted();
     Placements found;
     for (const gp_Trsf& frame : {parent, whole}) {
         gp_Trsf mirror;

@@ -45,8 +45,8 @@ struct Feature {
     RigidMotion frame;  ///< of the feature, in the final shape's frame
     std::vector<FeatureId> depends_on;
     bool suppressed = false;
-    std::string error;           ///< FreeCAD's message; such a feature counts as changed
-    std::string volume_source;   ///< how the volumes were had: "own", "before and after", "instances", "copies", "shape"
+    std::string error;          ///< FreeCAD's message; such a feature counts as changed
+    std::string volume_source;  ///< how the volumes were had: "own", "before and after", "instances", "copies", "shape"
     std::shared_ptr<const ShapeDifference> difference;  ///< where the volumes are, or should be, from before and after
     TopoDS_Shape before, after;  ///< what FreeCAD shows before and after it, where it changes a shape; may be null
     Combination combination = Combination::volumes;
@@ -65,8 +65,8 @@ struct FeatureTree {
     std::optional<FeatureId> find(const std::string& name) const;
 };
 
-/// Interprets the records. `before`: the tree before an edit, whose features that did the same are not looked into again.
-/// Throws InputError when the final object has no solid, and Cancelled.
+/// Interprets the records. `before`: the tree before an edit, whose features that did the same are not looked into
+/// again. Throws InputError when the final object has no solid, and Cancelled.
 FeatureTree interpret(const RawDocument& document, RunContext& context, const FeatureTree* before = nullptr);
 FeatureTree interpret(const RawDocument& document);
 

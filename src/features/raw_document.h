@@ -21,31 +21,31 @@ struct RawLink {
 
 /// One document object that the part depends on.
 struct RawRecord {
-    std::string name, label, type;            ///< type is FreeCAD's, e.g. "PartDesign::Pad"; "Python:<Proxy class>" is in `proxy`
+    std::string name, label, type;  ///< type is FreeCAD's, e.g. "PartDesign::Pad"; "Python:<Proxy class>" is in `proxy`
     std::string proxy;
-    std::vector<RawLink> links;               ///< every object link property, in the order of its list
-    RigidMotion placement;                    ///< of the object within its parent
-    RigidMotion global_placement;             ///< from the object's own frame to the final shape's frame
-    std::map<std::string, double> numbers;    ///< numeric and boolean parameters (mm, degrees)
-    std::map<std::string, std::string> texts; ///< enumerations
-    int shape = -1;                           ///< index into the shapes: its Shape, in the final shape's frame
-    int own_volume = -1;                      ///< index into the shapes: its AddSubShape, in the final shape's frame
+    std::vector<RawLink> links;                ///< every object link property, in the order of its list
+    RigidMotion placement;                     ///< of the object within its parent
+    RigidMotion global_placement;              ///< from the object's own frame to the final shape's frame
+    std::map<std::string, double> numbers;     ///< numeric and boolean parameters (mm, degrees)
+    std::map<std::string, std::string> texts;  ///< enumerations
+    int shape = -1;                            ///< index into the shapes: its Shape, in the final shape's frame
+    int own_volume = -1;                       ///< index into the shapes: its AddSubShape, in the final shape's frame
     bool suppressed = false;
-    std::string error;                        ///< FreeCAD's own message when the feature is in error
+    std::string error;  ///< FreeCAD's own message when the feature is in error
     bool operator==(const RawRecord&) const = default;
 };
 
 /// The records in dependency order (what a record links to comes before it) and their shapes.
 struct RawDocument {
     std::vector<RawRecord> records;
-    std::string final_object;                 ///< name of the record whose shape is meshed
+    std::string final_object;  ///< name of the record whose shape is meshed
     /// One compound whose i-th child is shape i (an empty compound for null), as FreeCAD's `exportBinary` writes it.
     std::vector<std::byte> shapes;
     bool operator==(const RawDocument&) const = default;
 };
 
-/// The children of the compound in FreeCAD's binary BREP form. Throws StateError when it is not one. The kernel trusts what follows its header, so
-/// whoever stores the bytes guards them with a checksum.
+/// The children of the compound in FreeCAD's binary BREP form. Throws StateError when it is not one. The kernel trusts
+/// what follows its header, so whoever stores the bytes guards them with a checksum.
 std::vector<TopoDS_Shape> read_shapes(std::span<const std::byte> bytes);
 /// The same bytes form, for shapes made here (tests, saved states).
 std::vector<std::byte> write_shapes(std::span<const TopoDS_Shape> shapes);

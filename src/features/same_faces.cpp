@@ -256,7 +256,8 @@ std::vector<ChangeOutline::Face> ChangeOutline::faces_of(const std::vector<TopoD
             }
         };
         add_edges([&](const TopoDS_Edge& edge) { return left_out.has(edge); });
-        // Between the edges of faces of the other kind only the surface matters: what a pocket left of a face has a hole.
+        // Between the edges of faces of the other kind only the surface matters: what a pocket left of a face has a
+        // hole.
         if (outline.points == 0 && surface.GetType() == GeomAbs_Plane) {
             const Vec3 normal = outward_normal(surface, face, 0, 0);
             add_point(normal * dot(normal, to_vec3(surface.Value(0, 0))), normal);

@@ -13,15 +13,16 @@ namespace featuremesh {
 /// same border, inner point and side of material to 1e-9 of the size.
 std::vector<TopoDS_Shape> unshared_faces(const TopoDS_Shape& shape, const TopoDS_Shape& other);
 
-/// The faces, those in planes without their holes between lines and conics that edges of `others` border as well: such a
-/// hole says nothing of what lies between faces of which some are in `faces` and some in `others`.
+/// The faces, those in planes without their holes between lines and conics that edges of `others` border as well: such
+/// a hole says nothing of what lies between faces of which some are in `faces` and some in `others`.
 std::vector<TopoDS_Shape> without_common_holes(const std::vector<TopoDS_Shape>& faces,
                                                const std::vector<TopoDS_Shape>& others);
 
 /// What tells a change of a shape by its vanished and its appeared faces: of each the surface's kind, its edges that no
-/// face of the other kind has, and the side of material along them. On its carrier the difference of the trims is bounded
-/// by those edges, so equal outlines bound the same volumes, whatever else became of the faces elsewhere (a hole moved
-/// in a face from which a fillet takes a corner). Of a plane without such edges (a hole was made in it) its place.
+/// face of the other kind has, and the side of material along them. On its carrier the difference of the trims is
+/// bounded by those edges, so equal outlines bound the same volumes, whatever else became of the faces elsewhere (a
+/// hole moved in a face from which a fillet takes a corner). Of a plane without such edges (a hole was made in it) its
+/// place.
 class ChangeOutline {
   public:
     ChangeOutline() = default;

@@ -86,8 +86,8 @@ class AngleBins {
 /// What is summed up over one chunk of tets.
 struct Tally {
     double largest_cosine = -1, smallest_cosine = 1;
-    double largest_good_cosine = -1;                  ///< of the tets that are not in `small`
-    std::vector<std::pair<TetId, double>> small;      ///< tets below 25 degrees and the cosine of their smallest angle
+    double largest_good_cosine = -1;              ///< of the tets that are not in `small`
+    std::vector<std::pair<TetId, double>> small;  ///< tets below 25 degrees and the cosine of their smallest angle
     double sum_of_min_angles = 0, sum_of_ratios = 0, smallest_ratio = 1;
     double scaled_jacobian = 1;
     std::int64_t below_10 = 0, below_20 = 0;
@@ -159,7 +159,9 @@ QualityReport report_of(const Tally& tally, double count) {
 void excuse_sharp_angles(const Mesh& mesh, const Tally& tally, QualityReport& report) {
     double largest_cosine = tally.largest_good_cosine;
     if (!tally.small.empty()) {
-        report.worst = std::max_element(tally.small.begin(), tally.small.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+        report.worst = std::max_element(tally.small.begin(), tally.small.end(), [](const auto& a, const auto& b) {
+                           return a.second < b.second;
+                       })->first;
         const SharpAngles sharp(mesh, QualityReport::small_angle_deg);
         for (const auto& [tet, cosine] : tally.small) {
             if (sharp.force(tet))
@@ -186,9 +188,8 @@ double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
 QualityReport measure_quality(const Mesh& mesh, RunContext& context) {
     if (mesh.tets.empty()) return {};
     std::vector<Tally> parts((mesh.tets.size() + grain - 1) / grain);
-    parallel_for(context, mesh.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
-        parts[begin / grain] = tally_of(mesh, begin, end);
-    });
+    parallel_for(context, mesh.tets.size(), grain,
+                 [&](std::size_t begin, std::size_t end) { parts[begin / grain] = tally_of(mesh, begin, end); });
     Tally sum;
     for (const Tally& part : parts) add(sum, part);
     QualityReport report = report_of(sum, static_cast<double>(mesh.tets.size()));

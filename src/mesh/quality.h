@@ -25,12 +25,13 @@ struct QualityReport {
 
     double min_dihedral = 0, mean_min_dihedral = 0, max_dihedral = 0;  ///< degrees
     double mean_radius_ratio = 0, min_radius_ratio = 0;
-    double min_scaled_jacobian = 1;                                    ///< of the 10-node tets with curved sides
-    std::int64_t below_10 = 0, below_20 = 0, below_25 = 0;             ///< tets by smallest dihedral angle, degrees
-    std::int64_t forced_by_cad = 0;                                    ///< of the tets below 25 degrees, those a sharper CAD angle or a far shorter CAD edge forces
-    TetId worst;                                                       ///< with the smallest angle; none when all are 25 degrees or more
-    double min_dihedral_unforced = 0;                                  ///< degrees, of all the others
-    std::array<std::int64_t, 36> histogram{};                          ///< all dihedral angles in bins of 5 degrees
+    double min_scaled_jacobian = 1;                         ///< of the 10-node tets with curved sides
+    std::int64_t below_10 = 0, below_20 = 0, below_25 = 0;  ///< tets by smallest dihedral angle, degrees
+    std::int64_t forced_by_cad =
+        0;        ///< of the tets below 25 degrees, those a sharper CAD angle or a far shorter CAD edge forces
+    TetId worst;  ///< with the smallest angle; none when all are 25 degrees or more
+    double min_dihedral_unforced = 0;          ///< degrees, of all the others
+    std::array<std::int64_t, 36> histogram{};  ///< all dihedral angles in bins of 5 degrees
 };
 /// The same figures, bit for bit, for any number of threads.
 QualityReport measure_quality(const Mesh& mesh, RunContext& context);

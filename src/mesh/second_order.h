@@ -23,8 +23,8 @@ std::array<double, 20> jacobian_coefficients(const std::array<Vec3, 10>& nodes);
 /// How the sum of the coefficients, weighted, changes with the nodes.
 std::array<Vec3, 10> jacobian_gradient(const std::array<Vec3, 10>& nodes, const std::array<double, 20>& weights);
 
-/// Lower bound of det J over the element divided by 6 V of its straight tet; sharpened by subdivision until bound and samples agree within 1e-3
-/// or the sign is certain.
+/// Lower bound of det J over the element divided by 6 V of its straight tet; sharpened by subdivision until bound and
+/// samples agree within 1e-3 or the sign is certain.
 double min_scaled_jacobian(const std::array<Vec3, 10>& nodes);
 
 /// The ten points of one tet.
@@ -33,8 +33,9 @@ std::array<Vec3, 10> tet_nodes(const Mesh& mesh, TetId tet);
 /// Whether a side's mid-side node is off the middle of its corners.
 bool has_curved_side(const Mesh& mesh, TetId tet);
 
-/// Gives every side of a 4-node mesh that has no mid-side node yet one at its middle. Sides of kept elements keep theirs. The nodes' entities are
-/// those of the segments and triangles the side belongs to, else the solid. Returns the new nodes.
+/// Gives every side of a 4-node mesh that has no mid-side node yet one at its middle. Sides of kept elements keep
+/// theirs. The nodes' entities are those of the segments and triangles the side belongs to, else the solid. Returns the
+/// new nodes.
 std::vector<NodeId> add_mid_side_nodes(Mesh& mesh, const Mesh* kept = nullptr, const RunContext& context = {});
 
 }  // namespace featuremesh

@@ -26,7 +26,8 @@ std::vector<Key> keys_below(std::vector<std::pair<Key, double>> angles, double l
     std::vector<Key> below;
     for (std::size_t first = 0, last; first < angles.size(); first = last) {
         double sum = 0;
-        for (last = first; last < angles.size() && angles[last].first == angles[first].first; ++last) sum += angles[last].second;
+        for (last = first; last < angles.size() && angles[last].first == angles[first].first; ++last)
+            sum += angles[last].second;
         if (sum < limit) below.push_back(angles[first].first);
     }
     return below;
@@ -34,7 +35,8 @@ std::vector<Key> keys_below(std::vector<std::pair<Key, double>> angles, double l
 
 }  // namespace
 
-SharpAngles::SharpAngles(const Mesh& mesh, double angle_deg) : mesh_(mesh), short_sides_(mesh), is_sharp_node_(mesh.corner_count, 0) {
+SharpAngles::SharpAngles(const Mesh& mesh, double angle_deg)
+    : mesh_(mesh), short_sides_(mesh), is_sharp_node_(mesh.corner_count, 0) {
     find_sharp_segments(angle_deg);
     find_sharp_corners(angle_deg);
 }
@@ -48,7 +50,8 @@ void SharpAngles::find_sharp_segments(double angle_deg) {
             if (mesh_.entities[n[i].index()].dim > 1 || mesh_.entities[n[j].index()].dim > 1) continue;
             const std::int32_t segment = short_sides_.segment_at(n[i], n[j]);
             if (segment < 0) continue;
-            const double angle = dihedral_at(mesh_.point(n[i]), mesh_.point(n[j]), mesh_.point(n[k]), mesh_.point(n[l]));
+            const double angle =
+                dihedral_at(mesh_.point(n[i]), mesh_.point(n[j]), mesh_.point(n[k]), mesh_.point(n[l]));
             angles.push_back({{segment, mesh_.tet_solids[t]}, angle});
         }
     }
@@ -71,15 +74,18 @@ void SharpAngles::find_sharp_corners(double angle_deg) {
             const double angle = angle_between(mesh_.point(n[(i + 1) % 3]) - at, mesh_.point(n[(i + 2) % 3]) - at);
             angles.push_back({{n[i].value, mesh_.triangle_faces[t]}, angle});
         }
-    for (const auto& [node, face] : keys_below(std::move(angles), angle_deg)) is_sharp_node_[static_cast<std::size_t>(node)] = 1;
+    for (const auto& [node, face] : keys_below(std::move(angles), angle_deg))
+        is_sharp_node_[static_cast<std::size_t>(node)] = 1;
 }
 
 void SharpAngles::find_wedge_faces(const std::vector<char>& is_sharp_segment) {
     std::vector<std::pair<std::int32_t, FaceId>> faces_at;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
         for (int i = 0; i < 3; ++i) {
-            const std::int32_t segment = short_sides_.segment_at(mesh_.triangles[t][i], mesh_.triangles[t][(i + 1) % 3]);
-            if (segment >= 0 && is_sharp_segment[static_cast<std::size_t>(segment)]) faces_at.push_back({segment, mesh_.triangle_faces[t]});
+            const std::int32_t segment =
+                short_sides_.segment_at(mesh_.triangles[t][i], mesh_.triangles[t][(i + 1) % 3]);
+            if (segment >= 0 && is_sharp_segment[static_cast<std::size_t>(segment)])
+                faces_at.push_back({segment, mesh_.triangle_faces[t]});
         }
     std::sort(faces_at.begin(), faces_at.end());
     for (std::size_t i = 0; i + 1 < faces_at.size(); ++i)
@@ -107,7 +113,8 @@ bool SharpAngles::force(TetId tet) const {
     if (std::any_of(nodes.begin(), nodes.end(), [&](NodeId n) { return is_sharp_node_[n.index()]; })) return true;
     if (short_sides_.forced_side(tet)) return true;
     return std::any_of(wedges_.begin(), wedges_.end(), [&](const auto& wedge) {
-        return std::all_of(nodes.begin(), nodes.end(), [&](NodeId n) { return lies_on(n, wedge.first) || lies_on(n, wedge.second); });
+        return std::all_of(nodes.begin(), nodes.end(),
+                           [&](NodeId n) { return lies_on(n, wedge.first) || lies_on(n, wedge.second); });
     });
 }
 

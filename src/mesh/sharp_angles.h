@@ -15,8 +15,8 @@ class SharpAngles {
   public:
     SharpAngles(const Mesh& mesh, double angle_deg);
 
-    /// The tet touches a sharp edge or corner, spans from one of the two faces at a sharp edge to the other, or has a side
-    /// far shorter than the others that the shape forces (ShortSides).
+    /// The tet touches a sharp edge or corner, spans from one of the two faces at a sharp edge to the other, or has a
+    /// side far shorter than the others that the shape forces (ShortSides).
     bool force(TetId tet) const;
 
   private:
@@ -28,7 +28,7 @@ class SharpAngles {
     const Mesh& mesh_;
     ShortSides short_sides_;
     std::vector<char> is_sharp_node_;
-    std::vector<std::pair<FaceId, FaceId>> wedges_;               ///< the faces at each sharp edge, smaller first
+    std::vector<std::pair<FaceId, FaceId>> wedges_;                ///< the faces at each sharp edge, smaller first
     std::vector<std::pair<std::int32_t, std::int32_t>> on_wedge_;  ///< node and wedge face, sorted
 };
 

@@ -203,7 +203,8 @@ double volume_over(const Mesh& mesh, std::size_t t, const Vec3& apex) {
     const double bent = squared_length(ab) + squared_length(bc) + squared_length(ca);
     if (bent <= 1e-20 * (squared_length(b - a) + squared_length(c - a))) return straight;
     double sum = 0;
-    for (const auto& [weight, share] : {std::pair{0.223381589678011, 0.445948490915965}, {0.109951743655322, 0.091576213509771}})
+    for (const auto& [weight, share] :
+         {std::pair{0.223381589678011, 0.445948490915965}, {0.109951743655322, 0.091576213509771}})
         for (int corner = 0; corner < 3; ++corner) {
             std::array<double, 3> l{share, share, share};
             l[static_cast<std::size_t>(corner)] = 1 - 2 * share;
@@ -217,8 +218,8 @@ double volume_over(const Mesh& mesh, std::size_t t, const Vec3& apex) {
 
 /// Only `near`, of which a node is unproven. The volume is what the triangles around each solid enclose: where every
 /// side of a tet has a tet or a triangle on its other side, which is checked besides, that is the sum of the tets.
-void check_unproven_tets(const Mesh& mesh, const Expectation& expected, std::span<const TetId> near, RunContext& context,
-                         Findings& findings) {
+void check_unproven_tets(const Mesh& mesh, const Expectation& expected, std::span<const TetId> near,
+                         RunContext& context, Findings& findings) {
     std::vector<Findings> parts((near.size() + grain - 1) / grain);
     parallel_for(context, near.size(), grain, [&](std::size_t begin, std::size_t end) {
         double six_volume = 0;

@@ -12,12 +12,13 @@ namespace featuremesh {
 
 /// Edge lengths over the lengths wanted at the edges' middles.
 struct SizeConformity {
-    double share_within = 1;                    ///< of the edges, with a ratio of 0.7 to 1.4
-    double mean = 1;                            ///< of the ratios
-    std::array<std::int64_t, 20> histogram{};   ///< ratios in bins of 0.1; the last one has all from 1.9
+    double share_within = 1;                   ///< of the edges, with a ratio of 0.7 to 1.4
+    double mean = 1;                           ///< of the ratios
+    std::array<std::int64_t, 20> histogram{};  ///< ratios in bins of 0.1; the last one has all from 1.9
 };
 
-/// The sides of at most about 2700 tets, taken evenly from the mesh's order; an edge counts once for each of these tets it is a side of.
+/// The sides of at most about 2700 tets, taken evenly from the mesh's order; an edge counts once for each of these tets
+/// it is a side of.
 SizeConformity measure_size_conformity(const Mesh& mesh, const SizingField& sizing);
 
 }  // namespace featuremesh

@@ -14,8 +14,8 @@
 namespace featuremesh {
 
 struct LocalSize {
-    Entity entity;               ///< face, edge, vertex or solid of the final shape
-    double size = 0;             ///< mm
+    Entity entity;    ///< face, edge, vertex or solid of the final shape
+    double size = 0;  ///< mm
     bool operator==(const LocalSize&) const = default;
 };
 
@@ -24,7 +24,7 @@ struct SizingOptions {
     double min_size = 0;              ///< mm, curvature and gaps ask for nothing below it
     double elements_per_circle = 12;  ///< curvature; 0 is off
     double elements_across_gap = 0;   ///< thin walls; 0 is off
-    double growth = 1.3;              ///< neighbouring edge lengths differ at most by this factor: |h(x)-h(y)| <= (growth-1) |x-y|
+    double growth = 1.3;  ///< neighbouring edge lengths differ at most by this factor: |h(x)-h(y)| <= (growth-1) |x-y|
     std::vector<LocalSize> local;
     bool operator==(const SizingOptions&) const = default;
 };
@@ -60,9 +60,11 @@ class SizingField {
 std::vector<Box> where_different(const SizingField& a, const SizingField& b);
 
 /// Throws InputError for a size that is zero, negative, or larger than the part.
-SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::span<const SizeSource> sources, RunContext& context);
+SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::span<const SizeSource> sources,
+                        RunContext& context);
 
-/// The source as it is where it asks for less than nine tenths of what the field does, else with half of that: a field with it is another one.
+/// The source as it is where it asks for less than nine tenths of what the field does, else with half of that: a field
+/// with it is another one.
 SizeSource shorter_than_asked(const SizingField& field, SizeSource source);
 
 /// About how many tets the field asks for in the part (used to refuse more than 50 million, and by the task panel).

@@ -27,9 +27,11 @@ class SideBook {
         for (const auto& [a, b] : segments)
             if (may_meet_[a.index()] && may_meet_[b.index()]) sides_.insert(side_key(a.value, b.value));
         for (const auto& t : mesh.triangles) {
-            const std::array<bool, 3> meets{may_meet_[t[0].index()] != 0, may_meet_[t[1].index()] != 0, may_meet_[t[2].index()] != 0};
+            const std::array<bool, 3> meets{may_meet_[t[0].index()] != 0, may_meet_[t[1].index()] != 0,
+                                            may_meet_[t[2].index()] != 0};
             for (int i = 0; i < 3; ++i)
-                if (meets[at(i)] && meets[at((i + 1) % 3)]) sides_.insert(side_key(t[at(i)].value, t[at((i + 1) % 3)].value));
+                if (meets[at(i)] && meets[at((i + 1) % 3)])
+                    sides_.insert(side_key(t[at(i)].value, t[at((i + 1) % 3)].value));
             if (meets[0] && meets[1] && meets[2]) triangles_.insert(sorted(t));
         }
     }

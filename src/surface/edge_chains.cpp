@@ -354,8 +354,8 @@ std::vector<double> EdgeChains::parameters_beside(const Brep& brep, const Wanted
     return parameters;
 }
 
-void EdgeChains::keep_off_contacts(const Brep& brep, const WantedLength& sizing, std::size_t first_new_node,
-                                   Mesh& mesh, const RunContext& context) {
+void EdgeChains::keep_off_contacts(const Brep& brep, const WantedLength& sizing, std::size_t first_new_node, Mesh& mesh,
+                                   const RunContext& context) {
     std::optional<ChainNeighbours> neighbours;  // many updates need none
     for (std::size_t e = 0; e < chains_.size(); ++e) {
         if (e % 64 == 0) context.check_cancelled();

@@ -28,9 +28,9 @@ struct SurfaceOptions {
 
 struct SurfaceReport {
     std::size_t new_nodes = 0, new_triangles = 0;
-    double min_angle_deg = 180;                 ///< smallest angle of a new triangle
-    bool has_opposite_nodes = false;            ///< another choice of NarrowFaces gives another surface
-    std::vector<std::string> warnings;          ///< e.g. a face that had to be meshed finer than asked
+    double min_angle_deg = 180;         ///< smallest angle of a new triangle
+    bool has_opposite_nodes = false;    ///< another choice of NarrowFaces gives another surface
+    std::vector<std::string> warnings;  ///< e.g. a face that had to be meshed finer than asked
 };
 
 /// How much of a mesh there is.
@@ -47,9 +47,10 @@ struct SurfaceResult {
 /// What was there before the filling.
 Mesh taken_back(SurfaceResult filled);
 
-/// Takes a mesh with kept nodes, segments and triangles (or nothing), 4-node; gives it back in front, bit for bit, with a node on every CAD vertex,
-/// a chain of segments on every CAD edge and triangles on every CAD face. Conforming: faces share the nodes of their edges.
-/// Throws MeshError that names the face.
-SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kept, RunContext& context, const SurfaceOptions& options = {});
+/// Takes a mesh with kept nodes, segments and triangles (or nothing), 4-node; gives it back in front, bit for bit, with
+/// a node on every CAD vertex, a chain of segments on every CAD edge and triangles on every CAD face. Conforming: faces
+/// share the nodes of their edges. Throws MeshError that names the face.
+SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kept, RunContext& context,
+                           const SurfaceOptions& options = {});
 
 }  // namespace featuremesh

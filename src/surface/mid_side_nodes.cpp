@@ -145,8 +145,8 @@ Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh
     place_on_faces(projector, is_new, mesh, context);
     std::copy(is_movable.begin(), is_movable.end(), is_new.begin());
     Curved result{std::move(mesh), {}, {}, 1};
-    result.low = unfold_tets(result.mesh, projector, is_new,
-                             {wanted_scaled_jacobian, brep.tolerances().least_volume()}, context);
+    result.low = unfold_tets(result.mesh, projector, is_new, {wanted_scaled_jacobian, brep.tolerances().least_volume()},
+                             context);
     for (const TetId t : result.low) {
         const double scaled_jacobian = min_scaled_jacobian(tet_nodes(result.mesh, t));
         result.smallest = std::min(result.smallest, scaled_jacobian);
@@ -233,7 +233,8 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
         // refining that makes more trouble than it ends would go on for ever
         const bool is_hopeless = refinement == most_refinements || trouble.size() > 4 * trouble_at_first + 50 ||
                                  (best && refinement > last_gain + most_without_gain);
-        const bool is_split = !is_hopeless && split_folded_tets(mesh, curved.mesh, trouble, counts, brep.tolerances().least_volume()) > 0;
+        const bool is_split =
+            !is_hopeless && split_folded_tets(mesh, curved.mesh, trouble, counts, brep.tolerances().least_volume()) > 0;
         if (curved.folded.empty() && (!best || curved.smallest > best->smallest)) {
             best = std::move(curved);
             last_gain = refinement;

@@ -14,12 +14,12 @@ namespace featuremesh {
 struct OnEdge {
     Vec3 point;
     double t = 0;
-    double distance = 0;   ///< from where it was asked, mm
+    double distance = 0;  ///< from where it was asked, mm
 };
 struct OnFace {
     Vec3 point;
     std::array<double, 2> uv{};
-    double distance = 0;   ///< from where it was asked, mm
+    double distance = 0;  ///< from where it was asked, mm
 };
 
 /// Evaluates and projects on the entities of one Brep. One object per thread: the kernel's adaptors cache.

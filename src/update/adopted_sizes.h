@@ -9,8 +9,8 @@
 
 namespace featuremesh {
 
-/// One source for every few nodes, at their middle, with the mean length of the sides of the tets around them; of at most `size` where most of the
-/// mesh is clearly coarser than that, mm.
+/// One source for every few nodes, at their middle, with the mean length of the sides of the tets around them; of at
+/// most `size` where most of the mesh is clearly coarser than that, mm.
 std::vector<SizeSource> local_sizes(const Mesh& mesh, double size);
 
 }  // namespace featuremesh

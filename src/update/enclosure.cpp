@@ -41,7 +41,8 @@ bool crossing(const Vec3& a, const Vec3& b, const Vec3& c, double x, double y, d
 }  // namespace
 
 std::vector<std::array<Vec3, 3>> triangulate(const TopoDS_Shape& shape) {
-    const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape, true, false).Shape();   // the original stays without a triangulation
+    const TopoDS_Shape copy =
+        BRepBuilderAPI_Copy(shape, true, false).Shape();  // the original stays without a triangulation
     BRepMesh_IncrementalMesh mesher(copy, 0.01, true, 0.3, false);
     std::vector<std::array<Vec3, 3>> triangles;
     for (TopExp_Explorer it(copy, TopAbs_FACE); it.More(); it.Next()) {
@@ -75,7 +76,8 @@ Enclosure::Enclosure(const std::vector<TopoDS_Shape>& volumes) {
         const Box b = box_of({t});
         const auto id = std::uint32_t(triangles_.size());
         triangles_.push_back({t[0], t[1], t[2]});
-        const std::size_t i1 = std::size_t((b.high.x - box_.low.x) / pitch_), j1 = std::size_t((b.high.y - box_.low.y) / pitch_);
+        const std::size_t i1 = std::size_t((b.high.x - box_.low.x) / pitch_),
+                          j1 = std::size_t((b.high.y - box_.low.y) / pitch_);
         for (std::size_t i = std::size_t((b.low.x - box_.low.x) / pitch_); i <= std::min(i1, columns_ - 1); ++i)
             for (std::size_t j = std::size_t((b.low.y - box_.low.y) / pitch_); j <= std::min(j1, rows_ - 1); ++j)
                 columns_triangles_[i * rows_ + j].push_back(id);
@@ -102,7 +104,8 @@ struct SolidLocator::Data {
 };
 
 SolidLocator::SolidLocator(const Brep& brep) : data_(std::make_unique<Data>()) {
-    for (std::size_t s = 0; s < brep.solid_count(); ++s) data_->probes.push_back(std::make_unique<SolidProbe>(brep, SolidId(s)));
+    for (std::size_t s = 0; s < brep.solid_count(); ++s)
+        data_->probes.push_back(std::make_unique<SolidProbe>(brep, SolidId(s)));
 }
 SolidLocator::~SolidLocator() = default;
 
@@ -134,8 +137,10 @@ bool PointGrid::has_within(const Vec3& p, double radius) const {
     const auto centre = bucket_of(p);
     for (std::int64_t i = -1; i <= 1; ++i)
         for (std::int64_t j = -1; j <= 1; ++j) {
-            const std::array<std::int64_t, 3> low{centre[0] + i, centre[1] + j, centre[2] - 1}, high{low[0], low[1], centre[2] + 2};
-            for (auto it = std::lower_bound(buckets_.begin(), buckets_.end(), low); it != buckets_.end() && *it < high; ++it)
+            const std::array<std::int64_t, 3> low{centre[0] + i, centre[1] + j, centre[2] - 1},
+                high{low[0], low[1], centre[2] + 2};
+            for (auto it = std::lower_bound(buckets_.begin(), buckets_.end(), low); it != buckets_.end() && *it < high;
+                 ++it)
                 if (squared_length(points_[std::size_t(it - buckets_.begin())] - p) < radius * radius) return true;
         }
     return false;

@@ -14,7 +14,8 @@ namespace featuremesh {
 /// A triangulation of the shape's faces, coarse where they are flat; the shape itself stays without one.
 std::vector<std::array<Vec3, 3>> triangulate(const TopoDS_Shape& shape);
 
-/// The inside of some volumes, by their triangulation: quick, and wrong only within the triangulation's deflection of the boundary.
+/// The inside of some volumes, by their triangulation: quick, and wrong only within the triangulation's deflection of
+/// the boundary.
 class Enclosure {
   public:
     explicit Enclosure(const std::vector<TopoDS_Shape>& volumes);
@@ -36,7 +37,7 @@ class SolidLocator {
   public:
     explicit SolidLocator(const Brep& brep);
     ~SolidLocator();
-    SolidId solid_at(const Vec3& p) const;   ///< none outside or on the boundary
+    SolidId solid_at(const Vec3& p) const;  ///< none outside or on the boundary
 
   private:
     struct Data;
@@ -52,7 +53,7 @@ class PointGrid {
 
   private:
     std::array<std::int64_t, 3> bucket_of(const Vec3& p) const;
-    std::vector<Vec3> points_;                          // sorted by bucket
+    std::vector<Vec3> points_;  // sorted by bucket
     std::vector<std::array<std::int64_t, 3>> buckets_;
     double spacing_;
 };

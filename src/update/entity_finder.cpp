@@ -41,7 +41,11 @@ std::vector<FaceId> faces_at(const Brep& brep, Entity entity) {
 }
 
 EntityFinder::EntityFinder(const Brep& brep, double tolerance)
-    : brep_(brep), tolerance_(tolerance), projector_(brep), edge_boxes_(brep.edge_count()), face_boxes_(brep.face_count()) {
+    : brep_(brep),
+      tolerance_(tolerance),
+      projector_(brep),
+      edge_boxes_(brep.edge_count()),
+      face_boxes_(brep.face_count()) {
     for (std::size_t f = 0; f < brep.face_count(); ++f)
         if (is_used(brep, FaceId(f))) face_boxes_[f] = box_of(brep.face(FaceId(f))).grown(tolerance);
     for (std::size_t e = 0; e < brep.edge_count(); ++e)

@@ -24,7 +24,8 @@ class EntityFinder {
     /// Points are on an entity that is no further away than `tolerance`, mm.
     EntityFinder(const Brep& brep, double tolerance);
 
-    /// The entity of lowest dimension that the point lies on, the nearest of several; none (dimension 3) off the boundary.
+    /// The entity of lowest dimension that the point lies on, the nearest of several; none (dimension 3) off the
+    /// boundary.
     PointPlace find(const Vec3& p) const;
 
     const Projector& projector() const { return projector_; }
@@ -37,7 +38,7 @@ class EntityFinder {
     const Brep& brep_;
     double tolerance_;
     Projector projector_;
-    std::vector<Box> edge_boxes_, face_boxes_;   // empty for what no solid uses
+    std::vector<Box> edge_boxes_, face_boxes_;  // empty for what no solid uses
 };
 
 /// What an entity touches: itself, and what it bounds. Each ascending.

@@ -25,7 +25,8 @@ class Centroids {
         across_ = std::max<std::size_t>(1, std::size_t(std::sqrt(double(points_.size() / points_per_column))));
         std::vector<std::size_t> column_of;
         column_of.reserve(points_.size());
-        for (const Vec3& p : points_) column_of.push_back(column(p.x, box_.low.x, box_.high.x) * across_ + column(p.y, box_.low.y, box_.high.y));
+        for (const Vec3& p : points_)
+            column_of.push_back(column(p.x, box_.low.x, box_.high.x) * across_ + column(p.y, box_.low.y, box_.high.y));
         start_.resize(across_ * across_ + 1);
         for (const std::size_t c : column_of) ++start_[c + 1];
         std::partial_sum(start_.begin(), start_.end(), start_.begin());
@@ -39,8 +40,10 @@ class Centroids {
     std::vector<std::uint32_t> in(const Box& box) const {
         std::vector<std::uint32_t> found;
         if (points_.empty() || !box.overlaps(box_)) return found;
-        for (std::size_t i = column(box.low.x, box_.low.x, box_.high.x); i <= column(box.high.x, box_.low.x, box_.high.x); ++i)
-            for (std::size_t j = column(box.low.y, box_.low.y, box_.high.y); j <= column(box.high.y, box_.low.y, box_.high.y); ++j)
+        for (std::size_t i = column(box.low.x, box_.low.x, box_.high.x);
+             i <= column(box.high.x, box_.low.x, box_.high.x); ++i)
+            for (std::size_t j = column(box.low.y, box_.low.y, box_.high.y);
+                 j <= column(box.high.y, box_.low.y, box_.high.y); ++j)
                 for (std::size_t k = start_[i * across_ + j]; k < start_[i * across_ + j + 1]; ++k)
                     if (box.contains(points_[tets_[k]])) found.push_back(tets_[k]);
         return found;
@@ -55,11 +58,12 @@ class Centroids {
     std::vector<Vec3> points_;
     Box box_;
     std::size_t across_ = 1;
-    std::vector<std::size_t> start_;         // by column, into tets_
+    std::vector<std::size_t> start_;   // by column, into tets_
     std::vector<std::uint32_t> tets_;  // by column
 };
 
-void add_tets_in(const TopoDS_Shape& volume, const Centroids& centroids, std::vector<TetId>& tets, RunContext& context) {
+void add_tets_in(const TopoDS_Shape& volume, const Centroids& centroids, std::vector<TetId>& tets,
+                 RunContext& context) {
     const std::vector<std::uint32_t> candidates = centroids.in(box_of(volume));
     if (candidates.empty()) return;
     const Enclosure enclosure({volume});

@@ -11,8 +11,8 @@
 
 namespace featuremesh {
 
-/// By feature that owns material: its name and its tets, ascending. A tet belongs to every feature that has its centroid in one of its volumes, so
-/// to the owners of the cell it is in.
+/// By feature that owns material: its name and its tets, ascending. A tet belongs to every feature that has its
+/// centroid in one of its volumes, so to the owners of the cell it is in.
 std::vector<std::pair<std::string, std::vector<TetId>>> tets_of_features(const PartMesh& part, RunContext& context);
 
 }  // namespace featuremesh

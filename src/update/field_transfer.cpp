@@ -14,11 +14,12 @@ namespace featuremesh {
 namespace {
 
 using Barycentric = std::array<double, 4>;
-constexpr double inside_tolerance = 1e-9;   // of barycentric coordinates
+constexpr double inside_tolerance = 1e-9;  // of barycentric coordinates
 
 Barycentric barycentric(const std::array<Vec3, 4>& c, const Vec3& p) {
     const double whole = signed_volume(c[0], c[1], c[2], c[3]);
-    Barycentric l{signed_volume(p, c[1], c[2], c[3]) / whole, signed_volume(c[0], p, c[2], c[3]) / whole, signed_volume(c[0], c[1], p, c[3]) / whole, 0};
+    Barycentric l{signed_volume(p, c[1], c[2], c[3]) / whole, signed_volume(c[0], p, c[2], c[3]) / whole,
+                  signed_volume(c[0], c[1], p, c[3]) / whole, 0};
     l[3] = 1 - l[0] - l[1] - l[2];
     return l;
 }
@@ -73,7 +74,8 @@ class Element {
             const auto rows = inverse_rows(axes(l));
             Vec3 step{dot(rows[0], rest), dot(rows[1], rest), dot(rows[2], rest)};
             const double size = std::max({std::abs(step.x), std::abs(step.y), std::abs(step.z)});
-            if (!(size < 1)) step = size < 1e6 ? step / size : Vec3{};   // far outside the mapping need not be one to one
+            if (!(size < 1))
+                step = size < 1e6 ? step / size : Vec3{};  // far outside the mapping need not be one to one
             l[1] += step.x, l[2] += step.y, l[3] += step.z;
             l[0] = 1 - l[1] - l[2] - l[3];
             if (size < 1e-13) break;
@@ -128,7 +130,8 @@ class Element {
 /// Barycentric coordinates of the triangle's point nearest to p (Ericson 2005, 5.1.5).
 std::array<double, 3> nearest_on_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
     const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-    const double d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp), d6 = dot(ac, cp);
+    const double d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp),
+                 d6 = dot(ac, cp);
     if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
     if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
     if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
@@ -161,8 +164,14 @@ struct OuterTriangle {
 class Transfer {
   public:
     Transfer(const Mesh& old_mesh, const Mesh& new_mesh, std::span<const double> values, RunContext& context)
-        : old_(old_mesh), new_(new_mesh), values_(values), width_(values.size() / old_mesh.node_count()), context_(context),
-          elements_(element_boxes()), outer_(outer_triangles()), surface_(surface_boxes()) {
+        : old_(old_mesh),
+          new_(new_mesh),
+          values_(values),
+          width_(values.size() / old_mesh.node_count()),
+          context_(context),
+          elements_(element_boxes()),
+          outer_(outer_triangles()),
+          surface_(surface_boxes()) {
         out_.values.assign(new_.node_count() * width_, 0);
         out_.errors.assign(new_.node_count() * width_, 0);
         out_.sources.assign(new_.node_count(), ValueSource::outside);
@@ -199,7 +208,8 @@ class Transfer {
                 const std::array<std::size_t, 3> nodes{b, meeting[0].middle, meeting[0].largest};
                 for (int k = 0; k < 3; ++k)
                     for (int c = 0; c < 4; ++c)
-                        if (old_.tets[triangle.tet][c].index() == nodes[std::size_t(k)]) triangle.corners[std::size_t(k)] = c;
+                        if (old_.tets[triangle.tet][c].index() == nodes[std::size_t(k)])
+                            triangle.corners[std::size_t(k)] = c;
                 outer.push_back(triangle);
             });
         return outer;
@@ -234,7 +244,8 @@ class Transfer {
                 weights[nodes[std::size_t(k)].index()] += volume;
                 for (std::size_t w = 0; w < width_; ++w)
                     for (std::size_t i = 0; i < nodes.size(); ++i)
-                        gradients_[nodes[std::size_t(k)].index() * width_ + w] += slopes[i] * (volume * value(nodes[i].index(), w));
+                        gradients_[nodes[std::size_t(k)].index() * width_ + w] +=
+                            slopes[i] * (volume * value(nodes[i].index(), w));
             }
         }
         for (std::size_t n = 0; n < weights.size(); ++n)
@@ -254,7 +265,8 @@ class Transfer {
         }
         const auto tets = ordered(old_.tet_numbers);
         for (std::size_t t = 0; t < new_.tets.size() && old_.order == new_.order; ++t)
-            if (const std::int32_t old = found(tets, new_.tet_numbers[t]); old >= 0) take_congruent(std::size_t(old), t, same);
+            if (const std::int32_t old = found(tets, new_.tet_numbers[t]); old >= 0)
+                take_congruent(std::size_t(old), t, same);
         return same;
     }
 
@@ -283,7 +295,8 @@ class Transfer {
     }
 
     void copy(std::size_t n, std::size_t old) {
-        std::copy_n(values_.begin() + std::ptrdiff_t(old * width_), width_, out_.values.begin() + std::ptrdiff_t(n * width_));
+        std::copy_n(values_.begin() + std::ptrdiff_t(old * width_), width_,
+                    out_.values.begin() + std::ptrdiff_t(n * width_));
         out_.sources[n] = ValueSource::same_node;
     }
 
@@ -301,7 +314,8 @@ class Transfer {
         if (best < 0) return false;
         const Element element(old_, std::size_t(best));
         fill_in(n, element, place);
-        for (std::size_t w = 0; w < width_; ++w) out_.errors[n * width_ + w] = std::abs(out_.values[n * width_ + w] - recovered(element, p, w));
+        for (std::size_t w = 0; w < width_; ++w)
+            out_.errors[n * width_ + w] = std::abs(out_.values[n * width_ + w] - recovered(element, p, w));
         out_.sources[n] = ValueSource::inside;
         return true;
     }
@@ -310,7 +324,8 @@ class Transfer {
         const auto nodes = element.node_ids();
         const auto shape = element.shape(place);
         for (std::size_t w = 0; w < width_; ++w)
-            for (std::size_t i = 0; i < nodes.size(); ++i) out_.values[n * width_ + w] += shape[i] * value(nodes[i].index(), w);
+            for (std::size_t i = 0; i < nodes.size(); ++i)
+                out_.values[n * width_ + w] += shape[i] * value(nodes[i].index(), w);
     }
 
     // u* of the header.
@@ -319,7 +334,8 @@ class Transfer {
         const auto nodes = element.node_ids();
         double sum = 0;
         for (std::size_t i = 0; i < 4; ++i)
-            sum += l[i] * (value(nodes[i].index(), w) + 0.5 * dot(gradients_[nodes[i].index() * width_ + w], p - element.corners()[i]));
+            sum += l[i] * (value(nodes[i].index(), w) +
+                           0.5 * dot(gradients_[nodes[i].index() * width_ + w], p - element.corners()[i]));
         return sum;
     }
 
@@ -330,7 +346,8 @@ class Transfer {
             const auto l = nearest_on_triangle(a, b, c, p);
             return std::pair(l, a * l[0] + b * l[1] + c * l[2]);
         };
-        const std::int32_t nearest = surface_.nearest(p, [&](std::int32_t t) { return squared_length(foot_on(t).second - p); });
+        const std::int32_t nearest =
+            surface_.nearest(p, [&](std::int32_t t) { return squared_length(foot_on(t).second - p); });
         const OuterTriangle& triangle = outer_[std::size_t(nearest)];
         const auto [l, foot] = foot_on(nearest);
         Barycentric place{};
@@ -340,7 +357,8 @@ class Transfer {
         const auto nodes = element.node_ids();
         for (std::size_t w = 0; w < width_; ++w) {
             double change = 0;
-            for (std::size_t i = 0; i < 4; ++i) change += place[i] * dot(gradients_[nodes[i].index() * width_ + w], p - foot);
+            for (std::size_t i = 0; i < 4; ++i)
+                change += place[i] * dot(gradients_[nodes[i].index() * width_ + w], p - foot);
             out_.errors[n * width_ + w] = std::abs(change);
         }
     }
@@ -353,16 +371,19 @@ class Transfer {
     BoxTree elements_;
     std::vector<OuterTriangle> outer_;
     BoxTree surface_;
-    std::vector<Vec3> gradients_;   // (corner nodes, components)
+    std::vector<Vec3> gradients_;  // (corner nodes, components)
     TransferredField out_;
 };
 
 }  // namespace
 
-TransferredField transfer_field(const Mesh& old_mesh, const Mesh& new_mesh, std::span<const double> values, double same_place, RunContext& context) {
-    if (old_mesh.tets.empty() || old_mesh.node_count() == 0) throw InputError("The old mesh has no elements to take values from.");
+TransferredField transfer_field(const Mesh& old_mesh, const Mesh& new_mesh, std::span<const double> values,
+                                double same_place, RunContext& context) {
+    if (old_mesh.tets.empty() || old_mesh.node_count() == 0)
+        throw InputError("The old mesh has no elements to take values from.");
     if (values.empty() || values.size() % old_mesh.node_count() != 0)
-        throw InputError(std::to_string(values.size()) + " values do not fit the " + std::to_string(old_mesh.node_count()) +
+        throw InputError(std::to_string(values.size()) + " values do not fit the " +
+                         std::to_string(old_mesh.node_count()) +
                          " nodes of the old mesh; give as many rows as it has nodes.");
     return Transfer(old_mesh, new_mesh, values, context).run(same_place);
 }

@@ -35,7 +35,8 @@ bool is_inverted(const Mesh& mesh, std::size_t t) {
 
 class Fitter {
   public:
-    Fitter(const Brep& brep, Mesh foreign, RunContext& context) : brep_(brep), mesh_(std::move(foreign)), context_(context) {}
+    Fitter(const Brep& brep, Mesh foreign, RunContext& context)
+        : brep_(brep), mesh_(std::move(foreign)), context_(context) {}
 
     ForeignFit run(int layers) {
         orient();
@@ -46,7 +47,8 @@ class Fitter {
         sort_into_solids();
         name_reasons();
         if (std::count(solid_of_.begin(), solid_of_.end(), SolidId()) == std::ptrdiff_t(solid_of_.size()))
-            throw InputError("No element of the mesh fits the part" + (fit_.reasons.empty() ? "" : ": " + fit_.reasons.front()) +
+            throw InputError("No element of the mesh fits the part" +
+                             (fit_.reasons.empty() ? "" : ": " + fit_.reasons.front()) +
                              ". Choose the object it was made of, or mesh the part anew.");
         assemble();
         return std::move(fit_);
@@ -98,12 +100,14 @@ class Fitter {
         }
     }
 
-    // Tets that meet in a triangle are in the same solid unless a face between two solids is there: one point tells for all.
+    // Tets that meet in a triangle are in the same solid unless a face between two solids is there: one point tells for
+    // all.
     void sort_into_solids() {
         std::vector<std::int32_t> parent(mesh_.tets.size());
         std::iota(parent.begin(), parent.end(), 0);
         const auto root = [&](std::int32_t t) {
-            while (parent[std::size_t(t)] != t) t = parent[std::size_t(t)] = parent[std::size_t(parent[std::size_t(t)])];
+            while (parent[std::size_t(t)] != t)
+                t = parent[std::size_t(t)] = parent[std::size_t(parent[std::size_t(t)])];
             return t;
         };
         join_neighbours([&](std::size_t a, std::size_t b) {
@@ -142,9 +146,11 @@ class Fitter {
         for (std::size_t b = 0; b < uses.bucket_count(); ++b)
             uses.visit_bucket(b, [&](std::span<const TriangleUse> meeting) {
                 if (meeting.size() < 2 || !meeting[1].is_tet()) return;
-                const std::array nodes{NodeId(b), NodeId(std::size_t(meeting[0].middle)), NodeId(std::size_t(meeting[0].largest))};
+                const std::array nodes{NodeId(b), NodeId(std::size_t(meeting[0].middle)),
+                                       NodeId(std::size_t(meeting[0].largest))};
                 const std::size_t s = meeting[0].element(), t = meeting[1].element();
-                if (!is_released_[s] && !is_released_[t] && !std::binary_search(walls.begin(), walls.end(), nodes)) join(s, t);
+                if (!is_released_[s] && !is_released_[t] && !std::binary_search(walls.begin(), walls.end(), nodes))
+                    join(s, t);
             });
     }
 
@@ -172,7 +178,8 @@ class Fitter {
         constexpr std::size_t most = 6;
         if (ids.empty()) return;
         std::string names;
-        for (std::size_t i = 0; i < std::min(most, ids.size()); ++i) names += (i ? ", " : "") + name_of(entity_of(ids[i]));
+        for (std::size_t i = 0; i < std::min(most, ids.size()); ++i)
+            names += (i ? ", " : "") + name_of(entity_of(ids[i]));
         if (ids.size() > most) names += " and " + std::to_string(ids.size() - most) + " more";
         fit_.reasons.push_back(names + (ids.size() > 1 ? " are " : " is ") + what);
     }
@@ -243,14 +250,16 @@ class Fitter {
 
     void take_segments() {
         SideTable known(mesh_.node_count());
-        for (std::size_t s = 0; s < mesh_.segments.size(); ++s) known.value(mesh_.segments[s][0], mesh_.segments[s][1]) = std::int32_t(s);
+        for (std::size_t s = 0; s < mesh_.segments.size(); ++s)
+            known.value(mesh_.segments[s][0], mesh_.segments[s][1]) = std::int32_t(s);
         Mesh& mesh = fit_.kept.mesh;
         for (const MatchedSegment& segment : surface_.segments) {
             if (new_index_[segment.nodes[0].index()] < 0 || new_index_[segment.nodes[1].index()] < 0) continue;
             const std::int32_t old = known.find(segment.nodes[0], segment.nodes[1]);
             mesh.segments.push_back(renamed(segment.nodes));
             mesh.segment_edges.push_back(segment.edge);
-            mesh.segment_numbers.push_back(old >= 0 ? mesh_.segment_numbers[std::size_t(old)] : mesh.next_element_number++);
+            mesh.segment_numbers.push_back(old >= 0 ? mesh_.segment_numbers[std::size_t(old)]
+                                                    : mesh.next_element_number++);
         }
     }
 
@@ -278,7 +287,8 @@ class Fitter {
             }
         }
         for (const auto& n : curved.triangles)
-            curved.triangle_mids.push_back({known_mid(mids.find(n[0], n[1])), known_mid(mids.find(n[1], n[2])), known_mid(mids.find(n[2], n[0]))});
+            curved.triangle_mids.push_back(
+                {known_mid(mids.find(n[0], n[1])), known_mid(mids.find(n[1], n[2])), known_mid(mids.find(n[2], n[0]))});
         drop_bare_segments(curved, mids);
         kept.mesh.segments = curved.segments;
         kept.mesh.segment_edges = curved.segment_edges;

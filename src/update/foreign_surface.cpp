@@ -24,7 +24,12 @@ struct SurfaceSide {
 class Matcher {
   public:
     Matcher(const Brep& brep, const Mesh& mesh, double tolerance, RunContext& context)
-        : brep_(brep), mesh_(mesh), tolerance_(tolerance), context_(context), finder_(brep, tolerance), mids_(mesh.node_count()),
+        : brep_(brep),
+          mesh_(mesh),
+          tolerance_(tolerance),
+          context_(context),
+          finder_(brep, tolerance),
+          mids_(mesh.node_count()),
           sides_of_nodes_(mesh.node_count()) {
         out_.places.resize(mesh.node_count());
         out_.is_misfit.assign(mesh.node_count(), 0);
@@ -53,7 +58,8 @@ class Matcher {
         std::vector<Box> between;
         for (std::size_t f = 0; f < brep_.face_count(); ++f) {
             const auto sides = brep_.sides_of(FaceId(f));
-            if (sides[0].is_valid() && sides[1].is_valid()) between.push_back(box_of(brep_.face(FaceId(f))).grown(tolerance_));
+            if (sides[0].is_valid() && sides[1].is_valid())
+                between.push_back(box_of(brep_.face(FaceId(f))).grown(tolerance_));
         }
         TriangleUses uses(mesh_);
         for (std::size_t b = 0; b < uses.bucket_count(); ++b)
@@ -61,11 +67,13 @@ class Matcher {
         if (mesh_.order == 2)
             for (std::size_t t = 0; t < mesh_.tets.size(); ++t)
                 for (int s = 0; s < 6; ++s)
-                    mids_.value(mesh_.tets[t][tet_sides[s][0]], mesh_.tets[t][tet_sides[s][1]]) = mesh_.tet_mids[t][s].value;
+                    mids_.value(mesh_.tets[t][tet_sides[s][0]], mesh_.tets[t][tet_sides[s][1]]) =
+                        mesh_.tet_mids[t][s].value;
     }
 
     void collect(std::size_t smallest, std::span<const TriangleUse> meeting, const std::vector<Box>& between) {
-        const auto count = std::count_if(meeting.begin(), meeting.end(), [](const TriangleUse& use) { return use.is_tet(); });
+        const auto count =
+            std::count_if(meeting.begin(), meeting.end(), [](const TriangleUse& use) { return use.is_tet(); });
         const auto tets = meeting.subspan(0, std::size_t(count));
         if (tets.empty()) return;
         const NodeId a(smallest), b{std::size_t(tets[0].middle)}, c{std::size_t(tets[0].largest)};
@@ -74,7 +82,9 @@ class Matcher {
             misfit(std::array{a, b, c});
             return;
         }
-        const auto may_hold = [&](const Box& box) { return box.contains(point(a)) && box.contains(point(b)) && box.contains(point(c)); };
+        const auto may_hold = [&](const Box& box) {
+            return box.contains(point(a)) && box.contains(point(b)) && box.contains(point(c));
+        };
         if (tets.size() == 2 && std::none_of(between.begin(), between.end(), may_hold)) return;
         MatchedTriangle triangle;
         triangle.nodes = tets[0].is_forward() ? std::array{a, b, c} : std::array{a, c, b};
@@ -127,9 +137,12 @@ class Matcher {
     Vec3 normal_of(const MatchedTriangle& t) const {
         return cross(point(t.nodes[1]) - point(t.nodes[0]), point(t.nodes[2]) - point(t.nodes[0]));
     }
-    Vec3 centre_of(const MatchedTriangle& t) const { return (point(t.nodes[0]) + point(t.nodes[1]) + point(t.nodes[2])) / 3; }
+    Vec3 centre_of(const MatchedTriangle& t) const {
+        return (point(t.nodes[0]) + point(t.nodes[1]) + point(t.nodes[2])) / 3;
+    }
 
-    // The nearest of the faces that all three nodes touch; one with the solid on the tet's side where it is the mesh's boundary.
+    // The nearest of the faces that all three nodes touch; one with the solid on the tet's side where it is the mesh's
+    // boundary.
     FaceId face_of(const MatchedTriangle& triangle) const {
         const bool is_inner = triangle.tets[1].is_valid();
         std::vector<FaceId> faces = faces_at(brep_, place(triangle.nodes[0]).entity);
@@ -142,7 +155,8 @@ class Matcher {
             const auto sides = brep_.sides_of(face);
             if (is_inner != (sides[0].is_valid() && sides[1].is_valid())) continue;
             const OnFace foot = finder_.projector().nearest(face, centre_of(triangle));
-            const double outward = dot(finder_.projector().normal(face, foot.uv), normal_of(triangle)) * (sides[0].is_valid() ? 1 : -1);
+            const double outward =
+                dot(finder_.projector().normal(face, foot.uv), normal_of(triangle)) * (sides[0].is_valid() ? 1 : -1);
             if (foot.distance >= nearest || (!is_inner && outward <= 0)) continue;
             if (!is_sure && !finder_.projector().is_inside_trim(face, foot.uv)) continue;
             nearest = foot.distance;
@@ -169,7 +183,8 @@ class Matcher {
             if (edge.is_valid())
                 out_.segments.push_back({side.nodes, edge});
             else if (!is_within_face) {
-                out_.misfits.sides_on_no_edge += !out_.is_misfit[side.nodes[0].index()] && !out_.is_misfit[side.nodes[1].index()];
+                out_.misfits.sides_on_no_edge +=
+                    !out_.is_misfit[side.nodes[0].index()] && !out_.is_misfit[side.nodes[1].index()];
                 misfit(side.nodes);
             }
             if (mesh_.order == 2 && (edge.is_valid() || is_within_face))
@@ -187,7 +202,8 @@ class Matcher {
     }
 
     EdgeId edge_of(const SurfaceSide& side) const {
-        const auto edges = in_both(edges_at(brep_, place(side.nodes[0]).entity), edges_at(brep_, place(side.nodes[1]).entity));
+        const auto edges =
+            in_both(edges_at(brep_, place(side.nodes[0]).entity), edges_at(brep_, place(side.nodes[1]).entity));
         const Vec3 middle = (point(side.nodes[0]) + point(side.nodes[1])) * 0.5;
         EdgeId best;
         double nearest = std::numeric_limits<double>::infinity();
@@ -229,8 +245,10 @@ class Matcher {
             const PointPlace& p = out_.places[n];
             if (p.entity.dim == 0) {
                 NodeId& first = at_vertex[std::size_t(p.entity.index)];
-                if (first.is_valid()) out_.is_misfit[n] = 1;
-                else first = NodeId(n);
+                if (first.is_valid())
+                    out_.is_misfit[n] = 1;
+                else
+                    first = NodeId(n);
             }
             if (p.entity.dim == 1) inner[std::size_t(p.entity.index)].emplace_back(p.parameters[0], NodeId(n));
         }
@@ -258,7 +276,8 @@ class Matcher {
             const auto found = std::find_if(segments.begin(), segments.end(), [&](const MatchedSegment& s) {
                 return s.nodes == std::array{a, b} || s.nodes == std::array{b, a};
             });
-            if (found != segments.end() && !is_met[std::size_t(found - segments.begin())] && chain[i].first < chain[i + 1].first) {
+            if (found != segments.end() && !is_met[std::size_t(found - segments.begin())] &&
+                chain[i].first < chain[i + 1].first) {
                 is_met[std::size_t(found - segments.begin())] = 1;
                 out_.segments.push_back({{a, b}, edge});
             } else {

@@ -24,27 +24,30 @@ struct KeepInput {
     const FeatureDifference& difference;
     const SizingField& old_sizing;
     const SizingField& new_sizing;
-    const MadeFor& made_for;                   ///< of the old mesh's nodes
-    double margin;                             ///< edge lengths between a kept node and the changed boundary
-    bool same_sizes_asked = true;              ///< the user asks for the same sizes as before
+    const MadeFor& made_for;       ///< of the old mesh's nodes
+    double margin;                 ///< edge lengths between a kept node and the changed boundary
+    bool same_sizes_asked = true;  ///< the user asks for the same sizes as before
 };
 
 struct Kept {
-    /// 4-node: the corner nodes, segments, triangles and tets that stay, on the entities of the new shape, with their numbers.
+    /// 4-node: the corner nodes, segments, triangles and tets that stay, on the entities of the new shape, with their
+    /// numbers.
     Mesh mesh;
     /// The same as 10-node elements with their old mid-side nodes, where the old mesh is one; else none.
     std::shared_ptr<const Mesh> curved;
-    std::vector<std::int32_t> node_origin, segment_origin, triangle_origin, tet_origin;   ///< indices in the old mesh
-    std::vector<char> is_rim;                  ///< by kept node: a tet around it was not kept
-    std::vector<TetId> rim_tets;               ///< kept tets with such a node, ascending
-    std::vector<Vec3> active;                  ///< inner nodes that only serve as start positions
+    std::vector<std::int32_t> node_origin, segment_origin, triangle_origin, tet_origin;  ///< indices in the old mesh
+    std::vector<char> is_rim;     ///< by kept node: a tet around it was not kept
+    std::vector<TetId> rim_tets;  ///< kept tets with such a node, ascending
+    std::vector<Vec3> active;     ///< inner nodes that only serve as start positions
     std::vector<KeptByMotion> by_motion;
-    std::shared_ptr<const MergedEntities> merged;   ///< of the new shape; none where nobody has looked for them
+    std::shared_ptr<const MergedEntities> merged;  ///< of the new shape; none where nobody has looked for them
 };
 
-/// A node stays under a motion when it is further from that motion's changed boundary than `margin` edge lengths, the wanted size there is within
-/// a factor of 1.2 of the one it was made for, and it is verified to lie on its entity of the new shape. Tets stay when their four nodes do, under one motion, and when their
-/// connected region is verified to be inside a new solid. A solid whose faces are all as they were keeps its mesh, whatever happens in a solid beside it.
+/// A node stays under a motion when it is further from that motion's changed boundary than `margin` edge lengths, the
+/// wanted size there is within a factor of 1.2 of the one it was made for, and it is verified to lie on its entity of
+/// the new shape. Tets stay when their four nodes do, under one motion, and when their connected region is verified to
+/// be inside a new solid. A solid whose faces are all as they were keeps its mesh, whatever happens in a solid beside
+/// it.
 Kept keep(const KeepInput& input, RunContext& context);
 
 }  // namespace featuremesh

@@ -17,7 +17,8 @@ class NodeRegions {
   public:
     explicit NodeRegions(std::size_t node_count) : parent_(node_count) { std::iota(parent_.begin(), parent_.end(), 0); }
     std::int32_t root(std::int32_t n) {
-        while (parent_[std::size_t(n)] != n) n = parent_[std::size_t(n)] = parent_[std::size_t(parent_[std::size_t(n)])];
+        while (parent_[std::size_t(n)] != n)
+            n = parent_[std::size_t(n)] = parent_[std::size_t(parent_[std::size_t(n)])];
         return n;
     }
     void join(const std::array<NodeId, 4>& tet) {
@@ -34,9 +35,17 @@ class NodeRegions {
 
 }  // namespace
 
-KeptTets::KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::span<const CarriedRegion> regions, const Brep& old_brep,
-                   const Brep& new_brep, std::span<const char> near_change, std::span<const char> untouched_solids)
-    : old_(old), motions_(motions), regions_(regions), near_change_(near_change), untouched_solids_(untouched_solids), solid_count_(old_brep.solid_count()), occurs_(regions.size(), 0), is_kept_(old.tets.size()) {
+KeptTets::KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::span<const CarriedRegion> regions,
+                   const Brep& old_brep, const Brep& new_brep, std::span<const char> near_change,
+                   std::span<const char> untouched_solids)
+    : old_(old),
+      motions_(motions),
+      regions_(regions),
+      near_change_(near_change),
+      untouched_solids_(untouched_solids),
+      solid_count_(old_brep.solid_count()),
+      occurs_(regions.size(), 0),
+      is_kept_(old.tets.size()) {
     for (const std::int32_t motion : motions_)
         if (motion != dropped) occurs_[std::size_t(motion)] = 1;
     for (std::size_t t = 0; t < is_kept_.size(); ++t) is_kept_[t] = stays(t);
@@ -46,7 +55,8 @@ KeptTets::KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::
     mark_rim();
 }
 
-std::vector<TetId> KeptTets::tets_at(const Mesh& kept, std::span<const char> is_marked, std::span<const std::int32_t> node_origin) const {
+std::vector<TetId> KeptTets::tets_at(const Mesh& kept, std::span<const char> is_marked,
+                                     std::span<const std::int32_t> node_origin) const {
     for (std::size_t n = 0; n < is_marked.size(); ++n)
         if (is_marked[n] && !is_rim_[std::size_t(node_origin[n])]) return tets_at_nodes(kept, is_marked);
     std::vector<TetId> tets;
@@ -83,14 +93,16 @@ void KeptTets::mark_rim() {
     if (dropped_.empty()) return;
     for (std::size_t t = 0; t < is_kept_.size(); ++t) {
         const auto& [a, b, c, d] = old_.tets[t];
-        if (!is_kept_[t] || !(is_rim_[a.index()] | is_rim_[b.index()] | is_rim_[c.index()] | is_rim_[d.index()])) continue;
+        if (!is_kept_[t] || !(is_rim_[a.index()] | is_rim_[b.index()] | is_rim_[c.index()] | is_rim_[d.index()]))
+            continue;
         at_rim_.push_back(std::int32_t(t));
         for (const NodeId n : old_.tets[t]) is_used_[n.index()] = 1;
     }
 }
 
-// The mesh of a solid is in one piece, and tets that share a node are kept under one motion or one of them is not kept: so every region of kept tets that
-// is not the whole of a solid reaches the rim. One point for each piece of the rim thus speaks for all, as long as they say the same.
+// The mesh of a solid is in one piece, and tets that share a node are kept under one motion or one of them is not kept:
+// so every region of kept tets that is not the whole of a solid reaches the rim. One point for each piece of the rim
+// thus speaks for all, as long as they say the same.
 bool KeptTets::settle_at_rim(const Brep& new_brep) {
     const SolidLocator locator(new_brep);
     solid_of_group_.assign(solid_count_ * regions_.size(), SolidId());
@@ -101,7 +113,7 @@ bool KeptTets::settle_at_rim(const Brep& new_brep) {
         known = solid;
         return true;
     };
-    for (std::size_t s = 0; s < solid_count_; ++s)   // two solids may meet at shared nodes: each has its own regions
+    for (std::size_t s = 0; s < solid_count_; ++s)  // two solids may meet at shared nodes: each has its own regions
         for (std::vector<std::int32_t>& piece : pieces_of_rim(SolidId(s))) {
             const std::size_t first = std::size_t(piece.front());
             const SolidId solid = locator.solid_at(carried_centre(first));
@@ -128,14 +140,16 @@ std::vector<std::vector<std::int32_t>> KeptTets::pieces_of_rim(SolidId solid) co
     for (const std::int32_t t : mine) regions.join(old_.tets[std::size_t(t)]);
     std::map<std::int32_t, std::size_t> piece_of;
     for (const std::int32_t t : mine) {
-        const auto [piece, is_new] = piece_of.try_emplace(regions.root(old_.tets[std::size_t(t)][0].value), pieces.size());
+        const auto [piece, is_new] =
+            piece_of.try_emplace(regions.root(old_.tets[std::size_t(t)][0].value), pieces.size());
         if (is_new) pieces.emplace_back();
         pieces[piece->second].push_back(t);
     }
     return pieces;
 }
 
-// What is outside of the new part is surrounded by its rim, for its surface has vanished with all that is near: it lies within the box of that rim.
+// What is outside of the new part is surrounded by its rim, for its surface has vanished with all that is near: it lies
+// within the box of that rim.
 void KeptTets::drop_islands(const std::vector<std::vector<std::int32_t>>& rims) {
     std::vector<Box> boxes;
     for (const auto& rim : rims) {
@@ -145,11 +159,13 @@ void KeptTets::drop_islands(const std::vector<std::vector<std::int32_t>>& rims) 
     }
     std::vector<char> is_near(old_.corner_count);
     for (std::size_t n = 0; n < is_near.size(); ++n)
-        is_near[n] = std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return box.contains(old_.points[n]); });
+        is_near[n] =
+            std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return box.contains(old_.points[n]); });
     std::vector<std::size_t> near;
     for (std::size_t t = 0; t < is_kept_.size(); ++t) {
         const auto& [a, b, c, d] = old_.tets[t];
-        if (is_kept_[t] && (is_near[a.index()] & is_near[b.index()] & is_near[c.index()] & is_near[d.index()])) near.push_back(t);
+        if (is_kept_[t] && (is_near[a.index()] & is_near[b.index()] & is_near[c.index()] & is_near[d.index()]))
+            near.push_back(t);
     }
     for (std::size_t s = 0; s < solid_count_; ++s) {
         NodeRegions regions(old_.corner_count);
@@ -157,10 +173,13 @@ void KeptTets::drop_islands(const std::vector<std::vector<std::int32_t>>& rims) 
             if (old_.tet_solids[t] == SolidId(s)) regions.join(old_.tets[t]);
         std::vector<std::int32_t> gone;
         for (const auto& rim : rims)
-            if (old_.tet_solids[std::size_t(rim.front())] == SolidId(s)) gone.push_back(regions.root(old_.tets[std::size_t(rim.front())][0].value));
+            if (old_.tet_solids[std::size_t(rim.front())] == SolidId(s))
+                gone.push_back(regions.root(old_.tets[std::size_t(rim.front())][0].value));
         std::sort(gone.begin(), gone.end());
         for (const std::size_t t : near)
-            if (old_.tet_solids[t] == SolidId(s) && std::binary_search(gone.begin(), gone.end(), regions.root(old_.tets[t][0].value))) is_kept_[t] = 0;
+            if (old_.tet_solids[t] == SolidId(s) &&
+                std::binary_search(gone.begin(), gone.end(), regions.root(old_.tets[t][0].value)))
+                is_kept_[t] = 0;
     }
     mark_rim();
 }
@@ -202,7 +221,8 @@ Vec3 KeptTets::carried_centre(std::size_t tet) const {
 std::vector<std::size_t> KeptTets::counts() const {
     std::vector<std::size_t> counts(regions_.size(), 0);
     if (std::count(occurs_.begin(), occurs_.end(), 1) == 1) {
-        counts[std::size_t(std::find(occurs_.begin(), occurs_.end(), 1) - occurs_.begin())] = is_kept_.size() - dropped_.size();
+        counts[std::size_t(std::find(occurs_.begin(), occurs_.end(), 1) - occurs_.begin())] =
+            is_kept_.size() - dropped_.size();
         return counts;
     }
     for (std::size_t t = 0; t < is_kept_.size(); ++t)

@@ -17,20 +17,26 @@ constexpr std::int32_t dropped = -1;
 
 class KeptTets {
   public:
-    /// Tets stay when all their nodes do, under one motion, and when their connected region is inside a new solid. `motions`: by old node, index of its
-    /// carried region. `near_change`: by old node, it stays for the tets of untouched solids only (empty: no such node).
-    KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::span<const CarriedRegion> regions, const Brep& old_brep, const Brep& new_brep,
-             std::span<const char> near_change = {}, std::span<const char> untouched_solids = {});
+    /// Tets stay when all their nodes do, under one motion, and when their connected region is inside a new solid.
+    /// `motions`: by old node, index of its carried region. `near_change`: by old node, it stays for the tets of
+    /// untouched solids only (empty: no such node).
+    KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::span<const CarriedRegion> regions,
+             const Brep& old_brep, const Brep& new_brep, std::span<const char> near_change = {},
+             std::span<const char> untouched_solids = {});
 
     /// Old tets that do not stay, in order.
     std::span<const std::int32_t> dropped_tets() const { return dropped_; }
     /// Those that stay and have a node in common with one that does not, in order.
     std::span<const std::int32_t> tets_at_rim() const { return at_rim_; }
-    /// Of the mesh of those that stay, in order: with a marked node. Quick where no other nodes are marked than those at the rim.
-    std::vector<TetId> tets_at(const Mesh& kept, std::span<const char> is_marked, std::span<const std::int32_t> node_origin) const;
+    /// Of the mesh of those that stay, in order: with a marked node. Quick where no other nodes are marked than those
+    /// at the rim.
+    std::vector<TetId> tets_at(const Mesh& kept, std::span<const char> is_marked,
+                               std::span<const std::int32_t> node_origin) const;
     bool is_kept(std::size_t tet) const { return is_kept_[tet]; }
     /// Of a kept tet.
-    SolidId solid_of(std::size_t tet) const { return solids_.empty() ? solid_of_group(old_.tet_solids[tet], motion_of(tet)) : solids_[tet]; }
+    SolidId solid_of(std::size_t tet) const {
+        return solids_.empty() ? solid_of_group(old_.tet_solids[tet], motion_of(tet)) : solids_[tet];
+    }
     /// All kept tets of one old solid under one motion are in the same new one.
     bool is_uniform() const { return solids_.empty(); }
     SolidId solid_of_group(SolidId old_solid, std::int32_t motion) const {
@@ -38,7 +44,9 @@ class KeptTets {
     }
     /// A tet around the old corner node is not kept.
     bool is_rim(std::size_t node) const { return is_rim_[node]; }
-    bool has_kept_tet(std::size_t node) const { return motions_[node] != dropped && (!is_rim_[node] || is_used_[node]); }
+    bool has_kept_tet(std::size_t node) const {
+        return motions_[node] != dropped && (!is_rim_[node] || is_used_[node]);
+    }
     /// By carried region.
     std::vector<std::size_t> counts() const;
 
@@ -59,11 +67,11 @@ class KeptTets {
     std::span<const CarriedRegion> regions_;
     std::span<const char> near_change_, untouched_solids_;
     std::size_t solid_count_;
-    std::vector<char> occurs_;   // by motion: a node has it
+    std::vector<char> occurs_;  // by motion: a node has it
     std::vector<char> is_kept_, is_rim_, is_used_;
     std::vector<std::int32_t> dropped_, at_rim_;
-    std::vector<SolidId> solid_of_group_;   // by old solid and motion
-    std::vector<SolidId> solids_;   // by tet, where those of a group differ
+    std::vector<SolidId> solid_of_group_;  // by old solid and motion
+    std::vector<SolidId> solids_;          // by tet, where those of a group differ
 };
 
 }  // namespace featuremesh

@@ -14,8 +14,8 @@ namespace featuremesh {
 /// Only of nodes for which that is not the length wanted there now: sizes that change little by little would release
 /// nothing if they were compared with what was asked last.
 struct MadeFor {
-    std::vector<NodeId> nodes;   ///< ascending
-    std::vector<double> sizes;   ///< mm, of each
+    std::vector<NodeId> nodes;  ///< ascending
+    std::vector<double> sizes;  ///< mm, of each
     std::optional<double> of(NodeId node) const;
 };
 
@@ -28,6 +28,7 @@ struct SizedMesh {
 };
 
 /// Of the corner nodes of a mesh that keeps some of an old one; `origin` by node as in PartMesh.
-MadeFor made_for(const Mesh& mesh, const SizingField& sizing, const SizedMesh& old, const std::vector<std::int32_t>& origin);
+MadeFor made_for(const Mesh& mesh, const SizingField& sizing, const SizedMesh& old,
+                 const std::vector<std::int32_t>& origin);
 
 }  // namespace featuremesh

@@ -10,10 +10,16 @@ namespace featuremesh {
 struct MeshOptions {
     SizingOptions sizing;
     VolumeOptions volume;
-    int order = 1;                       ///< 1: 4-node tets, 2: 10-node tets
-    double keep_margin = 0;              ///< a node is kept when the changed boundary is further off than this many edge lengths; 0: as the sizes need
-    double most_tets = 50e6;             ///< more than this are refused
+    int order = 1;            ///< 1: 4-node tets, 2: 10-node tets
+    double keep_margin = 0;   ///< a node is kept when the changed boundary is further off than this many edge lengths;
+                              ///< 0: as the sizes need
+    double most_tets = 50e6;  ///< more than this are refused
     bool operator==(const MeshOptions&) const = default;
+};
+
+/// The first numbers that a document's history has not given away yet.
+struct NextNumbers {
+    Number node = 1, element = 1;
 };
 
 }  // namespace featuremesh

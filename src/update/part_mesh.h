@@ -17,15 +17,16 @@ namespace featuremesh {
 /// A part with its mesh; never changes.
 struct PartMesh {
     PartState part;
-    RawDocument document;                      ///< as read, for the saved state
+    RawDocument document;  ///< as read, for the saved state
     MeshOptions options;
-    SizingField sizing;                        ///< that the mesh was made with
+    SizingField sizing;  ///< that the mesh was made with
     Mesh mesh;
-    std::vector<std::int32_t> node_origin;     ///< by node: its index in the mesh before the update, -1 for a new one
-    std::vector<std::int32_t> tet_origin;      ///< by tet, likewise
-    std::vector<Vec3> active_points;           ///< start positions that survived without being kept, for pictures
-    MadeFor made_for = {};                     ///< what kept nodes were made for, where that is not what is wanted now
-    std::vector<SizeSource> adopted_sizes = {};   ///< of another maker's mesh that this one comes from: updates go on in its sizes where they are finer
+    std::vector<std::int32_t> node_origin;  ///< by node: its index in the mesh before the update, -1 for a new one
+    std::vector<std::int32_t> tet_origin;   ///< by tet, likewise
+    std::vector<Vec3> active_points;        ///< start positions that survived without being kept, for pictures
+    MadeFor made_for = {};                  ///< what kept nodes were made for, where that is not what is wanted now
+    std::vector<SizeSource> adopted_sizes =
+        {};  ///< of another maker's mesh that this one comes from: updates go on in its sizes where they are finer
 };
 
 struct PartMeshResult {
@@ -33,20 +34,16 @@ struct PartMeshResult {
     Report report;
 };
 
-/// The feature tree, the final shape and the cells of a document. What features did as in `known`, the tree of another state, is not looked into again.
-/// Throws InputError when there is no solid.
+/// The feature tree, the final shape and the cells of a document. What features did as in `known`, the tree of another
+/// state, is not looked into again. Throws InputError when there is no solid.
 PartState read_part(const RawDocument& document, RunContext& context, const FeatureTree* known = nullptr);
-/// The same where a mesh is waited for, which does not need cells. Where the state before an edit is given they are a summary if they can be (see
-/// cells_after_edit). When `seconds` of the processor are not enough there are none, owners of faces are found by points, and that is reported as a
-/// fallback.
-PartState read_part_to_mesh(const RawDocument& document, RunContext& context, const PartState* before = nullptr, double seconds = 5);
+/// The same where a mesh is waited for, which does not need cells. Where the state before an edit is given they are a
+/// summary if they can be (see cells_after_edit). When `seconds` of the processor are not enough there are none, owners
+/// of faces are found by points, and that is reported as a fallback.
+PartState read_part_to_mesh(const RawDocument& document, RunContext& context, const PartState* before = nullptr,
+                            double seconds = 5);
 /// Without cells from the start.
 PartState read_part_unfused(const RawDocument& document, RunContext& context, const FeatureTree* known = nullptr);
-
-/// The first numbers that a document's history has not given away yet.
-struct NextNumbers {
-    Number node = 1, element = 1;
-};
 
 /// Meshes the part from scratch, with numbers from `next` on.
 PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context, NextNumbers next = {});
@@ -54,14 +51,15 @@ PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunCo
 /// Meshes the new state of the part, keeping what did not change. The old state stays as it is.
 PartMeshResult update_part(const PartMesh& old, RawDocument document, const MeshOptions& options, RunContext& context);
 
-/// Makes another maker's mesh of the part ours: what fits the part's shape stays bit for bit with its numbers, the rest is filled anew and
-/// reported. Of `foreign` the nodes, tets, numbers and counters count; its triangles and segments only give theirs their numbers. options.order is its
-/// order. Where its edges are clearly shorter than the wanted size they are the wanted size from then on, until a mesh is made from scratch.
-/// Throws InputError when nothing of it fits.
+/// Makes another maker's mesh of the part ours: what fits the part's shape stays bit for bit with its numbers, the rest
+/// is filled anew and reported. Of `foreign` the nodes, tets, numbers and counters count; its triangles and segments
+/// only give theirs their numbers. options.order is its order. Where its edges are clearly shorter than the wanted size
+/// they are the wanted size from then on, until a mesh is made from scratch. Throws InputError when nothing of it fits.
 PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, const Mesh& foreign, RunContext& context);
 
 /// Rebuilds the state of a part whose mesh was saved. Throws StateError when mesh and part do not fit.
-std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& options, Mesh mesh, RunContext& context,
-                                             MadeFor made_for = {}, std::vector<SizeSource> adopted_sizes = {});
+std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& options, Mesh mesh,
+                                             RunContext& context, MadeFor made_for = {},
+                                             std::vector<SizeSource> adopted_sizes = {});
 
 }  // namespace featuremesh

@@ -23,18 +23,19 @@ struct KeptByMotion {
 struct Report {
     std::size_t nodes = 0, tets = 0;
     int order = 1;
-    double size = 0;                              ///< mm
-    std::map<std::string, double> seconds;        ///< read, cells, difference, keep, surface, volume, optimise, validate, measure (quality, after engine_total), engine_total
+    double size = 0;                        ///< mm
+    std::map<std::string, double> seconds;  ///< read, cells, difference, keep, surface, volume, optimise, validate,
+                                            ///< measure (quality, after engine_total), engine_total
     double peak_memory_mb = 0;
     QualityReport quality;
     SizeConformity lengths;
-    double kept_nodes_share = 0, kept_tets_share = 0;   ///< of the new mesh
+    double kept_nodes_share = 0, kept_tets_share = 0;  ///< of the new mesh
     std::vector<KeptByMotion> kept;
     std::size_t active_nodes = 0;
     FeatureDifference difference;
     SurfaceReport surface;
     VolumeReport volume;
-    std::vector<std::string> fallbacks;           ///< what could not be kept or done, and why; empty is the normal case
+    std::vector<std::string> fallbacks;  ///< what could not be kept or done, and why; empty is the normal case
     std::vector<std::string> warnings;
 };
 

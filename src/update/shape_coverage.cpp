@@ -14,7 +14,8 @@ namespace featuremesh {
 
 namespace {
 
-constexpr double nearest_corner = 0.6;   // of a triangle's longest side: no point of it is further from its corners (1 / sqrt 3)
+constexpr double nearest_corner =
+    0.6;  // of a triangle's longest side: no point of it is further from its corners (1 / sqrt 3)
 
 /// Halves the longest side until none is longer than `spacing`; the centres.
 void cover(const std::array<Vec3, 3>& triangle, double spacing, std::vector<Vec3>& points) {
@@ -28,7 +29,9 @@ void cover(const std::array<Vec3, 3>& triangle, double spacing, std::vector<Vec3
             points.push_back((a + b + c) / 3);
             continue;
         }
-        const auto [p, q, r] = longest == ab ? std::array{a, b, c} : longest == bc ? std::array{b, c, a} : std::array{c, a, b};
+        const auto [p, q, r] = longest == ab   ? std::array{a, b, c}
+                               : longest == bc ? std::array{b, c, a}
+                                               : std::array{c, a, b};
         const Vec3 middle = (p + q) * 0.5;
         open.push_back({p, middle, r});
         open.push_back({middle, q, r});
@@ -45,7 +48,9 @@ EdgeRange range_of(const Brep& brep, EdgeId edge) {
 void sample_edge(const Brep& brep, EdgeId edge, EdgeRange piece, double spacing, std::vector<Vec3>& points) {
     constexpr int coarse = 16;
     const BRepAdaptor_Curve curve(brep.edge(edge));
-    const auto at = [&](double share) { return to_vec3(curve.Value(piece.first + share * (piece.last - piece.first))); };
+    const auto at = [&](double share) {
+        return to_vec3(curve.Value(piece.first + share * (piece.last - piece.first)));
+    };
     for (int i = 0; i < coarse; ++i) {
         const Vec3 start = at(double(i) / coarse);
         const int fine = int(2 * distance(start, at(double(i + 1) / coarse)) / spacing) + 1;
@@ -54,14 +59,15 @@ void sample_edge(const Brep& brep, EdgeId edge, EdgeRange piece, double spacing,
     points.push_back(at(1));
 }
 
-void sample_open_faces(const Brep& brep, const Mesh& mesh, const std::vector<MatchedTriangle>& triangles, double spacing, std::vector<FaceId>& open,
-                       std::vector<Vec3>& points) {
+void sample_open_faces(const Brep& brep, const Mesh& mesh, const std::vector<MatchedTriangle>& triangles,
+                       double spacing, std::vector<FaceId>& open, std::vector<Vec3>& points) {
     std::vector<std::vector<Vec3>> corners(brep.face_count());
     std::vector<double> longest(brep.face_count(), 0);
     for (const MatchedTriangle& t : triangles)
         for (int k = 0; k < 3; ++k) {
             corners[t.face.index()].push_back(mesh.point(t.nodes[k]));
-            longest[t.face.index()] = std::max(longest[t.face.index()], distance(mesh.point(t.nodes[k]), mesh.point(t.nodes[(k + 1) % 3])));
+            longest[t.face.index()] =
+                std::max(longest[t.face.index()], distance(mesh.point(t.nodes[k]), mesh.point(t.nodes[(k + 1) % 3])));
         }
     const Projector projector(brep);
     for (std::size_t f = 0; f < brep.face_count(); ++f) {
@@ -73,7 +79,8 @@ void sample_open_faces(const Brep& brep, const Mesh& mesh, const std::vector<Mat
         for (const auto& triangle : triangulate(brep.face(FaceId(f)))) cover(triangle, spacing, samples);
         for (const Vec3& p : samples) {
             if (grid.has_within(p, reach)) continue;
-            const Vec3 foot = projector.nearest(FaceId(f), p).point;   // the triangulation is coarse where the face is large
+            const Vec3 foot =
+                projector.nearest(FaceId(f), p).point;  // the triangulation is coarse where the face is large
             if (!grid.has_within(foot, reach)) points.push_back(foot);
         }
         if (points.size() > before) open.push_back(FaceId(f));

@@ -32,7 +32,8 @@ class ForcingDetails {
     explicit ForcingDetails(const Mesh& mesh) : mesh_(mesh), short_sides_(mesh) {
         for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
             const auto& [a, b, c, d] = mesh.tets[t];
-            if (dihedral_range(mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d)).smallest_deg >= thin_deg) continue;
+            if (dihedral_range(mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d)).smallest_deg >= thin_deg)
+                continue;
             if (const auto side = short_sides_.forced_side(TetId(t))) add((*side)[0], (*side)[1]);
         }
     }
@@ -57,8 +58,9 @@ class ForcingDetails {
         ++tet_count_;
         const std::int32_t segment = short_sides_.segment_at(a, b);
         const auto [low, high] = std::minmax(mesh_.entities[a.index()], mesh_.entities[b.index()]);
-        const std::string name = segment >= 0 ? name_of(entity_of(mesh_.segment_edges[static_cast<std::size_t>(segment)]))
-                                              : name_of(low) + " and " + name_of(high);
+        const std::string name = segment >= 0
+                                     ? name_of(entity_of(mesh_.segment_edges[static_cast<std::size_t>(segment)]))
+                                     : name_of(low) + " and " + name_of(high);
         const double length = distance(mesh_.point(a), mesh_.point(b));
         const auto [it, is_new] = length_of_.try_emplace(name, length);
         if (!is_new) it->second = std::min(it->second, length);
@@ -77,13 +79,16 @@ std::vector<std::string> warnings_of_thin_tets(const Mesh& mesh, const QualityRe
     std::vector<std::string> lines;
     const ForcingDetails details(mesh);
     if (details.tet_count() > 0)
-        lines.push_back("Details of the part far smaller than the elements force an angle below 2 degrees on " + std::to_string(details.tet_count()) +
-                        " tets: " + details.listed() +
-                        ". Results there are poor. Take them out of the features that make them (points of a sketch that nearly coincide, a step as "
+        lines.push_back("Details of the part far smaller than the elements force an angle below 2 degrees on " +
+                        std::to_string(details.tet_count()) + " tets: " + details.listed() +
+                        ". Results there are poor. Take them out of the features that make them (points of a sketch "
+                        "that nearly coincide, a step as "
                         "shallow), or mesh finer there.");
     if (!details.force(quality.worst))
-        lines.push_back("The smallest angle of a tet is " + in_words(quality.min_dihedral, 2) + " degrees, " + place_of(mesh, quality.worst) +
-                        ": results there are poor. Take details out that are much smaller than the edge length, or mesh finer there.");
+        lines.push_back("The smallest angle of a tet is " + in_words(quality.min_dihedral, 2) + " degrees, " +
+                        place_of(mesh, quality.worst) +
+                        ": results there are poor. Take details out that are much smaller than the edge length, or "
+                        "mesh finer there.");
     return lines;
 }
 

@@ -23,8 +23,9 @@ TooCoarse turned_over(const Mesh& mesh, const std::vector<TriangleId>& turned) {
     const std::string face = name_of(entity_of(mesh.triangle_faces[first]));
     std::vector<SizeSource> shorter;
     for (const TriangleId t : turned) shorter.push_back(half_length_at(mesh, t.index()));
-    return {"The mesh is not valid: " + std::to_string(turned.size()) + " surface triangles are turned over, the first on " +
-                face + " at " + in_words(mesh.point(mesh.triangles[first][0])) +
+    return {"The mesh is not valid: " + std::to_string(turned.size()) +
+                " surface triangles are turned over, the first on " + face + " at " +
+                in_words(mesh.point(mesh.triangles[first][0])) +
                 ". The face bends too much there for this size; ask for a smaller size on it.",
             face, std::move(shorter)};
 }
@@ -33,7 +34,8 @@ std::vector<SolidId> solids_off_volume(const Mesh& mesh, const Brep& brep, doubl
     std::vector<double> volumes(brep.solid_count(), 0);
     for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
         const auto& [a, b, c, d] = mesh.tets[t];
-        volumes[mesh.tet_solids[t].index()] += signed_volume(mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d));
+        volumes[mesh.tet_solids[t].index()] +=
+            signed_volume(mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d));
     }
     std::vector<SolidId> off;
     for (std::size_t s = 0; s < volumes.size(); ++s) {

@@ -82,7 +82,8 @@ class BoundaryMover {
         gather(vertex);
         if (has_needle() || (is_for_curved_tets_ && of.on.dim < 3 && !is_flat(of))) return false;
         shape_.gather(complex_, std::array{tet}, vertex);
-        const double wanted = improved_flatness(unforced_flatness(complex_, complex_.tets[tet]), least_gain_on_boundary);
+        const double wanted =
+            improved_flatness(unforced_flatness(complex_, complex_.tets[tet]), least_gain_on_boundary);
         const std::optional<Vec3> aim = climb(of, start, wanted);
         const std::optional<Place> there = aim ? place_near(of, *aim) : std::nullopt;
         if (!there || !keeps_triangles(start, there->point) || !keeps_bulk(vertex, start, there->point)) return false;
@@ -98,7 +99,8 @@ class BoundaryMover {
         changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
         std::vector<std::pair<double, int>> ranked;
         for (const int t : changed_)
-            if (const double value = unforced_flatness(complex_, complex_.tets[t]); value > target_) ranked.emplace_back(-value, t);
+            if (const double value = unforced_flatness(complex_, complex_.tets[t]); value > target_)
+                ranked.emplace_back(-value, t);
         changed_.clear();
         std::sort(ranked.begin(), ranked.end());
         return ranked;
@@ -138,8 +140,8 @@ class BoundaryMover {
         return {complex_.points[tet[c[(k + 1) % 3]]], complex_.points[tet[c[(k + 2) % 3]]]};
     }
 
-    /// Where most of a star is poor its worst angle is not all that counts, and in walls of one layer nothing else looks
-    /// at the rest.
+    /// Where most of a star is poor its worst angle is not all that counts, and in walls of one layer nothing else
+    /// looks at the rest.
     void raise_poor_stars() {
         constexpr int most_sweeps = 8;
         std::fill(is_due_.begin(), is_due_.end(), 1);

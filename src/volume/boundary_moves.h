@@ -42,8 +42,8 @@ struct BoundaryMoveOptions {
 std::vector<int> move_on_boundary(TetComplex& complex, std::span<BoundaryVertex> vertices, const Projector& projector,
                                   const BoundaryMoveOptions& options, RunContext& context);
 
-/// Moves one corner of a tet, which is one of `vertices` or free, to where this tet reaches the target, or nearer to that,
-/// whatever it does to the angles of the others. False where there is no such place.
+/// Moves one corner of a tet, which is one of `vertices` or free, to where this tet reaches the target, or nearer to
+/// that, whatever it does to the angles of the others. False where there is no such place.
 bool move_for_tet(TetComplex& complex, std::span<BoundaryVertex> vertices, int vertex, int tet,
                   const Projector& projector, const BoundaryMoveOptions& options, RunContext& context);
 

@@ -84,7 +84,8 @@ void ConeRefill::plan_insertions_above(int tet) {
         Vec3 normal = cross(b - a, c - a);
         if (dot(normal, p[v[face]] - middle) < 0) normal = -1.0 * normal;
         const double reach = std::sqrt(length(normal));
-        for (const double height : heights_of_insertion) plan_insertion(std::array{tet}, middle + (height / reach) * normal);
+        for (const double height : heights_of_insertion)
+            plan_insertion(std::array{tet}, middle + (height / reach) * normal);
     }
 }
 

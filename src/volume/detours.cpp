@@ -95,9 +95,8 @@ class DetourSearch {
     }
 
     std::size_t count_bad(std::span<const int> tets) const {
-        return static_cast<std::size_t>(std::count_if(tets.begin(), tets.end(), [&](int t) {
-            return unforced_flatness(complex_, complex_.tets[t]) > target_;
-        }));
+        return static_cast<std::size_t>(std::count_if(
+            tets.begin(), tets.end(), [&](int t) { return unforced_flatness(complex_, complex_.tets[t]) > target_; }));
     }
 
     /// What helps a needle, or a tet that hardly has a volume, harms all others.

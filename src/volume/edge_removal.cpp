@@ -36,10 +36,12 @@ RingTriangulation least_flat_triangulation(const TetComplex& complex, const Edge
     const RingPoints p(complex, ring);
     return triangulate_ring<WorstOf>(ring.size, limit, [&](int i, int j, int k) {
         double upper = flatness(p.corners[i], p.corners[j], p.corners[k], p.to);
-        if (upper >= least_flatness_of_needle) upper = unforced_flatness(complex, {ring.vertices[i], ring.vertices[j], ring.vertices[k], ring.to});
+        if (upper >= least_flatness_of_needle)
+            upper = unforced_flatness(complex, {ring.vertices[i], ring.vertices[j], ring.vertices[k], ring.to});
         if (upper >= limit) return upper;
         double lower = flatness(p.corners[j], p.corners[i], p.corners[k], p.from);
-        if (lower >= least_flatness_of_needle) lower = unforced_flatness(complex, {ring.vertices[j], ring.vertices[i], ring.vertices[k], ring.from});
+        if (lower >= least_flatness_of_needle)
+            lower = unforced_flatness(complex, {ring.vertices[j], ring.vertices[i], ring.vertices[k], ring.from});
         return std::max(upper, lower);
     });
 }

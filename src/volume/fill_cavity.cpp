@@ -150,9 +150,7 @@ std::vector<Vec3> seeds_of(const Cavity& cavity, const CavityFill& fill) {
 }
 
 std::vector<Vec3> seeds_among(std::span<const Vec3> active, const Cavity& cavity, const CavityFill& fill) {
-    const auto before = [](const Vec3& a, const Vec3& b) {
-        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-    };
+    const auto before = [](const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
     std::vector<Vec3> sorted(active.begin(), active.end());
     std::sort(sorted.begin(), sorted.end(), before);
     std::vector<Vec3> seeds = seeds_of(cavity, fill);

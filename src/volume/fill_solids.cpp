@@ -41,7 +41,8 @@ constexpr int most_crossing_rounds = 3;
 constexpr int most_local_recoveries = 5;
 /// Kept tets that are not Delaunay may be many: then a cavity that grows by those at its seam would not end in time.
 constexpr int most_releasing_rounds = 5;
-/// What is further from the seam is filled as well as in a full mesh, or nearly so: more counts where the seam is much of a small mesh, and costs nothing there.
+/// What is further from the seam is filled as well as in a full mesh, or nearly so: more counts where the seam is much
+/// of a small mesh, and costs nothing there.
 constexpr int edges_to_seam = 3, edges_to_seam_if_small = 5;
 constexpr std::size_t small_cavity = 8000;  // tets
 /// Of the cube of the smallest wanted length: tets below are mended, and those below are refused.
@@ -307,7 +308,8 @@ class Filling {
         std::string names;
         for (std::size_t i = 0; i < cavities_.size(); ++i)
             if (!fills_[i].is_complete())
-                names += (names.empty() ? "" : ", ") + names_of_faces(result_.mesh, cavities_[i], fills_[i].places.missing);
+                names +=
+                    (names.empty() ? "" : ", ") + names_of_faces(result_.mesh, cavities_[i], fills_[i].places.missing);
         throw MeshError("the volume mesh cannot be made to meet the triangles of " + names +
                         "; mesh finer there, or check the shape for faces that cut or touch one another");
     }
@@ -360,7 +362,9 @@ class Filling {
             return improve_beside_needles(complex, std::move(thickened.changed), options_.target_dihedral_deg, least,
                                           context_);
         };
-        const auto is_refused = [&](const auto& tet) { return tet[0] >= 0 && is_too_thin(complex, tet, least_volume(refused_share)); };
+        const auto is_refused = [&](const auto& tet) {
+            return tet[0] >= 0 && is_too_thin(complex, tet, least_volume(refused_share));
+        };
         const std::size_t improved = mend();
         if (is_thick_[i] || !unoptimised_[i].has_value() || regions_[i].taken_count() > 0 ||
             std::none_of(complex.tets.begin(), complex.tets.end(), is_refused))
@@ -377,20 +381,23 @@ class Filling {
         const BoundaryMoveOptions options{options_.target_dihedral_deg, least, options_.is_for_curved_tets};
         std::vector<int> changed = move_on_boundary(region.complex, vertices, projector_, options, context_);
         const std::size_t count =
-            changed.size() + (region.has_seam() ? 0 : take_detours(region.complex, vertices, projector_, options, context_));
+            changed.size() +
+            (region.has_seam() ? 0 : take_detours(region.complex, vertices, projector_, options, context_));
         for (const BoundaryVertex& v : vertices) {
             const std::size_t node = region.node_of(v.vertex).index();
             result_.mesh.points[node] = region.complex.points[static_cast<std::size_t>(v.vertex)];
             result_.mesh.parameters[node] = v.parameters;
         }
-        if (!changed.empty()) improve_beside_needles(region.complex, std::move(changed), options_.target_dihedral_deg, least, context_);
+        if (!changed.empty())
+            improve_beside_needles(region.complex, std::move(changed), options_.target_dihedral_deg, least, context_);
         return count;
     }
 
     /// With fewer kept tets, or none, there is another way, which a long search here would only put off.
     static std::size_t most_insertions(const SeamRegion& region) {
         constexpr std::size_t at_least = 40, tets_per_insertion = 1000;
-        return region.has_seam() ? at_least + region.complex.tets.size() / tets_per_insertion : std::numeric_limits<std::size_t>::max();
+        return region.has_seam() ? at_least + region.complex.tets.size() / tets_per_insertion
+                                 : std::numeric_limits<std::size_t>::max();
     }
 
     /// More tets without a volume to speak of than new vertices will be tried for.
@@ -423,8 +430,10 @@ class Filling {
         SliverOptions sliver_options;
         sliver_options.target_dihedral_deg = options_.target_dihedral_deg;
         SliverReport slivers = remove_slivers(complex, sliver_options, context);
-        const ShapeOptions shape_options{.target_dihedral_deg = options_.target_dihedral_deg,
-                                         .among = regions_[i].vertices_near_seam(complex.tets.size() < small_cavity ? edges_to_seam_if_small : edges_to_seam)};
+        const ShapeOptions shape_options{
+            .target_dihedral_deg = options_.target_dihedral_deg,
+            .among = regions_[i].vertices_near_seam(complex.tets.size() < small_cavity ? edges_to_seam_if_small
+                                                                                       : edges_to_seam)};
         const ShapeReport shapes = optimise_shapes(complex, shape_options, context);  // makes no good tet bad
         if (shapes.moves > 0 && slivers.left > 0) slivers.left = regions_[i].count_bad(options_.target_dihedral_deg);
         return {odt, slivers};
@@ -573,7 +582,7 @@ class Filling {
     std::vector<SeamRegion> regions_;  ///< by cavity
     /// By cavity, where there are needles: volume may be left to them only while their angles count.
     std::vector<std::optional<SeamRegion>> unoptimised_;
-    std::vector<char> is_thick_;       ///< by cavity: all its tets have a volume to speak of
+    std::vector<char> is_thick_;  ///< by cavity: all its tets have a volume to speak of
     int crossing_rounds_ = 0, local_recoveries_ = 0;
     bool is_first_round_ = true;
     VolumeResult result_;

@@ -19,7 +19,8 @@ struct VolumeOptions {
     double target_dihedral_deg = 30;  ///< sliver removal works on tets below it (and above 180 minus it)
     int odt_sweeps = 3;               ///< over the nodes that gain
     bool splits_wall_tets = false;    ///< no tet is left whose corners all lie on two opposite walls
-    bool is_for_curved_tets = false;  ///< the tets will follow curved faces, so nodes there stay where the surface has them
+    bool is_for_curved_tets =
+        false;  ///< the tets will follow curved faces, so nodes there stay where the surface has them
     bool moves_surface_nodes = true;  ///< new ones, for tets that nodes inside cannot help (boundary_moves.h)
     bool operator==(const VolumeOptions&) const = default;
 };
@@ -29,7 +30,7 @@ struct VolumeReport {
     std::size_t recovered_triangles = 0,
                 recovery_points =
                     0;  ///< boundary triangles missing at first; points added to get them back, most of them inside
-    std::size_t released_tets = 0;         ///< kept tets that had to go so that the seam holds, or for the quality there
+    std::size_t released_tets = 0;  ///< kept tets that had to go so that the seam holds, or for the quality there
     std::size_t released_for_quality = 0;  ///< of these: those without which tets at the seam would be bad
     std::size_t split_wall_tets = 0;
     double odt_energy_before = 0,
@@ -40,9 +41,9 @@ struct VolumeReport {
 
 /// Where something is missing in a mesh that is to be filled.
 struct KeptRim {
-    std::span<const char> nodes;   ///< by node: an element around it is not there; empty where that is not known
-    std::span<const TetId> tets;   ///< all with such a node, ascending
-    std::size_t kept_nodes = 0;    ///< the first so many nodes of the mesh are kept
+    std::span<const char> nodes;  ///< by node: an element around it is not there; empty where that is not known
+    std::span<const TetId> tets;  ///< all with such a node, ascending
+    std::size_t kept_nodes = 0;   ///< the first so many nodes of the mesh are kept
 };
 
 struct VolumeResult {
@@ -55,10 +56,11 @@ struct VolumeResult {
 };
 
 /// Takes a 4-node mesh whose surface is complete and whose tets (if any) are kept; gives it back with every solid full.
-/// Kept nodes keep their places in the arrays, and their bits but for the moved ones; kept tets stay in front in their order but for the released
-/// ones. New nodes inside a CAD face may be moved along it. `active` are start positions for inner nodes that survived without being kept. `rim` tells where something is
-/// not kept, which spares the search for it (no nodes: searched). The same bytes for any number
-/// of threads. Throws MeshError that names the faces where the boundary could not be recovered.
+/// Kept nodes keep their places in the arrays, and their bits but for the moved ones; kept tets stay in front in their
+/// order but for the released ones. New nodes inside a CAD face may be moved along it. `active` are start positions for
+/// inner nodes that survived without being kept. `rim` tells where something is not kept, which spares the search for
+/// it (no nodes: searched). The same bytes for any number of threads. Throws MeshError that names the faces where the
+/// boundary could not be recovered.
 VolumeResult fill_solids(const Brep& brep, const SizingField& sizing, Mesh surface, std::span<const Vec3> active,
                          const VolumeOptions& options, RunContext& context, const KeptRim& rim = {});
 

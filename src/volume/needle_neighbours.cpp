@@ -40,7 +40,9 @@ class NeedleNeighbours {
             const std::size_t before = done;
             const std::vector<Candidate> ranked = rank_changed();
             for (std::size_t i = 0; i < ranked.size(); ++i) {
-                if (i % 64 == 0) context_.progress((pass + static_cast<double>(i) / static_cast<double>(ranked.size())) / most_passes);
+                if (i % 64 == 0)
+                    context_.progress((pass + static_cast<double>(i) / static_cast<double>(ranked.size())) /
+                                      most_passes);
                 const auto [value, tet] = ranked[i];
                 if (complex_.tets[tet][0] < 0 || measure(complex_.tets[tet]) != value) continue;
                 done += remove_edge(tet) || move_corners(tet) || refill(tet);

@@ -69,8 +69,7 @@ double unforced_flatness(const TetComplex& complex, const std::array<int, 4>& te
     const double all = flatness(p[a], p[b], p[c], p[d]);
     if (all < least_flatness_of_needle || all == inverted_flatness) return all;
     const auto is_outside = [&](int v) { return may_have_needle(complex, v); };
-    return unforced_flatness({p[a], p[b], p[c], p[d]},
-                             {is_outside(a), is_outside(b), is_outside(c), is_outside(d)});
+    return unforced_flatness({p[a], p[b], p[c], p[d]}, {is_outside(a), is_outside(b), is_outside(c), is_outside(d)});
 }
 
 }  // namespace featuremesh

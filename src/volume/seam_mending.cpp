@@ -36,8 +36,8 @@ std::vector<std::vector<TetId>> kept_tets_around(std::span<const SeamRegion> reg
     return around;
 }
 
-void mend(SeamRegion& region, const Mesh& mesh, std::span<const TetId> around, bool may_move,
-          SliverOptions options, RunContext& context) {
+void mend(SeamRegion& region, const Mesh& mesh, std::span<const TetId> around, bool may_move, SliverOptions options,
+          RunContext& context) {
     const std::vector<int> taken = region.take_in(mesh, around);
     if (may_move) region.free_inner_nodes(mesh);
     options.among.insert(options.among.end(), taken.begin(), taken.end());

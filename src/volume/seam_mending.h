@@ -11,8 +11,8 @@
 
 namespace featuremesh {
 
-/// Takes the kept tets around bad tets at the seam into their regions, a ring more each time, and removes slivers there.
-/// `is_released` by TetId: what is taken in is marked.
+/// Takes the kept tets around bad tets at the seam into their regions, a ring more each time, and removes slivers
+/// there. `is_released` by TetId: what is taken in is marked.
 void mend_seams(std::span<SeamRegion> regions, const Mesh& mesh, std::span<std::uint8_t> is_released,
                 double target_dihedral_deg, RunContext& context);
 

@@ -29,9 +29,7 @@ std::vector<int> SeamRegion::bad_tets_at_seam(double target_dihedral_deg) const 
     return bad;
 }
 
-bool SeamRegion::has_seam() const {
-    return std::find(is_at_seam_.begin(), is_at_seam_.end(), 1) != is_at_seam_.end();
-}
+bool SeamRegion::has_seam() const { return std::find(is_at_seam_.begin(), is_at_seam_.end(), 1) != is_at_seam_.end(); }
 
 std::vector<int> SeamRegion::vertices_near_seam(int edges) const {
     std::vector<std::uint8_t> is_near = is_at_seam_;
@@ -50,9 +48,8 @@ std::vector<int> SeamRegion::vertices_near_seam(int edges) const {
 
 std::size_t SeamRegion::count_bad(double target_dihedral_deg) const {
     const double target = flatness_of_angle(target_dihedral_deg);
-    return static_cast<std::size_t>(std::count_if(complex.tets.begin(), complex.tets.end(), [&](const Tet& tet) {
-        return tet[0] >= 0 && is_bad(tet, target);
-    }));
+    return static_cast<std::size_t>(std::count_if(complex.tets.begin(), complex.tets.end(),
+                                                  [&](const Tet& tet) { return tet[0] >= 0 && is_bad(tet, target); }));
 }
 
 bool SeamRegion::is_bad(const Tet& tet, double target_flatness) const {

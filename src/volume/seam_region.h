@@ -44,7 +44,8 @@ class SeamRegion {
     void free_inner_nodes(const Mesh& mesh);
     /// The kept nodes that have been moved, with their vertices.
     std::vector<std::pair<NodeId, int>> moved_nodes(const Mesh& mesh) const;
-    /// Kept tets that are still as they were leave the complex, whose neighbours are of no use from then on. Gives them.
+    /// Kept tets that are still as they were leave the complex, whose neighbours are of no use from then on. Gives
+    /// them.
     std::vector<TetId> give_back(const Mesh& mesh);
 
     /// The mesh's node of a vertex; none for one that is new.
@@ -63,9 +64,9 @@ class SeamRegion {
     bool is_moved(int vertex, const Mesh& mesh) const;
     void link_open_sides();
 
-    std::vector<NodeId> nodes_;                       // by vertex
-    std::vector<std::pair<NodeId, int>> vertices_;    // of the mesh's nodes, ascending
-    std::vector<std::uint8_t> is_at_seam_;            // by vertex
+    std::vector<NodeId> nodes_;                     // by vertex
+    std::vector<std::pair<NodeId, int>> vertices_;  // of the mesh's nodes, ascending
+    std::vector<std::uint8_t> is_at_seam_;          // by vertex
     std::vector<Taken> taken_;
 };
 

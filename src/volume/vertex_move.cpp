@@ -29,19 +29,30 @@ const std::array<Vec3, direction_count>& directions() {
     return spread;
 }
 
-/// What the radius ratio 3 r / R = 6 (6 V)^2 / (2 A |12 V c|) of the tet (point, f) is made of, with A its surface and c the way from f[0] to its circumcentre.
+/// What the radius ratio 3 r / R = 6 (6 V)^2 / (2 A |12 V c|) of the tet (point, f) is made of, with A its surface and
+/// c the way from f[0] to its circumcentre.
 struct RatioParts {
     RatioParts(const Vec3& point, const std::array<Vec3, 3>& f)
-        : u(f[2] - f[0]), v(f[1] - f[0]), w(point - f[0]), base(cross(u, v)), n1(cross(v, w)), n2(cross(w, u)), n3(cross(v - u, w - u)), six_volumes(dot(base, w)) {
+        : u(f[2] - f[0]),
+          v(f[1] - f[0]),
+          w(point - f[0]),
+          base(cross(u, v)),
+          n1(cross(v, w)),
+          n2(cross(w, u)),
+          n3(cross(v - u, w - u)),
+          six_volumes(dot(base, w)) {
         l1 = length(n1), l2 = length(n2), l3 = length(n3), surface = length(base) + l1 + l2 + l3;
         sphere = squared_length(u) * n1 + squared_length(v) * n2 + squared_length(w) * base;
         squared = squared_length(sphere);
     }
-    double ratio() const { return six_volumes > 0 ? 6 * six_volumes * six_volumes / (surface * std::sqrt(squared)) : 0; }
+    double ratio() const {
+        return six_volumes > 0 ? 6 * six_volumes * six_volumes / (surface * std::sqrt(squared)) : 0;
+    }
     /// Of the ratio's logarithm, for the point.
     Vec3 gradient() const {
         const Vec3 of_surface = cross(n1, v) / l1 + cross(u, n2) / l2 + cross(n3, v - u) / l3;
-        const Vec3 of_sphere = squared_length(u) * cross(sphere, v) + squared_length(v) * cross(u, sphere) + 2 * dot(sphere, base) * w;
+        const Vec3 of_sphere =
+            squared_length(u) * cross(sphere, v) + squared_length(v) * cross(u, sphere) + 2 * dot(sphere, base) * w;
         return 2 / six_volumes * base - of_surface / surface - of_sphere / squared;
     }
 
@@ -69,7 +80,8 @@ double StarShape::flatness_at(const Vec3& point, const Face& face) const {
     const auto& [a, b, c] = face.corners;
     const double all = flatness(point, a, b, c);
     if (all < least_flatness_of_needle || all == inverted_flatness) return all;
-    return unforced_flatness({point, a, b, c}, {is_on_boundary_, face.is_on_boundary[0], face.is_on_boundary[1], face.is_on_boundary[2]});
+    return unforced_flatness({point, a, b, c},
+                             {is_on_boundary_, face.is_on_boundary[0], face.is_on_boundary[1], face.is_on_boundary[2]});
 }
 
 double StarShape::worst(const Vec3& point, double limit) const {

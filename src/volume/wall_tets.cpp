@@ -20,7 +20,8 @@ constexpr int mending_rounds = 2;
 std::vector<int> tets_with_vertices_from(const TetComplex& complex, int first) {
     std::vector<int> tets;
     for (std::size_t t = 0; t < complex.tets.size(); ++t)
-        if (*std::max_element(complex.tets[t].begin(), complex.tets[t].end()) >= first) tets.push_back(static_cast<int>(t));
+        if (*std::max_element(complex.tets[t].begin(), complex.tets[t].end()) >= first)
+            tets.push_back(static_cast<int>(t));
     return tets;
 }
 
@@ -55,7 +56,8 @@ class TetSplitter {
     }
 
   private:
-    /// All tets of `star` have the corners `shared` of the tet `v`; in each of them the new vertex takes their places in turn.
+    /// All tets of `star` have the corners `shared` of the tet `v`; in each of them the new vertex takes their places
+    /// in turn.
     void consider(std::span<const int> star, std::vector<int> shared, Vec3 point, const Tet& v) {
         const auto& p = complex_.points;
         const int fresh = static_cast<int>(p.size());
@@ -105,7 +107,8 @@ bool OppositeWalls::are_spanned_by(const std::array<NodeId, 4>& nodes) const {
         if (off_a == 4) continue;
         for (const FaceId b : faces[off_a]) {
             const int off_b = first_off(b);
-            const bool covers = std::all_of(faces.begin(), faces.end(), [&](const auto& at) { return holds(at, a) || holds(at, b); });
+            const bool covers =
+                std::all_of(faces.begin(), faces.end(), [&](const auto& at) { return holds(at, a) || holds(at, b); });
             if (off_b < 4 && covers && are_opposite(a, nodes[off_b], b, nodes[off_a])) return true;
         }
     }
@@ -131,7 +134,8 @@ std::size_t split_tets(TetComplex& complex, const std::function<bool(const std::
     return count;
 }
 
-std::size_t split_wall_tets(SeamRegion& region, const OppositeWalls& walls, double target_dihedral_deg, RunContext& context) {
+std::size_t split_wall_tets(SeamRegion& region, const OppositeWalls& walls, double target_dihedral_deg,
+                            RunContext& context) {
     const auto is_spanning = [&](const std::array<int, 4>& tet) {
         return walls.are_spanned_by(
             {region.node_of(tet[0]), region.node_of(tet[1]), region.node_of(tet[2]), region.node_of(tet[3])});

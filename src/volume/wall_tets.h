@@ -36,7 +36,9 @@ class OppositeWalls {
 /// taken out again. Returns their number.
 std::size_t split_tets(TetComplex& complex, const std::function<bool(const std::array<int, 4>&)>& is_wanted);
 
-/// Splits the tets of a filled cavity that span opposite walls, and removes slivers there; none that spans them is left. Returns their number.
-std::size_t split_wall_tets(SeamRegion& region, const OppositeWalls& walls, double target_dihedral_deg, RunContext& context);
+/// Splits the tets of a filled cavity that span opposite walls, and removes slivers there; none that spans them is
+/// left. Returns their number.
+std::size_t split_wall_tets(SeamRegion& region, const OppositeWalls& walls, double target_dihedral_deg,
+                            RunContext& context);
 
 }  // namespace featuremesh

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "difference/feature_difference.h"
 
-#include <BRepGProp.hxx>
-#include <GProp_GProps.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
+#include <GProp_GProps.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
+#include <gp_Ax2.hxx>
 #include <map>
 #include <set>
-#include <gp_Ax2.hxx>
 
 #include "catch.h"
 #include "core/errors.h"
@@ -124,8 +124,10 @@ TEST_CASE("areas of faces that changed are those of the kernel") {
     const PartState was = part_with_cells(bracket({12, 12, 0})), is = part_with_cells(bracket({17, 12, 0}));
     for (const FaceChange& change : diff(was, is).faces) {
         if (change.verdict == BoundaryVerdict::kept) continue;
-        if (change.old_face.is_valid()) CHECK(change.old_area == Approx(area(was.brep.face(change.old_face))).epsilon(1e-9));
-        if (change.new_face.is_valid()) CHECK(change.new_area == Approx(area(is.brep.face(change.new_face))).epsilon(1e-9));
+        if (change.old_face.is_valid())
+            CHECK(change.old_area == Approx(area(was.brep.face(change.old_face))).epsilon(1e-9));
+        if (change.new_face.is_valid())
+            CHECK(change.new_area == Approx(area(is.brep.face(change.new_face))).epsilon(1e-9));
     }
 }
 
@@ -323,7 +325,8 @@ TEST_CASE("boundary that became inner, and inner that became boundary") {
     auto high = low, bare = low;
     high.push_back({"Cover", Effect::adds, {box({5, 5, 16}, {4, 4, 3})}, {}});
     bare.pop_back();
-    const auto inner = [](const std::vector<Primitive>& from, const std::vector<Primitive>& to, BoundaryVerdict verdict) {
+    const auto inner = [](const std::vector<Primitive>& from, const std::vector<Primitive>& to,
+                          BoundaryVerdict verdict) {
         const PartState was = part(from), is = part(to);
         FeatureDifference d = diff(was, is);
         tell_inner_faces(d.faces, was.brep, is.brep);

@@ -86,8 +86,8 @@ class RandomParts {
         const Vec3 step = axis() * length(3, 12);
         std::vector<TopoDS_Shape> instances;
         for (int i = 0; i < count; ++i)
-            instances.push_back(
-                test::moved(first, polar ? turn({20, 15, 6}, {0, 0, 1}, 2 * M_PI * i / count) : shift(step * double(i))));
+            instances.push_back(test::moved(
+                first, polar ? turn({20, 15, 6}, {0, 0, 1}, 2 * M_PI * i / count) : shift(step * double(i))));
         return instances;
     }
 
@@ -197,7 +197,8 @@ class SolidOracle {
         IntCurvesFace_ShapeIntersector crossings;
         crossings.Load(shape_, 1e-7);
         int odd = 0;
-        for (const gp_Dir& direction : {gp_Dir(0.31, 0.47, 0.83), gp_Dir(-0.71, 0.59, 0.23), gp_Dir(0.13, -0.37, -0.92)}) {
+        for (const gp_Dir& direction :
+             {gp_Dir(0.31, 0.47, 0.83), gp_Dir(-0.71, 0.59, 0.23), gp_Dir(0.13, -0.37, -0.92)}) {
             crossings.Perform(gp_Lin(to_pnt(p), direction), 0, 1e6);
             odd += crossings.NbPnt() % 2;
         }

@@ -395,7 +395,8 @@ RawDocument plate_and(const std::string& type, const std::string& link, const gp
     RawRecord& other = maker.add("Other", type, {{link, "Body", ""}}, copy);
     other.numbers = like.numbers;
     other.placement = other.global_placement = like.global_placement;
-    if (plate_too) maker.add("Both", "Part::MultiFuse", {{"Shapes", "Other", ""}, {"Shapes", "Body", ""}}, fused(plate, copy));
+    if (plate_too)
+        maker.add("Both", "Part::MultiFuse", {{"Shapes", "Other", ""}, {"Shapes", "Body", ""}}, fused(plate, copy));
     return maker.done();
 }
 
@@ -420,13 +421,15 @@ TEST_CASE("a mirrored object has the volumes of what it mirrors") {
     for (const bool plate_too : {false, true})
         check_copied(interpret(plate_and("Part::Mirroring", "Source", mirror, plate_too, like)), plate_too);
     like.numbers["Base.x"] = 31;  // not what was done: the shape is the volume
-    CHECK(named(interpret(plate_and("Part::Mirroring", "Source", mirror, true, like)), "Other").volume_source == "shape");
+    CHECK(named(interpret(plate_and("Part::Mirroring", "Source", mirror, true, like)), "Other").volume_source ==
+          "shape");
 }
 
 TEST_CASE("a second link and a clone have the volumes of what they show") {
     RawRecord like;
     like.global_placement.translation = {0, 25, 0};
-    for (const auto& [type, link] : {std::pair{"App::Link", "LinkedObject"}, std::pair{"PartDesign::FeatureBase", "BaseFeature"}})
+    for (const auto& [type, link] :
+         {std::pair{"App::Link", "LinkedObject"}, std::pair{"PartDesign::FeatureBase", "BaseFeature"}})
         for (const bool plate_too : {false, true})
             check_copied(interpret(plate_and(type, link, to_trsf(like.global_placement), plate_too, like)), plate_too);
 }
@@ -444,7 +447,7 @@ TEST_CASE("several originals repeated by a row and its mirror image") {
     maker.add("Slot", "PartDesign::Pocket", {{"BaseFeature", "Pad", ""}}, first, slot);
     maker.add("Hole", "PartDesign::Pocket", {{"BaseFeature", "Slot", ""}}, second, hole);
     maker.add("Row", "PartDesign::LinearPattern", {{"Direction", "Sketch", "H_Axis"}}).numbers = {{"Length", 15},
-                                                                                                 {"Occurrences", 2}};
+                                                                                                  {"Occurrences", 2}};
     maker.add("Image", "PartDesign::Mirrored", {{"MirrorPlane", "Sketch", "V_Axis"}});
     maker.add("Multi", "PartDesign::MultiTransform",
               {{"BaseFeature", "Hole", ""},

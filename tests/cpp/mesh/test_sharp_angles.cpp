@@ -20,7 +20,8 @@ Mesh leaning_box(int n, double angle) {
 }
 
 bool any_of(const Mesh& mesh, TetId tet, auto holds) {
-    return std::any_of(mesh.tets[tet.index()].begin(), mesh.tets[tet.index()].end(), [&](NodeId n) { return holds(n.index()); });
+    return std::any_of(mesh.tets[tet.index()].begin(), mesh.tets[tet.index()].end(),
+                       [&](NodeId n) { return holds(n.index()); });
 }
 
 }  // namespace
@@ -39,7 +40,8 @@ TEST_CASE("tets at a sharp edge are forced, the others are not") {
     const auto y = [&](std::size_t n) { return box.points[n].y; };
     int forced = 0;
     for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-        const bool touches = any_of(mesh, TetId(t), [&](std::size_t n) { return x(n) == y(n) && (x(n) == 0 || x(n) == 1); });
+        const bool touches =
+            any_of(mesh, TetId(t), [&](std::size_t n) { return x(n) == y(n) && (x(n) == 0 || x(n) == 1); });
         const bool spans = !any_of(mesh, TetId(t), [&](std::size_t n) { return x(n) > 0 && y(n) > 0; }) ||
                            !any_of(mesh, TetId(t), [&](std::size_t n) { return x(n) < 1 && y(n) < 1; });
         CHECK(sharp.force(TetId(t)) == (touches || spans));
@@ -52,7 +54,8 @@ TEST_CASE("tets at a sharp edge are forced, the others are not") {
     CHECK(quality.min_dihedral < 15.001);
     REQUIRE(quality.worst.is_valid());
     const auto& n = mesh.tets[quality.worst.index()];
-    CHECK(dihedral_range(mesh.point(n[0]), mesh.point(n[1]), mesh.point(n[2]), mesh.point(n[3])).smallest_deg == Approx(quality.min_dihedral));
+    CHECK(dihedral_range(mesh.point(n[0]), mesh.point(n[1]), mesh.point(n[2]), mesh.point(n[3])).smallest_deg ==
+          Approx(quality.min_dihedral));
     CHECK(!measure_quality(box).worst.is_valid());
 }
 

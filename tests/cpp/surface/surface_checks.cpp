@@ -156,8 +156,7 @@ double smallest_angle(const Mesh& mesh, TriangleId triangle) {
     const auto& t = mesh.triangles[triangle.index()];
     double smallest = M_PI;
     for (int i = 0; i < 3; ++i) {
-        const Vec3 u = mesh.point(t[(i + 1) % 3]) - mesh.point(t[i]),
-                   v = mesh.point(t[(i + 2) % 3]) - mesh.point(t[i]);
+        const Vec3 u = mesh.point(t[(i + 1) % 3]) - mesh.point(t[i]), v = mesh.point(t[(i + 2) % 3]) - mesh.point(t[i]);
         smallest = std::min(smallest, std::atan2(length(cross(u, v)), dot(u, v)));
     }
     return smallest * 180 / M_PI;

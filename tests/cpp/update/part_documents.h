@@ -17,8 +17,8 @@ namespace featuremesh {
 
 class PartDocument {
   public:
-    PartDocument& add(const std::string& name, const std::string& type, const TopoDS_Shape& shape, std::vector<RawLink> links = {},
-                      RigidMotion placement = {}) {
+    PartDocument& add(const std::string& name, const std::string& type, const TopoDS_Shape& shape,
+                      std::vector<RawLink> links = {}, RigidMotion placement = {}) {
         RawRecord record;
         record.name = record.label = name;
         record.type = type;
@@ -30,17 +30,20 @@ class PartDocument {
         return *this;
     }
     PartDocument& box(const std::string& name, Vec3 low, Vec3 size) {
-        return add(name, "Part::Box", BRepPrimAPI_MakeBox(gp_Pnt(low.x, low.y, low.z), size.x, size.y, size.z).Shape(), {}, at(low));
+        return add(name, "Part::Box", BRepPrimAPI_MakeBox(gp_Pnt(low.x, low.y, low.z), size.x, size.y, size.z).Shape(),
+                   {}, at(low));
     }
     PartDocument& cylinder(const std::string& name, Vec3 foot, double radius, double height) {
         const gp_Ax2 axis(gp_Pnt(foot.x, foot.y, foot.z), gp_Dir(0, 0, 1));
         return add(name, "Part::Cylinder", BRepPrimAPI_MakeCylinder(axis, radius, height).Shape(), {}, at(foot));
     }
     PartDocument& cut(const std::string& name, const std::string& base, const std::string& tool) {
-        return add(name, "Part::Cut", BRepAlgoAPI_Cut(shape(base), shape(tool)).Shape(), {{"Base", base, ""}, {"Tool", tool, ""}});
+        return add(name, "Part::Cut", BRepAlgoAPI_Cut(shape(base), shape(tool)).Shape(),
+                   {{"Base", base, ""}, {"Tool", tool, ""}});
     }
     PartDocument& fuse(const std::string& name, const std::string& base, const std::string& tool) {
-        return add(name, "Part::Fuse", BRepAlgoAPI_Fuse(shape(base), shape(tool)).Shape(), {{"Base", base, ""}, {"Tool", tool, ""}});
+        return add(name, "Part::Fuse", BRepAlgoAPI_Fuse(shape(base), shape(tool)).Shape(),
+                   {{"Base", base, ""}, {"Tool", tool, ""}});
     }
     /// The document whose last object is meshed.
     RawDocument finish() const {

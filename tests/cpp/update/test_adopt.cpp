@@ -18,7 +18,11 @@ using namespace featuremesh;
 namespace {
 
 RawDocument plate(double hole_x, double hole_radius = 4) {
-    return PartDocument().box("Plate", {0, 0, 0}, {60, 30, 6}).cylinder("Hole", {hole_x, 15, -1}, hole_radius, 8).cut("Part", "Plate", "Hole").finish();
+    return PartDocument()
+        .box("Plate", {0, 0, 0}, {60, 30, 6})
+        .cylinder("Hole", {hole_x, 15, -1}, hole_radius, 8)
+        .cut("Part", "Plate", "Hole")
+        .finish();
 }
 
 TopoDS_Shape glued(const TopoDS_Shape& a, const TopoDS_Shape& b) {
@@ -90,7 +94,8 @@ Entity face_at(const RawDocument& document, double x) {
     const Brep brep = read_part(document, context).brep;
     for (std::size_t f = 0; f < brep.face_count(); ++f) {
         const auto edges = brep.edges_of(FaceId(f));
-        if (std::all_of(edges.begin(), edges.end(), [&](EdgeId e) { return std::abs(brep.point_of(brep.ends_of(e)[0]).x - x) < 1e-9; }))
+        if (std::all_of(edges.begin(), edges.end(),
+                        [&](EdgeId e) { return std::abs(brep.point_of(brep.ends_of(e)[0]).x - x) < 1e-9; }))
             return entity_of(FaceId(f));
     }
     throw std::out_of_range("no such face");
@@ -182,7 +187,8 @@ TEST_CASE("an adopted mesh keeps its grading where it is updated, saved and rest
     RunContext context;
     const auto source = mesh_part(plate(52, 2), graded, context).part_mesh;
     const auto first = adopt_part(plate(52, 2), coarse, foreign_copy(source->mesh), context).part_mesh;
-    const auto restored = restore_part(plate(52, 2), coarse, first->mesh, context, first->made_for, first->adopted_sizes);
+    const auto restored =
+        restore_part(plate(52, 2), coarse, first->mesh, context, first->made_for, first->adopted_sizes);
     const double full = mean_side_near(mesh_part(plate(54, 2), graded, context).part_mesh->mesh);
     for (const auto& old : {first, restored}) {
         const auto now = update_part(*old, plate(54, 2), coarse, context);
@@ -193,7 +199,9 @@ TEST_CASE("an adopted mesh keeps its grading where it is updated, saved and rest
     }
 }
 
-TEST_CASE("an adopted mesh that is coarser than its typical size stays as coarse where it is updated, saved and restored or not") {
+TEST_CASE(
+    "an adopted mesh that is coarser than its typical size stays as coarse where it is updated, saved and restored or "
+    "not") {
     MeshOptions typical = options_of(1), graded = options_of(1);
     typical.sizing.elements_per_circle = graded.sizing.elements_per_circle = 0;
     typical.sizing.size = 4, graded.sizing.size = 6;
@@ -238,7 +246,8 @@ TEST_CASE("straight mid-side nodes on a curved face are made anew, and their ele
     std::size_t straightened = 0;
     for (std::size_t t = 0; t < foreign.triangles.size(); ++t)
         for (int s = 0; s < 3; ++s) {
-            const Vec3 middle = (foreign.point(foreign.triangles[t][s]) + foreign.point(foreign.triangles[t][(s + 1) % 3])) * 0.5;
+            const Vec3 middle =
+                (foreign.point(foreign.triangles[t][s]) + foreign.point(foreign.triangles[t][(s + 1) % 3])) * 0.5;
             Vec3& mid = foreign.points[foreign.triangle_mids[t][s].index()];
             straightened += distance(mid, middle) > 1e-6;
             mid = middle;

@@ -18,8 +18,9 @@ Vec3 random_point(std::mt19937_64& random) {
 }  // namespace
 
 TEST_CASE("an enclosure agrees with the formula away from the boundary") {
-    const TopoDS_Shape bored =
-        BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), BRepPrimAPI_MakeCylinder(gp_Ax2({5, 5, 0}, {0, 0, 1}), 3, 10).Shape()).Shape();
+    const TopoDS_Shape bored = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(10, 10, 10).Shape(),
+                                               BRepPrimAPI_MakeCylinder(gp_Ax2({5, 5, 0}, {0, 0, 1}), 3, 10).Shape())
+                                   .Shape();
     const Enclosure inside({bored});
     const Brep brep(bored);
     const SolidLocator locator(brep);

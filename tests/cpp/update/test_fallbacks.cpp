@@ -16,7 +16,11 @@ namespace {
 constexpr double size = 2, margin = 1.2, radius = 4;
 
 RawDocument plate(double x) {
-    return PartDocument().box("Plate", {0, 0, 0}, {60, 30, 6}).cylinder("Hole", {x, 15, -1}, radius, 8).cut("Part", "Plate", "Hole").finish();
+    return PartDocument()
+        .box("Plate", {0, 0, 0}, {60, 30, 6})
+        .cylinder("Hole", {x, 15, -1}, radius, 8)
+        .cut("Part", "Plate", "Hole")
+        .finish();
 }
 
 MeshOptions options_of(int order) {
@@ -45,17 +49,23 @@ PartMesh damaged(const PartMesh& part, double x, double reach) {
 
 std::string findings(const PartMesh& part) {
     Expectation expected;
-    for (std::size_t s = 0; s < part.part.brep.solid_count(); ++s) expected.solid_volumes.push_back(part.part.brep.volume_of(SolidId(s)));
-    for (std::size_t f = 0; f < part.part.brep.face_count(); ++f) expected.face_sides.push_back(part.part.brep.sides_of(FaceId(f)));
+    for (std::size_t s = 0; s < part.part.brep.solid_count(); ++s)
+        expected.solid_volumes.push_back(part.part.brep.volume_of(SolidId(s)));
+    for (std::size_t f = 0; f < part.part.brep.face_count(); ++f)
+        expected.face_sides.push_back(part.part.brep.sides_of(FaceId(f)));
     const std::vector<std::string> broken = broken_invariants(part.mesh, expected);
     return broken.empty() ? "" : broken.front();
 }
 
-bool has(const std::vector<std::string>& lines, std::size_t i, const std::string& text) { return i < lines.size() && lines[i].find(text) != std::string::npos; }
+bool has(const std::vector<std::string>& lines, std::size_t i, const std::string& text) {
+    return i < lines.size() && lines[i].find(text) != std::string::npos;
+}
 
 }  // namespace
 
-TEST_CASE("where nothing that was kept can be filled around, the part is meshed anew, and the report counts each attempt with its reason") {
+TEST_CASE(
+    "where nothing that was kept can be filled around, the part is meshed anew, and the report counts each attempt "
+    "with its reason") {
     const MeshOptions options = options_of(GENERATE(1, 2));
     RunContext context;
     const auto old = mesh_part(plate(15), options, context).part_mesh;
@@ -81,7 +91,8 @@ TEST_CASE("where nothing that was kept can be filled around, the part is meshed 
     CHECK(update_part(now, plate(18), options, context).report.fallbacks.empty());
 }
 
-TEST_CASE("where only what lies near the change cannot be filled around, twice the margin does, and the report says so") {
+TEST_CASE(
+    "where only what lies near the change cannot be filled around, twice the margin does, and the report says so") {
     const MeshOptions options = options_of(GENERATE(1, 2));
     RunContext context;
     const auto old = mesh_part(plate(15), options, context).part_mesh;

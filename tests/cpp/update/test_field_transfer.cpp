@@ -16,7 +16,11 @@ namespace {
 using Field = std::function<double(const Vec3&)>;
 
 RawDocument plate(double x) {
-    return PartDocument().box("Plate", {0, 0, 0}, {60, 30, 6}).cylinder("Hole", {x, 15, -1}, 4, 8).cut("Part", "Plate", "Hole").finish();
+    return PartDocument()
+        .box("Plate", {0, 0, 0}, {60, 30, 6})
+        .cylinder("Hole", {x, 15, -1}, 4, 8)
+        .cut("Part", "Plate", "Hole")
+        .finish();
 }
 
 struct Pair {
@@ -52,7 +56,9 @@ double largest_difference(const Mesh& mesh, const TransferredField& found, const
 }
 
 double linear(const Vec3& p) { return 3 + 0.2 * p.x - 0.7 * p.y + 1.1 * p.z; }
-double quadratic(const Vec3& p) { return 1 + 0.1 * p.x * p.x - 0.3 * p.x * p.y + 0.2 * p.z * p.z + 0.4 * p.y * p.z - p.x; }
+double quadratic(const Vec3& p) {
+    return 1 + 0.1 * p.x * p.x - 0.3 * p.x * p.y + 0.2 * p.z * p.z + 0.4 * p.y * p.z - p.x;
+}
 
 }  // namespace
 
@@ -81,7 +87,8 @@ TEST_CASE("linear fields are interpolated exactly, quadratic ones between 10-nod
         const TransferredField found = carried(before->mesh, after->mesh, sampled(before->mesh, linear));
         CHECK(largest_difference(after->mesh, found, linear, ValueSource::inside) < 1e-11);
     }
-    // The plate without its hole has straight sides only, where the quadratic shape functions hold all quadratic fields.
+    // The plate without its hole has straight sides only, where the quadratic shape functions hold all quadratic
+    // fields.
     MeshOptions options;
     options.sizing.size = 3;
     options.order = 2;
@@ -108,15 +115,19 @@ TEST_CASE("the error figure follows the true error") {
     CHECK(estimate > 0.5 * truth);
     CHECK(estimate < 2 * truth);
     const TransferredField straight = carried(before->mesh, after->mesh, sampled(before->mesh, linear));
-    CHECK(*std::max_element(straight.errors.begin(), straight.errors.end()) < 1.0);   // only outside, by what the field changes over that distance
+    CHECK(*std::max_element(straight.errors.begin(), straight.errors.end()) <
+          1.0);  // only outside, by what the field changes over that distance
 }
 
 TEST_CASE("outside the old mesh the nearest point of its boundary counts") {
     MeshOptions options;
     options.sizing.size = 3;
     RunContext context;
-    const auto before = mesh_part(PartDocument().box("Part", {0, 0, 0}, {20, 15, 10}).finish(), options, context).part_mesh;
-    const auto after = mesh_part(PartDocument().box("Part", {0, 0, 0}, {20, 15, 14}).finish(), options, context, {1000000, 1000000}).part_mesh;
+    const auto before =
+        mesh_part(PartDocument().box("Part", {0, 0, 0}, {20, 15, 10}).finish(), options, context).part_mesh;
+    const auto after =
+        mesh_part(PartDocument().box("Part", {0, 0, 0}, {20, 15, 14}).finish(), options, context, {1000000, 1000000})
+            .part_mesh;
     const TransferredField found = carried(before->mesh, after->mesh, sampled(before->mesh, linear));
     const auto clamped = [](const Vec3& p) { return linear({p.x, p.y, std::min(p.z, 10.0)}); };
     CHECK(largest_difference(after->mesh, found, clamped, ValueSource::outside) < 1e-11);
@@ -127,7 +138,11 @@ TEST_CASE("outside the old mesh the nearest point of its boundary counts") {
 
 TEST_CASE("values go along with a feature that moved, and sizes are checked") {
     const auto boss = [](double x) {
-        return PartDocument().box("Block", {0, 0, 0}, {60, 30, 8}).cylinder("Boss", {x, 15, 8}, 8, 16).fuse("Part", "Block", "Boss").finish();
+        return PartDocument()
+            .box("Block", {0, 0, 0}, {60, 30, 8})
+            .cylinder("Boss", {x, 15, 8}, 8, 16)
+            .fuse("Part", "Block", "Boss")
+            .finish();
     };
     MeshOptions options;
     options.sizing.size = 2.5;
@@ -138,7 +153,8 @@ TEST_CASE("values go along with a feature that moved, and sizes are checked") {
     const TransferredField found = carried(before->mesh, after->mesh, values);
     std::size_t carried_along = 0;
     for (std::size_t n = 0; n < after->mesh.node_count(); ++n)
-        if (const std::int32_t o = after->node_origin[n]; o >= 0 && !(before->mesh.points[std::size_t(o)] == after->mesh.points[n])) {
+        if (const std::int32_t o = after->node_origin[n];
+            o >= 0 && !(before->mesh.points[std::size_t(o)] == after->mesh.points[n])) {
             ++carried_along;
             CHECK(found.values[n] == values[std::size_t(o)]);
         }

@@ -14,18 +14,28 @@ using namespace featuremesh;
 namespace {
 
 RawDocument plate(double x) {
-    return PartDocument().box("Plate", {0, 0, 0}, {60, 30, 6}).cylinder("Hole", {x, 15, -1}, 4, 8).cut("Part", "Plate", "Hole").finish();
+    return PartDocument()
+        .box("Plate", {0, 0, 0}, {60, 30, 6})
+        .cylinder("Hole", {x, 15, -1}, 4, 8)
+        .cut("Part", "Plate", "Hole")
+        .finish();
 }
 
 RawDocument thick_plate(double x) {
-    return PartDocument().box("Plate", {0, 0, 0}, {60, 30, 20}).cylinder("Hole", {x, 15, -1}, 4, 22).cut("Part", "Plate", "Hole").finish();
+    return PartDocument()
+        .box("Plate", {0, 0, 0}, {60, 30, 20})
+        .cylinder("Hole", {x, 15, -1}, 4, 22)
+        .cut("Part", "Plate", "Hole")
+        .finish();
 }
 
 /// A disk with a hub, a bore and a bolt hole, of other measures after each edit.
 RawDocument flange(int edit) {
     const auto change = [&](int period) { return double((edit * 7) % period) / period; };
     PartDocument document;
-    document.cylinder("Disk", {0, 0, 0}, 30, 7).cylinder("Hub", {2 * change(5), 0, 7}, 16 + 2 * change(3), 18).fuse("Body", "Disk", "Hub");
+    document.cylinder("Disk", {0, 0, 0}, 30, 7)
+        .cylinder("Hub", {2 * change(5), 0, 7}, 16 + 2 * change(3), 18)
+        .fuse("Body", "Disk", "Hub");
     document.cylinder("Bore", {0, 0, -1}, 11 + change(4), 40).cut("Bored", "Body", "Bore");
     return document.cylinder("Bolt", {24, 3 * change(7), -1}, 2.5, 20).cut("Part", "Bored", "Bolt").finish();
 }
@@ -44,7 +54,10 @@ RawDocument two_plates(double x, double z = 20) {
     PartDocument document;
     document.box("PlateA", {0, 0, 0}, {40, 20, 6}).cylinder("HoleA", {x, 10, -1}, 4, 8).cut("A", "PlateA", "HoleA");
     document.box("PlateB", {0, 0, z}, {40, 20, 6}).cylinder("HoleB", {20, 10, z - 1}, 4, 8).cut("B", "PlateB", "HoleB");
-    return document.add("Part", "Part::Compound", together(document.shape("A"), document.shape("B")), {{"Links", "A", ""}, {"Links", "B", ""}}).finish();
+    return document
+        .add("Part", "Part::Compound", together(document.shape("A"), document.shape("B")),
+             {{"Links", "A", ""}, {"Links", "B", ""}})
+        .finish();
 }
 
 /// Two blocks that share a face, at x = 20; the first one with a hole near it.
@@ -56,7 +69,8 @@ RawDocument glued_blocks(double y) {
     glue.AddArgument(document.shape("A"));
     glue.AddArgument(document.shape("B"));
     glue.Perform();
-    return document.add("Part", "Part::FeaturePython", glue.Shape(), {{"Objects", "A", ""}, {"Objects", "B", ""}}).finish();
+    return document.add("Part", "Part::FeaturePython", glue.Shape(), {{"Objects", "A", ""}, {"Objects", "B", ""}})
+        .finish();
 }
 
 MeshOptions options_of(double size, int order = 1) {
@@ -80,7 +94,8 @@ PartMeshResult updated(const PartMesh& old, const RawDocument& document, const M
 FaceId face_at(const Mesh& mesh, double x) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto& n = mesh.triangles[t];
-        if (std::all_of(n.begin(), n.end(), [&](NodeId i) { return std::abs(mesh.point(i).x - x) < 1e-9; })) return mesh.triangle_faces[t];
+        if (std::all_of(n.begin(), n.end(), [&](NodeId i) { return std::abs(mesh.point(i).x - x) < 1e-9; }))
+            return mesh.triangle_faces[t];
     }
     return {};
 }
@@ -107,7 +122,8 @@ TEST_CASE("kept 10-node elements keep their mid-side nodes bit for bit") {
         if (now.tet_origin[t] < 0) continue;
         ++kept;
         for (int s = 0; s < 6; ++s) {
-            const std::size_t was = old.mesh.tet_mids[std::size_t(now.tet_origin[t])][s].index(), is = now.mesh.tet_mids[t][s].index();
+            const std::size_t was = old.mesh.tet_mids[std::size_t(now.tet_origin[t])][s].index(),
+                              is = now.mesh.tet_mids[t][s].index();
             REQUIRE(now.mesh.points[is] == old.mesh.points[was]);
             REQUIRE(now.mesh.node_numbers[is] == old.mesh.node_numbers[was]);
             curved += now.mesh.entities[is].dim < 3;
@@ -130,12 +146,13 @@ TEST_CASE("an edit in one solid leaves the mesh of the other alone") {
         REQUIRE(now.tet_origin[t] >= 0);
     }
     const auto& old = first.part_mesh->mesh;
-    CHECK(in_second == std::size_t(std::count_if(old.tets.begin(), old.tets.end(), [&](const auto& tet) { return old.point(tet[0]).z > 15; })));
+    CHECK(in_second == std::size_t(std::count_if(old.tets.begin(), old.tets.end(),
+                                                 [&](const auto& tet) { return old.point(tet[0]).z > 15; })));
     CHECK(second.report.kept_tets_share < 1);
 }
 
 TEST_CASE("an edit in one solid leaves the mesh of another alone, however near that is") {
-    for (const double z : {6.0, 7.0}) {   // that of the first one's top, and a little above
+    for (const double z : {6.0, 7.0}) {  // that of the first one's top, and a little above
         const auto first = meshed(two_plates(12, z), options_of(2.5));
         const auto second = updated(*first.part_mesh, two_plates(15, z), options_of(2.5));
         const PartMesh& now = *second.part_mesh;
@@ -143,7 +160,8 @@ TEST_CASE("an edit in one solid leaves the mesh of another alone, however near t
         std::size_t released = 0;
         for (std::size_t t = 0; t < now.mesh.tets.size(); ++t) {
             const auto& [a, b, c, d] = now.mesh.tets[t];
-            const double middle = (now.mesh.point(a).z + now.mesh.point(b).z + now.mesh.point(c).z + now.mesh.point(d).z) / 4;
+            const double middle =
+                (now.mesh.point(a).z + now.mesh.point(b).z + now.mesh.point(c).z + now.mesh.point(d).z) / 4;
             released += middle > 0.5 * (6 + z) && now.tet_origin[t] < 0;
         }
         CHECK(released == 0);
@@ -189,7 +207,9 @@ TEST_CASE("a changed local size releases only where the wanted size changed by m
     CHECK(much.part_mesh->mesh.tets.size() < first.part_mesh->mesh.tets.size());
 }
 
-TEST_CASE("a local size that changes little by little releases when it is far from what the mesh was made for, saved and restored or not") {
+TEST_CASE(
+    "a local size that changes little by little releases when it is far from what the mesh was made for, saved and "
+    "restored or not") {
     MeshOptions options = options_of(3);
     const FaceId end = face_at(meshed(plate(20), options).part_mesh->mesh, 60);
     options.sizing.local = {{entity_of(end), 1.0}};
@@ -250,7 +270,9 @@ TEST_CASE("a small mesh keeps its mean quality over fifty edits") {
         const auto update = updated(*part, edited, options);
         CHECK(update.report.fallbacks.empty());
         if (i % (edits / looks) == 0)
-            drift += (update.report.quality.mean_radius_ratio - meshed(edited, options).report.quality.mean_radius_ratio) / looks;
+            drift +=
+                (update.report.quality.mean_radius_ratio - meshed(edited, options).report.quality.mean_radius_ratio) /
+                looks;
         part = update.part_mesh;
     }
     CHECK(drift > -0.007);

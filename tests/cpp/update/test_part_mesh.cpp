@@ -19,11 +19,19 @@ using namespace featuremesh;
 namespace {
 
 RawDocument plate_with_hole(double x, double length = 60) {
-    return PartDocument().box("Plate", {0, 0, 0}, {length, 30, 6}).cylinder("Hole", {x, 15, -1}, 4, 8).cut("Part", "Plate", "Hole").finish();
+    return PartDocument()
+        .box("Plate", {0, 0, 0}, {length, 30, 6})
+        .cylinder("Hole", {x, 15, -1}, 4, 8)
+        .cut("Part", "Plate", "Hole")
+        .finish();
 }
 
 RawDocument block_and_cylinder(double x) {
-    return PartDocument().box("Block", {0, 0, 0}, {60, 30, 8}).cylinder("Boss", {x, 15, 8}, 8, 16).fuse("Part", "Block", "Boss").finish();
+    return PartDocument()
+        .box("Block", {0, 0, 0}, {60, 30, 8})
+        .cylinder("Boss", {x, 15, 8}, 8, 16)
+        .fuse("Part", "Block", "Boss")
+        .finish();
 }
 
 /// A tube with a step of 0.005 mm around its middle, whose halves have their seams 40 degrees apart.
@@ -31,8 +39,12 @@ RawDocument stepped_tube(double wall) {
     gp_Ax2 axes(gp_Pnt(0, 0, 10), gp_Dir(0, 0, 1));
     axes.Rotate(axes.Axis(), 40 * M_PI / 180);
     PartDocument document;
-    document.cylinder("Thick", {0, 0, 0}, 14, 10).add("Thin", "Part::Cylinder", BRepPrimAPI_MakeCylinder(axes, 13.995, 10).Shape());
-    return document.fuse("Shaft", "Thick", "Thin").cylinder("Bore", {0, 0, 0}, 14 - wall, 20).cut("Part", "Shaft", "Bore").finish();
+    document.cylinder("Thick", {0, 0, 0}, 14, 10)
+        .add("Thin", "Part::Cylinder", BRepPrimAPI_MakeCylinder(axes, 13.995, 10).Shape());
+    return document.fuse("Shaft", "Thick", "Thin")
+        .cylinder("Bore", {0, 0, 0}, 14 - wall, 20)
+        .cut("Part", "Shaft", "Bore")
+        .finish();
 }
 
 /// A plate with two bosses, whose feet are given.
@@ -43,7 +55,11 @@ RawDocument two_bosses(Vec3 a, Vec3 b) {
 }
 
 RawDocument plate_at(Vec3 p) {
-    return PartDocument().box("Plate", p, {60, 30, 8}).cylinder("Hole", p + Vec3{15, 15, -1}, 4, 10).cut("Part", "Plate", "Hole").finish();
+    return PartDocument()
+        .box("Plate", p, {60, 30, 8})
+        .cylinder("Hole", p + Vec3{15, 15, -1}, 4, 10)
+        .cut("Part", "Plate", "Hole")
+        .finish();
 }
 
 MeshOptions options_of(double size, int order = 1) {
@@ -93,8 +109,9 @@ void check_kept(const PartMesh& old, const PartMesh& now) {
 }
 
 bool same_bytes(const Mesh& a, const Mesh& b) {
-    return a.points == b.points && a.node_numbers == b.node_numbers && a.tets == b.tets && a.tet_numbers == b.tet_numbers &&
-           a.triangles == b.triangles && a.segments == b.segments && a.tet_mids == b.tet_mids;
+    return a.points == b.points && a.node_numbers == b.node_numbers && a.tets == b.tets &&
+           a.tet_numbers == b.tet_numbers && a.triangles == b.triangles && a.segments == b.segments &&
+           a.tet_mids == b.tet_mids;
 }
 
 }  // namespace
@@ -157,7 +174,8 @@ TEST_CASE("the nodes of a feature that moved are carried along") {
     CHECK(now.report.kept[0].tets > 0);
     CHECK(now.report.kept[1].tets > 0);
     CHECK(now.report.kept[1].motion.translation.x == Approx(10));
-    const auto in_boss = std::count_if(old->mesh.points.begin(), old->mesh.points.end(), [](const Vec3& p) { return p.z > 8.001; });
+    const auto in_boss =
+        std::count_if(old->mesh.points.begin(), old->mesh.points.end(), [](const Vec3& p) { return p.z > 8.001; });
     CHECK(double(now.report.kept[1].nodes) > 0.6 * double(in_boss));
     CHECK(now.report.fallbacks.empty());
 }
@@ -205,7 +223,11 @@ TEST_CASE("a longer plate and a new hole are updated") {
 
 TEST_CASE("what an edit adds is as fine as in a full mesh") {
     const auto block = [](double length) {
-        return PartDocument().box("Block", {0, 0, 0}, {length, 30, 20}).cylinder("Hole", {12, 15, -1}, 4, 22).cut("Part", "Block", "Hole").finish();
+        return PartDocument()
+            .box("Block", {0, 0, 0}, {length, 30, 20})
+            .cylinder("Hole", {12, 15, -1}, 4, 22)
+            .cut("Part", "Block", "Hole")
+            .finish();
     };
     const MeshOptions options = options_of(2.2);
     const auto longer = updated(*meshed(block(40), options).part_mesh, block(60), options);
@@ -216,7 +238,8 @@ TEST_CASE("what an edit adds is as fine as in a full mesh") {
 
 TEST_CASE("the same edit gives the same bytes for any number of threads, live or restored") {
     const MeshOptions options = options_of(2.5);
-    const auto one = meshed(plate_with_hole(15), options, 1).part_mesh, two = meshed(plate_with_hole(15), options, 2).part_mesh;
+    const auto one = meshed(plate_with_hole(15), options, 1).part_mesh,
+               two = meshed(plate_with_hole(15), options, 2).part_mesh;
     CHECK(same_bytes(one->mesh, two->mesh));
     RunContext context;
     const auto restored = restore_part(one->document, options, one->mesh, context);
@@ -266,9 +289,14 @@ TEST_CASE("every tet belongs to a feature") {
 }
 
 TEST_CASE("a detail much smaller than the size is told of, by its name and size") {
-    const auto step = PartDocument().box("Block", {0, 0, 0}, {60, 30, 8}).box("Step", {20, 10, 8}, {20, 10, 0.02}).fuse("Part", "Block", "Step").finish();
+    const auto step = PartDocument()
+                          .box("Block", {0, 0, 0}, {60, 30, 8})
+                          .box("Step", {20, 10, 8}, {20, 10, 0.02})
+                          .fuse("Part", "Block", "Step")
+                          .finish();
     const auto is_told = [](const std::string& w) {
-        return w.find("Details of the part") != std::string::npos && w.find("Edge") != std::string::npos && w.find("(0.02 mm ") != std::string::npos;
+        return w.find("Details of the part") != std::string::npos && w.find("Edge") != std::string::npos &&
+               w.find("(0.02 mm ") != std::string::npos;
     };
     const PartMeshResult thin = meshed(step, options_of(4));
     CHECK(thin.report.quality.min_dihedral < 2);
@@ -290,7 +318,9 @@ TEST_CASE("where tets cannot meet a narrow face with nodes opposite one another,
         for (const auto& [edge, count] : pieces) most = std::max(most, count);
         longest.push_back(most);
         const auto& warnings = result.report.warnings;
-        const bool is_told = std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) { return w.find("Meshed finer") != std::string::npos; });
+        const bool is_told = std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) {
+            return w.find("Meshed finer") != std::string::npos;
+        });
         CHECK(is_told == (most > 40));
     }
     CHECK(longest[0] < 20);
@@ -303,11 +333,12 @@ TEST_CASE("where 10-node tets would stay folded, the part is meshed finer, and t
     options.sizing.elements_per_circle = 0;
     const PartMeshResult result = meshed(ball, options);
     Expectation sides = expectation_of(result.part_mesh->part.brep);
-    sides.solid_volumes.clear();   // a few elements make a poor ball
+    sides.solid_volumes.clear();  // a few elements make a poor ball
     CHECK(broken_invariants(result.part_mesh->mesh, sides).empty());
     CHECK(result.report.quality.min_scaled_jacobian > 0.199);
     const auto& warnings = result.report.warnings;
-    CHECK(std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) { return w.find("finer than asked at Face1") != std::string::npos; }));
+    CHECK(std::any_of(warnings.begin(), warnings.end(),
+                      [](const std::string& w) { return w.find("finer than asked at Face1") != std::string::npos; }));
 }
 
 TEST_CASE("a solid whose volume a coarse mesh misses is meshed finer, and the report says where") {
@@ -320,10 +351,12 @@ TEST_CASE("a solid whose volume a coarse mesh misses is meshed finer, and the re
     const PartMeshResult result = meshed(PartDocument().add("Lens", "Part::Common", lens).finish(), options);
     const Mesh& mesh = result.part_mesh->mesh;
     double volume = 0;
-    for (const auto& [a, b, c, d] : mesh.tets) volume += signed_volume(mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d));
+    for (const auto& [a, b, c, d] : mesh.tets)
+        volume += signed_volume(mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d));
     CHECK(volume == Approx(wanted).epsilon(0.3));
     const auto& warnings = result.report.warnings;
-    CHECK(std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) { return w.find("finer than asked at Solid1") != std::string::npos; }));
+    CHECK(std::any_of(warnings.begin(), warnings.end(),
+                      [](const std::string& w) { return w.find("finer than asked at Solid1") != std::string::npos; }));
 }
 
 TEST_CASE("a local size on a face that no longer exists is a warning that names it, in a mesh and in an update") {
@@ -332,17 +365,23 @@ TEST_CASE("a local size on a face that no longer exists is a warning that names 
     const PartMeshResult drilled = meshed(plate_with_hole(20), options);
     const auto is_named = [](const PartMeshResult& result, const std::string& name) {
         const auto& warnings = result.report.warnings;
-        return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& w) { return w.find("local size at " + name + " ") != std::string::npos; });
+        return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& w) {
+            return w.find("local size at " + name + " ") != std::string::npos;
+        });
     };
     CHECK(is_named(drilled, "Face42"));
     CHECK_FALSE(is_named(drilled, "Face7"));
-    const PartMeshResult plain = updated(*drilled.part_mesh, PartDocument().box("Part", {0, 0, 0}, {60, 30, 6}).finish(), options);
+    const PartMeshResult plain =
+        updated(*drilled.part_mesh, PartDocument().box("Part", {0, 0, 0}, {60, 30, 6}).finish(), options);
     CHECK(is_named(plain, "Face7"));
 }
 
 TEST_CASE("with two elements across asked, no tet spans the walls of an open box, in either order") {
-    const RawDocument document =
-        PartDocument().box("Block", {0, 0, 0}, {41, 32.8, 4}).box("Inside", {1, 1, 1}, {39, 30.8, 4}).cut("Part", "Block", "Inside").finish();
+    const RawDocument document = PartDocument()
+                                     .box("Block", {0, 0, 0}, {41, 32.8, 4})
+                                     .box("Inside", {1, 1, 1}, {39, 30.8, 4})
+                                     .cut("Part", "Block", "Inside")
+                                     .finish();
     MeshOptions options;
     options.sizing.size = 10;
     options.sizing.elements_across_gap = 2;
@@ -351,14 +390,16 @@ TEST_CASE("with two elements across asked, no tet spans the walls of an open box
     const Mesh& mesh = result.part_mesh->mesh;
     CHECK(result.report.volume.split_wall_tets > 0);
     const std::array<std::array<std::pair<double Vec3::*, double>, 2>, 5> walls{{{{{&Vec3::x, 0}, {&Vec3::x, 1}}},
-                                                                               {{{&Vec3::x, 40}, {&Vec3::x, 41}}},
-                                                                               {{{&Vec3::y, 0}, {&Vec3::y, 1}}},
-                                                                               {{{&Vec3::y, 31.8}, {&Vec3::y, 32.8}}},
-                                                                               {{{&Vec3::z, 0}, {&Vec3::z, 1}}}}};
+                                                                                 {{{&Vec3::x, 40}, {&Vec3::x, 41}}},
+                                                                                 {{{&Vec3::y, 0}, {&Vec3::y, 1}}},
+                                                                                 {{{&Vec3::y, 31.8}, {&Vec3::y, 32.8}}},
+                                                                                 {{{&Vec3::z, 0}, {&Vec3::z, 1}}}}};
     CHECK(std::none_of(mesh.tets.begin(), mesh.tets.end(), [&](const auto& tet) {
         return std::any_of(walls.begin(), walls.end(), [&](const auto& wall) {
             const auto on = [&](int side) {
-                return std::count_if(tet.begin(), tet.end(), [&](NodeId n) { return std::abs(mesh.point(n).*wall[side].first - wall[side].second) < 1e-6; });
+                return std::count_if(tet.begin(), tet.end(), [&](NodeId n) {
+                    return std::abs(mesh.point(n).*wall[side].first - wall[side].second) < 1e-6;
+                });
             };
             return on(0) > 0 && on(1) > 0 && on(0) + on(1) == 4;
         });

@@ -107,7 +107,8 @@ RawDocument with_switched_fillet(bool suppressed) {
     RawDocument document = with_fillet(5);
     if (!suppressed) return document;
     document.records.back().suppressed = true;
-    document.records.back().shape = document.records[document.records.size() - 2].shape;   // what is left is the shape before it
+    document.records.back().shape =
+        document.records[document.records.size() - 2].shape;  // what is left is the shape before it
     return document;
 }
 
@@ -192,7 +193,9 @@ TEST_CASE("a trench cuts the part in two, and it is joined again") {
     check_there_and_back(with_trench(0), with_trench(8), 0.5);
 }
 
-TEST_CASE("two pockets are joined by a third, and parted") { check_there_and_back(with_pockets(false), with_pockets(true), 0.5); }
+TEST_CASE("two pockets are joined by a third, and parted") {
+    check_there_and_back(with_pockets(false), with_pockets(true), 0.5);
+}
 
 TEST_CASE("a ring cuts a face into a frame and an island") { check_there_and_back(without_hole(), with_ring(), 0.3); }
 

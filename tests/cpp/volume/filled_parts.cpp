@@ -94,8 +94,14 @@ TopoDS_Shape cut_corner(double width) {
 TopoDS_Shape wall_with_steps(double step) {
     BRepBuilderAPI_MakePolygon outline;
     const double top = 0.8, end = 30;
-    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {15.0, 0.0}, {15 + step, step}, {end, step}, {end, top + step},
-                               {15 + step, top + step}, {15.0, top}, {0.0, top}})
+    for (const auto& [x, y] : {std::pair{0.0, 0.0},
+                               {15.0, 0.0},
+                               {15 + step, step},
+                               {end, step},
+                               {end, top + step},
+                               {15 + step, top + step},
+                               {15.0, top},
+                               {0.0, top}})
         outline.Add(gp_Pnt(x, y, 0));
     outline.Close();
     return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 0.4)).Shape();

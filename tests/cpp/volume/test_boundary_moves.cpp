@@ -46,8 +46,8 @@ struct FixedBox {
     }
     std::vector<int> move(std::span<BoundaryVertex> vertices, double target_deg = 30) {
         RunContext context;
-        return move_on_boundary(complex, vertices, projector,
-                                {.target_dihedral_deg = target_deg, .least_volume = 1e-9}, context);
+        return move_on_boundary(complex, vertices, projector, {.target_dihedral_deg = target_deg, .least_volume = 1e-9},
+                                context);
     }
 };
 

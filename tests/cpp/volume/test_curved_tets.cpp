@@ -64,7 +64,8 @@ TopoDS_Shape sheet_with_cusps() {
 /// the slot.
 TopoDS_Shape block_with_step_and_slot() {
     BRepBuilderAPI_MakePolygon outline;
-    for (const auto& [x, y] : {std::pair{-10.0, 0.0}, {20.0, 0.0}, {20.0, 10 + 1e-5}, {0.0, 10 + 1e-5}, {0.0, 10.0}, {-10.0, 10.0}})
+    for (const auto& [x, y] :
+         {std::pair{-10.0, 0.0}, {20.0, 0.0}, {20.0, 10 + 1e-5}, {0.0, 10 + 1e-5}, {0.0, 10.0}, {-10.0, 10.0}})
         outline.Add(gp_Pnt(x, y, 0));
     outline.Close();
     const TopoDS_Shape block =

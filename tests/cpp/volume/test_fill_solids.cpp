@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
-#include <BRepAlgoAPI_Cut.hxx>
 #include <functional>
 #include <random>
 #include <set>
@@ -198,11 +198,12 @@ TEST_CASE("a seam that is nowhere Delaunay is recovered by constraint before all
         if (full.entities[n].dim < 3) continue;
         Vec3& p = full.points[n];
         const auto wave = [&](double x) { return std::sin(M_PI * x / edge); };
-        p.x += 3 * wave(p.x) * wave(p.y) * std::sin(4 * M_PI * p.z / edge);   // shears, with the boundary where it was
+        p.x += 3 * wave(p.x) * wave(p.y) * std::sin(4 * M_PI * p.z / edge);  // shears, with the boundary where it was
     }
     REQUIRE(findings(part.brep, full) == "");
     std::vector<bool> is_kept;
-    for (std::size_t t = 0; t < full.tets.size(); ++t) is_kept.push_back(distance(center_of(full, t), {10, 10, 10}) > 4);
+    for (std::size_t t = 0; t < full.tets.size(); ++t)
+        is_kept.push_back(distance(center_of(full, t), {10, 10, 10}) > 4);
     const Mesh before = kept_part(full, is_kept);
     RunContext context;
     const VolumeResult result = fill_solids(part.brep, part.sizing, before, {}, VolumeOptions{}, context);
@@ -313,7 +314,7 @@ TopoDS_Shape open_box() {
     return BRepAlgoAPI_Cut(box_part({0, 0, 0}, {41, 32.8, 4}), box_part({1, 1, 1}, {39, 30.8, 3})).Shape();
 }
 
-IsOn plane(double Vec3::* axis, double at) {
+IsOn plane(double Vec3::*axis, double at) {
     return [=](const Vec3& p) { return std::abs(p.*axis - at) < 1e-6; };
 }
 IsOn cylinder(double radius) {
@@ -343,10 +344,11 @@ TEST_CASE("with two elements across, no tet has its corners on two opposite wall
                                                      {plane(&Vec3::y, 0), plane(&Vec3::y, 1)},
                                                      {plane(&Vec3::y, 31.8), plane(&Vec3::y, 32.8)},
                                                      {plane(&Vec3::z, 0), plane(&Vec3::z, 1)}};
-    const auto [name, shape, size, walls] = GENERATE_COPY(table<std::string, TopoDS_Shape, double, std::vector<std::array<IsOn, 2>>>(
-        {{"plate", box_part({0, 0, 0}, {20, 24, 3}), 6.0, {{plane(&Vec3::z, 0), plane(&Vec3::z, 3)}}},
-         {"tube", tube_part(8, 10), 4.0, {{cylinder(8), cylinder(7)}}},
-         {"open box", open_box(), 10.0, box_walls}}));
+    const auto [name, shape, size, walls] =
+        GENERATE_COPY(table<std::string, TopoDS_Shape, double, std::vector<std::array<IsOn, 2>>>(
+            {{"plate", box_part({0, 0, 0}, {20, 24, 3}), 6.0, {{plane(&Vec3::z, 0), plane(&Vec3::z, 3)}}},
+             {"tube", tube_part(8, 10), 4.0, {{cylinder(8), cylinder(7)}}},
+             {"open box", open_box(), 10.0, box_walls}}));
     INFO(name);
     SizingOptions options;
     options.size = size;
