@@ -8,6 +8,7 @@
 #include <Bnd_Box.hxx>
 #include <IntCurvesFace_Intersector.hxx>
 #include <IntTools_Context.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
@@ -98,8 +99,13 @@ struct SolidProbe::Data {
             face.surface = std::make_unique<BRepAdaptor_Surface>(face.face, false);
         }
         IntCurvesFace_Intersector& intersector = *face.intersector;
-        intersector.Perform(gp_Lin(to_pnt(from), gp_Dir(to_vec(direction))), -touching,
-                            2 * box.diagonal() + distance(from, box.center()));
+        try {
+            intersector.Perform(gp_Lin(to_pnt(from), gp_Dir(to_vec(direction))), -touching,
+                                2 * box.diagonal() + distance(from, box.center()));
+        } catch (const Standard_Failure&) {  // beside an edge without a curve in space: another direction has to tell
+            hits.push_back({entry(face.box, from, direction).value_or(0) + 2 * touching, false, false});
+            return;
+        }
         if (!intersector.IsDone()) return;
         for (int i = 1; i <= intersector.NbPnt(); ++i) {
             const double cosine =
