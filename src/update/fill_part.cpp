@@ -143,11 +143,28 @@ struct BestFilling {
     }
 };
 
+}  // namespace
+
+Expectation expectation_of(const Brep& brep) {
+    Expectation expected;
+    for (std::size_t s = 0; s < brep.solid_count(); ++s) expected.solid_volumes.push_back(brep.volume_of(SolidId(s)));
+    for (std::size_t f = 0; f < brep.face_count(); ++f) expected.face_sides.push_back(brep.sides_of(FaceId(f)));
+    // Chords cut curved faces; how much is the judgement of the surface module, so only gross errors count here.
+    expected.volume_tolerance = 0.3;
+    return expected;
+}
+
+Kept nothing_kept(NextNumbers next) {
+    Kept nothing;
+    nothing.mesh.next_node_number = next.node;
+    nothing.mesh.next_element_number = next.element;
+    return nothing;
+}
+
 /// Where 10-node tets would be folded whatever is done to them, everything that is not kept is filled again with
 /// shorter edges there; when that fails in turn, with other lengths. Twice at most where they are valid, but miss the
 /// aim: the best filling counts.
-Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, MeshOptions options,
-                      RunContext& context) {
+Filled fill_part(const Brep& brep, const SizingField& sizing, Kept kept, MeshOptions options, RunContext& context) {
     constexpr int attempts = 6, most_valid = 3;
     SecondOrder second;
     if (options.order == 1) return fill_following(brep, sizing, {}, std::move(kept), options, second, context);
@@ -183,29 +200,6 @@ Filled fill_and_check(const Brep& brep, const SizingField& sizing, Kept kept, Me
                 "4-node tets.");
         field = make_sizing(brep, options.sizing, shorter, context);
     }
-}
-
-}  // namespace
-
-Expectation expectation_of(const Brep& brep) {
-    Expectation expected;
-    for (std::size_t s = 0; s < brep.solid_count(); ++s) expected.solid_volumes.push_back(brep.volume_of(SolidId(s)));
-    for (std::size_t f = 0; f < brep.face_count(); ++f) expected.face_sides.push_back(brep.sides_of(FaceId(f)));
-    // Chords cut curved faces; how much is the judgement of the surface module, so only gross errors count here.
-    expected.volume_tolerance = 0.3;
-    return expected;
-}
-
-Kept nothing_kept(NextNumbers next) {
-    Kept nothing;
-    nothing.mesh.next_node_number = next.node;
-    nothing.mesh.next_element_number = next.element;
-    return nothing;
-}
-
-Filled fill_part(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options,
-                 RunContext& context) {
-    return fill_and_check(brep, sizing, std::move(kept), options, context);
 }
 
 }  // namespace featuremesh

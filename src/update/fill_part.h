@@ -35,7 +35,6 @@ Kept nothing_kept(NextNumbers next);
 
 /// Surface, volume, mid-side nodes and validation of all that is not kept. Where elements cannot follow the part, or
 /// 10-node tets would be folded, with shorter edges there. Throws MeshError when no valid mesh can be made.
-Filled fill_part(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options,
-                 RunContext& context);
+Filled fill_part(const Brep& brep, const SizingField& sizing, Kept kept, MeshOptions options, RunContext& context);
 
 }  // namespace featuremesh

@@ -257,17 +257,13 @@ class Soak(unittest.TestCase):
         full = self.ratios_of_full_meshes(mesh.Proxy._raw, options, (1,))[0]
         print("mean radius ratio %.4f, of a full mesh %.4f; largest node number %.2f times the count" % (
             mesh.MeanRadiusRatio, full, mesh.Proxy.arrays(mesh)["node_numbers"].max() / mesh.NodeCount), file=sys.stderr)
-        if EDITS < 20:
-            # A few edits of a coarse mesh scatter by about as much as a long run may drift.
-            self.assertGreater(mesh.MeanRadiusRatio - full, -0.02)
-            return
-        # So do full meshes of a few hundred elements: one of them is no measure.
-        ratios = self.ratios_of_full_meshes(mesh.Proxy._raw, options, np.linspace(0.98, 1.02, 9))
-        mean, deviation = np.mean(ratios), np.std(ratios, ddof=1)
-        print("mean radius ratio of nine full meshes within 2 %% of the size: %.4f, standard deviation %.4f; off it %+.4f" % (
-            mean, deviation, mesh.MeanRadiusRatio - mean), file=sys.stderr)
-        self.assertTrue(mesh.MeanRadiusRatio > full - 0.01 or mesh.MeanRadiusRatio > mean - max(0.01, 2 * deviation),
-                        "%.4f, but %.4f in a full mesh" % (mesh.MeanRadiusRatio, full))
+        if EDITS >= 20:
+            # Full meshes of a few hundred elements scatter by as much as this: what that means for one of them is printed, too.
+            ratios = self.ratios_of_full_meshes(mesh.Proxy._raw, options, np.linspace(0.98, 1.02, 9))
+            print("mean radius ratio of nine full meshes within 2 %% of the size: %.4f, standard deviation %.4f; off it %+.4f" % (
+                np.mean(ratios), np.std(ratios, ddof=1), mesh.MeanRadiusRatio - np.mean(ratios)), file=sys.stderr)
+        # A few edits of a coarse mesh scatter by about as much as a long run may drift.
+        self.assertGreater(mesh.MeanRadiusRatio - full, -0.01 if EDITS >= 20 else -0.02)
 
     def ratios_of_full_meshes(self, raw, options, shares):
         return [engine.load().mesh_part(raw, {**options, "size": share * options["size"]})[1]["quality"]["mean_radius_ratio"] for share in shares]
