@@ -192,11 +192,52 @@ class Reading(unittest.TestCase):
     def test_faces_stay_shared_between_features(self):
         document = new_document()
         body = plate_with_hole(document)
+        body.newObject("PartDesign::AdditiveBox", "Block")  # or the hole would be the tip, which the body's copy stands for
+        document.recompute()
         raw = reading.read_document(body)
         shapes, records = shapes_in(raw), by_name(raw)
         before, after = shapes[records["Plate"]["shape"]], shapes[records["Hole"]["shape"]]
         shared = [one for one in before.Faces if any(one.isPartner(other) for other in after.Faces)]
         self.assertEqual(len(shared), 4)  # the plate's sides, which the hole does not touch
+
+    def test_the_shape_of_a_body_stands_for_that_of_its_tip(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        body.Placement = placement(5, -3, 20, 37, (1, 2, 3))
+        document.recompute()
+        raw = reading.read_document(body)
+        records = by_name(raw)
+        self.assertEqual(records["Hole"]["shape"], records["Body"]["shape"])
+        self.assertEqual(len(shapes_in(raw)), 4)  # two volumes, the plate, the body
+        document.getObject("Hole").touch()
+        records = by_name(reading.read_document(body))
+        self.assertNotEqual(records["Hole"]["shape"], records["Body"]["shape"])
+
+    def test_a_tip_that_is_told_from_its_shape_keeps_it(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        fillet = body.newObject("PartDesign::Fillet", "Fillet")
+        fillet.Base, fillet.Radius = (document.getObject("Hole"), ["Edge1"]), 1
+        document.recompute()
+        raw = reading.read_document(body)
+        shapes, records = shapes_in(raw), by_name(raw)
+        self.assertNotEqual(records["Fillet"]["shape"], records["Body"]["shape"])
+        before, after = shapes[records["Hole"]["shape"]], shapes[records["Fillet"]["shape"]]
+        self.assertTrue(any(one.isPartner(other) for one in before.Faces for other in after.Faces))
+
+    def test_a_tip_that_is_placed_by_another_link_keeps_its_shape(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        body.Placement = placement(0, 0, 7)
+        link = document.addObject("App::Link", "Link")
+        link.LinkedObject, link.Placement = document.getObject("Hole"), placement(100)
+        both = document.addObject("Part::MultiFuse", "Both")
+        both.Shapes = [link, body]
+        document.recompute()
+        raw = reading.read_document(both)
+        shapes, records = shapes_in(raw), by_name(raw)
+        self.assertGreater(shapes[records["Hole"]["shape"]].BoundBox.XMin, 99)
+        self.assert_same_solid(shapes[records["Body"]["shape"]], body.Shape)
 
     def test_long_chain_of_booleans(self):
         document = new_document()

@@ -6,7 +6,7 @@ here: which objects the part depends on, and in which frame each of them lies.
 """
 
 import contextlib
-import io
+import functools
 import os
 import tempfile
 from collections import deque
@@ -208,11 +208,12 @@ class _Kinds(dict):
 
 class _Walk:
     """What `part` depends on. By object: `frames`, the placement from its parent's frame into the final one (volume-carrying links decide first);
-    `placements`, its own; `children`, what it depends on; `properties`, what they are read for; `links`, as _links gives them."""
+    `parents`, the object whose link decided that; `placements`, its own; `children`, what it depends on; `properties`, what they are read for;
+    `links`, as _links gives them."""
 
     def __init__(self, part):
         self.frames = {part: versions.parent_frame(part)}
-        self.placements, self.children, self.properties, self.links = {}, {}, {}, {}
+        self.parents, self.placements, self.children, self.properties, self.links = {}, {}, {}, {}, {}
         self._kinds = _Kinds()
         strong, weak = deque([part]), deque()
         while strong or weak:
@@ -236,7 +237,7 @@ class _Walk:
                 continue
             frame = self.frames[obj].multiply(relative)
             if carries_volume:
-                self.frames[child] = frame
+                self.frames[child], self.parents[child] = frame, obj
                 strong.append(child)
             else:
                 weak.append((child, frame))
@@ -261,10 +262,8 @@ def _in_dependency_order(part, children):
 
 
 def _members_up_to_tip(body):
-    members = list(body.Group)
-    if body.Tip in members:
-        members = members[:members.index(body.Tip) + 1]
-    return members
+    members, tip = list(property_of(body, "Group")), property_of(body, "Tip")
+    return members[:members.index(tip) + 1] if tip in members else members
 
 
 def _linked_objects(links, kinds):
@@ -291,8 +290,8 @@ def _record(obj, walk, shapes, keys, home):
     own, frame, properties = walk.placements[obj], walk.frames[obj], walk.properties[obj]
     kind = properties.kind
     reference = _is_reference(obj, kind)
-    shape = None if reference and kind not in _BINDERS else _shape_of(obj)
     volume = None if reference else properties.value(obj, "AddSubShape")
+    shown = None if reference and kind not in _BINDERS else walk.parents[obj] if _is_shown_by_body(obj, volume, walk) else obj
     numbers, texts = properties.parameters(obj)
     whole = frame.multiply(own)
     return {
@@ -305,11 +304,24 @@ def _record(obj, walk, shapes, keys, home):
         "global_placement": matrix_entries(whole),
         "numbers": numbers,
         "texts": texts,
-        "shape": shapes.add(shape, frame),
+        "shape": shapes.add_of(shown, walk.frames),
         "own_volume": shapes.add(volume, whole),
         "suppressed": bool(properties.value(obj, "Suppressed")),
         "error": error_of(obj),
     }
+
+
+def _is_shown_by_body(obj, volume, walk):
+    """Is `obj` a tip with a volume of its own, so that the shape of the body, which is a copy of its shape, can stand for that? A copy shares no
+    faces with the shapes before, but only what has no such volume is told from the shapes before and after it."""
+    body = walk.parents.get(obj)
+    return (body is not None and walk.properties[body].kind == "PartDesign::Body" and ("Tip", obj, "") in walk.links[body]
+            and not _derives(obj, "PartDesign::DressUp", walk.properties[obj].kind) and _has_solid(volume)
+            and "Up-to-date" in state_of(obj) and "Up-to-date" in state_of(body) and _has_solid(_shape_of(body)))
+
+
+def _has_solid(shape):
+    return shape is not None and not shape.isNull() and bool(shape.Solids)
 
 
 class _ShapeList:
@@ -317,10 +329,17 @@ class _ShapeList:
 
     def __init__(self):
         self._shapes = []
+        self._numbers = {}
+
+    def add_of(self, obj, frames):
+        """Index of the object's shape, as add gives it; -1 for None."""
+        if obj not in self._numbers:
+            self._numbers[obj] = -1 if obj is None else self.add(_shape_of(obj), frames[obj])
+        return self._numbers[obj]
 
     def add(self, shape, frame):
         """Index of the shape, moved by `frame`; -1 for a null shape or one without a solid."""
-        if shape is None or shape.isNull() or not shape.Solids:
+        if not _has_solid(shape):
             return -1
         moved = Part.Shape(shape)
         moved.Placement = frame.multiply(shape.Placement)
@@ -331,8 +350,10 @@ class _ShapeList:
         """One compound in FreeCAD's binary form, which leaves out the triangulations of a view."""
         with _file_in_memory() as (path, handle):
             Part.Compound(self._shapes).exportBinary(path)
-            with io.FileIO(path if handle is None else handle, closefd=handle is None) as stream:
-                return stream.readall()
+            if handle is not None:
+                return os.pread(handle, os.fstat(handle).st_size, 0)
+            with open(path, "rb") as stream:
+                return stream.read()
 
 
 def _shapes_from_bytes(data):
@@ -345,10 +366,15 @@ def _shapes_from_bytes(data):
     return compound.SubShapes
 
 
+@functools.lru_cache(maxsize=None)
+def _has_files_in_memory():
+    return hasattr(os, "memfd_create") and os.path.isdir("/proc/self/fd")
+
+
 @contextlib.contextmanager
 def _file_in_memory():
     """Path of a file for as long as it is needed, and a handle at its start or None; without a disk where there is another place."""
-    if hasattr(os, "memfd_create") and os.path.isdir("/proc/self/fd"):
+    if _has_files_in_memory():
         handle = os.memfd_create("featuremesh")
         try:
             yield "/proc/self/fd/%d" % handle, handle
