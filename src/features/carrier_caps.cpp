@@ -13,6 +13,7 @@
 #include <numbers>
 
 #include "features/occt_geometry.h"
+#include "features/period_shifts.h"
 
 namespace featuremesh {
 
@@ -105,15 +106,32 @@ class CapsOfCarrier {
         for (const MergedEdges::Wire& wire : edges_.wires_of(face))
             for (const MergedEdges::Use& use : wire) add(face, use);
         if (is_plane()) return;
+        join(first);
         Rectangle range;
         for (std::size_t i = first; i < steps_.size(); ++i)
             for (const Point& p : steps_[i].way) range.add(p);
         const Point middle{(range.low.u + range.high.u) / 2, (range.low.v + range.high.v) / 2};
         if (first == 0) middle_ = middle;
-        const Point shift{periods(surface_.IsUPeriodic() ? surface_.UPeriod() : 0, middle_.u - middle.u),
-                          periods(surface_.IsVPeriodic() ? surface_.VPeriod() : 0, middle_.v - middle.v)};
-        for (std::size_t i = first; i < steps_.size(); ++i)
-            for (Point& p : steps_[i].way) p = {p.u + shift.u, p.v + shift.v};
+        const Parameters period = period_of(surface_);
+        const Parameters shift{periods(period.u, middle_.u - middle.u), periods(period.v, middle_.v - middle.v)};
+        for (std::size_t i = first; i < steps_.size(); ++i) move(steps_[i], shift);
+    }
+
+    static void move(Step& step, const Parameters& by) {
+        for (Point& p : step.way) p = {p.u + by.u, p.v + by.v};
+    }
+
+    /// Brings the steps of a face beside one another.
+    void join(std::size_t first) {
+        const Parameters period = period_of(surface_);
+        if (period.u == 0 && period.v == 0) return;
+        std::vector<BorderStep> border;
+        for (std::size_t i = first; i < steps_.size(); ++i) {
+            const Step& s = steps_[i];
+            border.push_back({s.from, s.to, {s.way.front().u, s.way.front().v}, {s.way.back().u, s.way.back().v}});
+        }
+        const std::vector<Parameters> shifts = period_shifts(border, period);
+        for (std::size_t i = first; i < steps_.size(); ++i) move(steps_[i], shifts[i - first]);
     }
 
     /// Whole periods that bring a face beside the first one.

@@ -19,6 +19,7 @@
 
 #include "features/flux.h"
 #include "features/occt_geometry.h"
+#include "features/period_shifts.h"
 
 namespace featuremesh {
 
@@ -124,13 +125,15 @@ bool has_ribbon(const TopoDS_Edge& edge, double size) {
     return BRep_Tool::Tolerance(edge) > loose * size && !BRep_Tool::Degenerated(edge);
 }
 
+/// `visit(edge, number)`: the edges are numbered as the kernel explores them.
 template <class Visit>
 double sum_over_edges(const TopoDS_Face& face, const Visit& visit) {
     double sum = 0;
-    for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next()) {
+    std::size_t number = 0;
+    for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next(), ++number) {
         const TopAbs_Orientation orientation = it.Current().Orientation();
-        if (orientation == TopAbs_FORWARD) sum += visit(TopoDS::Edge(it.Current()));
-        if (orientation == TopAbs_REVERSED) sum -= visit(TopoDS::Edge(it.Current()));
+        if (orientation == TopAbs_FORWARD) sum += visit(TopoDS::Edge(it.Current()), number);
+        if (orientation == TopAbs_REVERSED) sum -= visit(TopoDS::Edge(it.Current()), number);
     }
     return sum;
 }
@@ -140,8 +143,8 @@ struct Gap {
     Vec3 from, to;
 };
 
-/// At each vertex what ends there goes on with what begins nearest to it. `end_of(edge, first)` is the edge's end at
-/// the first or the last parameter: a point in space or in the parameter plane.
+/// At each vertex what ends there goes on with what begins nearest to it. `end_of(edge, first, number)` is the edge's
+/// end at the first or the last parameter: a point in space or in the parameter plane.
 template <class EndOf>
 std::vector<Gap> gaps_of_border(const TopoDS_Face& face, const EndOf& end_of) {
     TopTools_IndexedMapOfShape vertices;
@@ -153,12 +156,13 @@ std::vector<Gap> gaps_of_border(const TopoDS_Face& face, const EndOf& end_of) {
         starts.resize(vertices.Extent());
         lists[index - 1].push_back(end);
     };
-    for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next()) {
+    std::size_t number = 0;
+    for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next(), ++number) {
         const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
         if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED) continue;
         const bool forward = edge.Orientation() == TopAbs_FORWARD;
-        add(forward ? starts : ends, TopExp::FirstVertex(edge), end_of(edge, true));
-        add(forward ? ends : starts, TopExp::LastVertex(edge), end_of(edge, false));
+        add(forward ? starts : ends, TopExp::FirstVertex(edge), end_of(edge, true, number));
+        add(forward ? ends : starts, TopExp::LastVertex(edge), end_of(edge, false, number));
     }
     std::vector<Gap> gaps;
     for (std::size_t v = 0; v < ends.size(); ++v)
@@ -173,7 +177,7 @@ std::vector<Gap> gaps_of_border(const TopoDS_Face& face, const EndOf& end_of) {
     return gaps;
 }
 
-Vec3 end_in_space(const TopoDS_Edge& edge, bool first) {
+Vec3 end_in_space(const TopoDS_Edge& edge, bool first, std::size_t) {
     const BRepAdaptor_Curve curve(edge);
     return to_vec3(curve.Value(first ? curve.FirstParameter() : curve.LastParameter()));
 }
@@ -188,7 +192,7 @@ double flux_of_plane(const TopoDS_Face& face, const BRepAdaptor_Surface& surface
     double across_gaps = 0;
     for (const Gap& gap : gaps_of_border(face, end_in_space))
         across_gaps += dot(cross(gap.from - o, gap.to - gap.from), normal) * height / 6;
-    return across_gaps + sum_over_edges(face, [&](const TopoDS_Edge& edge) {
+    return across_gaps + sum_over_edges(face, [&](const TopoDS_Edge& edge, std::size_t) {
                const BRepAdaptor_Curve curve(edge);
                const std::vector<double> stretches = smooth_stretches(curve);
                const Integrand swept = [&](double t) {
@@ -261,24 +265,33 @@ class CurvedFace {
 
     double value() const {
         if (face_.NbChildren() == 0) return over_natural_bounds();
+        std::vector<Parameters> shifts;
+        const auto lift = [&](std::size_t number) { return shifts.empty() ? Parameters{} : shifts[number]; };
+        const auto gaps = [&] {
+            return gaps_of_border(face_, [&](const TopoDS_Edge& edge, bool first, std::size_t number) {
+                return end_of(edge, first) + Vec3{lift(number).u, lift(number).v, 0};
+            });
+        };
+        std::vector<Gap> steps = gaps();
+        if (std::any_of(steps.begin(), steps.end(), [&](const Gap& gap) { return is_whole_periods(gap); })) {
+            shifts = shifts_of_border();
+            steps = gaps();
+        }
         double up_to_border = 0;
-        for (const Gap& gap : gaps_of_border(face_, [&](const TopoDS_Edge&edge, bool first) {
-                 const BRepAdaptor_Curve2d curve(edge, face_);
-                 const gp_Pnt2d uv = curve.Value(first ? curve.FirstParameter() : curve.LastParameter());
-                 return Vec3{uv.X(), uv.Y(), 0};
-             }))
+        for (const Gap& gap : steps)
             up_to_border += up_to((gap.from.x + gap.to.x) / 2, (gap.from.y + gap.to.y) / 2) * (gap.to.x - gap.from.x);
-        up_to_border += sum_over_edges(face_, [&](const TopoDS_Edge& edge) {
+        up_to_border += sum_over_edges(face_, [&](const TopoDS_Edge& edge, std::size_t number) {
             const BRepAdaptor_Curve2d curve(edge, face_);
+            const double up = lift(number).v;
             const Integrand share = [&](double t) {
                 gp_Pnt2d uv;
                 gp_Vec2d d;
                 curve.D1(t, uv, d);
-                return d.X() == 0 ? 0.0 : up_to(uv.X(), uv.Y()) * d.X();
+                return d.X() == 0 ? 0.0 : up_to(uv.X(), uv.Y() + up) * d.X();
             };
             return along(share, smooth_stretches(curve), relative_error * cube());
         });
-        const double beyond = sum_over_edges(face_, [&](const TopoDS_Edge& edge) {
+        const double beyond = sum_over_edges(face_, [&](const TopoDS_Edge& edge, std::size_t) {
             return has_ribbon(edge, size_) ? beyond_border(edge, BRepAdaptor_Curve2d(edge, face_)) : 0.0;
         });
         return beyond - up_to_border;
@@ -293,6 +306,35 @@ class CurvedFace {
     }
 
     double cube() const { return size_ * size_ * size_; }
+
+    Vec3 end_of(const TopoDS_Edge& edge, bool first) const {
+        const BRepAdaptor_Curve2d curve(edge, face_);
+        const gp_Pnt2d uv = curve.Value(first ? curve.FirstParameter() : curve.LastParameter());
+        return {uv.X(), uv.Y(), 0};
+    }
+
+    bool is_whole_periods(const Gap& gap) const {
+        const Parameters jump = whole_periods({gap.to.x - gap.from.x, gap.to.y - gap.from.y}, period_of(surface_));
+        return jump.u != 0 || jump.v != 0;
+    }
+
+    /// By number of the edge, where the kernel lets curves of the border lie whole periods apart.
+    std::vector<Parameters> shifts_of_border() const {
+        TopTools_IndexedMapOfShape vertices;
+        std::vector<BorderStep> border;
+        for (TopExp_Explorer it(face_, TopAbs_EDGE); it.More(); it.Next()) {
+            const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+            BorderStep& step = border.emplace_back(BorderStep{-1, -2, {}, {}});
+            if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED) continue;
+            const bool forward = edge.Orientation() == TopAbs_FORWARD;
+            const Vec3 begin = end_of(edge, forward), end = end_of(edge, !forward);
+            step = {vertices.Add(TopExp::FirstVertex(edge, true)),
+                    vertices.Add(TopExp::LastVertex(edge, true)),
+                    {begin.x, begin.y},
+                    {end.x, end.y}};
+        }
+        return period_shifts(border, period_of(surface_));
+    }
 
     double beyond_border(const TopoDS_Edge& edge, const BRepAdaptor_Curve2d& curve) const {
         const BRepAdaptor_Curve in_space(edge);
