@@ -119,6 +119,7 @@ class CapsOfCarrier {
 
     static void move(Step& step, const Parameters& by) {
         for (Point& p : step.way) p = {p.u + by.u, p.v + by.v};
+        step.side.shift = {step.side.shift.u + by.u, step.side.shift.v + by.v};
     }
 
     /// Brings the steps of a face beside one another.
@@ -142,7 +143,7 @@ class CapsOfCarrier {
 
     void add(std::size_t face, const MergedEdges::Use& use) {
         const bool against = is_turned(face) == faces_[face].vanished;  // those that appeared are turned round
-        Step step{{face, use, against ? -use.sense : use.sense}, 0, 0, {}};
+        Step step{{face, use, against ? -use.sense : use.sense, {}}, 0, 0, {}};
         const MergedEdges::Piece& piece = edges_.piece(use.piece);
         step.from = piece.ends[step.side.sense > 0 ? 0 : 1];
         step.to = piece.ends[step.side.sense > 0 ? 1 : 0];

@@ -6,6 +6,7 @@
 
 #include "features/merged_edges.h"
 #include "features/patch_faces.h"
+#include "features/period_shifts.h"
 
 namespace featuremesh {
 
@@ -14,7 +15,8 @@ struct CarrierCap {
     struct Side {
         std::size_t face = 0;  ///< the face that the use is from, on the same surface
         MergedEdges::Use use;
-        int sense = 1;  ///< along the use's piece or against it, with the region to the left in `on`
+        int sense = 1;     ///< along the use's piece or against it, with the region to the left in `on`
+        Parameters shift;  ///< whole periods that bring the edge's curve on `face` to the region's border in `on`
     };
     std::size_t on = 0;     ///< the face, oriented forward, on whose surface it lies
     bool vanished = false;  ///< covered before

@@ -52,13 +52,15 @@ class PieceEdges {
   public:
     explicit PieceEdges(const MergedEdges& edges) : edges_(edges), traces_(edges.piece_count()) {}
 
-    /// The piece will border a face on the surface of `target`; the use is from `source`, on the same surface.
-    void need(const MergedEdges::Use& use, const TopoDS_Face& source, const TopoDS_Face& target) {
+    /// The piece will border a face on the surface of `target`; the use is from `source`, on the same surface, `shift`
+    /// away in its parameters.
+    void need(const MergedEdges::Use& use, const TopoDS_Face& source, const TopoDS_Face& target,
+              const Parameters& shift) {
         TopLoc_Location place, source_place;
         const Handle(Geom_Surface)& surface = BRep_Tool::Surface(target, place);
         const MergedEdges::Piece &piece = edges_.piece(use.piece), &own = edges_.piece(use.own);
-        const bool has_trace =
-            own.edge == piece.edge && surface == BRep_Tool::Surface(source, source_place) && place == source_place;
+        const bool has_trace = own.edge == piece.edge && shift.u == 0 && shift.v == 0 &&
+                               surface == BRep_Tool::Surface(source, source_place) && place == source_place;
         if (has_trace || surface->IsKind(STANDARD_TYPE(Geom_Plane))) return;
         std::vector<Trace>& known = traces_[std::size_t(use.piece)];
         for (const Trace& trace : known)
@@ -67,9 +69,10 @@ class PieceEdges {
         Trace trace{surface, place, {}, {}, BRep_Tool::Tolerance(use.edge)};
         double first = 0, last = 0;
         const auto on = [&](TopAbs_Orientation orientation) {
-            const auto curve =
-                BRep_Tool::CurveOnSurface(TopoDS::Edge(use.edge.Oriented(orientation)), forward, first, last);
+            auto curve = BRep_Tool::CurveOnSurface(TopoDS::Edge(use.edge.Oriented(orientation)), forward, first, last);
             if (curve.IsNull()) throw Standard_DomainError("an edge without a curve on its face");
+            if (shift.u != 0 || shift.v != 0)
+                curve = Handle(Geom2d_Curve)::DownCast(curve->Translated(gp_Vec2d(shift.u, shift.v)));
             return edges_.is_degenerated(own) ? curve : over_range_of(piece, own, own.turned, curve);
         };
         trace.along = on(own.turned ? TopAbs_REVERSED : TopAbs_FORWARD);
@@ -206,7 +209,7 @@ class PatchShells {
         for (const MergedEdges::Wire& wire : edges_.wires_of(f)) {
             std::vector<Sheet::Side>& sides = sheet.wires.emplace_back();
             for (const MergedEdges::Use& use : wire) {
-                pieces_.need(use, faces_[f].face, faces_[f].face);
+                pieces_.need(use, faces_[f].face, faces_[f].face, {});
                 sides.push_back({use.piece, use.sense});
             }
         }
@@ -220,7 +223,7 @@ class PatchShells {
         for (const std::vector<CarrierCap::Side>& wire : cap.wires) {
             std::vector<Sheet::Side>& sides = sheet.wires.emplace_back();
             for (const CarrierCap::Side& side : wire) {
-                pieces_.need(side.use, faces_[side.face].face, faces_[cap.on].face);
+                pieces_.need(side.use, faces_[side.face].face, faces_[cap.on].face, side.shift);
                 sides.push_back({side.use.piece, side.sense});
             }
         }

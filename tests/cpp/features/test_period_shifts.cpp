@@ -4,6 +4,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepCheck_Analyzer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -118,5 +119,6 @@ TEST_CASE("what a feature removed is told where curves of a face lie a period ap
         REQUIRE(found);
         REQUIRE(found->removed.size() == 1);
         CHECK(flux(found->removed.front(), {}) == Approx(5 * 4 * 5 - (4 - std::numbers::pi) * 4));
+        CHECK(BRepCheck_Analyzer(found->removed.front()).IsValid());
     }
 }
