@@ -35,6 +35,7 @@ struct Rectangle {
         low = {std::min(low.u, p.u), std::min(low.v, p.v)};
         high = {std::max(high.u, p.u), std::max(high.v, p.v)};
     }
+    bool contains(const Point& p) const { return low.u <= p.u && p.u <= high.u && low.v <= p.v && p.v <= high.v; }
     bool overlaps(const Rectangle& b) const {
         return low.u <= b.high.u && b.low.u <= high.u && low.v <= b.high.v && b.low.v <= high.v;
     }
@@ -256,14 +257,23 @@ class CapsOfCarrier {
         for (std::size_t i = 0; i < steps_.size(); ++i)
             for (std::size_t k = 0; k < i; ++k)
                 if (steps_[i].side.use.piece != steps_[k].side.use.piece && boxes[i].overlaps(boxes[k]) &&
-                    do_cross(steps_[i].way, steps_[k].way))
+                    do_cross(steps_[i].way, steps_[k].way, boxes[k]))
                     throw Standard_DomainError("edges of faces before and after cross");
     }
 
-    static bool do_cross(const std::vector<Point>& a, const std::vector<Point>& b) {
-        for (std::size_t i = 0; i + 1 < a.size(); ++i)
-            for (std::size_t k = 0; k + 1 < b.size(); ++k)
-                if (do_cross(a[i], a[i + 1], b[k], b[k + 1])) return true;
+    static bool do_cross(const std::vector<Point>& a, const std::vector<Point>& b, const Rectangle& box_of_b) {
+        for (std::size_t i = 0; i + 1 < a.size(); ++i) {
+            Rectangle chord;
+            chord.add(a[i]);
+            chord.add(a[i + 1]);
+            if (!chord.overlaps(box_of_b)) continue;
+            for (std::size_t k = 0; k + 1 < b.size(); ++k) {
+                Rectangle other;
+                other.add(b[k]);
+                other.add(b[k + 1]);
+                if (chord.overlaps(other) && do_cross(a[i], a[i + 1], b[k], b[k + 1])) return true;
+            }
+        }
         return false;
     }
 
@@ -346,6 +356,7 @@ class CapsOfCarrier {
     }
 
     static bool contains(const Loop& loop, const Point& p) {
+        if (!loop.box.contains(p)) return false;
         bool inside = false;
         for (std::size_t i = 0; i < loop.polygon.size(); ++i) {
             const Point a = loop.polygon[i], b = loop.polygon[(i + 1) % loop.polygon.size()];

@@ -125,16 +125,20 @@ bool has_ribbon(const TopoDS_Edge& edge, double size) {
     return BRep_Tool::Tolerance(edge) > loose * size && !BRep_Tool::Degenerated(edge);
 }
 
-/// `visit(edge, number)`: the edges are numbered as the kernel explores them.
-template <class Visit>
-double sum_over_edges(const TopoDS_Face& face, const Visit& visit) {
+/// The edges of a face's border as they are in the face when that is oriented forward.
+std::vector<TopoDS_Edge> border_of(const TopoDS_Face& face) {
+    std::vector<TopoDS_Edge> border;
+    for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next())
+        if (it.Current().Orientation() == TopAbs_FORWARD || it.Current().Orientation() == TopAbs_REVERSED)
+            border.push_back(TopoDS::Edge(it.Current()));
+    return border;
+}
+
+/// `of(number)` by edge.
+template <class Of>
+double sum_along(const std::vector<TopoDS_Edge>& border, const Of& of) {
     double sum = 0;
-    std::size_t number = 0;
-    for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next(), ++number) {
-        const TopAbs_Orientation orientation = it.Current().Orientation();
-        if (orientation == TopAbs_FORWARD) sum += visit(TopoDS::Edge(it.Current()), number);
-        if (orientation == TopAbs_REVERSED) sum -= visit(TopoDS::Edge(it.Current()), number);
-    }
+    for (std::size_t i = 0; i < border.size(); ++i) sum += border[i].Orientation() == TopAbs_FORWARD ? of(i) : -of(i);
     return sum;
 }
 
@@ -143,10 +147,10 @@ struct Gap {
     Vec3 from, to;
 };
 
-/// At each vertex what ends there goes on with what begins nearest to it. `end_of(edge, first, number)` is the edge's
-/// end at the first or the last parameter: a point in space or in the parameter plane.
+/// At each vertex what ends there goes on with what begins nearest to it. `end_of(number, first)` is an edge's end at
+/// the first or the last parameter: a point in space or in the parameter plane.
 template <class EndOf>
-std::vector<Gap> gaps_of_border(const TopoDS_Face& face, const EndOf& end_of) {
+std::vector<Gap> gaps_of_border(const std::vector<TopoDS_Edge>& border, const EndOf& end_of) {
     TopTools_IndexedMapOfShape vertices;
     std::vector<std::vector<Vec3>> ends, starts;
     const auto add = [&](std::vector<std::vector<Vec3>>& lists, const TopoDS_Vertex& vertex, const Vec3& end) {
@@ -156,13 +160,10 @@ std::vector<Gap> gaps_of_border(const TopoDS_Face& face, const EndOf& end_of) {
         starts.resize(vertices.Extent());
         lists[index - 1].push_back(end);
     };
-    std::size_t number = 0;
-    for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next(), ++number) {
-        const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
-        if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED) continue;
-        const bool forward = edge.Orientation() == TopAbs_FORWARD;
-        add(forward ? starts : ends, TopExp::FirstVertex(edge), end_of(edge, true, number));
-        add(forward ? ends : starts, TopExp::LastVertex(edge), end_of(edge, false, number));
+    for (std::size_t i = 0; i < border.size(); ++i) {
+        const bool forward = border[i].Orientation() == TopAbs_FORWARD;
+        add(forward ? starts : ends, TopExp::FirstVertex(border[i]), end_of(i, true));
+        add(forward ? ends : starts, TopExp::LastVertex(border[i]), end_of(i, false));
     }
     std::vector<Gap> gaps;
     for (std::size_t v = 0; v < ends.size(); ++v)
@@ -177,9 +178,10 @@ std::vector<Gap> gaps_of_border(const TopoDS_Face& face, const EndOf& end_of) {
     return gaps;
 }
 
-Vec3 end_in_space(const TopoDS_Edge& edge, bool first, std::size_t) {
-    const BRepAdaptor_Curve curve(edge);
-    return to_vec3(curve.Value(first ? curve.FirstParameter() : curve.LastParameter()));
+/// Of a curve in space or in the parameter plane.
+template <class Curve>
+auto end_of(const Curve& curve, bool first) {
+    return curve.Value(first ? curve.FirstParameter() : curve.LastParameter());
 }
 
 // In space, not in the parameter plane: the faces on both sides of an edge then see the same curve.
@@ -190,10 +192,13 @@ double flux_of_plane(const TopoDS_Face& face, const BRepAdaptor_Surface& surface
     const Vec3 o = box_of(face).center(), normal = normalized(to_vec3(du.Crossed(dv)));
     const double height = dot(to_vec3(origin) - apex, normal);
     double across_gaps = 0;
-    for (const Gap& gap : gaps_of_border(face, end_in_space))
+    const std::vector<TopoDS_Edge> border = border_of(face);
+    const std::vector<BRepAdaptor_Curve> curves(border.begin(), border.end());
+    for (const Gap& gap :
+         gaps_of_border(border, [&](std::size_t i, bool first) { return to_vec3(end_of(curves[i], first)); }))
         across_gaps += dot(cross(gap.from - o, gap.to - gap.from), normal) * height / 6;
-    return across_gaps + sum_over_edges(face, [&](const TopoDS_Edge& edge, std::size_t) {
-               const BRepAdaptor_Curve curve(edge);
+    return across_gaps + sum_along(border, [&](std::size_t i) {
+               const BRepAdaptor_Curve& curve = curves[i];
                const std::vector<double> stretches = smooth_stretches(curve);
                const Integrand swept = [&](double t) {
                    const CurvePoint c = point_on(curve, t);
@@ -204,7 +209,7 @@ double flux_of_plane(const TopoDS_Face& face, const BRepAdaptor_Surface& surface
                        ? swept(curve.FirstParameter()) * (curve.LastParameter() - curve.FirstParameter())
                        : along(swept, stretches, relative_error * size * size);
                const double share = area * height / 6;
-               if (!has_ribbon(edge, size)) return share;
+               if (!has_ribbon(border[i], size)) return share;
                const Integrand off_plane = [&](double t) {
                    const CurvePoint c = point_on(curve, t);
                    const Vec3 foot = c.point - normal * dot(c.point - to_vec3(origin), normal);
@@ -258,42 +263,35 @@ class CurvedFace {
           surface_(surface),
           apex_(apex),
           size_(size),
-          v_(along_v(surface)) {
+          v_(along_v(surface)),
+          border_(border_of(face)) {
+        for (const TopoDS_Edge& edge : border_) traces_.emplace_back(edge, face_);
         if (is_spline(surface) && v_.stretches.size() > 2)
             for (std::size_t i = 1; i < v_.stretches.size(); ++i) patches_.emplace_back(face_, false);
     }
 
     double value() const {
         if (face_.NbChildren() == 0) return over_natural_bounds();
-        std::vector<Parameters> shifts;
-        const auto lift = [&](std::size_t number) { return shifts.empty() ? Parameters{} : shifts[number]; };
-        const auto gaps = [&] {
-            return gaps_of_border(face_, [&](const TopoDS_Edge& edge, bool first, std::size_t number) {
-                return end_of(edge, first) + Vec3{lift(number).u, lift(number).v, 0};
-            });
-        };
-        std::vector<Gap> steps = gaps();
-        if (std::any_of(steps.begin(), steps.end(), [&](const Gap& gap) { return is_whole_periods(gap); })) {
+        std::vector<Gap> gaps = gaps_between(std::vector<Parameters>(border_.size()));
+        std::vector<Parameters> shifts(border_.size());
+        if (std::any_of(gaps.begin(), gaps.end(), [&](const Gap& gap) { return is_whole_periods(gap); })) {
             shifts = shifts_of_border();
-            steps = gaps();
+            gaps = gaps_between(shifts);
         }
         double up_to_border = 0;
-        for (const Gap& gap : steps)
+        for (const Gap& gap : gaps)
             up_to_border += up_to((gap.from.x + gap.to.x) / 2, (gap.from.y + gap.to.y) / 2) * (gap.to.x - gap.from.x);
-        up_to_border += sum_over_edges(face_, [&](const TopoDS_Edge& edge, std::size_t number) {
-            const BRepAdaptor_Curve2d curve(edge, face_);
-            const double up = lift(number).v;
+        up_to_border += sum_along(border_, [&](std::size_t i) {
             const Integrand share = [&](double t) {
                 gp_Pnt2d uv;
                 gp_Vec2d d;
-                curve.D1(t, uv, d);
-                return d.X() == 0 ? 0.0 : up_to(uv.X(), uv.Y() + up) * d.X();
+                traces_[i].D1(t, uv, d);
+                return d.X() == 0 ? 0.0 : up_to(uv.X(), uv.Y() + shifts[i].v) * d.X();
             };
-            return along(share, smooth_stretches(curve), relative_error * cube());
+            return along(share, smooth_stretches(traces_[i]), relative_error * cube());
         });
-        const double beyond = sum_over_edges(face_, [&](const TopoDS_Edge& edge, std::size_t) {
-            return has_ribbon(edge, size_) ? beyond_border(edge, BRepAdaptor_Curve2d(edge, face_)) : 0.0;
-        });
+        const double beyond =
+            sum_along(border_, [&](std::size_t i) { return has_ribbon(border_[i], size_) ? beyond_border(i) : 0.0; });
         return beyond - up_to_border;
     }
 
@@ -307,10 +305,11 @@ class CurvedFace {
 
     double cube() const { return size_ * size_ * size_; }
 
-    Vec3 end_of(const TopoDS_Edge& edge, bool first) const {
-        const BRepAdaptor_Curve2d curve(edge, face_);
-        const gp_Pnt2d uv = curve.Value(first ? curve.FirstParameter() : curve.LastParameter());
-        return {uv.X(), uv.Y(), 0};
+    std::vector<Gap> gaps_between(const std::vector<Parameters>& shifts) const {
+        return gaps_of_border(border_, [&](std::size_t i, bool first) {
+            const gp_Pnt2d uv = end_of(traces_[i], first);
+            return Vec3{uv.X() + shifts[i].u, uv.Y() + shifts[i].v, 0};
+        });
     }
 
     bool is_whole_periods(const Gap& gap) const {
@@ -318,30 +317,27 @@ class CurvedFace {
         return jump.u != 0 || jump.v != 0;
     }
 
-    /// By number of the edge, where the kernel lets curves of the border lie whole periods apart.
+    /// By edge, where the kernel lets curves of the border lie whole periods apart.
     std::vector<Parameters> shifts_of_border() const {
         TopTools_IndexedMapOfShape vertices;
-        std::vector<BorderStep> border;
-        for (TopExp_Explorer it(face_, TopAbs_EDGE); it.More(); it.Next()) {
-            const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
-            BorderStep& step = border.emplace_back(BorderStep{-1, -2, {}, {}});
-            if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED) continue;
-            const bool forward = edge.Orientation() == TopAbs_FORWARD;
-            const Vec3 begin = end_of(edge, forward), end = end_of(edge, !forward);
-            step = {vertices.Add(TopExp::FirstVertex(edge, true)),
-                    vertices.Add(TopExp::LastVertex(edge, true)),
-                    {begin.x, begin.y},
-                    {end.x, end.y}};
+        std::vector<BorderStep> steps;
+        for (std::size_t i = 0; i < border_.size(); ++i) {
+            const bool forward = border_[i].Orientation() == TopAbs_FORWARD;
+            const gp_Pnt2d begin = end_of(traces_[i], forward), end = end_of(traces_[i], !forward);
+            steps.push_back({vertices.Add(TopExp::FirstVertex(border_[i], true)),
+                             vertices.Add(TopExp::LastVertex(border_[i], true)),
+                             {begin.X(), begin.Y()},
+                             {end.X(), end.Y()}});
         }
-        return period_shifts(border, period_of(surface_));
+        return period_shifts(steps, period_of(surface_));
     }
 
-    double beyond_border(const TopoDS_Edge& edge, const BRepAdaptor_Curve2d& curve) const {
-        const BRepAdaptor_Curve in_space(edge);
+    double beyond_border(std::size_t number) const {
+        const BRepAdaptor_Curve in_space(border_[number]);
         const Integrand share = [&](double t) {
             gp_Pnt2d uv;
             gp_Vec2d d;
-            curve.D1(t, uv, d);
+            traces_[number].D1(t, uv, d);
             gp_Pnt p;
             gp_Vec du, dv;
             surface_.D1(off_ends(uv.X(), surface_.FirstUParameter(), surface_.LastUParameter()),
@@ -383,6 +379,8 @@ class CurvedFace {
     Vec3 apex_;
     double size_;
     Direction v_;
+    std::vector<TopoDS_Edge> border_;
+    std::deque<BRepAdaptor_Curve2d> traces_;   ///< by edge
     std::deque<BRepAdaptor_Surface> patches_;  ///< by stretch: the kernel keeps the powers of one patch of a spline
 };
 

@@ -45,14 +45,18 @@ inline Box box_of(const TopoDS_Shape& shape) {
     return box;
 }
 
-/// Unit normal out of the material that the oriented face bounds; zero at a pole.
+/// Unit normal out of the material that the oriented face bounds, from the derivatives of its surface; zero at a pole.
+inline Vec3 outward_normal(const TopoDS_Face& face, const gp_Vec& du, const gp_Vec& dv) {
+    const gp_Vec normal = du.Crossed(dv);
+    if (normal.Magnitude() < 1e-12 * (1e-12 + du.Magnitude() * dv.Magnitude())) return {};
+    return normalized(to_vec3(normal)) * (face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0);
+}
+
 inline Vec3 outward_normal(const BRepAdaptor_Surface& surface, const TopoDS_Face& face, double u, double v) {
     gp_Pnt point;
     gp_Vec du, dv;
     surface.D1(u, v, point, du, dv);
-    const gp_Vec normal = du.Crossed(dv);
-    if (normal.Magnitude() < 1e-12 * (1e-12 + du.Magnitude() * dv.Magnitude())) return {};
-    return normalized(to_vec3(normal)) * (face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0);
+    return outward_normal(face, du, dv);
 }
 
 }  // namespace featuremesh

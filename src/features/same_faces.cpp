@@ -241,7 +241,10 @@ std::vector<ChangeOutline::Face> ChangeOutline::faces_of(const std::vector<TopoD
             size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
         };
         const auto add = [&](double u, double v) {
-            add_point(to_vec3(surface.Value(u, v)), outward_normal(surface, face, u, v));
+            gp_Pnt point;
+            gp_Vec du, dv;
+            surface.D1(u, v, point, du, dv);
+            add_point(to_vec3(point), outward_normal(face, du, dv));
         };
         const auto add_edges = [&](auto&& is_left_out) {
             for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {

@@ -5,6 +5,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <ElSLib.hxx>
+#include <Geom_Surface.hxx>
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -36,11 +37,14 @@ class Feet {
         if (surface_.GetType() <= GeomAbs_Torus) return;
         double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
         BRepTools::UVBounds(face, u1, u2, v1, v2);
+        // The adaptor would put together what it evaluates a whole patch with, for each of these.
+        TopLoc_Location place;
+        const Handle(Geom_Surface) surface = BRep_Tool::Surface(face, place);
         constexpr int count = 8;
         for (int i = 0; i <= count; ++i)
             for (int k = 0; k <= count; ++k) {
                 const double u = u1 + i * (u2 - u1) / count, v = v1 + k * (v2 - v1) / count;
-                samples_.push_back({u, v, to_vec3(surface_.Value(u, v))});
+                samples_.push_back({u, v, to_vec3(surface->Value(u, v).Transformed(place.Transformation()))});
             }
     }
 
@@ -177,7 +181,7 @@ class SheetContacts {
         const Foot foot = feet_->of(p);
         // Else the side changed where the foot sprang over to another part of the surface.
         const double close = generous * BRep_Tool::Tolerance(sheet_.face) + 1e-6 * box_.diagonal();
-        return std::abs(foot.offset) <= close && probe_.contains(foot.u, foot.v);
+        return std::abs(foot.offset) <= close && box_.grown(close).contains(p) && probe_.contains(foot.u, foot.v);
     }
 
     const ContactSheet& sheet_;
