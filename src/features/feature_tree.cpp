@@ -310,8 +310,10 @@ class Interpreter {
         ShapeDifference& difference = known->second;
         if (is_new) {
             const double start = used_seconds(context_);
+            // One in error counts as changed whatever it did, and shows what it did before it failed.
+            const double worth = feature(i).error.empty() ? 8.0 : 1.0;
             difference =
-                difference_of(feature(i).before, after, std::min(8.0, seconds_left_), context_, known_difference(i));
+                difference_of(feature(i).before, after, std::min(worth, seconds_left_), context_, known_difference(i));
             seconds_left_ = std::max(0.5, seconds_left_ - (used_seconds(context_) - start));
         }
         feature(i).difference = std::make_shared<const ShapeDifference>(difference);
