@@ -167,10 +167,10 @@ def _children(obj, own, links, properties, kinds):
     kind = properties.kind
     if kind in _BINDERS:
         return []
+    if kind == "PartDesign::Body":
+        return [(member, own, not _is_reference(member, kinds[member])) for name, member, _ in links if name == "Group"]
     linked = _linked_objects(links, kinds)
     result = []
-    if kind == "PartDesign::Body":
-        return [(member, own, not _is_reference(member, kinds[member])) for member in _members_up_to_tip(obj)]
     is_reference, undoes = _is_reference(obj, kind), _undoes_placements(obj, properties)
     is_step = _derives(obj, "PartDesign::Feature", kind)
     for child in linked:
@@ -293,15 +293,16 @@ def _record(obj, walk, shapes, keys, home):
     volume = None if reference else properties.value(obj, "AddSubShape")
     shown = None if reference and kind not in _BINDERS else walk.parents[obj] if _is_shown_by_body(obj, volume, walk) else obj
     numbers, texts = properties.parameters(obj)
-    whole = frame.multiply(own)
+    whole = own if frame.isIdentity() else frame.multiply(own)
+    place = matrix_entries(own)
     return {
         "name": keys[obj],
         "label": property_of(obj, "Label"),
         "type": kind,
         "proxy": properties.proxy_name(obj),
         "links": [(name, keys.get(target) or key_of(target, home), sub) for name, target, sub in walk.links[obj]],
-        "placement": matrix_entries(own),
-        "global_placement": matrix_entries(whole),
+        "placement": place,
+        "global_placement": list(place) if whole is own else matrix_entries(whole),
         "numbers": numbers,
         "texts": texts,
         "shape": shapes.add_of(shown, walk.frames),
@@ -341,9 +342,10 @@ class _ShapeList:
         """Index of the shape, moved by `frame`; -1 for a null shape or one without a solid."""
         if not _has_solid(shape):
             return -1
-        moved = Part.Shape(shape)
-        moved.Placement = frame.multiply(shape.Placement)
-        self._shapes.append(moved)
+        if not frame.isIdentity():
+            shape = Part.Shape(shape)
+            shape.Placement = frame.multiply(shape.Placement)
+        self._shapes.append(shape)
         return len(self._shapes) - 1
 
     def to_bytes(self):
