@@ -190,7 +190,7 @@ class Front {
     }
 
     void plant_ring(const Tip& tip) {
-        constexpr double smallest_corner = 28 * M_PI / 180;
+        constexpr double smallest_corner = 28 * M_PI / 180, least_clearance = 0.3;
         const double turn = tip.sector / chart_.cone_sine(), radius = radius_of(tip);
         const auto pieces_of = [&](double most) {
             return std::max(1, static_cast<int>(std::ceil(turn / most - 0.01)));
@@ -204,12 +204,22 @@ class Front {
             const double r = length_of(tip.from) + share * (length_of(tip.to) - length_of(tip.from));
             const Vec2 p{r * std::cos(angle), r * std::sin(angle)};
             void* hint = nullptr;
-            if (!domain_.contains(p, hint)) continue;
+            if (!domain_.contains(p, hint) || is_at_boundary(p, least_clearance * tip.sector * r / pieces)) continue;
             const Chart::Frame frame = chart_.frame(p);
             const double h = sizing_.at(frame.point);
             grid_.add(frame.point, spacing * std::min(r, h));
             seeds_.push_back({p, frame.point, -std::sin(angle) * frame.dx + std::cos(angle) * frame.dy, h, hint});
         }
+    }
+
+    /// The straight lines may end at the base of the cone, whose pieces are where another ring would be.
+    bool is_at_boundary(Vec2 p, double clearance) const {
+        return std::any_of(boundary_.segments.begin(), boundary_.segments.end(), [&](const BoundarySegment& s) {
+            const Vec2 along = point(s.b) - point(s.a), to_p = p - point(s.a);
+            const double square = dot(along, along);
+            const double share = square > 0 ? std::clamp(dot(to_p, along) / square, 0.0, 1.0) : 0;
+            return distance(to_p, share * along) < clearance;
+        });
     }
 
     double length_of(int p) const { return distance(point(p), Vec2{}); }

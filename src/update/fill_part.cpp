@@ -167,6 +167,7 @@ Kept nothing_kept(NextNumbers next) {
 Filled fill_part(const Brep& brep, const SizingField& sizing, Kept kept, MeshOptions options, RunContext& context) {
     constexpr int attempts = 6, most_valid = 3;
     SecondOrder second;
+    options.volume.smallest_asked = sizing.smallest();
     if (options.order == 1) return fill_following(brep, sizing, {}, std::move(kept), options, second, context);
     std::vector<SizeSource> shorter;
     std::size_t first_of_last = 0;

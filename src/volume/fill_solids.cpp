@@ -477,8 +477,8 @@ class Filling {
 
     /// Elements that the sizes themselves ask for are not too small: a share of the smallest wanted length's cube.
     double least_volume(double share_of_smallest) const {
-        const double asked = share_of_smallest * sizing_.smallest() * sizing_.smallest() * sizing_.smallest();
-        return std::min(brep_.tolerances().least_volume(), asked);
+        const double asked = std::max(sizing_.smallest(), options_.smallest_asked);
+        return std::min(brep_.tolerances().least_volume(), share_of_smallest * asked * asked * asked);
     }
 
     void require_thick(const Cavity& cavity, const TetComplex& complex) const {

@@ -22,6 +22,9 @@ struct VolumeOptions {
     bool is_for_curved_tets =
         false;  ///< the tets will follow curved faces, so nodes there stay where the surface has them
     bool moves_surface_nodes = true;  ///< new ones, for tets that nodes inside cannot help (boundary_moves.h)
+    /// Smallest length that is asked for, mm, where the sizing has shorter ones for the mesher's own sake: these are no
+    /// reason for smaller tets than are allowed otherwise.
+    double smallest_asked = 0;
     bool operator==(const VolumeOptions&) const = default;
 };
 

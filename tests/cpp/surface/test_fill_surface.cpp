@@ -173,6 +173,19 @@ TEST_CASE("no triangle reaches around the tip of a slender cone") {
     CHECK(turned_triangles(brep, result.mesh, {}, context).empty());
 }
 
+TEST_CASE("rings around the tip of a cone keep off its base, however few pieces that has") {
+    const double half_angle_deg = GENERATE(2.0, 3.0), turn_deg = GENERATE(120.0, 200.0, 300.0, 360.0);
+    const double size = GENERATE(0.5, 1.1, 5.0);
+    INFO("half angle " << half_angle_deg << ", turn " << turn_deg << ", size " << size);
+    const double radius = 20 * std::tan(half_angle_deg * std::numbers::pi / 180);
+    const Brep brep(turn_deg < 360 ? BRepPrimAPI_MakeCone(radius, 0, 20, turn_deg * std::numbers::pi / 180).Shape()
+                                   : BRepPrimAPI_MakeCone(radius, 0, 20).Shape());
+    const SurfaceResult result = mesh_surface(brep, size);
+    CHECK(result.mesh.triangles.size() > 20);
+    RunContext context;
+    CHECK(turned_triangles(brep, result.mesh, {}, context).empty());
+}
+
 TEST_CASE("a strip far thinner than the size gets no nodes but those of its edges") {
     for (const double width : {0.01, 1e-4}) {
         const Brep brep(BRepPrimAPI_MakeBox(width, 6, 10).Shape());

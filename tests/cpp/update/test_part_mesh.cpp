@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <BRepAlgoAPI_Common.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "catch.h"
@@ -339,6 +341,22 @@ TEST_CASE("where 10-node tets would stay folded, the part is meshed finer, and t
     const auto& warnings = result.report.warnings;
     CHECK(std::any_of(warnings.begin(), warnings.end(),
                       [](const std::string& w) { return w.find("finer than asked at Face1") != std::string::npos; }));
+}
+
+TEST_CASE("edges that 10-node tets need shorter make no tets without a volume to speak of") {
+    const double height = 5 / std::tan(2 * std::numbers::pi / 180);
+    const TopoDS_Shape tip =
+        BRepAlgoAPI_Common(BRepPrimAPI_MakeCone(5, 0, height).Shape(),
+                           BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, 0.9 * height), 20, 20, 0.12 * height).Shape())
+            .Shape();
+    const RawDocument document = PartDocument().add("Tip", "Part::Common", tip).finish();
+    const PartMeshResult result = meshed(document, options_of(0.5, 2));
+    CHECK(result.report.quality.min_scaled_jacobian > 0.199);
+    const Mesh& mesh = result.part_mesh->mesh;
+    double least = 1e300;
+    for (const auto& [a, b, c, d] : mesh.tets)
+        least = std::min(least, signed_volume(mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d)));
+    CHECK(least > result.part_mesh->part.brep.tolerances().least_volume() / 1.1);
 }
 
 TEST_CASE("a solid whose volume a coarse mesh misses is meshed finer, and the report says where") {
