@@ -462,7 +462,7 @@ class Keeper {
         std::map<std::tuple<std::size_t, EdgeId, EdgeId>, bool> turned;
         for (std::size_t s = 0; s < old.segments.size(); ++s) {
             const auto& nodes = old.segments[s];
-            if (!survives(nodes, new_index)) continue;
+            if (!survives(nodes, new_index) || !has_its_mid(s)) continue;
             const EdgeId edge = edge_of(s);
             if (!edge.is_valid()) continue;
             std::array<NodeId, 2> segment{NodeId(new_index[nodes[0].index()]), NodeId(new_index[nodes[1].index()])};
@@ -474,6 +474,12 @@ class Keeper {
             kept.mesh.segment_numbers.push_back(old.segment_numbers[s]);
             kept.segment_origin.push_back(std::int32_t(s));
         }
+    }
+
+    // Its ends may stay for other tets' sake while all tets that had its mid-side node go.
+    bool has_its_mid(std::size_t segment) const {
+        const Mesh& old = in_.old_mesh;
+        return old.order == 1 || motions_[old.segment_mids[segment].index()] == motions_[old.segments[segment][0].index()];
     }
 
     // The piece of its edge that an old segment is on: both its nodes are, and of several (two arcs between two vertices) it is the nearest.

@@ -298,3 +298,30 @@ TEST_CASE("tets at the seam are as good as elsewhere after every update") {
     CHECK(released > 0);
     CHECK(released < 200);
 }
+
+TEST_CASE("where only the mid-side node of an edge's piece is near a change, the piece is made anew") {
+    const auto part = [](double x, double y) {
+        return PartDocument()
+            .box("Plate", {0, 0, 0}, {60, 30, 6})
+            .cylinder("Hole", {x, y, -1}, 0.3, 8)
+            .cut("Part", "Plate", "Hole")
+            .finish();
+    };
+    MeshOptions options;
+    options.sizing.size = 2;
+    options.sizing.elements_per_circle = 0;
+    options.keep_margin = 0.5;
+    options.order = 2;
+    RunContext context;
+    const auto old = mesh_part(part(45, 15), options, context).part_mesh;
+    // the nodes of the edge are at even places, further from the hole than the margin; half way between them it is near
+    const double y = GENERATE(1.0, 1.1, 1.2, 1.3);
+    INFO("hole at y = " << y);
+    const PartMeshResult result = update_part(*old, part(21, y), options, context);
+    CHECK(result.report.fallbacks.empty());
+    const Mesh& mesh = result.part_mesh->mesh;
+    for (std::size_t s = 0; s < mesh.segments.size(); ++s) {
+        const Vec3 &a = mesh.point(mesh.segments[s][0]), &b = mesh.point(mesh.segments[s][1]);
+        CHECK(distance(0.5 * (a + b), mesh.point(mesh.segment_mids[s])) < 0.25 * distance(a, b));
+    }
+}
