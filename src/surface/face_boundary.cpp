@@ -193,11 +193,18 @@ class KeptCutter {
         for (const TriangleId t : triangles)
             for (const NodeId n : mesh_.triangles[t.index()]) is_covered[n.index()] = 1;
         find_border(triangles, is_covered);
+        find_poles();
+        std::vector<std::array<int, 4>> at_pole;
         for (const TriangleId t : triangles) {
             int count = 0;
             for (const NodeId n : mesh_.triangles[t.index()]) count += border_[n.index()];
-            if (count > 1) add_sides(corners_in_chart(t));
+            if (count < 2) continue;
+            if (const int pole = pole_corner(t); pole >= 0)
+                at_pole.push_back(corners_at_pole(t, pole));
+            else
+                add_sides(corners_in_chart(t));
         }
+        for (const std::array<int, 4>& corners : at_pole) add_sides(around_pole(corners));
         replace_segments();
         for (const NodeId n : nodes)
             if (!is_covered[n.index()] && first_point_[n.index()] < 0)
@@ -279,9 +286,93 @@ class KeptCutter {
 
     Vec2 at(int p) const { return boundary_.points[static_cast<std::size_t>(p)]; }
 
-    void add_sides(const std::array<int, 3>& t) {
-        for (int i = 0; i < 3; ++i) {
-            const int a = t[i], b = t[(i + 1) % 3];
+    void find_poles() {
+        for (const BoundarySegment& s : boundary_.segments)
+            if (s.is_pole) poles_.push_back(node_at(s.a));
+        std::sort(poles_.begin(), poles_.end());
+        poles_.erase(std::unique(poles_.begin(), poles_.end()), poles_.end());
+    }
+
+    /// Which corner of a kept triangle is a pole; -1 for none.
+    int pole_corner(TriangleId t) const {
+        const auto& corners = mesh_.triangles[t.index()];
+        for (int i = 0; i < 3; ++i)
+            if (std::binary_search(poles_.begin(), poles_.end(), corners[static_cast<std::size_t>(i)])) return i;
+        return -1;
+    }
+
+    /// A triangle at a pole has four corners in the chart: its other two, and the points of the pole that are opposite
+    /// them. Its sides run straight to the pole there as on the surface, whatever triangle is beside it.
+    std::array<int, 4> corners_at_pole(TriangleId t, int pole) {
+        const auto& corners = mesh_.triangles[t.index()];
+        const auto node = [&](int i) { return corners[static_cast<std::size_t>((pole + i) % 3)]; };
+        const std::vector<int> from = points_of(node(chart_.is_reversed() ? 2 : 1)),
+                               to = points_of(node(chart_.is_reversed() ? 1 : 2));
+        std::array<int, 2> best{-1, -1};
+        double shortest = std::numeric_limits<double>::infinity();
+        for (const int q : from)
+            for (const int r : to) {
+                const Vec2 foot = nearest_on_pole(node(0), 0.5 * (at(q) + at(r))).point;
+                if (doubled_area(at(q), at(r), foot) > 0 && distance(at(q), at(r)) < shortest)
+                    shortest = distance(at(q), at(r)), best = {q, r};
+            }
+        if (best[0] < 0) fail("a kept triangle lies the wrong way round in it");
+        return {best[0], best[1], pole_point(node(0), at(best[1])), pole_point(node(0), at(best[0]))};
+    }
+
+    struct OnPole {
+        std::size_t segment = 0;
+        double share = 0;
+        Vec2 point;
+    };
+    OnPole nearest_on_pole(NodeId pole, Vec2 p) const {
+        OnPole nearest;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < boundary_.segments.size(); ++i) {
+            const BoundarySegment& s = boundary_.segments[i];
+            if (!s.is_pole || node_at(s.a) != pole) continue;
+            const Vec2 along = at(s.b) - at(s.a);
+            const double share = std::clamp(dot(p - at(s.a), along) / dot(along, along), 0.0, 1.0);
+            const Vec2 point = at(s.a) + share * along;
+            if (distance(point, p) < least) least = distance(point, p), nearest = {i, share, point};
+        }
+        return nearest;
+    }
+
+    /// The pole's point opposite another one; a new one where there is none yet.
+    int pole_point(NodeId pole, Vec2 p) {
+        constexpr double same = 1e-6;
+        const OnPole foot = nearest_on_pole(pole, p);
+        BoundarySegment& segment = boundary_.segments[foot.segment];
+        if (foot.share < same) return segment.a;
+        if (foot.share > 1 - same) return segment.b;
+        boundary_.points.push_back(foot.point);
+        boundary_.nodes.push_back(pole);
+        const int added = static_cast<int>(boundary_.points.size()) - 1;
+        next_point_.push_back(std::exchange(first_point_[pole.index()], added));
+        BoundarySegment rest = segment;
+        rest.a = segment.b = added;
+        boundary_.segments.push_back(rest);
+        return added;
+    }
+
+    /// With the points between the last two, which are the pole's.
+    std::vector<int> around_pole(const std::array<int, 4>& corners) const {
+        const auto& [q, r, first, last] = corners;
+        std::vector<int> around{q, r, first};
+        while (around.back() != last) {
+            const auto next = std::find_if(boundary_.segments.begin(), boundary_.segments.end(),
+                                           [&](const BoundarySegment& s) { return s.is_pole && s.a == around.back(); });
+            if (next == boundary_.segments.end() || around.size() > boundary_.points.size())
+                fail("a kept triangle lies the wrong way round in it");
+            around.push_back(next->b);
+        }
+        return around;
+    }
+
+    void add_sides(std::span<const int> corners) {
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const int a = corners[i], b = corners[(i + 1) % corners.size()];
             if (!may_be_open(a, b)) continue;
             if (const auto back = sides_.find(side_key(b, a)); back != sides_.end()) {
                 sides_.erase(back);
@@ -315,6 +406,7 @@ class KeptCutter {
     FaceBoundary boundary_;
     std::vector<int> first_point_, next_point_;  ///< by node, by point: all points of a node; -1 ends the list
     std::vector<char> border_;                   ///< by node
+    std::vector<NodeId> poles_;                  ///< sorted
     std::unordered_map<std::uint64_t, int> sides_;
     int order_ = 0;
 };
