@@ -358,9 +358,10 @@ class CapsOfCarrier {
     static bool contains(const Loop& loop, const Point& p) {
         if (!loop.box.contains(p)) return false;
         bool inside = false;
-        for (std::size_t i = 0; i < loop.polygon.size(); ++i) {
-            const Point a = loop.polygon[i], b = loop.polygon[(i + 1) % loop.polygon.size()];
+        Point a = loop.polygon.back();
+        for (const Point& b : loop.polygon) {
             if ((a.v > p.v) != (b.v > p.v) && p.u < a.u + (p.v - a.v) / (b.v - a.v) * (b.u - a.u)) inside = !inside;
+            a = b;
         }
         return inside;
     }

@@ -39,6 +39,8 @@ class Signature {
     }
 
     double key() const { return moments_[0]; }
+    /// Of the points of its border.
+    const Box& box() const { return box_; }
     /// How far the keys of equal faces in a shape of that size may be apart.
     double reach(double size) const { return 1e-9 * size * points_; }
 
@@ -76,10 +78,12 @@ class Signature {
                                           p.z * p.z, p.x * p.y, p.y * p.z, p.z * p.x};
         for (std::size_t i = 0; i < terms.size(); ++i) moments_[i] += terms[i];
         ++points_;
+        box_.add(p);
     }
 
     TopoDS_Face face_;
     int kind_ = 0, points_ = 0;
+    Box box_;
     std::array<double, 9> moments_{};  // first and second of the border points
     mutable std::optional<std::pair<Vec3, Vec3>> inner_;
 };
@@ -88,13 +92,14 @@ class Signature {
 class SignatureIndex {
   public:
     explicit SignatureIndex(const std::vector<TopoDS_Face>& faces) {
+        Box box;
         for (const TopoDS_Face& face : faces) {
             sorted_.emplace_back(face);
-            box_.add(box_of(face));
+            box.add(sorted_.back().box());
         }
         std::sort(sorted_.begin(), sorted_.end(),
                   [](const Signature& a, const Signature& b) { return a.key() < b.key(); });
-        size_ = std::max({box_.diagonal(), std::abs(box_.low.x), std::abs(box_.low.y), std::abs(box_.low.z)});
+        size_ = std::max({box.diagonal(), std::abs(box.low.x), std::abs(box.low.y), std::abs(box.low.z)});
     }
 
     bool has(const Signature& wanted) const {
@@ -108,7 +113,6 @@ class SignatureIndex {
 
   private:
     std::vector<Signature> sorted_;
-    Box box_;
     double size_ = 0;
 };
 
@@ -246,24 +250,28 @@ std::vector<ChangeOutline::Face> ChangeOutline::faces_of(const std::vector<TopoD
             surface.D1(u, v, point, du, dv);
             add_point(to_vec3(point), outward_normal(face, du, dv));
         };
+        const bool is_plane = surface.GetType() == GeomAbs_Plane;
+        const Vec3 plane_normal = is_plane ? outward_normal(surface, face, 0, 0) : Vec3{};
+        const auto add_edge = [&](const auto& curve, auto&& add_at) {
+            const double first = curve.FirstParameter(), last = curve.LastParameter();
+            for (const double share : {0.0, 0.25, 0.75, 1.0}) add_at(curve.Value(first + share * (last - first)));
+        };
         const auto add_edges = [&](auto&& is_left_out) {
             for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
                 const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
                 if (is_left_out(edge)) continue;
-                const BRepAdaptor_Curve2d trace(edge, face);
-                const double first = trace.FirstParameter(), last = trace.LastParameter();
-                for (const double share : {0.0, 0.25, 0.75, 1.0}) {
-                    const gp_Pnt2d uv = trace.Value(first + share * (last - first));
-                    add(uv.X(), uv.Y());
-                }
+                // On a plane the kernel would have to make the curve of parameters first.
+                if (const BRepAdaptor_Curve curve(edge); is_plane && curve.Is3DCurve())
+                    add_edge(curve, [&](const gp_Pnt& p) { add_point(to_vec3(p), plane_normal); });
+                else
+                    add_edge(BRepAdaptor_Curve2d(edge, face), [&](const gp_Pnt2d& uv) { add(uv.X(), uv.Y()); });
             }
         };
         add_edges([&](const TopoDS_Edge& edge) { return left_out.has(edge); });
         // Between the edges of faces of the other kind only the surface matters: what a pocket left of a face has a
         // hole.
-        if (outline.points == 0 && surface.GetType() == GeomAbs_Plane) {
-            const Vec3 normal = outward_normal(surface, face, 0, 0);
-            add_point(normal * dot(normal, to_vec3(surface.Value(0, 0))), normal);
+        if (outline.points == 0 && is_plane) {
+            add_point(plane_normal * dot(plane_normal, to_vec3(surface.Value(0, 0))), plane_normal);
         } else if (outline.points == 0) {
             add_edges([](const TopoDS_Edge&) { return false; });
         }

@@ -173,7 +173,7 @@ class SheetContacts {
 
     bool goes_through(const MergedEdges::Piece& piece, double from, double to, bool is_below) const {
         const BRepAdaptor_Curve curve(edges_.edge_of(piece));
-        for (int step = 0; step < 40; ++step) {
+        for (int step = 0; step < 30; ++step) {
             const double middle = (from + to) / 2;
             ((feet_->of(to_vec3(curve.Value(middle))).offset < 0) == is_below ? from : to) = middle;
         }
