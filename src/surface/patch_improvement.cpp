@@ -233,8 +233,24 @@ void make_delaunay(TrianglePatch& patch) {
     flip_from(patch, queue);
 }
 
+namespace {
+
+/// The least height of a triangle above those of its sides that are at the boundary.
+double height_above_boundary(const TrianglePatch& patch, int t) {
+    double least = std::numeric_limits<double>::infinity();
+    const auto& c = patch.corners(t);
+    for (int i = 0; i < 3; ++i) {
+        if (patch.neighbour(t, i) >= 0) continue;
+        const Vec3 &a = patch.place(c[at((i + 1) % 3)]), &b = patch.place(c[at((i + 2) % 3)]);
+        least = std::min(least, length(area_vector(a, b, patch.place(c[at(i)]))) / distance(a, b));
+    }
+    return least;
+}
+
+}  // namespace
+
 std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry, const Heartbeat& heart) {
-    constexpr double too_long = 1.6;
+    constexpr double too_long = 1.6, least_height = 0.7;
     std::size_t splits = 0;
     std::vector<int> queue;
     for (int round = 0; round < 12; ++round) {
@@ -250,7 +266,12 @@ std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry
                 const int a = patch.triangles[t][at((i + 1) % 3)], b = patch.triangles[t][at((i + 2) % 3)];
                 const double l = distance(patch.place(a), patch.place(b));
                 const double h = 0.5 * (patch.wanted[at(a)] + patch.wanted[at(b)]);
-                if (l > excess * h) excess = l / h, longest = i;
+                if (l <= excess * h) continue;
+                // beside a long side that stays, nodes would come nearer to that one with each split
+                const double height =
+                    std::min(height_above_boundary(patch, static_cast<int>(t)), height_above_boundary(patch, n));
+                if (height < least_height * h) continue;
+                excess = l / h, longest = i;
             }
             if (longest < 0) continue;
             const int a = patch.triangles[t][at((longest + 1) % 3)], b = patch.triangles[t][at((longest + 2) % 3)];

@@ -87,16 +87,16 @@ TEST_CASE("holes cut into a surface mesh are filled and the rest stays bit for b
 }
 
 TEST_CASE("a finer surface beside triangles kept at a pole does not reach into them") {
-    const double size = GENERATE(4.0, 6.0);
+    const double size = GENERATE(4.0, 6.0), finer = GENERATE(0.45, 0.55);
     const Brep brep(BRepPrimAPI_MakeSphere(20).Shape());
     const Mesh mesh = mesh_surface(brep, size).mesh;
     for (int way = 0; way < 12; ++way) {
         const double turn = way * std::numbers::pi / 6 + 0.1, reach = 2 * size, angle = 1.02 * reach / 20;
         const Vec3 centre{20 * std::sin(angle) * std::cos(turn), 20 * std::sin(angle) * std::sin(turn),
                           20 * std::cos(angle)};
-        INFO("size " << size << ", way " << way);
+        INFO("size " << size << ", then " << finer << " of it, way " << way);
         const Mesh kept = outside_ball(mesh, centre, reach);
-        const SurfaceResult again = mesh_surface(brep, 0.55 * size, kept);
+        const SurfaceResult again = mesh_surface(brep, finer * size, kept);
         check_kept(again.mesh, kept);
         CHECK(findings(brep, again.mesh) == std::vector<std::string>{});
         CHECK(smallest_angle(again.mesh) > 20);
