@@ -200,6 +200,18 @@ void mark_ring(const TrianglePatch& patch, const std::vector<int>& star, std::ve
         for (const int q : patch.corners(t)) marks[at(q)] = 1;
 }
 
+/// The least height of a triangle above those of its sides that are at the boundary.
+double height_above_boundary(const TrianglePatch& patch, int t) {
+    double least = std::numeric_limits<double>::infinity();
+    const auto& c = patch.corners(t);
+    for (int i = 0; i < 3; ++i) {
+        if (patch.neighbour(t, i) >= 0) continue;
+        const Vec3 &a = patch.place(c[at((i + 1) % 3)]), &b = patch.place(c[at((i + 2) % 3)]);
+        least = std::min(least, length(area_vector(a, b, patch.place(c[at(i)]))) / distance(a, b));
+    }
+    return least;
+}
+
 }  // namespace
 
 Vec2 PatchGeometry::step(Vec2 p, const Vec3& d) const {
@@ -232,22 +244,6 @@ void make_delaunay(TrianglePatch& patch) {
         if (!patch.is_removed(t)) queue.push_back(t);
     flip_from(patch, queue);
 }
-
-namespace {
-
-/// The least height of a triangle above those of its sides that are at the boundary.
-double height_above_boundary(const TrianglePatch& patch, int t) {
-    double least = std::numeric_limits<double>::infinity();
-    const auto& c = patch.corners(t);
-    for (int i = 0; i < 3; ++i) {
-        if (patch.neighbour(t, i) >= 0) continue;
-        const Vec3 &a = patch.place(c[at((i + 1) % 3)]), &b = patch.place(c[at((i + 2) % 3)]);
-        least = std::min(least, length(area_vector(a, b, patch.place(c[at(i)]))) / distance(a, b));
-    }
-    return least;
-}
-
-}  // namespace
 
 std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry, const Heartbeat& heart) {
     constexpr double too_long = 1.6, least_height = 0.7;
