@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// On which entities of the new shape old nodes, triangles and segments lie.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "surface/projection.h"
+#include "update/carried_nodes.h"
+#include "update/shape_coverage.h"
+
+namespace featuremesh {
+
+/// Nodes are placed first; triangles and segments are asked for when all of theirs are.
+class KeptEntities {
+  public:
+    /// `nodes` may lose some between the calls; what it refers to must outlive this.
+    explicit KeptEntities(const CarriedNodes& nodes);
+
+    /// The verdict "unchanged" is not believed: a node of the old boundary is measured against the new shape. False
+    /// when it does not lie on the entity that its own became.
+    bool place(std::size_t node);
+    /// By old node, on the new shape where it has been placed; inner nodes have their old solid.
+    std::span<const Entity> entities() const { return entities_; }
+    std::span<const std::array<double, 2>> parameters() const { return parameters_; }
+
+    /// The piece of its face that an old triangle is on; none.
+    FaceId face_of(std::size_t triangle) const;
+    /// The triangle's normal is against that of the new face.
+    bool is_flipped(std::size_t triangle, FaceId face) const;
+    /// The piece of its edge that an old segment is on, as both its nodes are; none.
+    EdgeId edge_of(std::size_t segment) const;
+    /// The new edge may be parametrised the other way round.
+    bool runs_backwards(std::size_t segment, EdgeId edge) const;
+
+    const std::shared_ptr<const MergedEntities>& merged() const { return merged_; }
+
+  private:
+    /// Where an old node would be in the new state.
+    struct Place {
+        std::int32_t motion;
+        Entity entity;
+        std::array<double, 2> parameter;
+    };
+
+    /// `old_index`: of the old vertex, edge or face, whose dimension `place` has.
+    bool find_place(Place& place, std::size_t old_index, const Vec3& p);
+    bool place_on_vertex(Place& place, VertexId vertex, const Vec3& p) const;
+    bool place_on_edges(Place& place, const std::vector<EdgeId>& pieces, const Vec3& p);
+    bool place_on_edge(Place& place, EdgeId piece, const Vec3& p);
+    bool place_on_faces(Place& place, std::size_t old_face, const Vec3& p);
+    bool place_on_face(Place& place, FaceId face, const Vec3& p, bool is_untouched) const;
+    bool is_untouched(const Place& place, std::size_t old_face, const Vec3& p) const;
+    bool is_far_from_changes(const Place& place, const Vec3& p) const;
+    bool may_hold(FaceId face, const Vec3& p);
+    bool is_at(EdgeId edge, NodeId node) const;
+    double tolerance() const { return 5 * in_.new_brep.tolerances().on_entity(); }
+
+    const CarriedNodes nodes_;
+    const KeepInput& in_;
+    Projector projector_;
+    std::shared_ptr<const MergedEntities> merged_;
+    std::vector<Entity> entities_;  // by old node, likewise:
+    std::vector<std::array<double, 2>> parameters_;
+    std::vector<char> is_untouched_;      // by old face: kept in place with all its edges
+    std::vector<Box> face_boxes_;         // by new face, empty until asked for
+    std::vector<EdgeRange> edge_ranges_;  // by new edge, likewise
+};
+
+}  // namespace featuremesh

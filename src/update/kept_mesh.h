@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The mesh of what stays, put together from the old one.
+#pragma once
+
+#include "update/carried_nodes.h"
+#include "update/kept_entities.h"
+#include "update/kept_tets.h"
+
+namespace featuremesh {
+
+/// Takes the nodes of kept tets, those tets, the triangles before them and the segments between kept nodes, in their
+/// old order, with their numbers. Nothing active yet.
+Kept assemble(const CarriedNodes& nodes, const KeptEntities& entities, const KeptTets& tets, RunContext& context);
+
+}  // namespace featuremesh
