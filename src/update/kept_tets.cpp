@@ -48,7 +48,10 @@ KeptTets::KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::
       is_kept_(old.tets.size()) {
     for (const std::int32_t motion : motions_)
         if (motion != dropped) occurs_[std::size_t(motion)] = 1;
-    for (std::size_t t = 0; t < is_kept_.size(); ++t) is_kept_[t] = stays(t);
+    if (old.order == 1 && near_change.empty())
+        for (std::size_t t = 0; t < is_kept_.size(); ++t) is_kept_[t] = has_one_motion(t);
+    else
+        for (std::size_t t = 0; t < is_kept_.size(); ++t) is_kept_[t] = stays(t);
     mark_rim();
     if (settle_at_rim(new_brep)) return;
     settle_everywhere(new_brep);
@@ -68,11 +71,17 @@ std::vector<TetId> KeptTets::tets_at(const Mesh& kept, std::span<const char> is_
     return tets;
 }
 
-bool KeptTets::stays(std::size_t tet) const {
-    const std::int32_t motion = motion_of(tet);
-    const auto has_it = [&](NodeId n) { return motions_[n.index()] == motion; };
+// Without branches: nearly all tets are asked, and those that go lie anywhere among them.
+bool KeptTets::has_one_motion(std::size_t tet) const {
     const auto& [a, b, c, d] = old_.tets[tet];
-    if (motion == dropped || !has_it(b) || !has_it(c) || !has_it(d) || !may_stay_near_change(tet)) return false;
+    const std::int32_t motion = motions_[a.index()];
+    return (motion != dropped) & (motions_[b.index()] == motion) & (motions_[c.index()] == motion) &
+           (motions_[d.index()] == motion);
+}
+
+bool KeptTets::stays(std::size_t tet) const {
+    if (!has_one_motion(tet) || !may_stay_near_change(tet)) return false;
+    const auto has_it = [&](NodeId n) { return motions_[n.index()] == motion_of(tet); };
     return old_.order == 1 || std::all_of(old_.tet_mids[tet].begin(), old_.tet_mids[tet].end(), has_it);
 }
 

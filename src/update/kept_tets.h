@@ -52,6 +52,7 @@ class KeptTets {
 
   private:
     std::int32_t motion_of(std::size_t tet) const { return motions_[old_.tets[tet][0].index()]; }
+    bool has_one_motion(std::size_t tet) const;  ///< its corners, and none of them goes
     bool stays(std::size_t tet) const;
     bool may_stay_near_change(std::size_t tet) const;
     void mark_rim();

@@ -324,8 +324,8 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
                 break;
             }
             share_tried += share;
-            node_origin = kept.node_origin;
-            tet_origin = kept.tet_origin;
+            node_origin = std::move(kept.node_origin);
+            tet_origin = std::move(kept.tet_origin);
             const std::vector<KeptByMotion> by_motion = kept.by_motion;
             if (node_origin.empty())
                 report.fallbacks.push_back("full mesh: no element of the old mesh is clear of what changed");

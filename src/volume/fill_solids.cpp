@@ -502,9 +502,10 @@ class Filling {
 
     void drop_released() {
         Mesh& mesh = result_.mesh;
-        std::size_t kept = 0;
+        const auto first = std::find(is_released_.begin(), is_released_.end(), 1);
+        std::size_t kept = static_cast<std::size_t>(first - is_released_.begin());
         RoundWatch watch(context_);
-        for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+        for (std::size_t i = kept; i < mesh.tets.size(); ++i) {
             watch();
             if (is_released_[i]) {
                 result_.released.push_back(TetId(i));
