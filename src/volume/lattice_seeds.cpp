@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -240,12 +241,14 @@ class SeedOctree {
             near[i] = static_cast<std::uint8_t>(octants_of(items[i]));
             for (int k = 0; k < 8; ++k) counts[k] += near[i] >> k & 1;
         }
+        std::array<int*, 8> next;
         for (int k = 0; k < 8; ++k) {
             std::vector<int>& own = places[k].close.*list;
-            own.reserve(counts[k]);
-            for (std::size_t i = 0; i < items.size() && own.size() < counts[k]; ++i)
-                if (near[i] >> k & 1) own.push_back(items[i]);
+            own.resize(counts[k]);
+            next[k] = own.data();
         }
+        for (std::size_t i = 0; i < items.size(); ++i)
+            for (unsigned left = near[i]; left != 0; left &= left - 1) *next[std::countr_zero(left)]++ = items[i];
     }
 
     /// Bit k for octant k; `first` and `last` are the octants of the lowest and the highest corner.
@@ -253,16 +256,19 @@ class SeedOctree {
         constexpr unsigned low[3] = {0x55, 0x33, 0x0f};
         unsigned octants = 0xff;
         for (int axis = 0; axis < 3; ++axis) {
-            if (!(box.low[axis] <= first.high[axis] && box.high[axis] >= first.low[axis])) octants &= ~low[axis];
-            if (!(box.low[axis] <= last.high[axis] && box.high[axis] >= last.low[axis])) octants &= low[axis];
+            const bool in_first = (box.low[axis] <= first.high[axis]) & (box.high[axis] >= first.low[axis]);
+            const bool in_last = (box.low[axis] <= last.high[axis]) & (box.high[axis] >= last.low[axis]);
+            octants &= (in_first ? low[axis] : 0) | (in_last ? ~low[axis] : 0);
         }
         return octants;
     }
 
     static double squared_distance_to_box(const Vec3& p, const Box& b) {
-        const Vec3 off{std::max({b.low.x - p.x, 0.0, p.x - b.high.x}), std::max({b.low.y - p.y, 0.0, p.y - b.high.y}),
-                       std::max({b.low.z - p.z, 0.0, p.z - b.high.z})};
-        return squared_length(off);
+        const auto off = [](double low, double at, double high) {
+            return std::max(std::max(low - at, at - high), 0.0);
+        };
+        return squared_length(
+            Vec3{off(b.low.x, p.x, b.high.x), off(b.low.y, p.y, b.high.y), off(b.low.z, p.z, b.high.z)});
     }
 
     static Cube octant(const Cube& cube, int k) {
