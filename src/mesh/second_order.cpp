@@ -202,21 +202,24 @@ bool has_curved_side(const Mesh& mesh, TetId tet) {
 
 namespace {
 
-/// Segments, triangles and tets by their dimension.
+/// Places of a segment, of a triangle and of a tet.
+using Places = std::array<std::size_t, 3>;
+
+/// Segments, triangles and tets by their dimension, from those at `first` on.
 template <class Visit>
-void for_each_element(const Mesh& mesh, const RunContext& context, Visit visit) {
+void for_each_element(const Mesh& mesh, const Places& first, const RunContext& context, Visit visit) {
     RoundWatch watch(context);
-    const std::array<std::size_t, 3> counts{mesh.segments.size(), mesh.triangles.size(), mesh.tets.size()};
+    const Places counts{mesh.segments.size(), mesh.triangles.size(), mesh.tets.size()};
     for (int dim = 1; dim <= 3; ++dim)
-        for (std::size_t i = 0; i < counts[dim - 1]; ++i) {
+        for (std::size_t i = first[dim - 1]; i < counts[dim - 1]; ++i) {
             watch();
             visit(dim, i);
         }
 }
 
 template <class Visit>
-void for_each_side(const Mesh& mesh, const RunContext& context, Visit visit) {
-    for_each_element(mesh, context, [&](int dim, std::size_t element) {
+void for_each_side(const Mesh& mesh, const Places& first, const RunContext& context, Visit visit) {
+    for_each_element(mesh, first, context, [&](int dim, std::size_t element) {
         const int sides = dim == 1 ? 1 : 3 * (dim - 1);
         for (int side = 0; side < sides; ++side) visit(dim, element, side);
     });
@@ -253,7 +256,7 @@ class KeptPlaces {
     KeptPlaces() = default;
     KeptPlaces(const Mesh& kept, const RunContext& context)
         : place_(static_cast<std::size_t>(kept.next_element_number), -1) {
-        for_each_element(kept, context, [&](int dim, std::size_t element) {
+        for_each_element(kept, {}, context, [&](int dim, std::size_t element) {
             place_[static_cast<std::size_t>(number_of(kept, dim, element))] = static_cast<std::int32_t>(element);
         });
     }
@@ -300,37 +303,71 @@ bool has_all_in_front(const Mesh& mesh, const Mesh& kept) {
            begins_with(mesh.segment_numbers, kept.segment_numbers) && has_its_mids(kept);
 }
 
-/// Then the mid-side nodes of the kept elements follow the corners as they did, and each element is where it was.
-void take_over_all_mids(Mesh& mesh, const Mesh& kept, const RunContext& context, SideTable& sides) {
-    std::vector<char> lacks_mid(mesh.corner_count, 0);
-    const std::array<std::size_t, 4> first_new{0, kept.segments.size(), kept.triangles.size(), kept.tets.size()};
-    for_each_element(mesh, context, [&](int dim, std::size_t element) {
-        if (element < first_new[static_cast<std::size_t>(dim)]) return;
+/// By corner: an element from `first` on has it.
+std::vector<char> corners_of_new(const Mesh& mesh, const Places& first, const RunContext& context) {
+    std::vector<char> is_corner(mesh.corner_count, 0);
+    const auto mark = [&](const auto& nodes) {
+        for (const NodeId n : nodes) is_corner[n.index()] = 1;
+    };
+    for_each_element(mesh, first, context, [&](int dim, std::size_t element) {
         if (dim == 1)
-            for (const NodeId n : mesh.segments[element]) lacks_mid[n.index()] = 1;
+            mark(mesh.segments[element]);
         else if (dim == 2)
-            for (const NodeId n : mesh.triangles[element]) lacks_mid[n.index()] = 1;
+            mark(mesh.triangles[element]);
         else
-            for (const NodeId n : mesh.tets[element]) lacks_mid[n.index()] = 1;
+            mark(mesh.tets[element]);
     });
+    return is_corner;
+}
+
+template <class T>
+void append_from(std::size_t first, const std::vector<T>& list, std::vector<T>& end) {
+    end.insert(end.end(), list.begin() + static_cast<std::ptrdiff_t>(first), list.end());
+}
+
+/// Then the mid-side nodes of the kept elements follow the corners as they did, and each element is where it was.
+/// Returns the places of the first new ones.
+Places take_over_all_mids(Mesh& mesh, const Mesh& kept, const RunContext& context, SideTable& sides) {
+    const Places first_new{kept.segments.size(), kept.triangles.size(), kept.tets.size()};
+    const std::vector<char> lacks_mid = corners_of_new(mesh, first_new, context);
     const auto shift = static_cast<std::int32_t>(mesh.corner_count) - static_cast<std::int32_t>(kept.corner_count);
+    append_from(kept.corner_count, kept.points, mesh.points);
+    append_from(kept.corner_count, kept.entities, mesh.entities);
+    append_from(kept.corner_count, kept.parameters, mesh.parameters);
+    append_from(kept.corner_count, kept.node_numbers, mesh.node_numbers);
+    context.check_cancelled();
+    const auto shifted = [&](NodeId mid) { return NodeId(mid.value + shift); };
+    const auto note = [&](NodeId a, NodeId b, NodeId mid) {
+        if (lacks_mid[a.index()] && lacks_mid[b.index()]) sides.value(a, b) = mid.value;
+    };
+    for (std::size_t i = 0; i < kept.segments.size(); ++i) {
+        mesh.segment_mids[i] = shifted(kept.segment_mids[i]);
+        note(mesh.segments[i][0], mesh.segments[i][1], mesh.segment_mids[i]);
+    }
+    for (std::size_t i = 0; i < kept.triangles.size(); ++i) {
+        const auto& [a, b, c] = mesh.triangles[i];
+        auto& mids = mesh.triangle_mids[i];
+        std::transform(kept.triangle_mids[i].begin(), kept.triangle_mids[i].end(), mids.begin(), shifted);
+        note(a, b, mids[0]), note(b, c, mids[1]), note(c, a, mids[2]);
+    }
     RoundWatch watch(context);
-    for (std::size_t old = kept.corner_count; old < kept.points.size(); ++old) watch(), take_over_node(mesh, kept, old);
-    for_each_element(kept, context, [&](int dim, std::size_t element) {
-        const int count = dim == 1 ? 1 : 3 * (dim - 1);
-        for (int side = 0; side < count; ++side) {
-            const NodeId mid(static_cast<std::size_t>(mid_of(kept, dim, element, side).value + shift));
-            mid_of(mesh, dim, element, side) = mid;
-            const auto [a, b] = side_of(mesh, dim, element, side);
-            if (lacks_mid[a.index()] && lacks_mid[b.index()]) sides.value(a, b) = mid.value;
-        }
-    });
+    for (std::size_t i = 0; i < kept.tets.size(); ++i) {
+        watch();
+        const auto& n = mesh.tets[i];
+        auto& mids = mesh.tet_mids[i];
+        std::transform(kept.tet_mids[i].begin(), kept.tet_mids[i].end(), mids.begin(), shifted);
+        if (lacks_mid[n[0].index()] + lacks_mid[n[1].index()] + lacks_mid[n[2].index()] + lacks_mid[n[3].index()] < 2)
+            continue;
+        for (std::size_t s = 0; s < 6; ++s)
+            note(n[static_cast<std::size_t>(tet_sides[s][0])], n[static_cast<std::size_t>(tet_sides[s][1])], mids[s]);
+    }
     mesh.next_node_number = std::max(mesh.next_node_number, kept.next_node_number);
+    return first_new;
 }
 
 /// Takes over the mid-side nodes of kept elements, in their old order. The table gets those at sides that elements
-/// which lack one may share.
-void take_over_kept_mids(Mesh& mesh, const Mesh& kept, const RunContext& context, SideTable& sides) {
+/// which lack one may share. Returns the places of the first elements that may lack one.
+Places take_over_kept_mids(Mesh& mesh, const Mesh& kept, const RunContext& context, SideTable& sides) {
     if (has_all_in_front(mesh, kept)) return take_over_all_mids(mesh, kept, context, sides);
     const KeptPlaces places(kept, context);
     const auto old_mid = [&](int dim, std::size_t element, int side) {
@@ -338,7 +375,7 @@ void take_over_kept_mids(Mesh& mesh, const Mesh& kept, const RunContext& context
         return old >= 0 ? mid_of(kept, dim, static_cast<std::size_t>(old), side) : NodeId();
     };
     std::vector<char> lacks_mid(mesh.corner_count, 0), is_used(kept.points.size(), 0);
-    for_each_side(mesh, context, [&](int dim, std::size_t element, int side) {
+    for_each_side(mesh, {}, context, [&](int dim, std::size_t element, int side) {
         if (const NodeId mid = old_mid(dim, element, side); mid.is_valid())
             is_used[mid.index()] = 1;
         else
@@ -352,7 +389,7 @@ void take_over_kept_mids(Mesh& mesh, const Mesh& kept, const RunContext& context
         now[old] = NodeId(mesh.points.size());
         take_over_node(mesh, kept, old);
     }
-    for_each_side(mesh, context, [&](int dim, std::size_t element, int side) {
+    for_each_side(mesh, {}, context, [&](int dim, std::size_t element, int side) {
         const NodeId old = old_mid(dim, element, side);
         if (!old.is_valid()) return;
         mid_of(mesh, dim, element, side) = now[old.index()];
@@ -360,6 +397,7 @@ void take_over_kept_mids(Mesh& mesh, const Mesh& kept, const RunContext& context
         if (lacks_mid[a.index()] && lacks_mid[b.index()]) sides.value(a, b) = now[old.index()].value;
     });
     mesh.next_node_number = std::max(mesh.next_node_number, kept.next_node_number);
+    return {};
 }
 
 }  // namespace
@@ -376,9 +414,10 @@ std::vector<NodeId> add_mid_side_nodes(Mesh& mesh, const Mesh* kept, const RunCo
         mesh.parameters.reserve(nodes), mesh.node_numbers.reserve(nodes);
     }
     SideTable sides(mesh.corner_count);
-    if (kept && kept->order == 2) take_over_kept_mids(mesh, *kept, context, sides);
+    Places first{};
+    if (kept && kept->order == 2) first = take_over_kept_mids(mesh, *kept, context, sides);
     std::vector<NodeId> added;
-    for_each_side(mesh, context, [&](int dim, std::size_t element, int side) {
+    for_each_side(mesh, first, context, [&](int dim, std::size_t element, int side) {
         NodeId& own = mid_of(mesh, dim, element, side);
         if (own.is_valid()) return;
         const auto [a, b] = side_of(mesh, dim, element, side);

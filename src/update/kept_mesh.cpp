@@ -218,33 +218,28 @@ class Assembler {
                nodes_.motions[old.segment_mids[segment].index()] == nodes_.motions[old.segments[segment][0].index()];
     }
 
+    // Which mid-side nodes there are, in the order in which elements have them, is found first; their data after that.
     Mesh with_mid_side_nodes(const Kept& kept) const {
         const Mesh& old = in_.old_mesh;
         Mesh curved = kept.mesh;
         curved.order = 2;
-        const std::size_t nodes = old.points.size() + curved.points.size() - old.corner_count;
-        curved.points.reserve(nodes), curved.entities.reserve(nodes), curved.parameters.reserve(nodes),
-            curved.node_numbers.reserve(nodes);
-        curved.tet_mids.reserve(kept.tet_origin.size());
         std::vector<NodeId> new_mid(old.points.size());
+        std::vector<std::int32_t> origins;
+        std::vector<SolidId> solids;  // of the first tet with it
+        origins.reserve(old.points.size() - old.corner_count), solids.reserve(origins.capacity());
         const auto take = [&](NodeId old_mid, SolidId solid) {
             NodeId& mid = new_mid[old_mid.index()];
             if (mid.is_valid()) return mid;
-            const std::size_t n = old_mid.index();
-            mid = NodeId(curved.points.size());
-            curved.points.push_back(nodes_.at(n));
-            curved.entities.push_back(entities_.entities()[n].dim == 3 ? entity_of(solid) : entities_.entities()[n]);
-            curved.parameters.push_back(entities_.parameters()[n]);
-            curved.node_numbers.push_back(old.node_numbers[n]);
+            mid = NodeId(curved.corner_count + origins.size());
+            origins.push_back(old_mid.value), solids.push_back(solid);
             return mid;
         };
         RoundWatch watch(context_);
+        curved.tet_mids.resize(kept.tet_origin.size());
         for (std::size_t t = 0; t < kept.tet_origin.size(); ++t) {
             watch();
-            std::array<NodeId, 6> mids;
-            for (int s = 0; s < 6; ++s)
-                mids[s] = take(old.tet_mids[std::size_t(kept.tet_origin[t])][s], kept.mesh.tet_solids[t]);
-            curved.tet_mids.push_back(mids);
+            const auto& mids = old.tet_mids[std::size_t(kept.tet_origin[t])];
+            for (std::size_t s = 0; s < 6; ++s) curved.tet_mids[t][s] = take(mids[s], kept.mesh.tet_solids[t]);
         }
         // A triangle or segment may have been turned round: its sides are found again by their corners.
         for (std::size_t t = 0; t < kept.triangle_origin.size(); ++t) {
@@ -257,7 +252,24 @@ class Assembler {
         }
         for (const std::int32_t s : kept.segment_origin)
             curved.segment_mids.push_back(take(old.segment_mids[std::size_t(s)], {}));
+        append_mids(curved, origins, solids);
         return curved;
+    }
+
+    void append_mids(Mesh& curved, const std::vector<std::int32_t>& origins, const std::vector<SolidId>& solids) const {
+        const std::size_t first = curved.corner_count, count = first + origins.size();
+        curved.points.resize(count), curved.entities.resize(count);
+        curved.parameters.resize(count), curved.node_numbers.resize(count);
+        RoundWatch watch(context_);
+        for (std::size_t i = 0; i < origins.size(); ++i) {
+            watch();
+            const std::size_t n = std::size_t(origins[i]);
+            const Entity entity = entities_.entities()[n];
+            curved.points[first + i] = nodes_.at(n);
+            curved.entities[first + i] = entity.dim == 3 ? entity_of(solids[i]) : entity;
+            curved.parameters[first + i] = entities_.parameters()[n];
+            curved.node_numbers[first + i] = in_.old_mesh.node_numbers[n];
+        }
     }
 
     void count_by_motion(Kept& kept) const {
