@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <vector>
 
 #include "catch.h"
 #include "core/errors.h"
@@ -57,6 +59,27 @@ TEST_CASE("a star's radius ratios and the way in which they grow") {
               Approx((star.sum_of_radius_ratios(p + h * axis) - star.sum_of_radius_ratios(p - h * axis)) / (2 * h))
                   .margin(1e-6));
     CHECK(star.sum_of_radius_ratios({5, 5, 5}) == 0);
+}
+
+TEST_CASE("each tet of a star counts once, and by itself, whether their number is odd or even") {
+    const Vec3 p{-0.1, 0.05, -0.2};
+    const std::vector<std::array<Vec3, 3>> faces{{{{1, 0, 0}, {0.1, 1.2, 0}, {0, 0.1, 0.9}}},
+                                                 {{{0, 1, 0.2}, {-1, 0.1, 0}, {0.1, 0, 1.1}}},
+                                                 {{{0.1, 1.2, 0}, {1, 0, 0}, {0, 0.1, 0.9}}},  // turned: no volume
+                                                 {{{0.9, 0.1, 0}, {0.2, 1.3, 0}, {0, 0.2, 0.8}}},
+                                                 {{{0, 1.1, 0.1}, {-1, 0.2, 0}, {0.2, 0, 1.2}}}};
+    StarShape star;
+    StarShape::Ratios sum;
+    for (const auto& [a, b, c] : faces) {
+        StarShape alone;
+        alone.add(a, b, c), star.add(a, b, c);
+        sum.sum += alone.radius_ratios(p).sum;
+        sum.gradient += alone.radius_ratios(p).gradient;
+        const StarShape::Ratios together = star.radius_ratios(p);
+        CHECK(together.sum == sum.sum);  // to the last bit
+        CHECK(together.gradient == sum.gradient);
+        CHECK(star.sum_of_radius_ratios(p) == sum.sum);
+    }
 }
 
 TEST_CASE("shapes get better, and neither the worst angle nor the bad tets get worse") {
