@@ -90,6 +90,7 @@ py::dict to_dict(const VolumeReport& volume) {
     out["recovery_points"] = volume.recovery_points;
     out["released_tets"] = volume.released_tets;
     out["released_for_quality"] = volume.released_for_quality;
+    out["released_for_shape"] = volume.released_for_shape;
     out["split_wall_tets"] = volume.split_wall_tets;
     out["odt_energy_before"] = volume.odt_energy_before;
     out["odt_energy_after"] = volume.odt_energy_after;

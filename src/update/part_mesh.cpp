@@ -291,6 +291,8 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
 
     PartMeshResult result;
     Report& report = result.report;
+    MeshOptions filling = options;
+    filling.volume.moves_kept_nodes = true;
     const double smallest_margin = margin_of(options, sizing);
     std::vector<double> margins{smallest_margin, 2 * smallest_margin};
     try {
@@ -329,7 +331,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
             const std::vector<KeptByMotion> by_motion = kept.by_motion;
             if (node_origin.empty())
                 report.fallbacks.push_back("full mesh: no element of the old mesh is clear of what changed");
-            filled = fill(part.brep, sizing, std::move(kept), options, context);
+            filled = fill(part.brep, sizing, std::move(kept), filling, context);
             report.kept = by_motion;
             break;
         } catch (const Error& failure) {

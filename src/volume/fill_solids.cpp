@@ -54,7 +54,7 @@ std::vector<std::array<SolidId, 2>> sides_of_faces(const Brep& brep) {
     return sides;
 }
 
-/// A filling from the round before, for a cavity of the same nodes.
+/// A filling from the round before, for a cavity of the same nodes, or for one that may have grown since.
 struct KnownFill {
     std::vector<NodeId> nodes;
     CavityFill fill;
@@ -66,12 +66,6 @@ struct KnownTriangulation {
     std::vector<Vec3> seeds;
     Triangulation triangulation;
     bool is_best;  ///< filling anew would give nothing better
-};
-
-/// The fill of a cavity from the round before that may have grown since.
-struct OutgrownFill {
-    std::vector<NodeId> nodes;
-    CavityFill fill;
 };
 
 /// All its nodes lie in one plane.
@@ -172,7 +166,7 @@ class Filling {
             fills_[i] = flood_cavity(cavity, std::move(points), std::move(known.triangulation), context_);
             if (known.is_best || (fills_[i].is_complete() && !has_inverted_tet(fills_[i]))) return;
         }
-        for (OutgrownFill& old : outgrown_)
+        for (KnownFill& old : outgrown_)
             if (cavity.nodes.size() <= old.nodes.size() + old.fill.places.missing.size() &&
                 std::includes(cavity.nodes.begin(), cavity.nodes.end(), old.nodes.begin(), old.nodes.end())) {
                 fills_[i] = grow_fill(cavity, old.nodes, old.fill, context_);
@@ -338,6 +332,9 @@ class Filling {
         for (std::size_t i = 0; i < cavities_.size(); ++i) refuse_hopeless(i, reports[i].second.left);
         if (std::any_of(reports.begin(), reports.end(), [](const auto& r) { return r.second.left > 0; }))
             mend_seams(regions_, result_.mesh, is_released_, options_.target_dihedral_deg, context_);
+        if (options_.moves_kept_nodes)
+            report.released_for_shape =
+                relax_seams(regions_, result_.mesh, rim_tets_, is_released_, options_.target_dihedral_deg, context_);
         if (options_.splits_wall_tets) split_wall_tets();
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
             TetComplex& complex = regions_[i].complex;
@@ -351,6 +348,7 @@ class Filling {
                 is_mended ? regions_[i].count_bad(options_.target_dihedral_deg) : reports[i].second.left;
             if (!is_thick_[i]) leave_out_flat_tets(cavities_[i], complex);
         }
+        report.released_for_quality -= std::min(report.released_for_quality, report.released_for_shape);
     }
 
     /// Returns how many operations made angles better afterwards.
@@ -579,7 +577,7 @@ class Filling {
     std::vector<KnownTriangulation> known_;
     std::vector<KnownFill> finished_;        ///< by withdrawn points; nothing outside
     std::vector<std::uint8_t> is_finished_;  ///< by cavity
-    std::vector<OutgrownFill> outgrown_;
+    std::vector<KnownFill> outgrown_;
     std::vector<SeamRegion> regions_;  ///< by cavity
     /// By cavity, where there are needles: volume may be left to them only while their angles count.
     std::vector<std::optional<SeamRegion>> unoptimised_;

@@ -50,12 +50,14 @@ struct ShapeOptions {
     double target_dihedral_deg = 30;
     int sweeps = 3;          ///< at most; they end when nothing gains any more
     std::vector<int> among;  ///< only these vertices
+    /// What the sum of its star's radius ratios has to gain before a vertex marked 2 is moved; none: it stays.
+    std::optional<double> least_gain_of_kept{};
 };
 struct ShapeReport {
     std::size_t moves = 0;
 };
-/// Moves free vertices uphill in the sum of the radius ratios of their star, where that makes neither its worst angle
-/// nor its bad tets any worse.
+/// Moves free vertices, and where that is asked for others that may be moved, uphill in the sum of the radius ratios of
+/// their star, where that makes neither its worst angle nor its bad tets any worse.
 ShapeReport optimise_shapes(TetComplex& complex, const ShapeOptions& options, RunContext& context);
 
 }  // namespace featuremesh

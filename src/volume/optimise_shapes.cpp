@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <optional>
 #include <span>
 
 #include "volume/cavity_editor.h"
@@ -19,6 +20,8 @@ constexpr double curvature = 2;
 /// Of a star's sum: less is not worth a move.
 constexpr double least_gain_of_sum = 1e-2;
 constexpr int most_halvings = 2;
+/// Of a kept vertex, before it is known whether that is worth it.
+constexpr int most_steps_of_kept = 4;
 constexpr std::size_t vertices_between_reports = 64;
 
 class ShapeOptimiser {
@@ -29,8 +32,12 @@ class ShapeOptimiser {
           context_(context),
           target_(flatness_to_reach(options.target_dihedral_deg)),
           may_move_(complex.points.size(), 0),
+          is_kept_(complex.points.size(), 0),
           is_due_(complex.points.size(), 0) {
-        for (const int v : options.among) may_move_[v] = complex.is_fixed[v] == 0;
+        for (const int v : options.among) {
+            is_kept_[v] = complex.is_fixed[v] == 2 && options.least_gain_of_kept.has_value();
+            may_move_[v] = complex.is_fixed[v] == 0 || is_kept_[v];
+        }
         gather_stars();
     }
 
@@ -80,19 +87,39 @@ class ShapeOptimiser {
         return moves;
     }
 
+    struct Place {
+        Vec3 point;
+        double sum;  // of the star's radius ratios
+    };
+
     bool move(int vertex) {
         shape_.gather(complex_, star_of(vertex), vertex);
         const Vec3 start = complex_.points[vertex];
         const StarShape::Ratios ratios = shape_.radius_ratios(start);
+        std::optional<Place> place = step(start, ratios);
+        if (!place) return false;
+        if (is_kept_[vertex]) {
+            for (int steps = 1; steps < most_steps_of_kept; ++steps) {
+                const std::optional<Place> next = step(place->point, shape_.radius_ratios(place->point));
+                if (!next) break;
+                place = next;
+            }
+            if (place->sum < ratios.sum + *options_.least_gain_of_kept) return false;
+            is_kept_[vertex] = 0;
+        }
+        complex_.points[vertex] = place->point;
+        return true;
+    }
+
+    std::optional<Place> step(const Vec3& start, const StarShape::Ratios& ratios) const {
         const double reach = shape_.mean_height(start), slope = length(ratios.gradient) * reach;  // by edge length
         double step = std::min(longest_step, slope / (curvature * static_cast<double>(shape_.size())));
         for (int k = 0; k <= most_halvings && slope * step > 2 * least_gain_of_sum; ++k, step /= 2) {
             const Vec3 trial = start + ratios.gradient * (step * reach * reach / slope);
-            if (shape_.sum_of_radius_ratios(trial) < ratios.sum + least_gain_of_sum || is_worse(start, trial)) continue;
-            complex_.points[vertex] = trial;
-            return true;
+            const double sum = shape_.sum_of_radius_ratios(trial);
+            if (sum >= ratios.sum + least_gain_of_sum && !is_worse(start, trial)) return Place{trial, sum};
         }
-        return false;
+        return {};
     }
 
     bool is_worse(const Vec3& start, const Vec3& trial) const {
@@ -105,8 +132,8 @@ class ShapeOptimiser {
     const ShapeOptions& options_;
     RunContext& context_;
     double target_;
-    std::vector<std::uint8_t> may_move_, is_due_;  // by vertex
-    std::vector<std::size_t> begin_;               // by vertex that may move: where its star begins, with its size
+    std::vector<std::uint8_t> may_move_, is_kept_, is_due_;  // by vertex; a kept one that was moved is none any more
+    std::vector<std::size_t> begin_;  // by vertex that may move: where its star begins, with its size
     std::vector<int> stars_;
     StarShape shape_;
 };

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "mesh/quality.h"
+#include "volume/cavity_editor.h"
+#include "volume/needles.h"
 #include "volume/optimise.h"
 
 namespace featuremesh {
@@ -15,25 +18,75 @@ constexpr int most_rings = 3;
 /// the cavity itself, and the mean quality.
 constexpr std::size_t most_refills = 300;
 
-/// The kept tets that share a node with the tets given for each region; one that does with two goes to the first.
-std::vector<std::vector<TetId>> kept_tets_around(std::span<const SeamRegion> regions,
-                                                 const std::vector<std::vector<int>>& tets, const Mesh& mesh,
-                                                 std::span<const std::uint8_t> is_released, const RunContext& context) {
-    std::vector<std::vector<TetId>> around(tets.size());
+/// Kept nodes with new tets whose mean radius ratio is less are tried elsewhere: in a mesh from scratch it is 0.85 to
+/// 0.93.
+constexpr double poor_ratio = 0.85;
+/// Of the sum over all tets of such a node, some 24: for less it is not given up.
+constexpr double least_gain_of_kept = 0.3;
+constexpr int sweeps_of_kept = 6;
+
+/// The kept tets with a node of those given for each region, of all or of the `candidates` where there are any; one
+/// that has nodes of two goes to the first.
+std::vector<std::vector<TetId>> kept_tets_with(const std::vector<std::vector<NodeId>>& nodes, const Mesh& mesh,
+                                               std::span<const TetId> candidates,
+                                               std::span<const std::uint8_t> is_released, const RunContext& context) {
+    std::vector<std::vector<TetId>> with(nodes.size());
+    if (std::all_of(nodes.begin(), nodes.end(), [](const auto& list) { return list.empty(); })) return with;
     std::vector<int> region_of(mesh.node_count(), -1);
-    bool is_any = false;
-    for (std::size_t i = tets.size(); i-- > 0;)
-        for (const NodeId n : regions[i].nodes_of(tets[i])) region_of[n.index()] = static_cast<int>(i), is_any = true;
-    if (!is_any) return around;
+    for (std::size_t i = nodes.size(); i-- > 0;)
+        for (const NodeId n : nodes[i]) region_of[n.index()] = static_cast<int>(i);
     RoundWatch watch(context);
-    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    const auto look_at = [&](TetId tet) {
         watch();
         int first = -1;
-        for (const NodeId n : mesh.tets[t])
+        for (const NodeId n : mesh.tets[tet.index()])
             if (const int i = region_of[n.index()]; i >= 0 && (first < 0 || i < first)) first = i;
-        if (first >= 0 && !is_released[t]) around[static_cast<std::size_t>(first)].emplace_back(t);
+        if (first >= 0 && !is_released[tet.index()]) with[static_cast<std::size_t>(first)].push_back(tet);
+    };
+    for (const TetId tet : candidates) look_at(tet);
+    for (std::size_t t = 0; candidates.empty() && t < mesh.tets.size(); ++t) look_at(TetId(t));
+    return with;
+}
+
+/// Kept vertices inside the solid whose new tets have a poor mean radius ratio.
+std::vector<int> poor_vertices(const SeamRegion& region, const Mesh& mesh) {
+    const TetComplex& complex = region.complex;
+    std::vector<double> sums(complex.points.size(), 0);
+    std::vector<int> counts(complex.points.size(), 0);
+    for (const Tet& tet : complex.tets) {
+        if (tet[0] < 0 || std::none_of(tet.begin(), tet.end(), [&](int v) { return region.is_at_seam(v); })) continue;
+        const auto& p = complex.points;
+        const double ratio = radius_ratio(p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]);
+        for (const int v : tet) sums[v] += ratio, ++counts[v];
     }
-    return around;
+    std::vector<int> poor;
+    for (int v = 0; v < static_cast<int>(sums.size()); ++v) {
+        const NodeId node = region.node_of(v);
+        if (region.is_at_seam(v) && node.is_valid() && mesh.entities[node.index()].dim == 3 &&
+            sums[v] < poor_ratio * counts[v])
+            poor.push_back(v);
+    }
+    return poor;
+}
+
+void relax(SeamRegion& region, const Mesh& mesh, std::span<const int> vertices, std::span<const TetId> around,
+           double target_dihedral_deg, RunContext& context) {
+    region.take_in(mesh, around);
+    TetComplex& complex = region.complex;
+    ShapeOptions options;
+    std::vector<int> star;
+    for (const int v : vertices) {
+        if (!gather_star(complex, v, star)) continue;
+        complex.is_fixed[v] = 2;
+        for (const int tet : star)
+            options.among.insert(options.among.end(), complex.tets[tet].begin(), complex.tets[tet].end());
+    }
+    std::sort(options.among.begin(), options.among.end());
+    options.among.erase(std::unique(options.among.begin(), options.among.end()), options.among.end());
+    options.target_dihedral_deg = target_dihedral_deg;
+    options.sweeps = sweeps_of_kept;
+    options.least_gain_of_kept = least_gain_of_kept;
+    optimise_shapes(complex, options, context);
 }
 
 void mend(SeamRegion& region, const Mesh& mesh, std::span<const TetId> around, bool may_move, SliverOptions options,
@@ -53,7 +106,9 @@ void mend_seams(std::span<SeamRegion> regions, const Mesh& mesh, std::span<std::
         for (const SeamRegion& region : regions)
             bad.push_back(region.with_rings(region.bad_tets_at_seam(target_dihedral_deg), rings));
         if (std::all_of(bad.begin(), bad.end(), [](const auto& tets) { return tets.empty(); })) return;
-        const std::vector<std::vector<TetId>> around = kept_tets_around(regions, bad, mesh, is_released, context);
+        std::vector<std::vector<NodeId>> nodes;
+        for (std::size_t i = 0; i < regions.size(); ++i) nodes.push_back(regions[i].nodes_of(bad[i]));
+        const std::vector<std::vector<TetId>> around = kept_tets_with(nodes, mesh, {}, is_released, context);
         for (std::size_t i = 0; i < regions.size(); ++i) {
             if (around[i].empty()) continue;
             for (const TetId tet : around[i]) is_released[tet.index()] = 1;
@@ -64,6 +119,27 @@ void mend_seams(std::span<SeamRegion> regions, const Mesh& mesh, std::span<std::
             mend(regions[i], mesh, around[i], rings > 0, std::move(options), context);
         }
     }
+}
+
+std::size_t relax_seams(std::span<SeamRegion> regions, const Mesh& mesh, std::span<const TetId> rim,
+                        std::span<std::uint8_t> is_released, double target_dihedral_deg, RunContext& context) {
+    std::vector<std::vector<int>> poor(regions.size());
+    std::vector<std::vector<NodeId>> nodes(regions.size());
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        if (!regions[i].has_seam() || has_needle(regions[i].complex)) continue;
+        poor[i] = poor_vertices(regions[i], mesh);
+        for (const int v : poor[i]) nodes[i].push_back(regions[i].node_of(v));
+    }
+    const std::vector<std::vector<TetId>> around = kept_tets_with(nodes, mesh, rim, is_released, context);
+    std::size_t released = 0;
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        if (around[i].empty()) continue;
+        for (const TetId tet : around[i]) is_released[tet.index()] = 1;
+        const std::size_t before = regions[i].changed_count(mesh);
+        relax(regions[i], mesh, poor[i], around[i], target_dihedral_deg, context);
+        released += regions[i].changed_count(mesh) - before;
+    }
+    return released;
 }
 
 std::size_t give_back(SeamRegion& region, const Mesh& mesh, std::span<std::uint8_t> is_released) {

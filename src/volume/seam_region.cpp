@@ -154,6 +154,16 @@ bool SeamRegion::is_moved(int vertex, const Mesh& mesh) const {
     return node.is_valid() && complex.points[static_cast<std::size_t>(vertex)] != mesh.point(node);
 }
 
+bool SeamRegion::is_changed(const Taken& taken, const Mesh& mesh) const {
+    return complex.tets[static_cast<std::size_t>(taken.place)] != taken.corners ||
+           std::any_of(taken.corners.begin(), taken.corners.end(), [&](int v) { return is_moved(v, mesh); });
+}
+
+std::size_t SeamRegion::changed_count(const Mesh& mesh) const {
+    return static_cast<std::size_t>(
+        std::count_if(taken_.begin(), taken_.end(), [&](const Taken& taken) { return is_changed(taken, mesh); }));
+}
+
 std::vector<std::pair<NodeId, int>> SeamRegion::moved_nodes(const Mesh& mesh) const {
     std::vector<std::pair<NodeId, int>> moved;
     for (int v = 0; v < static_cast<int>(nodes_.size()); ++v)
@@ -164,10 +174,8 @@ std::vector<std::pair<NodeId, int>> SeamRegion::moved_nodes(const Mesh& mesh) co
 std::vector<TetId> SeamRegion::give_back(const Mesh& mesh) {
     std::vector<TetId> given;
     for (const Taken& taken : taken_) {
-        std::array<int, 4>& now = complex.tets[static_cast<std::size_t>(taken.place)];
-        if (now != taken.corners) continue;
-        if (std::any_of(now.begin(), now.end(), [&](int v) { return is_moved(v, mesh); })) continue;
-        now = {-1, -1, -1, -1};
+        if (is_changed(taken, mesh)) continue;
+        complex.tets[static_cast<std::size_t>(taken.place)] = {-1, -1, -1, -1};
         given.push_back(taken.tet);
     }
     taken_.clear();

@@ -40,6 +40,8 @@ class SeamRegion {
     /// Of all tets.
     std::size_t count_bad(double target_dihedral_deg) const;
     std::size_t taken_count() const { return taken_.size(); }
+    /// Of those taken in: how many are not as they were.
+    std::size_t changed_count(const Mesh& mesh) const;
     /// Kept nodes inside the solid that have all their tets in the complex may be moved from now on.
     void free_inner_nodes(const Mesh& mesh);
     /// The kept nodes that have been moved, with their vertices.
@@ -62,6 +64,7 @@ class SeamRegion {
     bool is_bad(const std::array<int, 4>& tet, double target_flatness) const;
     int vertex_of(NodeId node, const Mesh& mesh);
     bool is_moved(int vertex, const Mesh& mesh) const;
+    bool is_changed(const Taken& taken, const Mesh& mesh) const;
     void link_open_sides();
 
     std::vector<NodeId> nodes_;                     // by vertex

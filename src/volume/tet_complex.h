@@ -14,8 +14,8 @@ namespace featuremesh {
 /// Tets with neighbours, for local operations. Vertices are ints here: they count within one cavity.
 struct TetComplex {
     std::vector<Vec3> points;
-    std::vector<std::uint8_t> is_fixed;          ///< by vertex: 1 for boundary or kept, never moved; 2 where sliver
-                                                 ///< removal may move it, but not take it out; 0 for free
+    std::vector<std::uint8_t> is_fixed;          ///< by vertex: 1 for boundary or kept, never moved; 2 where it may
+                                                 ///< be moved for better tets, but not taken out; 0 for free
     std::vector<std::array<int, 4>> tets;        ///< positive volume; tets[i][0] < 0 marks a removed one
     std::vector<std::array<int, 4>> neighbours;  ///< neighbours[i][k] is opposite vertex k; -1 at the cavity's
                                                  ///< boundary

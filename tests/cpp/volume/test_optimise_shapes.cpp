@@ -107,6 +107,24 @@ TEST_CASE("only the vertices given are moved") {
     CHECK(optimise(box, {}).moves == 0);
 }
 
+TEST_CASE("a kept vertex is moved only where that is asked for and gains enough") {
+    TetComplex box = box_of_tets(4, 0.19, 4);
+    const int center = 62;
+    box.is_fixed[center] = 2;
+    const TetComplex start = box;
+    CHECK(optimise(box, {center}).moves == 0);
+    RunContext context;
+    ShapeOptions options;
+    options.among = {center};
+    options.least_gain_of_kept = 10;
+    CHECK(optimise_shapes(box, options, context).moves == 0);
+    CHECK(box.points == start.points);
+    options.least_gain_of_kept = 0.05;
+    CHECK(optimise_shapes(box, options, context).moves > 0);
+    CHECK(mean_ratio(box) >= mean_ratio(start) + 0.05 / double(box.tets.size()));
+    CHECK(worst_flatness(box) <= worst_flatness(start));
+}
+
 TEST_CASE("shape optimisation can be cancelled") {
     TetComplex box = box_of_tets(4, 0.19, 4);
     RunContext context;
