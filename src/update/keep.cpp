@@ -25,7 +25,8 @@ class Keeper {
           context_(context),
           motions_(input.old_mesh.points.size(), 0),
           nodes_{input, motions_},
-          entities_(nodes_) {}
+          entities_(nodes_),
+          is_resized_(motions_.size(), 0) {}
 
     Kept run() {
         choose_motions();
@@ -36,7 +37,7 @@ class Keeper {
         clear_between_motions();
         context_.check_cancelled();
         const KeptTets tets(in_.old_mesh, motions_, nodes_.regions(), in_.old_brep, in_.new_brep, near_change_,
-                            untouched_solids_);
+                            untouched_solids_, is_resized_);
         Kept kept = assemble(nodes_, entities_, tets, context_);
         context_.check_cancelled();
         collect_active(kept, tets);
@@ -120,7 +121,7 @@ class Keeper {
                 if (r == 0 && !in_untouched_.empty() && in_untouched_[n] && (in_.same_sizes_asked || !is_resized))
                     near_change_[n] = 1;
                 else
-                    motions_[n] = dropped;
+                    motions_[n] = dropped, is_resized_[n] = is_resized;
             }
         });
     }
@@ -177,6 +178,7 @@ class Keeper {
     std::vector<char>
         in_untouched_;  // by old node: a tet of an untouched solid has it; empty where there is no such solid
     std::vector<char> near_change_;  // likewise: and it stays for those tets only
+    std::vector<char> is_resized_;   // by old node: it goes, since another size is wanted
 };
 
 }  // namespace

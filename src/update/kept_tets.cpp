@@ -37,12 +37,13 @@ class NodeRegions {
 
 KeptTets::KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::span<const CarriedRegion> regions,
                    const Brep& old_brep, const Brep& new_brep, std::span<const char> near_change,
-                   std::span<const char> untouched_solids)
+                   std::span<const char> untouched_solids, std::span<const char> is_resized)
     : old_(old),
       motions_(motions),
       regions_(regions),
       near_change_(near_change),
       untouched_solids_(untouched_solids),
+      is_resized_(is_resized),
       solid_count_(old_brep.solid_count()),
       occurs_(regions.size(), 0),
       is_kept_(old.tets.size()) {
@@ -53,6 +54,7 @@ KeptTets::KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::
     else
         for (std::size_t t = 0; t < is_kept_.size(); ++t) is_kept_[t] = stays(t);
     mark_rim();
+    if (drop_frayed()) mark_rim();
     if (settle_at_rim(new_brep)) return;
     settle_everywhere(new_brep);
     mark_rim();
@@ -107,6 +109,37 @@ void KeptTets::mark_rim() {
         at_rim_.push_back(std::int32_t(t));
         for (const NodeId n : old_.tets[t]) is_used_[n.index()] = 1;
     }
+}
+
+// Where nodes go for their size, what stays ends wherever that changed by so much, and frays. New tets between what is
+// left of the star of a node and itself would be poor; as a start position it serves better.
+bool KeptTets::drop_frayed() {
+    constexpr double least_share_left = 0.35;
+    if (std::find(is_resized_.begin(), is_resized_.end(), 1) == is_resized_.end()) return false;
+    struct Star {
+        int gone = 0, left = 0;
+        bool is_beside_resized = false;
+        bool is_frayed() const { return is_beside_resized && left < least_share_left * (gone + left); }
+    };
+    std::vector<Star> stars(old_.corner_count);
+    for (const std::int32_t t : dropped_) {
+        const auto& nodes = old_.tets[std::size_t(t)];
+        const bool is_resized =
+            std::any_of(nodes.begin(), nodes.end(), [&](NodeId n) { return is_resized_[n.index()] != 0; });
+        for (const NodeId n : nodes) ++stars[n.index()].gone, stars[n.index()].is_beside_resized |= is_resized;
+    }
+    for (const std::int32_t t : at_rim_)
+        for (const NodeId n : old_.tets[std::size_t(t)]) ++stars[n.index()].left;
+    bool is_any = false;
+    for (const std::int32_t t : at_rim_) {
+        const auto& nodes = old_.tets[std::size_t(t)];
+        if (std::none_of(nodes.begin(), nodes.end(),
+                         [&](NodeId n) { return old_.entities[n.index()].dim == 3 && stars[n.index()].is_frayed(); }))
+            continue;
+        is_kept_[std::size_t(t)] = 0;
+        is_any = true;
+    }
+    return is_any;
 }
 
 // The mesh of a solid is in one piece, and tets that share a node are kept under one motion or one of them is not kept:

@@ -19,10 +19,11 @@ class KeptTets {
   public:
     /// Tets stay when all their nodes do, under one motion, and when their connected region is inside a new solid.
     /// `motions`: by old node, index of its carried region. `near_change`: by old node, it stays for the tets of
-    /// untouched solids only (empty: no such node).
+    /// untouched solids only (empty: no such node). `is_resized`: by old node, it goes since another size is wanted
+    /// (likewise); beside such nodes inner ones that would keep few of their tets keep none.
     KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::span<const CarriedRegion> regions,
              const Brep& old_brep, const Brep& new_brep, std::span<const char> near_change = {},
-             std::span<const char> untouched_solids = {});
+             std::span<const char> untouched_solids = {}, std::span<const char> is_resized = {});
 
     /// Old tets that do not stay, in order.
     std::span<const std::int32_t> dropped_tets() const { return dropped_; }
@@ -56,6 +57,7 @@ class KeptTets {
     bool stays(std::size_t tet) const;
     bool may_stay_near_change(std::size_t tet) const;
     void mark_rim();
+    bool drop_frayed();
     bool settle_at_rim(const Brep& new_brep);
     std::vector<std::vector<std::int32_t>> pieces_of_rim(SolidId solid) const;
     void drop_islands(const std::vector<std::vector<std::int32_t>>& rims);
@@ -66,7 +68,7 @@ class KeptTets {
     const Mesh& old_;
     std::span<const std::int32_t> motions_;
     std::span<const CarriedRegion> regions_;
-    std::span<const char> near_change_, untouched_solids_;
+    std::span<const char> near_change_, untouched_solids_, is_resized_;
     std::size_t solid_count_;
     std::vector<char> occurs_;  // by motion: a node has it
     std::vector<char> is_kept_, is_rim_, is_used_;

@@ -25,7 +25,7 @@ struct VolumeOptions {
     /// Smallest length that is asked for, mm, where the sizing has shorter ones for the mesher's own sake: these are no
     /// reason for smaller tets than are allowed otherwise.
     double smallest_asked = 0;
-    bool moves_kept_nodes = false;    ///< those inside, at a seam, where poor shapes gain much by that (relax_seams)
+    bool moves_kept_nodes = false;  ///< those inside, at a seam, where poor shapes gain much by that (relax_seams)
     bool operator==(const VolumeOptions&) const = default;
 };
 
