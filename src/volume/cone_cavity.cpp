@@ -87,6 +87,7 @@ bool ConeCavity::loses_fixed_vertex() const {
 }
 
 bool ConeCavity::grow(std::span<const int> start, int apex, const Vec3& point) {
+    if (start.size() >= most_tets) return false;
     apex_ = apex;
     point_ = point;
     reset(start);
