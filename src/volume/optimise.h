@@ -29,7 +29,7 @@ OdtReport optimise_odt(TetComplex& complex, const SizingField& sizing, const Odt
 struct SliverOptions {
     double target_dihedral_deg = 30;
     int passes = 30;              ///< at most; they end when nothing gains any more
-    std::vector<int> among{};      ///< only these tets, and what changes on their account; empty: all
+    std::vector<int> among{};     ///< only these tets, and what changes on their account; empty: all
     bool is_last_resort = false;  ///< new vertices are tried in more places, at a price in time and mean shape
     std::optional<std::size_t>
         most_refills;  ///< of the dearest operation, tried in vain or not; none: many, more of them for more tets
