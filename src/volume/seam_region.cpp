@@ -125,11 +125,17 @@ void SeamRegion::link_open_sides() {
         int region, tet, face;
         auto key() const { return std::tie(corners, region); }
     };
+    std::vector<std::uint8_t> is_of_taken(complex.points.size(), 0);
+    for (const Taken& taken : taken_)
+        for (const int v : taken.corners) is_of_taken[static_cast<std::size_t>(v)] = 1;
     std::vector<Side> open;
     for (std::size_t t = 0; t < complex.tets.size(); ++t)
-        for (int face = 0; complex.tets[t][0] >= 0 && face < 4; ++face)
-            if (complex.neighbours[t][face] < 0)
-                open.push_back({sorted_face(complex.tets[t], face), complex.regions[t], static_cast<int>(t), face});
+        for (int face = 0; complex.tets[t][0] >= 0 && face < 4; ++face) {
+            if (complex.neighbours[t][face] >= 0) continue;
+            const std::array<int, 3> corners = sorted_face(complex.tets[t], face);
+            if (std::all_of(corners.begin(), corners.end(), [&](int v) { return is_of_taken[v] != 0; }))
+                open.push_back({corners, complex.regions[t], static_cast<int>(t), face});
+        }
     std::sort(open.begin(), open.end(), [](const Side& a, const Side& b) {
         return std::tie(a.corners, a.region, a.tet) < std::tie(b.corners, b.region, b.tet);
     });
