@@ -18,6 +18,7 @@
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "core/errors.h"
@@ -36,6 +37,8 @@ struct Brep::Data {
     std::vector<TopoDS_Vertex> vertex;
     std::vector<std::vector<EdgeId>> edges_of_face, edges_of_vertex;
     std::vector<std::vector<FaceEdge>> uses_in_face;
+    std::vector<std::vector<VertexId>> vertices_inside;
+    std::multimap<VertexId, FaceId> face_around;  ///< of each vertex inside one
     std::vector<std::vector<FaceId>> faces_of_edge;
     std::vector<std::array<VertexId, 2>> ends;
     std::vector<std::array<SolidId, 2>> sides;
@@ -148,6 +151,13 @@ Brep::Brep(const TopoDS_Shape& shape) {
         for (const VertexId end : data->ends.back())
             if (end.is_valid()) add_once(data->edges_of_vertex[end.index()], EdgeId(e));
     }
+    data->vertices_inside.resize(data->face.size());
+    for (std::size_t f = 0; f < data->face.size(); ++f) {
+        for (TopoDS_Iterator it(data->face[f]); it.More(); it.Next())
+            if (it.Value().ShapeType() == TopAbs_VERTEX)
+                add_once(data->vertices_inside[f], id_in<VertexKind>(data->vertices, it.Value()));
+        for (const VertexId v : data->vertices_inside[f]) data->face_around.emplace(v, f);
+    }
     data->points = vertex_places(data->vertex, data->edge, data->ends, data->face, data->faces_of_edge);
     data->box = tight_box_of(data->face);
     for (std::size_t s = 0; s < data->solid.size(); ++s) {
@@ -194,6 +204,7 @@ std::span<const EdgeId> Brep::edges_of(FaceId face) const { return data_->edges_
 std::span<const FaceEdge> Brep::uses_in(FaceId face) const { return data_->uses_in_face[face.index()]; }
 std::span<const FaceId> Brep::faces_of(EdgeId edge) const { return data_->faces_of_edge[edge.index()]; }
 std::span<const EdgeId> Brep::edges_of(VertexId vertex) const { return data_->edges_of_vertex[vertex.index()]; }
+std::span<const VertexId> Brep::vertices_inside(FaceId face) const { return data_->vertices_inside[face.index()]; }
 std::array<VertexId, 2> Brep::ends_of(EdgeId edge) const { return data_->ends[edge.index()]; }
 std::array<SolidId, 2> Brep::sides_of(FaceId face) const { return data_->sides[face.index()]; }
 std::vector<FaceId> Brep::faces_at(Entity entity) const {
@@ -201,8 +212,11 @@ std::vector<FaceId> Brep::faces_at(Entity entity) const {
     const auto add_faces_of = [&](EdgeId e) { faces.insert(faces.end(), faces_of(e).begin(), faces_of(e).end()); };
     if (entity.dim == 2) faces.emplace_back(entity.index);
     if (entity.dim == 1) add_faces_of(EdgeId(entity.index));
-    if (entity.dim == 0)
+    if (entity.dim == 0) {
         for (const EdgeId e : edges_of(VertexId(entity.index))) add_faces_of(e);
+        const auto [first, last] = data_->face_around.equal_range(VertexId(entity.index));
+        for (auto it = first; it != last; ++it) faces.push_back(it->second);
+    }
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     return faces;

@@ -53,6 +53,8 @@ class Brep {
     std::span<const FaceEdge> uses_in(FaceId face) const;     ///< as its wires have them; a seam twice
     std::span<const FaceId> faces_of(EdgeId edge) const;      ///< each once
     std::span<const EdgeId> edges_of(VertexId vertex) const;  ///< each once
+    /// The face's own vertices, beside those of its edges: where something touches it in a point.
+    std::span<const VertexId> vertices_inside(FaceId face) const;
     /// First and last vertex by edge parameter; equal on a closed edge.
     std::array<VertexId, 2> ends_of(EdgeId edge) const;
     /// Solid behind (against the face's normal) and before it; none for outside.

@@ -67,7 +67,12 @@ struct ChartDomain::Data {
             return;
         }
         valid = flood();
-        if (!valid) find_crossings(boundary);
+        if (!valid) {
+            find_crossings(boundary);
+            return;
+        }
+        find_pieces_that_cut_off(boundary);
+        valid = crossings.empty();
     }
 
     void insert_points(const FaceBoundary& boundary) {
@@ -141,6 +146,24 @@ struct ChartDomain::Data {
                               CGAL::angle(point(p), point(shared), point(q)) == CGAL::ACUTE);
         }
         return do_cross(point(a), point(b), point(c), point(d));
+    }
+
+    /// A lone point lies outside where the arc beside it is drawn by chords that are too long.
+    void find_pieces_that_cut_off(const FaceBoundary& boundary) {
+        for (const int p : boundary.lone_points) {
+            const Vertex lone = vertices[static_cast<std::size_t>(p)];
+            const Face around = lone->face();
+            if (!cdt.is_infinite(around) && around->info().side > 0) continue;
+            const auto distance_to = [&](const std::array<int, 2>& ends) {
+                const auto place = [&](int end) { return vertices[static_cast<std::size_t>(end)]->point(); };
+                return CGAL::squared_distance(lone->point(), Kernel::Segment_2(place(ends[0]), place(ends[1])));
+            };
+            const auto nearest = std::min_element(segments.begin(), segments.end(), [&](const auto& s, const auto& t) {
+                return distance_to(s) < distance_to(t);
+            });
+            const auto piece = static_cast<std::size_t>(nearest - segments.begin());
+            crossings.push_back({piece, piece});
+        }
     }
 
     /// Marks what lies left of the segments and what lies right; false when something lies on both sides.

@@ -124,8 +124,8 @@ std::vector<Vec3> stops_on(const std::vector<EdgeId>& edges, const Brep& brep, c
     return stops;
 }
 
-bool is_used(const Brep& brep, EdgeId edge) {
-    const auto faces = brep.faces_of(edge);
+/// Whether one of the faces bounds a solid.
+bool is_used(const Brep& brep, std::span<const FaceId> faces) {
     return std::any_of(faces.begin(), faces.end(), [&](FaceId f) {
         const auto sides = brep.sides_of(f);
         return sides[0].is_valid() || sides[1].is_valid();
@@ -153,9 +153,8 @@ class VertexNodes {
 
     void number(VertexId vertex) {
         if (is_asked_[vertex.index()]++ || shared(vertex).is_valid()) return;
-        const auto edges = brep_.edges_of(vertex);
-        if (std::none_of(edges.begin(), edges.end(), [&](EdgeId e) { return is_used(brep_, e); })) return;
-        for (const EdgeId e : edges) {
+        if (!is_used(brep_, brep_.faces_at(entity_of(vertex)))) return;
+        for (const EdgeId e : brep_.edges_of(vertex)) {
             const auto [first, last] = brep_.ends_of(e);
             if (last == vertex && first.is_valid() && first != last &&
                 distance(brep_.point_of(first), brep_.point_of(last)) < brep_.tolerances().contact())
@@ -267,7 +266,7 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
         const EdgeId edge(e);
         const Activity activity(name_of(entity_of(edge)));
         if (e % 64 == 0) context.progress(0.1 * static_cast<double>(e) / static_cast<double>(brep.edge_count()));
-        if (brep.is_degenerated(edge) || is_point(edge) || !is_used(brep, edge)) continue;
+        if (brep.is_degenerated(edge) || is_point(edge) || !is_used(brep, brep.faces_of(edge))) continue;
         if (merged.edge_of[e] != edge) {
             if (!kept.nodes[e].empty() || !kept.segments[e].empty())
                 throw MeshError("Kept nodes of " + name_of(entity_of(edge)) +

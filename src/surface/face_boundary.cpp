@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "core/errors.h"
+#include "surface/projection.h"
 
 namespace featuremesh {
 
@@ -43,6 +44,7 @@ class BoundaryBuilder {
         collect_uses();
         join_uses();
         for (const Use& use : uses_) add_segments(use);
+        add_vertices_inside();
         return std::move(boundary_);
     }
 
@@ -154,6 +156,15 @@ class BoundaryBuilder {
         }
     }
 
+    void add_vertices_inside() {
+        for (const VertexId vertex : brep_.vertices_inside(face_)) {
+            const NodeId node = chains_.node_of(vertex);
+            if (std::find(boundary_.nodes.begin(), boundary_.nodes.end(), node) != boundary_.nodes.end()) continue;
+            const auto uv = Projector(brep_).nearest(face_, brep_.point_of(vertex)).uv;
+            boundary_.lone_points.push_back(add_point(chart_.to_plane(chart_.in_trim_period(uv)), node));
+        }
+    }
+
     [[noreturn]] void fail(const std::string& what) const {
         throw MeshError(name_of(entity_of(face_)) + " cannot be meshed: " + what +
                         ". Check the feature that made it (Part: Check geometry), or refine the shape.");
@@ -206,6 +217,7 @@ class KeptCutter {
         }
         for (const std::array<int, 4>& corners : at_pole) add_sides(around_pole(corners));
         replace_segments();
+        std::erase_if(boundary_.lone_points, [&](int p) { return is_covered[node_at(p).index()]; });
         for (const NodeId n : nodes)
             if (!is_covered[n.index()] && first_point_[n.index()] < 0)
                 boundary_.lone_points.push_back(points_of(n).front());

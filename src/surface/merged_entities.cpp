@@ -17,10 +17,9 @@ namespace {
 std::vector<std::vector<SolidId>> solids_of_vertices(const Brep& brep) {
     std::vector<std::vector<SolidId>> solids(brep.vertex_count());
     for (std::size_t v = 0; v < solids.size(); ++v) {
-        for (const EdgeId e : brep.edges_of(VertexId(v)))
-            for (const FaceId f : brep.faces_of(e))
-                for (const SolidId s : brep.sides_of(f))
-                    if (s.is_valid()) solids[v].push_back(s);
+        for (const FaceId f : brep.faces_at(entity_of(VertexId(v))))
+            for (const SolidId s : brep.sides_of(f))
+                if (s.is_valid()) solids[v].push_back(s);
         std::sort(solids[v].begin(), solids[v].end());
         solids[v].erase(std::unique(solids[v].begin(), solids[v].end()), solids[v].end());
     }

@@ -32,12 +32,9 @@ std::vector<EdgeId> edges_at(const Brep& brep, Entity entity) {
 }
 
 std::vector<FaceId> faces_at(const Brep& brep, Entity entity) {
-    if (entity.dim == 2) return {FaceId(entity.index)};
-    std::vector<FaceId> faces;
-    for (const EdgeId edge : edges_at(brep, entity))
-        for (const FaceId face : brep.faces_of(edge))
-            if (is_used(brep, face)) faces.push_back(face);
-    return sorted_once(std::move(faces));
+    std::vector<FaceId> faces = brep.faces_at(entity);
+    if (entity.dim < 2) std::erase_if(faces, [&](FaceId face) { return !is_used(brep, face); });
+    return faces;
 }
 
 EntityFinder::EntityFinder(const Brep& brep, double tolerance)
