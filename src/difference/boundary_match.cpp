@@ -332,10 +332,13 @@ class Matcher {
 
     static std::vector<VertexId> vertices_of(const std::vector<FaceId>& faces, const BoundaryModel& model) {
         std::vector<VertexId> result;
-        for (const FaceId f : faces)
+        for (const FaceId f : faces) {
+            const auto inside = model.brep().vertices_inside(f);
+            result.insert(result.end(), inside.begin(), inside.end());
             for (const EdgeId e : model.brep().edges_of(f))
                 for (const VertexId v : model.brep().ends_of(e))
                     if (v.is_valid()) result.push_back(v);
+        }
         std::sort(result.begin(), result.end());
         result.erase(std::unique(result.begin(), result.end()), result.end());
         return result;

@@ -74,7 +74,8 @@ class Keeper {
                                                new_faces = faces_of_solids(in_.new_brep);
         std::vector<FaceId> kept_as(in_.old_brep.face_count());
         for (const FaceChange& change : in_.difference.faces)
-            if (change.verdict == BoundaryVerdict::kept) kept_as[change.old_face.index()] = change.new_face;
+            if (change.verdict == BoundaryVerdict::kept && has_same_vertices_inside(change))
+                kept_as[change.old_face.index()] = change.new_face;
         untouched_solids_.assign(old_faces.size(), 0);
         for (std::size_t s = 0; s < old_faces.size(); ++s) {
             std::vector<FaceId> now;
@@ -92,6 +93,14 @@ class Keeper {
             if (old.order == 2)
                 for (const NodeId n : old.tet_mids[t]) in_untouched_[n.index()] = 1;
         }
+    }
+
+    bool has_same_vertices_inside(const FaceChange& kept) const {
+        std::vector<VertexId> were, are;
+        for (const VertexId v : in_.old_brep.vertices_inside(kept.old_face))
+            were.push_back(nodes_.regions()[0].new_vertex_of[v.index()]);
+        for (const VertexId v : in_.new_brep.vertices_inside(kept.new_face)) are.push_back(v);
+        return std::is_permutation(were.begin(), were.end(), are.begin(), are.end());
     }
 
     bool size_changed(std::size_t n, double wanted) const {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
@@ -20,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "catch.h"
 #include "core/errors.h"
@@ -64,6 +67,14 @@ double smallest_corner_angle(const Brep& brep) {
                 smallest = std::min(smallest, std::acos(std::clamp(dot(into[i], into[j]), -1.0, 1.0)) * 180 / M_PI);
     }
     return smallest;
+}
+
+/// A plate 30 x 20 x 6, less what touches its top from within at (14, 11, 6).
+std::vector<std::pair<std::string, TopoDS_Shape>> plates_touched_from_within() {
+    const TopoDS_Shape plate = BRepPrimAPI_MakeBox(30, 20, 6).Shape();
+    const TopoDS_Shape cone = BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(14, 11, 0), gp::DZ()), 4, 0, 6).Shape();
+    const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(14, 11, 4), 2).Shape();
+    return {{"a cone", BRepAlgoAPI_Cut(plate, cone).Shape()}, {"a ball", BRepAlgoAPI_Cut(plate, ball).Shape()}};
 }
 
 }  // namespace
@@ -119,6 +130,20 @@ TEST_CASE("every kind of face is covered by a closed, well-shaped surface mesh")
         CHECK(area(result.mesh) == Approx(properties.Mass()).epsilon(0.04));
         CHECK(result.report.new_nodes == result.mesh.node_count());
         CHECK(result.report.new_triangles == result.mesh.triangles.size());
+    }
+}
+
+TEST_CASE("a vertex inside a face has a node, in the triangles of all the faces that meet there") {
+    for (const auto& [name, shape] : plates_touched_from_within()) {
+        INFO(name);
+        const Brep brep(shape);
+        const Mesh mesh = mesh_surface(brep, 2).mesh;
+        CHECK(findings(brep, mesh) == std::vector<std::string>{});
+        std::set<FaceId> faces;
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+            for (const NodeId n : mesh.triangles[t])
+                if (distance(mesh.point(n), {14, 11, 6}) < 1e-9) faces.insert(mesh.triangle_faces[t]);
+        CHECK(faces.size() == 2);
     }
 }
 

@@ -2,6 +2,7 @@
 // Edits that change which faces a part has: each update is valid and keeps what it says it keeps, bit for bit.
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -112,6 +113,22 @@ RawDocument with_switched_fillet(bool suppressed) {
     return document;
 }
 
+/// The plate with a conical void, whose tip touches the top from within at a height of 6.
+RawDocument with_tip(double x, double height) {
+    PartDocument document = plate();
+    const gp_Ax2 axis(gp_Pnt(x, 15, 0), gp::DZ());
+    document.add("Tip", "Part::Cone", BRepPrimAPI_MakeCone(axis, 4, 0, height).Shape());
+    return document.cut("TipCut", "Plate", "Tip").finish();
+}
+
+/// The plate with a solid cone on it that stands on its tip.
+RawDocument under_tip(double x, double height = 8) {
+    PartDocument document = plate();
+    const gp_Ax2 axis(gp_Pnt(x, 15, 6), gp::DZ());
+    document.add("Tip", "Part::Cone", BRepPrimAPI_MakeCone(axis, 0, 4, height).Shape());
+    return document.fuse("TipFuse", "Plate", "Tip").finish();
+}
+
 PartMeshResult meshed(const RawDocument& document, double size = 2.5) {
     MeshOptions options;
     options.sizing.size = size;
@@ -198,6 +215,13 @@ TEST_CASE("two pockets are joined by a third, and parted") {
 }
 
 TEST_CASE("a ring cuts a face into a frame and an island") { check_there_and_back(without_hole(), with_ring(), 0.3); }
+
+TEST_CASE("a tip that touches a face moves along it and comes off") {
+    check_there_and_back(with_tip(20, 6), with_tip(24, 6), 0.5);
+    check_there_and_back(with_tip(20, 6), with_tip(20, 4), 0.5);
+    check_there_and_back(under_tip(20), under_tip(24, 9), 0.5);
+    check_there_and_back(under_tip(20), without_hole(), 0.4);
+}
 
 TEST_CASE("a slot cuts a face into pieces that are narrower than the bulge of their arcs") {
     check_there_and_back(with_ledge(false), with_ledge(true), 0.3, 3);
