@@ -92,6 +92,10 @@ class Assembler {
             begin = std::size_t(end) + 1;
         }
         take_run(begin, in_.old_mesh.tets.size(), kept, new_index);
+        if (const SolidId solid = tets_.only_solid(); solid.is_valid())
+            kept.mesh.tet_solids.assign(kept.tet_origin.size(), solid);
+        else
+            for (const std::int32_t t : kept.tet_origin) kept.mesh.tet_solids.push_back(tets_.solid_of(std::size_t(t)));
         if (tets_.is_uniform()) return;
         for (std::size_t t = 0; t < kept.mesh.tets.size(); ++t)
             for (const NodeId n : kept.mesh.tets[t])
@@ -102,11 +106,10 @@ class Assembler {
     void take_run(std::size_t begin, std::size_t end, Kept& kept, const std::vector<std::int32_t>& new_index) const {
         const Mesh& old = in_.old_mesh;
         Mesh& mesh = kept.mesh;
-        const auto place = [&](NodeId n) { return NodeId(new_index[n.index()]); };
+        const auto place = [index = new_index.data()](NodeId n) { return NodeId(index[n.index()]); };
         for (std::size_t t = begin; t < end; ++t) {
             const auto& [a, b, c, d] = old.tets[t];
             mesh.tets.push_back({place(a), place(b), place(c), place(d)});
-            mesh.tet_solids.push_back(tets_.solid_of(t));
             kept.tet_origin.push_back(std::int32_t(t));
         }
         mesh.tet_numbers.insert(mesh.tet_numbers.end(), old.tet_numbers.begin() + std::ptrdiff_t(begin),

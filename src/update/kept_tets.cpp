@@ -226,6 +226,17 @@ void KeptTets::drop_islands(const std::vector<std::vector<std::int32_t>>& rims) 
     mark_rim();
 }
 
+SolidId KeptTets::only_solid() const {
+    if (!solids_.empty() || !is_settled()) return {};
+    SolidId only;
+    for (std::size_t g = 0; g < solid_of_group_.size(); ++g) {
+        if (!occurs_[g % regions_.size()]) continue;
+        if (only.is_valid() && solid_of_group_[g] != only) return {};
+        only = solid_of_group_[g];
+    }
+    return only;
+}
+
 bool KeptTets::is_settled() const {
     for (std::size_t g = 0; g < solid_of_group_.size(); ++g)
         if (occurs_[g % regions_.size()] && !solid_of_group_[g].is_valid()) return false;

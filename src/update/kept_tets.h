@@ -40,6 +40,8 @@ class KeptTets {
     }
     /// All kept tets of one old solid under one motion are in the same new one.
     bool is_uniform() const { return solids_.empty(); }
+    /// That of all kept tets, where it is the same one.
+    SolidId only_solid() const;
     SolidId solid_of_group(SolidId old_solid, std::int32_t motion) const {
         return solid_of_group_[old_solid.index() * regions_.size() + std::size_t(motion)];
     }

@@ -168,7 +168,8 @@ FacetSplit halve_longest_edges(const Cavity& cavity, std::span<const int> facets
 }
 
 std::vector<TetId> tets_in_the_way(const FacetSplit& split, const Cavity& cavity, const Mesh& mesh,
-                                   std::span<const std::uint8_t> is_released) {
+                                   std::span<const std::uint8_t> is_released,
+                                   std::optional<std::span<const TetId>> near) {
     std::set<NodePair> edges;
     std::set<std::array<NodeId, 3>> triangles;
     std::vector<std::uint8_t> is_touched(mesh.node_count(), 0);
@@ -194,11 +195,13 @@ std::vector<TetId> tets_in_the_way(const FacetSplit& split, const Cavity& cavity
                triangles.contains({tet[0], tet[1], tet[3]}) || triangles.contains({tet[0], tet[1], tet[2]});
     };
     std::vector<TetId> found;
-    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    const std::size_t count = near ? near->size() : mesh.tets.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t t = near ? (*near)[i].index() : i;
         if (!is_released.empty() && is_released[t]) continue;
-        int count = 0;
-        for (const NodeId n : mesh.tets[t]) count += is_touched[n.index()];
-        if (count >= 2 && is_cut(mesh.tets[t])) found.push_back(TetId(t));
+        int touched = 0;
+        for (const NodeId n : mesh.tets[t]) touched += is_touched[n.index()];
+        if (touched >= 2 && is_cut(mesh.tets[t])) found.push_back(TetId(t));
     }
     return found;
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,9 +35,11 @@ struct FacetSplit {
 /// Cuts the longest edge of each of the facets in the middle, and with it all facets around that edge.
 FacetSplit halve_longest_edges(const Cavity& cavity, std::span<const int> facets);
 
-/// Kept tets that have a cut edge or a cut triangle, ascending: they must go before the split can be applied.
+/// Kept tets that have a cut edge or a cut triangle, ascending: they must go before the split can be applied. `near`,
+/// if there is any: all kept tets with a node of the cavity are among them, ascending.
 std::vector<TetId> tets_in_the_way(const FacetSplit& split, const Cavity& cavity, const Mesh& mesh,
-                                   std::span<const std::uint8_t> is_released);
+                                   std::span<const std::uint8_t> is_released,
+                                   std::optional<std::span<const TetId>> near = {});
 
 /// Puts the added points on the exact CAD edge or face (those within `on_entity`, mm, stay where they are) and cuts the
 /// mesh's segments and triangles: the first piece takes the place of what is cut, the others are appended, all with new

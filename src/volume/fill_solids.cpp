@@ -116,8 +116,8 @@ class Filling {
     bool fill_all() {
         if (!may_be_open_.empty()) may_be_open_.resize(result_.mesh.node_count(), 1);
         if (std::exchange(is_rim_wider_, false)) rim_tets_ = tets_at_nodes(result_.mesh, may_be_open_);
-        const auto near = may_be_open_.empty() ? std::nullopt : std::optional(std::span<const TetId>(rim_tets_));
-        cavities_ = separate_cavities(find_cavity(result_.mesh, sides_, is_released_, may_be_open_, near));
+        if (!may_be_open_.empty()) near_ = rim_tets_;
+        cavities_ = separate_cavities(find_cavity(result_.mesh, sides_, is_released_, may_be_open_, near_));
         fills_.assign(cavities_.size(), {});
         is_finished_.assign(cavities_.size(), 0);
         parallel_for(context_, cavities_.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -141,9 +141,7 @@ class Filling {
             !std::all_of(missing.begin(), missing.end(), [&](int f) { return cavity.triangle_of_facet[f].is_valid(); }))
             return;
         const FacetSplit flips = flip_missing(cavity, fill, result_.mesh);
-        if (flips.pieces.size() != missing.size() ||
-            !tets_in_the_way(flips, cavity, result_.mesh, is_released_).empty())
-            return;
+        if (flips.pieces.size() != missing.size() || !in_the_way(flips, cavity).empty()) return;
         apply_split(flips, cavity, projector_, brep_.tolerances().on_entity(), result_.mesh, context_);
         for (const FacetSplit::Piece& piece : flips.pieces) cavity.facets[piece.facet].corners = piece.corners;
         log("diagonals changed", flips.pieces.size() / 2);
@@ -289,13 +287,17 @@ class Filling {
 
     /// The new nodes; none when kept tets were in the way and have been released instead.
     std::optional<std::vector<NodeId>> apply(const FacetSplit& split, const Cavity& cavity) {
-        const std::vector<TetId> in_the_way = tets_in_the_way(split, cavity, result_.mesh, is_released_);
-        for (const TetId tet : in_the_way) release(tet);
-        if (!in_the_way.empty()) return {};
+        const std::vector<TetId> in_its_way = in_the_way(split, cavity);
+        for (const TetId tet : in_its_way) release(tet);
+        if (!in_its_way.empty()) return {};
         std::vector<NodeId> added =
             apply_split(split, cavity, projector_, brep_.tolerances().on_entity(), result_.mesh, context_);
         result_.report.recovery_points += added.size();
         return added;
+    }
+
+    std::vector<TetId> in_the_way(const FacetSplit& split, const Cavity& cavity) const {
+        return tets_in_the_way(split, cavity, result_.mesh, is_released_, near_);
     }
 
     [[noreturn]] void throw_unrecovered() const {
@@ -447,7 +449,7 @@ class Filling {
         fill.regions.assign(live.size(), 0);
         fill.places = find_facets(fill.triangulation, fill.points.size(), cavity.facets, context_);
         const FacetSplit flips = flip_flat(cavity, fill, result_.mesh, least_volume(refused_share));
-        if (flips.pieces.empty() || !tets_in_the_way(flips, cavity, result_.mesh, is_released_).empty()) return;
+        if (flips.pieces.empty() || !in_the_way(flips, cavity).empty()) return;
         std::map<int, std::array<int, 3>> new_corners;
         for (const auto& piece : flips.pieces) new_corners[piece.facet] = piece.corners;
         for (std::size_t t = 0; t < live.size(); ++t) {
@@ -500,19 +502,18 @@ class Filling {
 
     void drop_released() {
         Mesh& mesh = result_.mesh;
-        const auto first = std::find(is_released_.begin(), is_released_.end(), 1);
-        std::size_t kept = static_cast<std::size_t>(first - is_released_.begin());
+        const auto first = is_released_.begin(), last = is_released_.end();
+        auto gone = std::find(first, last, 1);
+        auto kept = gone - first;
         RoundWatch watch(context_);
-        for (std::size_t i = kept; i < mesh.tets.size(); ++i) {
+        while (gone != last) {  // and what stays until the next that goes moves up
             watch();
-            if (is_released_[i]) {
-                result_.released.push_back(TetId(i));
-                result_.released_nodes.push_back(mesh.tets[i]);
-                continue;
-            }
-            mesh.tets[kept] = mesh.tets[i];
-            mesh.tet_solids[kept] = mesh.tet_solids[i];
-            mesh.tet_numbers[kept++] = mesh.tet_numbers[i];
+            const auto begin = gone - first + 1, end = (gone = std::find(gone + 1, last, 1)) - first;
+            result_.released.push_back(TetId(std::size_t(begin - 1)));
+            result_.released_nodes.push_back(mesh.tets[begin - 1]);
+            const auto move_up = [&](auto first_of) { std::move(first_of + begin, first_of + end, first_of + kept); };
+            move_up(mesh.tets.begin()), move_up(mesh.tet_solids.begin()), move_up(mesh.tet_numbers.begin());
+            kept += end - begin;
         }
         mesh.tets.resize(kept), mesh.tet_solids.resize(kept), mesh.tet_numbers.resize(kept);
         result_.report.released_tets = result_.released.size();
@@ -566,10 +567,11 @@ class Filling {
     RunContext& context_;
     std::vector<std::array<SolidId, 2>> sides_;
     std::vector<std::uint8_t> is_released_;
-    std::vector<char> may_be_open_;  ///< by node, or empty when it is not known
-    std::size_t kept_nodes_;         ///< the first so many
-    std::vector<TetId> rim_tets_;    ///< all with such a node
-    bool is_rim_wider_ = false;      ///< so that there may be more of them
+    std::vector<char> may_be_open_;               ///< by node, or empty when it is not known
+    std::size_t kept_nodes_;                      ///< the first so many
+    std::vector<TetId> rim_tets_;                 ///< all with such a node
+    bool is_rim_wider_ = false;                   ///< so that there may be more of them
+    std::optional<std::span<const TetId>> near_;  ///< all kept tets at the cavities are among them; none: not known
     Projector projector_;
     WantedSize size_;
     std::vector<Cavity> cavities_;

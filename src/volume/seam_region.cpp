@@ -82,29 +82,29 @@ std::vector<NodeId> SeamRegion::nodes_of(std::span<const int> tets) const {
     return nodes;
 }
 
-int SeamRegion::vertex_of(NodeId node, const Mesh& mesh) {
-    const auto at = std::lower_bound(vertices_.begin(), vertices_.end(), std::pair(node, 0));
-    if (at != vertices_.end() && at->first == node) return at->second;
+int SeamRegion::add_vertex(NodeId node, const Mesh& mesh) {
     const int vertex = static_cast<int>(complex.points.size());
     complex.points.push_back(mesh.point(node));
     complex.is_fixed.push_back(1);
     complex.tet_of_vertex.push_back(-1);
     nodes_.resize(complex.points.size());
     nodes_.back() = node;
-    vertices_.insert(at, {node, vertex});
     return vertex;
 }
 
 std::vector<int> SeamRegion::take_in(const Mesh& mesh, std::span<const TetId> tets) {
-    if (vertices_.empty()) {
-        for (std::size_t v = 0; v < nodes_.size(); ++v) vertices_.emplace_back(nodes_[v], static_cast<int>(v));
-        std::sort(vertices_.begin(), vertices_.end());
-    }
-    std::vector<int> places;
+    std::vector<int> vertex_of(mesh.node_count(), -1), places;
+    for (std::size_t v = 0; v < nodes_.size(); ++v)
+        if (nodes_[v].is_valid()) vertex_of[nodes_[v].index()] = static_cast<int>(v);
     for (const TetId tet : tets) {
         const int place = static_cast<int>(complex.tets.size());
         std::array<int, 4> corners;
-        for (int k = 0; k < 4; ++k) corners[k] = vertex_of(mesh.tets[tet.index()][k], mesh);
+        for (int k = 0; k < 4; ++k) {
+            const NodeId node = mesh.tets[tet.index()][k];
+            int& vertex = vertex_of[node.index()];
+            if (vertex < 0) vertex = add_vertex(node, mesh);
+            corners[k] = vertex;
+        }
         complex.tets.push_back(corners);
         complex.neighbours.push_back({-1, -1, -1, -1});
         complex.regions.push_back(mesh.tet_solids[tet.index()].value);

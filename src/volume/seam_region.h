@@ -62,14 +62,13 @@ class SeamRegion {
         std::array<int, 4> corners;
     };
     bool is_bad(const std::array<int, 4>& tet, double target_flatness) const;
-    int vertex_of(NodeId node, const Mesh& mesh);
+    int add_vertex(NodeId node, const Mesh& mesh);
     bool is_moved(int vertex, const Mesh& mesh) const;
     bool is_changed(const Taken& taken, const Mesh& mesh) const;
     void link_open_sides();
 
-    std::vector<NodeId> nodes_;                     // by vertex
-    std::vector<std::pair<NodeId, int>> vertices_;  // of the mesh's nodes, ascending
-    std::vector<std::uint8_t> is_at_seam_;          // by vertex
+    std::vector<NodeId> nodes_;             // by vertex
+    std::vector<std::uint8_t> is_at_seam_;  // by vertex
     std::vector<Taken> taken_;
 };
 

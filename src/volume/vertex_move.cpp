@@ -100,13 +100,14 @@ void visit_ratio_parts(const Vec3& point, const Faces& faces, Visit visit) {
 
 void StarShape::gather(const TetComplex& complex, std::span<const int> star, int vertex) {
     const auto is_outside = [&](int v) { return may_have_needle(complex, v); };
-    faces_.clear();
+    faces_.resize(star.size());
     set_on_boundary(is_outside(vertex));
-    for (int tet : star) {
-        const Tet& v = complex.tets[tet];
+    for (std::size_t i = 0; i < star.size(); ++i) {
+        const Tet& v = complex.tets[star[i]];
         const auto& face = opposite_face[corner_of(v, vertex)];
         const int a = v[face[0]], b = v[face[1]], c = v[face[2]];
-        add(complex.points[a], complex.points[b], complex.points[c], {is_outside(a), is_outside(b), is_outside(c)});
+        faces_[i] = {{complex.points[a], complex.points[b], complex.points[c]},
+                     {is_outside(a), is_outside(b), is_outside(c)}};
     }
 }
 
