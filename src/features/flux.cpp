@@ -3,6 +3,7 @@
 #include <BRepAdaptor_Curve2d.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -229,13 +230,33 @@ bool is_spline(const BRepAdaptor_Surface& surface) {
     return surface.GetType() == GeomAbs_BSplineSurface || surface.GetType() == GeomAbs_BezierSurface;
 }
 
-/// For a spline of degree n without weights the density is a polynomial of degree 3 n - 1.
+/// Do weights change along v by more than they were rounded? The kernel's IsURational and IsVRational each speak of the
+/// other direction, and lofts have weights that differ from one in the last digit.
+bool has_weights_along_v(const BRepAdaptor_Surface& surface) {
+    if (!surface.IsURational() && !surface.IsVRational()) return false;
+    if (surface.GetType() != GeomAbs_BSplineSurface) return true;
+    constexpr double rounding = 1e-14;
+    const TColStd_Array2OfReal* weights = surface.Surface().BSpline()->Weights();
+    if (weights == nullptr) return false;
+    for (int i = weights->LowerRow(); i <= weights->UpperRow(); ++i)
+        for (int k = weights->LowerCol(); k <= weights->UpperCol(); ++k)
+            if (std::abs((*weights)(i, k) / (*weights)(i, weights->LowerCol()) - 1) > rounding) return true;
+    return false;
+}
+
+/// For a spline of degree n whose weights do not change along v the density is a polynomial of degree 3 n - 1 there.
 int points_along_v(const BRepAdaptor_Surface& surface) {
     const GeomAbs_SurfaceType type = surface.GetType();
     if (type == GeomAbs_Cylinder || type == GeomAbs_SurfaceOfExtrusion) return 1;
     if (type == GeomAbs_Cone) return 3;
-    if (!is_spline(surface) || surface.IsURational() || surface.IsVRational() || surface.VDegree() > 3) return 8;
+    if (!is_spline(surface) || surface.VDegree() > 3 || has_weights_along_v(surface)) return 8;
     return surface.VDegree() == 3 ? 5 : 3;
+}
+
+/// Of these, as many as do over `share` of a stretch: fewer reach the same accuracy over less.
+int points_over(double share, int points) {
+    constexpr double few = 1.0 / 64, some = 1.0 / 8;
+    return std::min(points, share <= few ? 3 : share <= some ? 5 : 8);
 }
 
 Direction along_v(const BRepAdaptor_Surface& surface) {
@@ -243,11 +264,16 @@ Direction along_v(const BRepAdaptor_Surface& surface) {
     surface.VIntervals(bounds, GeomAbs_CN);
     Direction v;
     v.points = points_along_v(surface);
-    // A turn of a torus or a sphere needs more than one stretch for full accuracy.
+    // A turn needs more than one stretch for full accuracy: of a torus or a sphere a quarter each, of another surface
+    // less, since borders lie beyond its range.
     const GeomAbs_SurfaceType type = surface.GetType();
-    const bool periodic = type == GeomAbs_Torus || type == GeomAbs_Sphere || surface.IsVPeriodic();
+    const bool is_round = type == GeomAbs_Torus || type == GeomAbs_Sphere;
+    const auto parts_of = [&](double quarters) {
+        if (is_round) return std::max(1, static_cast<int>(std::ceil(quarters - no_stretch)));
+        return surface.IsVPeriodic() ? 1 + static_cast<int>(quarters) : 1;
+    };
     for (int i = bounds.Lower(); i < bounds.Upper(); ++i) {
-        const int parts = periodic ? 1 + static_cast<int>((bounds(i + 1) - bounds(i)) / (std::numbers::pi / 2)) : 1;
+        const int parts = parts_of((bounds(i + 1) - bounds(i)) / (std::numbers::pi / 2));
         for (int k = 0; k < parts; ++k) v.stretches.push_back(bounds(i) + (bounds(i + 1) - bounds(i)) * k / parts);
     }
     v.stretches.push_back(bounds(bounds.Upper()));
@@ -361,7 +387,8 @@ class CurvedFace {
             const BRepAdaptor_Surface& surface = patches_.empty() ? surface_ : patches_[i - 1];
             const bool last = i + 1 == stretches.size() || v < stretches[i];
             const double to = last ? v : stretches[i];
-            sum += gauss([&](double s) { return density(surface, u, s); }, from, to, v_.points);
+            const double share = std::abs(to - from) / (stretches[i] - stretches[i - 1]);
+            sum += gauss([&](double s) { return density(surface, u, s); }, from, to, points_over(share, v_.points));
             from = to;
         }
         return sum;

@@ -37,14 +37,19 @@ class Feet {
         if (surface_.GetType() <= GeomAbs_Torus) return;
         double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
         BRepTools::UVBounds(face, u1, u2, v1, v2);
-        // The adaptor would put together what it evaluates a whole patch with, for each of these.
+        // The adaptor puts together what it evaluates a whole patch with: for one patch once, for many nearly each
+        // time.
+        const bool is_one_patch =
+            surface_.GetType() == GeomAbs_BSplineSurface && surface_.NbUKnots() == 2 && surface_.NbVKnots() == 2;
         TopLoc_Location place;
         const Handle(Geom_Surface) surface = BRep_Tool::Surface(face, place);
         constexpr int count = 8;
         for (int i = 0; i <= count; ++i)
             for (int k = 0; k <= count; ++k) {
                 const double u = u1 + i * (u2 - u1) / count, v = v1 + k * (v2 - v1) / count;
-                samples_.push_back({u, v, to_vec3(surface->Value(u, v).Transformed(place.Transformation()))});
+                const gp_Pnt point =
+                    is_one_patch ? surface_.Value(u, v) : surface->Value(u, v).Transformed(place.Transformation());
+                samples_.push_back({u, v, to_vec3(point)});
             }
     }
 

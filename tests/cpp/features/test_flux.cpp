@@ -3,23 +3,29 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
+#include <Geom2d_Line.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "catch.h"
@@ -77,6 +83,42 @@ TEST_CASE("a spline's flux does not depend on which parameter is which, with and
         turned->ExchangeUV();
         CHECK(flux_of_surface(one) == Approx(-flux_of_surface(turned)).epsilon(1e-9));
         CHECK(flux_of_surface(one) == Approx(flux_of_surface(surface)).epsilon(1e-9));
+    }
+}
+
+namespace {
+
+/// The part of a surface between corners in its parameters, joined by straight lines there.
+TopoDS_Shape part_of_surface(const Handle(Geom_Surface) & surface, const std::array<gp_Pnt2d, 4>& corners) {
+    BRepBuilderAPI_MakeWire wire;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const gp_Pnt2d &from = corners[i], &to = corners[(i + 1) % 4];
+        const Handle(Geom2d_Line) line = new Geom2d_Line(from, gp_Dir2d(gp_Vec2d(from, to)));
+        wire.Add(BRepBuilderAPI_MakeEdge(line, surface, 0, from.Distance(to)));
+    }
+    const TopoDS_Shape face = BRepBuilderAPI_MakeFace(surface, wire.Wire(), true).Shape();
+    BRepLib::BuildCurves3d(face);
+    return face;
+}
+
+}  // namespace
+
+TEST_CASE("what is above and below a slanted cut of a surface adds up to it, however narrow it is") {
+    const Handle(Geom_Surface) ring = new Geom_ToroidalSurface(gp_Ax3({1, 2, 3}, {0, 1, 1}), 5, 2);
+    const Handle(Geom_Surface) part = new Geom_RectangularTrimmedSurface(ring, 0.2, 1.7, 0.1, 1.6);
+    for (const Handle(Geom_Surface) & surface :
+         {part, Handle(Geom_Surface)(GeomConvert::SurfaceToBSplineSurface(part)), wavy_spline(3), wavy_spline(4)}) {
+        double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
+        surface->Bounds(u1, u2, v1, v2);
+        for (const auto& [left, right] : {std::pair{1e-3, 0.03}, {0.05, 0.02}, {0.2, 0.1}, {0.4, 0.7}}) {
+            const gp_Pnt2d a(u1, v1 + left * (v2 - v1)), b(u2, v1 + right * (v2 - v1));
+            const auto share = [&](const std::array<gp_Pnt2d, 4>& corners) {
+                return flux(part_of_surface(surface, corners), {7, -3, 11});
+            };
+            const double below = share({gp_Pnt2d(u1, v1), gp_Pnt2d(u2, v1), b, a});
+            const double above = share({a, b, gp_Pnt2d(u2, v2), gp_Pnt2d(u1, v2)});
+            CHECK(below + above == Approx(flux_of_surface(surface)).epsilon(1e-9));
+        }
     }
 }
 
