@@ -43,7 +43,7 @@ constexpr int most_local_recoveries = 5;
 constexpr int most_releasing_rounds = 5;
 /// What is further from the seam is filled as well as in a full mesh, or nearly so: more counts where the seam is much
 /// of a small mesh, and costs nothing there.
-constexpr int edges_to_seam = 3, edges_to_seam_if_small = 5;
+constexpr int edges_to_seam = 1, edges_to_seam_if_small = 5;
 constexpr std::size_t small_cavity = 8000;  // tets
 /// Of the cube of the smallest wanted length: tets below are mended, and those below are refused.
 constexpr double mended_share = 1e-2, refused_share = 1e-3;
