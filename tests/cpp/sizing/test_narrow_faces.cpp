@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include "catch.h"
+#include "sizing/sizing_field.h"
+
+using namespace featuremesh;
+
+namespace {
+
+constexpr double size = 4;
+
+SizingField sizing_of(const TopoDS_Shape& shape, double min_size = 0) {
+    SizingOptions options;
+    options.size = size;
+    options.min_size = min_size;
+    options.elements_per_circle = 0;
+    RunContext context;
+    return make_sizing(Brep(shape), options, {}, context);
+}
+
+TopoDS_Shape box(const gp_Pnt& low, const gp_Pnt& high) { return BRepPrimAPI_MakeBox(low, high).Shape(); }
+
+/// A block with a ledge of this width along its top, at y = 40.
+TopoDS_Shape ledge(double width) {
+    return BRepAlgoAPI_Fuse(box({0, 0, 0}, {60, 40, 20}), box({0, 0, 20}, {60, 40 - width, 30})).Shape();
+}
+
+/// A block with a slot of this width in its top, at y = 20.
+TopoDS_Shape slotted(double width) {
+    return BRepAlgoAPI_Cut(box({0, 0, 0}, {60, 40, 20}), box({0, 20, 10}, {60, 20 + width, 20})).Shape();
+}
+
+TopoDS_Shape cylinder(double x, double z, double radius, double height) {
+    return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, 0, z), gp_Dir(0, 0, 1)), radius, height).Shape();
+}
+
+}  // namespace
+
+TEST_CASE("pieces along a ledge are a few of its widths long") {
+    const SizingField sizing = sizing_of(ledge(0.4));
+    for (const double x : {0.3, 7.7, 30.0, 52.1, 59.7})
+        for (const double y : {39.6, 39.8, 40.0}) CHECK(sizing.at({x, y, 20}) == Approx(1.6).epsilon(0.05));
+    CHECK(sizing.at({30, 20, 10}) == size);
+    CHECK(sizing.smallest() == Approx(1.6).epsilon(1e-6));
+}
+
+TEST_CASE("the bottom of a slot is refined by its width") {
+    CHECK(sizing_of(slotted(0.4)).at({30, 20, 10}) == Approx(1.6).epsilon(0.05));
+}
+
+TEST_CASE("faces wide enough, or far too narrow, ask for nothing") {
+    CHECK(sizing_of(ledge(0.81)).is_uniform());
+    CHECK(sizing_of(ledge(0.1)).is_uniform());
+}
+
+TEST_CASE("the rim of a thin plate asks for nothing") {
+    CHECK(sizing_of(box({0, 0, 0}, {60, 40, 0.4})).is_uniform());
+    CHECK(sizing_of(box({0, 0, 0}, {0.4, 0.4, 60})).is_uniform());
+}
+
+TEST_CASE("edges no longer than a few widths ask for nothing") {
+    const TopoDS_Shape block = box({0, 0, 0}, {60, 40, 20});
+    CHECK(sizing_of(BRepAlgoAPI_Cut(block, box({20, 20, 19}, {20.4, 20.4, 20})).Shape()).is_uniform());
+    CHECK(!sizing_of(BRepAlgoAPI_Cut(block, box({20, 20, 18}, {20.4, 20.4, 20})).Shape()).is_uniform());
+}
+
+TEST_CASE("edges that meet ask for nothing") {
+    CHECK(sizing_of(BRepPrimAPI_MakeCone(1.05, 0, 20, 5).Shape()).is_uniform());
+}
+
+TEST_CASE("between two curves a face asks for less the nearer they are") {
+    // the ledge is 0.1 wide at x = 10, 0.5 at x = 0, 0.9 at x = -10
+    const TopoDS_Shape shape = BRepAlgoAPI_Fuse(cylinder(0, 0, 10, 10), cylinder(0.4, 10, 9.5, 10)).Shape();
+    const SizingField sizing = sizing_of(shape);
+    CHECK(sizing.at({-10, 0, 10}) > 2.5);
+    CHECK(sizing.at({0, 10, 10}) == Approx(2).epsilon(0.15));
+    double before = sizing.at({-10, 0, 10});
+    for (const double angle : {2.6, 2.1, 1.6, 1.2, 0.9, 0.7}) {  // from x = -10
+        const double now = sizing.at({10 * std::cos(angle), 10 * std::sin(angle), 10});
+        CHECK(now < before);
+        before = now;
+    }
+    CHECK(sizing.smallest() >= 4. / 25 * size);
+}
+
+TEST_CASE("narrow faces ask for nothing below the smallest size") { CHECK(sizing_of(ledge(0.4), 2).smallest() == 2); }
