@@ -9,11 +9,10 @@
 #include <cmath>
 #include <optional>
 
+#include "features/occt_geometry.h"
+
 namespace featuremesh {
 namespace {
-
-Vec3 to_vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
-Vec3 to_vec(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
 
 /// A surface with its first and second derivatives at one point.
 struct SurfacePoint {
@@ -25,13 +24,13 @@ SurfacePoint surface_point(const BRepAdaptor_Surface& surface, double u, double 
     gp_Pnt p;
     gp_Vec du, dv, duu, dvv, duv;
     surface.D2(u, v, p, du, dv, duu, dvv, duv);
-    SurfacePoint at{to_vec(p), to_vec(du), to_vec(dv), {}, 0};
+    SurfacePoint at{to_vec3(p), to_vec3(du), to_vec3(dv), {}, 0};
     const Vec3 n = cross(at.du, at.dv);
     const double area = length(n), e = dot(at.du, at.du), f = dot(at.du, at.dv), g = dot(at.dv, at.dv);
     if (!(area > 1e-10 * std::sqrt(e * g)) || area == 0) return at;
     at.normal = n / area;
     // first form e f g, second form l m k; mean and Gauss curvature
-    const double l = dot(to_vec(duu), at.normal), m = dot(to_vec(duv), at.normal), k = dot(to_vec(dvv), at.normal),
+    const double l = dot(to_vec3(duu), at.normal), m = dot(to_vec3(duv), at.normal), k = dot(to_vec3(dvv), at.normal),
                  det = e * g - f * f;
     const double mean = (e * k - 2 * f * m + g * l) / (2 * det), gauss = (l * k - m * m) / det;
     at.curvature = std::abs(mean) + std::sqrt(std::max(0.0, mean * mean - gauss));

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <optional>
 
+#include "features/occt_geometry.h"
+
 namespace featuremesh {
 namespace {
 
@@ -18,10 +20,6 @@ constexpr double widest = 1. / 5, narrowest = 1. / 25;  ///< of the size: what i
 constexpr double longest = 4;                           ///< widths, of a piece
 constexpr double step = 0.25;                           ///< of the size, between places that are looked at
 constexpr double least_cosine = 0.978;                  ///< 12 degrees: wider corners have no needles
-
-Vec3 to_vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
-Vec3 to_vec(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
-Vec3 unit(const Vec3& v) { return v / std::max(length(v), 1e-300); }
 
 /// An edge of the face as a curve and as a polygon.
 class Border {
@@ -34,7 +32,7 @@ class Border {
           last_(curve_.LastParameter()) {
         const int pieces = is_line() ? 1 : 32;
         for (int i = 0; i <= pieces; ++i) {
-            points_.push_back(to_vec(curve_.Value(at(double(i) / pieces))));
+            points_.push_back(to_vec3(curve_.Value(at(double(i) / pieces))));
             if (i > 0) length_ += distance(points_[points_.size() - 2], points_.back());
         }
         for (const Vec3& p : points_) box_.add(p);
@@ -56,7 +54,7 @@ class Border {
         gp_Pnt p;
         gp_Vec d;
         curve_.D1(t, p, d);
-        return {t, to_vec(p), is_forward_ ? unit(to_vec(d)) : -unit(to_vec(d))};
+        return {t, to_vec3(p), normalized(to_vec3(d)) * (is_forward_ ? 1.0 : -1.0)};
     }
 
     /// Where p is opposite the edge; nothing where it is beyond the ends.
@@ -75,8 +73,8 @@ class Border {
             gp_Pnt q;
             gp_Vec d;
             curve_.D1(t, q, d);
-            const Vec3 speed = to_vec(d);
-            t = std::clamp(t + dot(p - to_vec(q), speed) / std::max(squared_length(speed), 1e-300), first_, last_);
+            const Vec3 speed = to_vec3(d);
+            t = std::clamp(t + dot(p - to_vec3(q), speed) / std::max(squared_length(speed), 1e-300), first_, last_);
         }
         if (!(t > first_ && t < last_)) return {};
         return place(t);
@@ -165,11 +163,7 @@ class NarrowFaceCover {
         const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(brep_.edge(edge), brep_.face(face), first, last);
         if (curve.IsNull()) return {};
         const gp_Pnt2d uv = curve->Value(t);
-        gp_Pnt p;
-        gp_Vec du, dv;
-        BRepAdaptor_Surface(brep_.face(face), false).D1(uv.X(), uv.Y(), p, du, dv);
-        const Vec3 normal = unit(cross(to_vec(du), to_vec(dv)));
-        return brep_.face(face).Orientation() == TopAbs_REVERSED ? -normal : normal;
+        return outward_normal(BRepAdaptor_Surface(brep_.face(face), false), brep_.face(face), uv.X(), uv.Y());
     }
 
     const Brep& brep_;

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 
+#include "features/occt_geometry.h"
 #include "sizing/face_sources.h"
 #include "sizing/lost_sizes.h"
 #include "sizing/narrow_faces.h"
@@ -44,8 +45,6 @@ LocalSizes local_sizes(const Brep& brep, const SizingOptions& options, RunContex
             if (side.is_valid()) sizes.faces[f] = std::min(sizes.faces[f], sizes.solids[side.index()]);
     return sizes;
 }
-
-Vec3 to_vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
 /// Covers one edge with balls, by halving its pieces until they are as short as wanted.
 class EdgeCover {
@@ -83,7 +82,7 @@ class EdgeCover {
     }
     void cover(double from, double to, int depth) {
         const double middle = 0.5 * (from + to);
-        const Vec3 a = to_vec(curve_.Value(from)), m = to_vec(curve_.Value(middle)), b = to_vec(curve_.Value(to));
+        const Vec3 a = to_vec3(curve_.Value(from)), m = to_vec3(curve_.Value(middle)), b = to_vec3(curve_.Value(to));
         const double length = distance(a, m) + distance(m, b);
         const double size =
             std::min({wanted(middle), wanted(from + 0.05 * (to - from)), wanted(to - 0.05 * (to - from))});

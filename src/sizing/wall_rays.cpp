@@ -14,14 +14,14 @@
 #include <algorithm>
 #include <optional>
 
+#include "features/occt_geometry.h"
+
 namespace featuremesh {
 namespace {
 
 constexpr std::size_t triangles_per_leaf = 4;
 /// Walls are opposite when their normals are less than 45 degrees from it.
 constexpr double opposite_cosine = 0.7;
-
-Vec3 to_vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
 /// Where along the ray the box begins; none when the ray misses it before `limit`.
 std::optional<double> entry(const Box& box, const Vec3& origin, const Vec3& direction, double limit) {
@@ -63,7 +63,7 @@ WallRays::WallRays(const Brep& brep, double deflection)
         TopLoc_Location place;
         const Handle(Poly_Triangulation) part = BRep_Tool::Triangulation(TopoDS::Face(faces(f)), place);
         if (part.IsNull()) continue;
-        const auto point = [&](int i) { return to_vec(part->Node(i).Transformed(place.Transformation())); };
+        const auto point = [&](int i) { return to_vec3(part->Node(i).Transformed(place.Transformation())); };
         for (int t = 1; t <= part->NbTriangles(); ++t) {
             int i, j, k;
             part->Triangle(t).Get(i, j, k);

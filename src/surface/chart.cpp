@@ -8,14 +8,13 @@
 #include <cmath>
 #include <vector>
 
+#include "features/occt_geometry.h"
+
 namespace featuremesh {
 
 namespace {
 
 using Uv = std::array<double, 2>;
-
-Vec3 to_vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
-Vec3 to_vec(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
 
 /// A growing, piecewise linear function of one surface parameter: the arc length along it, averaged over the other
 /// parameter.
@@ -178,7 +177,7 @@ std::array<double, 2> Chart::to_uv(Vec2 p) const {
 
 Vec3 Chart::point(Vec2 p) const {
     const auto uv = to_uv(p);
-    return to_vec(data_->surface.Value(uv[0], uv[1]));
+    return to_vec3(data_->surface.Value(uv[0], uv[1]));
 }
 
 Chart::Frame Chart::frame(Vec2 p) const {
@@ -187,23 +186,23 @@ Chart::Frame Chart::frame(Vec2 p) const {
     gp_Pnt q;
     gp_Vec du, dv;
     d.surface.D1(uv[0], uv[1], q, du, dv);
-    const Vec3 su = to_vec(du), sv = to_vec(dv);
+    const Vec3 su = to_vec3(du), sv = to_vec3(dv);
     switch (d.kind) {
         case Kind::plane:
-            return {to_vec(q), su, sv};
+            return {to_vec3(q), su, sv};
         case Kind::cylinder:
-            return {to_vec(q), su / d.radius, sv};
+            return {to_vec3(q), su / d.radius, sv};
         case Kind::cone: {
             // Unit vectors around and along; d(angle) = d(u) sine and the slant length is the radius in the plane.
             const double s = std::hypot(p.x, p.y);
             // At the apex there is no direction around; what rounding leaves of it may even point backwards.
-            if (s < 1e-9 * d.slant) return {to_vec(q), Vec3{}, sv};
+            if (s < 1e-9 * d.slant) return {to_vec3(q), Vec3{}, sv};
             const Vec3 around = su / (s * d.sine), along = d.side * sv;
             const double c = p.y / s, n = d.side * p.x / s;
-            return {to_vec(q), d.side * (c * around + n * along), c * along - n * around};
+            return {to_vec3(q), d.side * (c * around + n * along), c * along - n * around};
         }
         default:
-            return {to_vec(q), su / d.u_stretch.slope(uv[0]), sv / d.v_stretch.slope(uv[1])};
+            return {to_vec3(q), su / d.u_stretch.slope(uv[0]), sv / d.v_stretch.slope(uv[1])};
     }
 }
 

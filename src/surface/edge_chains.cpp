@@ -14,13 +14,12 @@
 
 #include "core/activity.h"
 #include "core/errors.h"
+#include "features/occt_geometry.h"
 #include "features/vertex_places.h"
 
 namespace featuremesh {
 
 namespace {
-
-Vec3 to_vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
 /// Length over wanted length, arc length and turning of a piece of a curve, cumulated at equal steps of the parameter.
 class Measure {
@@ -65,7 +64,7 @@ class Measure {
             gp_Vec d;
             curve_.D1(start + (0.5 + (i == 0 ? -offset : offset)) * (end - start), p, d);
             directions[static_cast<std::size_t>(i)] = {d.X(), d.Y(), d.Z()};
-            sum += 0.5 * d.Magnitude() * (end - start) / sizing_.at(to_vec(p));
+            sum += 0.5 * d.Magnitude() * (end - start) / sizing_.at(to_vec3(p));
         }
         const bool is_even = is_line_ && sizing_.is_uniform();
         if (sum > 0.5 && depth < 12 && !is_even) {
@@ -307,7 +306,7 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
             if (others.empty() || parameters.size() + 1 < static_cast<std::size_t>(fewest))
                 parameters = measure.at_shares(pieces);
             for (const double t : parameters) {
-                chain.nodes.push_back(mesh.add_node(to_vec(curve->Value(t)), entity_of(edge), {t, 0}));
+                chain.nodes.push_back(mesh.add_node(to_vec3(curve->Value(t)), entity_of(edge), {t, 0}));
                 chain.t.push_back(t);
             }
             chain.is_kept.insert(chain.is_kept.end(), parameters.size() + 1, 0);
@@ -389,10 +388,10 @@ std::size_t EdgeChains::keep_off_contacts(const Brep& brep, const WantedLength& 
     for (std::size_t more = pieces + 1; more <= pieces + most_added; ++more) {
         std::vector<double> t;
         for (std::size_t k = 1; k < more; ++k) t.push_back(measure.at_share(double(k) / double(more)));
-        if (std::any_of(t.begin(), t.end(), [&](double at) { return touches(to_vec(curve.Value(at))); })) continue;
+        if (std::any_of(t.begin(), t.end(), [&](double at) { return touches(to_vec3(curve.Value(at))); })) continue;
         for (std::size_t k = 0; k < t.size(); ++k) {
             const std::size_t i = begin + k;
-            const Vec3 p = to_vec(curve.Value(t[k]));
+            const Vec3 p = to_vec3(curve.Value(t[k]));
             if (i < end) {
                 const std::size_t n = chain.nodes[i].index();
                 chain.t[i] = t[k], mesh.points[n] = p, mesh.parameters[n] = {t[k], 0};
@@ -453,7 +452,7 @@ bool EdgeChains::halve(const Brep& brep, EdgeId edge, std::size_t piece, Mesh& m
     EdgeChain& chain = chains_[edge.index()];
     if (chain.is_kept[piece]) return false;
     const double t = 0.5 * (chain.t[piece] + chain.t[piece + 1]);
-    const Vec3 p = to_vec(BRepAdaptor_Curve(brep.edge(edge)).Value(t));
+    const Vec3 p = to_vec3(BRepAdaptor_Curve(brep.edge(edge)).Value(t));
     const double smallest = 100 * brep.tolerances().same_geometry();
     if (distance(p, mesh.point(chain.nodes[piece])) < smallest ||
         distance(p, mesh.point(chain.nodes[piece + 1])) < smallest)

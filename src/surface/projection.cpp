@@ -22,16 +22,13 @@
 #include <cmath>
 #include <limits>
 
+#include "features/occt_geometry.h"
+
 namespace featuremesh {
 
 namespace {
 
 using Uv = std::array<double, 2>;
-
-gp_Pnt to_pnt(const Vec3& p) { return {p.x, p.y, p.z}; }
-Vec3 to_vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
-Vec3 to_vec(const gp_Pnt& p) { return to_vec(p.XYZ()); }
-Vec3 to_vec(const gp_Vec& v) { return to_vec(v.XYZ()); }
 
 struct UvBox {
     double u_min = 0, u_max = 0, v_min = 0, v_max = 0;
@@ -144,7 +141,7 @@ std::optional<Uv> analytic_parameters(const BRepAdaptor_Surface& a, const gp_Pnt
 }
 
 OnFace at(const SurfaceData& s, const Uv& uv, const Vec3& asked) {
-    const Vec3 q = to_vec(s.adaptor.Value(uv[0], uv[1]));
+    const Vec3 q = to_vec3(s.adaptor.Value(uv[0], uv[1]));
     return {q, uv, distance(q, asked)};
 }
 
@@ -160,7 +157,7 @@ double rounding_of_square(const Vec3& p, double square) {
 /// Newton on |S(u,v) - p|^2 with step halving; none when it does not reach a stationary point.
 std::optional<Uv> newton(const SurfaceData& s, const Vec3& p, Uv uv) {
     const auto& a = s.adaptor;
-    const auto value = [&](const Uv& w) { return squared_length(to_vec(a.Value(w[0], w[1])) - p); };
+    const auto value = [&](const Uv& w) { return squared_length(to_vec3(a.Value(w[0], w[1])) - p); };
     double f = value(uv);
     for (int round = 0; round < 30; ++round) {
         gp_Pnt q;
@@ -220,7 +217,7 @@ struct CurveData {
 };
 
 OnEdge at(const CurveData& c, double t, const Vec3& asked) {
-    const Vec3 q = to_vec(c.adaptor.Value(t));
+    const Vec3 q = to_vec3(c.adaptor.Value(t));
     return {q, t, distance(q, asked)};
 }
 
@@ -281,17 +278,17 @@ Projector::Projector(const Brep& brep) : data_(std::make_unique<Data>(brep)) {}
 Projector::~Projector() = default;
 Projector::Projector(Projector&&) noexcept = default;
 
-Vec3 Projector::on_edge(EdgeId edge, double t) const { return to_vec(data_->curve(edge).adaptor.Value(t)); }
+Vec3 Projector::on_edge(EdgeId edge, double t) const { return to_vec3(data_->curve(edge).adaptor.Value(t)); }
 
 Vec3 Projector::tangent(EdgeId edge, double t) const {
     gp_Pnt p;
     gp_Vec d;
     data_->curve(edge).adaptor.D1(t, p, d);
-    return d.Magnitude() > 0 ? to_vec(d) / d.Magnitude() : Vec3{};
+    return d.Magnitude() > 0 ? to_vec3(d) / d.Magnitude() : Vec3{};
 }
 
 Vec3 Projector::on_face(FaceId face, std::array<double, 2> uv) const {
-    return to_vec(data_->surface(face).adaptor.Value(uv[0], uv[1]));
+    return to_vec3(data_->surface(face).adaptor.Value(uv[0], uv[1]));
 }
 
 OnEdge Projector::nearest(EdgeId edge, const Vec3& p, std::optional<double> guess) const {
@@ -336,14 +333,14 @@ Vec3 Projector::normal(FaceId face, std::array<double, 2> uv) const {
     gp_Pnt q;
     gp_Vec du, dv;
     s.adaptor.D1(uv[0], uv[1], q, du, dv);
-    Vec3 n = cross(to_vec(du), to_vec(dv));
-    if (length(n) <= 1e-12 * length(to_vec(du)) * length(to_vec(dv)) || length(n) == 0) {
+    Vec3 n = cross(to_vec3(du), to_vec3(dv));
+    if (length(n) <= 1e-12 * length(to_vec3(du)) * length(to_vec3(dv)) || length(n) == 0) {
         // A pole: the normal a little way into the face is the one of the pole to first order.
         const auto& b = s.trim_box();
         const double share = 1e-6;
         s.adaptor.D1(uv[0] + share * (0.5 * (b.u_min + b.u_max) - uv[0]),
                      uv[1] + share * (0.5 * (b.v_min + b.v_max) - uv[1]), q, du, dv);
-        n = cross(to_vec(du), to_vec(dv));
+        n = cross(to_vec3(du), to_vec3(dv));
     }
     n = normalized(n);
     return s.face.Orientation() == TopAbs_REVERSED ? -n : n;
