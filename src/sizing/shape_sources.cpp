@@ -15,7 +15,6 @@
 #include "features/occt_geometry.h"
 #include "sizing/face_sources.h"
 #include "sizing/lost_sizes.h"
-#include "sizing/narrow_faces.h"
 #include "sizing/wall_rays.h"
 
 namespace featuremesh {
@@ -181,7 +180,6 @@ std::vector<SourceBall> shape_sources(const Brep& brep, const SizingOptions& opt
         wish.across_gap = options.elements_across_gap;
         wish.walls = walls ? &*walls : nullptr;
         cover_face(brep, FaceId(f), wish, options, sources);
-        cover_narrow_face(brep, FaceId(f), options, sources);
     }
     if (brep.solid_count() > 1) cover_solids(brep, options, sizes, context, sources);
     return sources;
