@@ -181,7 +181,7 @@ class Filling {
     int round_limit() const { return may_be_open_.empty() ? most_rounds : most_rounds_of_update; }
 
     void mend(int round) {
-        if (round >= round_limit()) throw_unrecovered();
+        if (round >= round_limit()) throw unrecovered(result_.mesh, cavities_, fills_, too_long_);
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
             CavityFill& fill = fills_[i];
             if (round == 0) result_.report.recovered_triangles += fill.places.missing.size();
@@ -249,7 +249,9 @@ class Filling {
         require_closed(result_.mesh, cavity);
         const std::vector<int> crossing = crossing_facets(cavity);
         if (!crossing.empty()) {
-            if (++crossing_rounds_ > most_crossing_rounds) throw_crossing(result_.mesh, cavity, crossing);
+            if (crossing_rounds_ == 0) too_long_ = half_lengths(cavity, crossing);
+            if (++crossing_rounds_ > most_crossing_rounds)
+                throw cut_one_another(result_.mesh, cavity, crossing, std::move(too_long_));
             log("triangles that cross others", crossing.size());
             apply(halve_longest_edges(cavity, crossing), cavity);
             return;
@@ -261,7 +263,9 @@ class Filling {
         if (constrained.is_given_up || !constrained.failed.empty()) {
             const std::vector<int>& bad = constrained.is_given_up ? fill.places.missing : constrained.failed;
             log("triangles that constraints did not bring back", bad.size());
-            if (++crossing_rounds_ > most_crossing_rounds) throw_unrecovered();
+            if (crossing_rounds_ == 0) too_long_ = half_lengths(cavity, bad);
+            if (++crossing_rounds_ > most_crossing_rounds)
+                throw unrecovered(result_.mesh, cavities_, fills_, too_long_);
             apply(halve_longest_edges(cavity, bad), cavity);
             return;
         }
@@ -298,16 +302,6 @@ class Filling {
 
     std::vector<TetId> in_the_way(const FacetSplit& split, const Cavity& cavity) const {
         return tets_in_the_way(split, cavity, result_.mesh, is_released_, near_);
-    }
-
-    [[noreturn]] void throw_unrecovered() const {
-        std::string names;
-        for (std::size_t i = 0; i < cavities_.size(); ++i)
-            if (!fills_[i].is_complete())
-                names +=
-                    (names.empty() ? "" : ", ") + names_of_faces(result_.mesh, cavities_[i], fills_[i].places.missing);
-        throw MeshError("the volume mesh cannot be made to meet the triangles of " + names +
-                        "; mesh finer there, or check the shape for faces that cut or touch one another");
     }
 
     void optimise_all() {
@@ -585,6 +579,7 @@ class Filling {
     std::vector<std::optional<SeamRegion>> unoptimised_;
     std::vector<char> is_thick_;  ///< by cavity: all its tets have a volume to speak of
     int crossing_rounds_ = 0, local_recoveries_ = 0;
+    std::vector<SizeSource> too_long_;  ///< what was in the way in the first of the crossing rounds
     bool is_first_round_ = true;
     VolumeResult result_;
 };

@@ -377,6 +377,19 @@ TEST_CASE("a solid whose volume a coarse mesh misses is meshed finer, and the re
                       [](const std::string& w) { return w.find("finer than asked at Solid1") != std::string::npos; }));
 }
 
+TEST_CASE("where arcs a twentieth of a millimetre apart cut one another as polygons, the part is meshed finer") {
+    PartDocument document;
+    document.cylinder("Disc", {0, 0, 0}, 9.42, 3.52).cylinder("Rim", {0.01, 0, 1.76}, 9.47, 1.76);
+    document.fuse("Rimmed", "Disc", "Rim").box("Lug", {5.181, 4.239, -1}, {6.96, 3.57, 5.52});
+    document.fuse("WithLug", "Rimmed", "Lug").box("Notch", {8.1012, -4.6158, 1.76}, {3.86, 5.76, 5.52});
+    const PartMeshResult result = meshed(document.cut("Part", "WithLug", "Notch").finish(), options_of(2.3));
+    CHECK(broken_invariants(result.part_mesh->mesh, expectation_of(result.part_mesh->part.brep)).empty());
+    const auto& warnings = result.report.warnings;
+    CHECK(std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) {
+        return w.find("finer than asked at Face9, Face10") != std::string::npos;
+    }));
+}
+
 TEST_CASE("a local size on a face that no longer exists is a warning that names it, in a mesh and in an update") {
     MeshOptions options = options_of(5);
     options.sizing.local = {{entity_of(FaceId(6)), 2}, {entity_of(FaceId(41)), 2}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "update/too_coarse.h"
+#include "sizing/too_coarse.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +12,14 @@ namespace {
 
 SizeSource half_length_at(const Mesh& mesh, std::size_t triangle) {
     const auto& corners = mesh.triangles[triangle];
-    const Vec3 &a = mesh.point(corners[0]), &b = mesh.point(corners[1]), &c = mesh.point(corners[2]);
-    return {(a + b + c) / 3, 0.5 * std::max({distance(a, b), distance(b, c), distance(c, a)})};
+    return half_length_of(mesh.point(corners[0]), mesh.point(corners[1]), mesh.point(corners[2]));
 }
 
 }  // namespace
+
+SizeSource half_length_of(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return {(a + b + c) / 3, 0.5 * std::max({distance(a, b), distance(b, c), distance(c, a)})};
+}
 
 TooCoarse turned_over(const Mesh& mesh, const std::vector<TriangleId>& turned) {
     const std::size_t first = turned.front().index();
