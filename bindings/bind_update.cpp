@@ -181,7 +181,8 @@ py::tuple adopt_document(const py::dict& raw, const py::dict& options, const py:
 std::shared_ptr<PartMesh> restore_document(const py::dict& raw, const py::dict& options, const py::dict& arrays,
                                            const Progress& progress) {
     RawDocument document = raw_document_from(raw);
-    const Asked asked = asked_from(options);
+    Asked asked = asked_from(options);
+    asked.options.sizing.refines_narrow_faces = arrays.contains("refined_narrow_faces");  // not so in older states
     Mesh mesh = mesh_from(arrays);
     MadeFor made_for = made_for_from(arrays);
     std::vector<SizeSource> adopted_sizes = adopted_sizes_from(arrays);

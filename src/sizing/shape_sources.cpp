@@ -15,6 +15,7 @@
 #include "features/occt_geometry.h"
 #include "sizing/face_sources.h"
 #include "sizing/lost_sizes.h"
+#include "sizing/narrow_faces.h"
 #include "sizing/wall_rays.h"
 
 namespace featuremesh {
@@ -180,6 +181,7 @@ std::vector<SourceBall> shape_sources(const Brep& brep, const SizingOptions& opt
         wish.across_gap = options.elements_across_gap;
         wish.walls = walls ? &*walls : nullptr;
         cover_face(brep, FaceId(f), wish, options, sources);
+        if (options.refines_narrow_faces) cover_narrow_face(brep, FaceId(f), options, sources);
     }
     if (brep.solid_count() > 1) cover_solids(brep, options, sizes, context, sources);
     return sources;

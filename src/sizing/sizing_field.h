@@ -20,10 +20,11 @@ struct LocalSize {
 };
 
 struct SizingOptions {
-    double size = 0;                  ///< mm, everywhere at most this, but for coarser sources
-    double min_size = 0;              ///< mm, curvature and gaps ask for nothing below it
-    double elements_per_circle = 12;  ///< curvature; 0 is off
-    double elements_across_gap = 0;   ///< thin walls; 0 is off
+    double size = 0;                   ///< mm, everywhere at most this, but for coarser sources
+    double min_size = 0;               ///< mm, curvature and gaps ask for nothing below it
+    double elements_per_circle = 12;   ///< curvature; 0 is off
+    double elements_across_gap = 0;    ///< thin walls; 0 is off
+    bool refines_narrow_faces = true;  ///< those far narrower than the size
     double growth = 1.3;  ///< neighbouring edge lengths differ at most by this factor: |h(x)-h(y)| <= (growth-1) |x-y|
     std::vector<LocalSize> local;
     bool operator==(const SizingOptions&) const = default;

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "cells/cells_after_edit.h"
@@ -73,6 +74,43 @@ auto with_our_errors(Work work) {
 
 Filled fill(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options, RunContext& context) {
     return with_our_errors([&] { return fill_part(brep, sizing, std::move(kept), options, context); });
+}
+
+/// A mesh from nothing, and with what it was made.
+struct Whole {
+    MeshOptions options;
+    SizingField sizing;
+    Filled filled;
+};
+
+Whole nothing_filled(const Brep& brep, MeshOptions options, bool refines_narrow_faces,
+                     std::span<const SizeSource> adopted_sizes, RunContext& context) {
+    options.sizing.refines_narrow_faces = refines_narrow_faces;
+    return {options, make_sizing(brep, options.sizing, adopted_sizes, context), {}};
+}
+
+void fill_whole(const Brep& brep, NextNumbers next, Whole& whole, RunContext& context) {
+    refuse_too_many(brep, whole.sizing, whole.options, context);
+    whole.filled = fill(brep, whole.sizing, nothing_kept(next), whole.options, context);
+}
+
+/// What cannot be meshed with shorter pieces along narrow faces is meshed without them.
+Whole mesh_whole(const Brep& brep, const MeshOptions& options, std::span<const SizeSource> adopted_sizes,
+                 NextNumbers next, RunContext& context) {
+    Whole whole = nothing_filled(brep, options, true, adopted_sizes, context);
+    try {
+        fill_whole(brep, next, whole, context);
+        return whole;
+    } catch (const Error& failure) {
+        context.check_cancelled();
+        Whole plain = nothing_filled(brep, options, false, adopted_sizes, context);
+        if (where_different(plain.sizing, whole.sizing).empty()) throw;
+        fill_whole(brep, next, plain, context);
+        plain.filled.surface.warnings.push_back(
+            std::string("Faces far narrower than the size are meshed at the plain size, since shorter edges failed: ") +
+            failure.what());
+        return plain;
+    }
 }
 
 void record_mesh(const Mesh& mesh, const SizingField& sizing, const MeshOptions& options, RunContext& context,
@@ -260,33 +298,34 @@ PartState read_part_unfused(const RawDocument& document, RunContext& context, co
 PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context, NextNumbers next) {
     const auto start = std::chrono::steady_clock::now();
     PartState part = read_part_to_mesh(document, context);
-    const SizingField sizing = make_sizing(part.brep, options.sizing, {}, context);
-    refuse_too_many(part.brep, sizing, options, context);
-    Filled filled = fill(part.brep, sizing, nothing_kept(next), options, context);
+    Whole whole = mesh_whole(part.brep, options, {}, next, context);
     const double total = seconds_since(start);
     PartMeshResult result;
-    record_mesh(filled.mesh, sizing, options, context, result.report);
-    record_fill(filled, result.report);
+    Mesh& mesh = whole.filled.mesh;
+    record_mesh(mesh, whole.sizing, options, context, result.report);
+    record_fill(whole.filled, result.report);
     record_run(part, options, context, total, result.report);
-    const std::size_t nodes = filled.mesh.node_count(), tets = filled.mesh.tets.size();
+    const std::size_t nodes = mesh.node_count(), tets = mesh.tets.size();
     result.part_mesh = std::make_shared<const PartMesh>(PartMesh{std::move(part),
                                                                  std::move(document),
-                                                                 options,
-                                                                 sizing,
-                                                                 std::move(filled.mesh),
+                                                                 std::move(whole.options),
+                                                                 std::move(whole.sizing),
+                                                                 std::move(mesh),
                                                                  std::vector<std::int32_t>(nodes, -1),
                                                                  std::vector<std::int32_t>(tets, -1),
                                                                  {}});
     return result;
 }
 
-PartMeshResult update_part(const PartMesh& old, RawDocument document, const MeshOptions& options, RunContext& context) {
+PartMeshResult update_part(const PartMesh& old, RawDocument document, const MeshOptions& asked, RunContext& context) {
     const auto start = std::chrono::steady_clock::now();
+    MeshOptions options = asked;
+    options.sizing.refines_narrow_faces = old.options.sizing.refines_narrow_faces;
     if (options == old.options && document == old.document) return unchanged(old, context);
     PartState part = read_part_to_mesh(document, context, &old.part);
     const std::string why_full = reason_for_full_mesh(old, options);
     const std::vector<SizeSource> adopted_sizes = why_full.empty() ? old.adopted_sizes : std::vector<SizeSource>{};
-    const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
+    SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
     refuse_too_many(part.brep, sizing, options, context);
 
     PartMeshResult result;
@@ -343,8 +382,11 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     if (!filled) {
         if (!margins.empty()) report.fallbacks.push_back(why_nothing);
         node_origin.clear(), tet_origin.clear();
-        filled = fill(part.brep, sizing, nothing_kept({old.mesh.next_node_number, old.mesh.next_element_number}),
-                      options, context);
+        Whole whole = mesh_whole(part.brep, options, adopted_sizes,
+                                 {old.mesh.next_node_number, old.mesh.next_element_number}, context);
+        options = std::move(whole.options);
+        sizing = std::move(whole.sizing);
+        filled = std::move(whole.filled);
     }
     const double total = seconds_since(start);
     record_mesh(filled->mesh, sizing, options, context, report);
@@ -361,12 +403,14 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     return result;
 }
 
-PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, const Mesh& foreign, RunContext& context) {
+PartMeshResult adopt_part(RawDocument document, const MeshOptions& asked, const Mesh& foreign, RunContext& context) {
     const auto start = std::chrono::steady_clock::now();
+    MeshOptions options = asked;
+    options.sizing.refines_narrow_faces = false;
     if (options.order != foreign.order) throw InputError("An adopted mesh keeps its element order.");
     PartState part = read_part_to_mesh(document, context);
     const std::vector<SizeSource> adopted_sizes = local_sizes(foreign, options.sizing.size);
-    const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
+    SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
     refuse_too_many(part.brep, sizing, options, context);
     PartMeshResult result;
     Report& report = result.report;
@@ -396,8 +440,11 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, cons
     if (!filled) {
         report.fallbacks.push_back("full mesh: nothing could be kept");
         node_origin.clear(), tet_origin.clear();
-        filled = fill(part.brep, sizing, nothing_kept({foreign.next_node_number, foreign.next_element_number}), options,
-                      context);
+        Whole whole = mesh_whole(part.brep, options, adopted_sizes,
+                                 {foreign.next_node_number, foreign.next_element_number}, context);
+        options = std::move(whole.options);
+        sizing = std::move(whole.sizing);
+        filled = std::move(whole.filled);
     }
     const double total = seconds_since(start);
     record_mesh(filled->mesh, sizing, options, context, report);

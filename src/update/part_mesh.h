@@ -18,8 +18,8 @@ namespace featuremesh {
 struct PartMesh {
     PartState part;
     RawDocument document;  ///< as read, for the saved state
-    MeshOptions options;
-    SizingField sizing;  ///< that the mesh was made with
+    MeshOptions options;   ///< as asked, but for the narrow faces that could not be refined
+    SizingField sizing;    ///< that the mesh was made with
     Mesh mesh;
     std::vector<std::int32_t> node_origin;  ///< by node: its index in the mesh before the update, -1 for a new one
     std::vector<std::int32_t> tet_origin;   ///< by tet, likewise

@@ -19,7 +19,9 @@ struct Filled {
 };
 
 Filled delaunay_fill(const TopoDS_Shape& shape, double size) {
-    Part part = prepare(shape, size);
+    SizingOptions options;
+    options.size = options.min_size = size;  // or the bottom of a slot would get shorter pieces
+    Part part = prepare(shape, options);
     std::vector<std::array<SolidId, 2>> sides;
     for (std::size_t i = 0; i < part.brep.face_count(); ++i) sides.push_back(part.brep.sides_of(FaceId(i)));
     Cavity cavity = find_cavity(part.surface, sides);

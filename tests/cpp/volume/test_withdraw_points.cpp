@@ -30,7 +30,9 @@ void check_positive(const CavityFill& fill) {
 
 /// Withdraws what the constraints add to the cavity of a part and checks that its triangles are back as they were.
 void check_withdrawn(const TopoDS_Shape& shape, double size) {
-    const Part part = prepare(shape, size);
+    SizingOptions options;
+    options.size = options.min_size = size;  // or the bottom of a slot would get shorter pieces
+    const Part part = prepare(shape, options);
     std::vector<std::array<SolidId, 2>> sides;
     for (std::size_t i = 0; i < part.brep.face_count(); ++i) sides.push_back(part.brep.sides_of(FaceId(i)));
     const Cavity cavity = find_cavity(part.surface, sides);

@@ -72,6 +72,7 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "Meshed finer than asked, because a face beside it would cross itself: %s."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked where these faces are near each other: %s."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked at %s, because elements of that size cannot follow the part there."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "Faces far narrower than the size are meshed at the plain size, since shorter edges failed: %s"),
     QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked at %s, because 10-node tets of that size would be folded, or nearly so, by the curved face."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The local size at %s is left out: the part has no such entity any more. Refer the refinement to another one."),
     QT_TRANSLATE_NOOP("FeatureMesh", "These solids touch or overlap without sharing faces: %s (%s). Each has a mesh of its own: no load passes "

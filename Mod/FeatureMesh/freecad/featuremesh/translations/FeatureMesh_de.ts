@@ -303,6 +303,10 @@
       <translation>FEM-Netze, die bei Änderungen am Bauteil aktualisiert statt weggeworfen werden</translation>
     </message>
     <message>
+      <source>Faces far narrower than the size are meshed at the plain size, since shorter edges failed: %s</source>
+      <translation>Flächen, die weit schmaler als die Größe sind, sind mit der einfachen Größe vernetzt, weil kürzere Kanten nicht gelangen: %s</translation>
+    </message>
+    <message>
       <source>Feature tree</source>
       <translation>Feature-Baum</translation>
     </message>

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sizing/narrow_faces.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "features/occt_geometry.h"
+
+namespace featuremesh {
+namespace {
+
+constexpr double widest = 1. / 5, narrowest = 1. / 25;  ///< of the size: what is refined
+constexpr double longest = 4;                           ///< widths, of a piece
+constexpr double shortest = 1. / 4;                     ///< of the size, of a piece
+constexpr double least_run = 1.25;                      ///< pieces, along which a strip has to be a strip
+constexpr double step = 0.25;                           ///< of the size, between places that are looked at
+constexpr double least_cosine = 0.99985;                ///< 1 degree between the two sides of a strip
+
+/// An edge of the face as a curve and as a polygon.
+class Border {
+  public:
+    Border(const Brep& brep, const FaceEdge& use)
+        : edge_(use.edge),
+          is_forward_(use.is_forward),
+          curve_(brep.edge(use.edge)),
+          first_(curve_.FirstParameter()),
+          last_(curve_.LastParameter()) {
+        const int pieces = is_line() ? 1 : curve_.GetType() == GeomAbs_Circle ? 8 : 32;
+        points_.reserve(std::size_t(pieces) + 1);
+        for (int i = 0; i <= pieces; ++i) {
+            points_.push_back(to_vec3(curve_.Value(at(double(i) / pieces))));
+            if (i > 0) length_ += distance(points_[points_.size() - 2], points_.back());
+        }
+        for (const Vec3& p : points_) box_.add(p);
+        if (!is_line()) off_polygon_ = 0.3 * length_ / pieces;
+        box_ = box_.grown(off_polygon_);
+    }
+
+    EdgeId edge() const { return edge_; }
+    bool is_line() const { return curve_.GetType() == GeomAbs_Line; }
+    double length() const { return length_; }
+    const Box& box() const { return box_; }
+    /// The parameter at that share of the whole.
+    double at(double share) const { return first_ + share * (last_ - first_); }
+
+    Vec3 point(double share) const { return to_vec3(curve_.Value(at(share))); }
+
+    struct Place {
+        double t;
+        Vec3 point, direction;  ///< the face on its left
+    };
+    Place place(double t) const {
+        gp_Pnt p;
+        gp_Vec d;
+        curve_.D1(t, p, d);
+        return {t, to_vec3(p), normalized(to_vec3(d)) * (is_forward_ ? 1.0 : -1.0)};
+    }
+
+    /// Where p is opposite the edge; nothing where it is beyond the ends, or clearly further off than `furthest`.
+    std::optional<Place> opposite(const Vec3& p, double furthest = std::numeric_limits<double>::max()) const {
+        double best = std::numeric_limits<double>::max(), t = first_;
+        for (std::size_t i = 1; i < points_.size(); ++i) {
+            const Vec3 along = points_[i] - points_[i - 1];
+            const double share =
+                std::clamp(dot(p - points_[i - 1], along) / std::max(squared_length(along), 1e-300), 0.0, 1.0);
+            const double squared_distance = squared_length(p - points_[i - 1] - share * along);
+            if (squared_distance >= best) continue;
+            best = squared_distance;
+            t = at((double(i - 1) + share) / double(points_.size() - 1));
+        }
+        if (std::sqrt(best) > furthest + off_polygon_) return {};
+        for (int k = 0; k < (is_line() ? 1 : 4); ++k) {  // the first one is exact on a line
+            gp_Pnt q;
+            gp_Vec d;
+            curve_.D1(t, q, d);
+            const Vec3 speed = to_vec3(d);
+            t = std::clamp(t + dot(p - to_vec3(q), speed) / std::max(squared_length(speed), 1e-300), first_, last_);
+        }
+        if (!(t > first_ && t < last_)) return {};
+        return place(t);
+    }
+
+  private:
+    EdgeId edge_;
+    bool is_forward_;
+    BRepAdaptor_Curve curve_;
+    double first_, last_, length_ = 0, off_polygon_ = 0;
+    std::vector<Vec3> points_;
+    Box box_;
+};
+
+class NarrowFaceCover {
+  public:
+    NarrowFaceCover(const Brep& brep, FaceId face, const SizingOptions& options, std::vector<SourceBall>& out)
+        : brep_(brep), face_(face), options_(options), out_(out) {}
+
+    void run() {
+        const auto& uses = brep_.uses_in(face_);
+        borders_.reserve(uses.size());
+        for (const FaceEdge& use : uses)
+            if (!use.is_internal && !use.is_external && !brep_.is_degenerated(use.edge) &&
+                !brep_.is_seam(use.edge, face_))
+                borders_.emplace_back(brep_, use);
+        for (std::size_t i = 0; i < borders_.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (may_be_narrow(borders_[i], borders_[j]))
+                    cover(borders_[i], borders_[j]), cover(borders_[j], borders_[i]);
+    }
+
+  private:
+    bool may_be_narrow(const Border& a, const Border& b) const {
+        if (!a.box().grown(widest * options_.size).overlaps(b.box())) return false;
+        if (have_common_end(a, b)) return false;
+        return !a.is_line() || !b.is_line() || runs_against(a.place(a.at(0.5)), b.place(b.at(0.5)));
+    }
+    bool have_common_end(const Border& a, const Border& b) const {
+        const auto [first, last] = brep_.ends_of(a.edge());
+        const auto [from, to] = brep_.ends_of(b.edge());
+        return first == from || first == to || last == from || last == to;
+    }
+    static bool runs_against(const Border::Place& a, const Border::Place& b) {
+        return dot(a.direction, b.direction) <= -least_cosine;
+    }
+
+    /// Along the first as far as the second runs beside it, where all of that is a strip: a lens is none.
+    void cover(const Border& a, const Border& b) {
+        const Box near = b.box().grown(widest * options_.size);
+        const int count = std::max(4, static_cast<int>(std::ceil(a.length() / (step * options_.size))));
+        const auto share = [&](int i) { return std::clamp((i + 0.5) / count, 0.0, 1.0); };
+        const auto is_narrow = [&](double s) { return width_at(a, s, b, near).has_value(); };
+        const auto is_beyond = [&](double s) { return s <= 0 || s >= 1 || !b.opposite(a.point(s)); };
+        for (int i = 0; i < count; ++i) {
+            if (!is_narrow(share(i))) continue;
+            const End begin = end_of(is_narrow, {share(i), share(i - 1)});
+            while (i + 1 < count && is_narrow(share(i + 1))) ++i;
+            const End end = end_of(is_narrow, {share(i), share(i + 1)});
+            if (is_beyond(begin.outside) && is_beyond(end.outside)) cover(a, begin.inside, end.inside, b, near);
+        }
+    }
+
+    struct End {
+        double inside, outside;
+    };
+    /// Closes in on the end, so that what is asked for does not depend on how long the edges are beyond.
+    template <class Holds>
+    static End end_of(Holds holds, End end) {
+        constexpr int halvings = 8;
+        for (int k = 0; k < halvings; ++k) {
+            const double middle = 0.5 * (end.inside + end.outside);
+            (holds(middle) ? end.inside : end.outside) = middle;
+        }
+        return end;
+    }
+
+    void cover(const Border& a, double from, double to, const Border& b, const Box& near) {
+        const double length = (to - from) * a.length();
+        const int count = std::max(1, static_cast<int>(std::ceil(length / (step * options_.size))));
+        const auto share = [&](double i) { return from + (to - from) * i / count; };
+        for (int i = 0; i < count; ++i) {
+            const std::optional<double> width = width_at(a, share(i + 0.5), b, near);
+            if (!width) continue;
+            const double size = std::max({longest * *width, shortest * options_.size, options_.min_size});
+            if (size >= options_.size || length < least_run * size) continue;
+            const Vec3 center = a.point(share(i + 0.5)), begin = a.point(share(i)), end = a.point(share(i + 1));
+            const double radius = std::max(distance(center, begin), distance(center, end));
+            out_.push_back({center, radius + 0.5 * *width, size});
+        }
+    }
+
+    /// Of the face at that share of the first, where it is a narrow strip between the two.
+    std::optional<double> width_at(const Border& a, double share, const Border& b, const Box& near) const {
+        if (!near.contains(a.point(share))) return {};
+        const Border::Place at = a.place(a.at(share));
+        const std::optional<Border::Place> other = b.opposite(at.point, widest * options_.size);
+        if (!other || !runs_against(at, *other)) return {};
+        const double width = distance(at.point, other->point);
+        if (width > widest * options_.size || width < narrowest * options_.size) return {};
+        if (!is_across(a, at, b, *other) || is_thin_wall(a, at, b, *other)) return {};
+        return width;
+    }
+
+    /// Whether each place has the face on the side where the other is.
+    bool is_across(const Border& a, const Border::Place& at, const Border& b, const Border::Place& other) const {
+        const Vec3 to_other = other.point - at.point;
+        return dot(cross(normal(face_, a.edge(), at.t), at.direction), to_other) > 0 &&
+               dot(cross(normal(face_, b.edge(), other.t), other.direction), to_other) < 0;
+    }
+
+    /// Whether the faces beyond the two edges are the two sides of a wall.
+    bool is_thin_wall(const Border& a, const Border::Place& at, const Border& b, const Border::Place& other) const {
+        const Vec3 n = outward_beyond(a.edge(), at.t), m = outward_beyond(b.edge(), other.t);
+        return dot(n, m) < -0.7 && dot(n, at.point - other.point) > 0;
+    }
+
+    /// Out of the solid, on the face on the other side of the edge.
+    Vec3 outward_beyond(EdgeId edge, double t) const {
+        for (const FaceId f : brep_.faces_of(edge))
+            if (f != face_) return brep_.sides_of(f)[0].is_valid() ? normal(f, edge, t) : -normal(f, edge, t);
+        return {};
+    }
+
+    /// Of the face as it is oriented in the shape; zero where it has none.
+    Vec3 normal(FaceId face, EdgeId edge, double t) const {
+        double first, last;
+        const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(brep_.edge(edge), brep_.face(face), first, last);
+        if (curve.IsNull()) return {};
+        const gp_Pnt2d uv = curve->Value(t);
+        return outward_normal(BRepAdaptor_Surface(brep_.face(face), false), brep_.face(face), uv.X(), uv.Y());
+    }
+
+    const Brep& brep_;
+    const FaceId face_;
+    const SizingOptions& options_;
+    std::vector<SourceBall>& out_;
+    std::vector<Border> borders_;
+};
+
+}  // namespace
+
+void cover_narrow_face(const Brep& brep, FaceId face, const SizingOptions& options, std::vector<SourceBall>& out) {
+    NarrowFaceCover(brep, face, options, out).run();
+}
+
+}  // namespace featuremesh
