@@ -61,6 +61,8 @@ class ThickCavity {
         return best_ > 0;
     }
 
+    /// Cones looked at so far.
+    std::size_t evaluations() const { return evaluations_; }
     double thinnest_after() const { return best_; }
     const Vec3& point() const { return best_point_; }
     const std::vector<int>& removed() const { return best_removed_; }
@@ -78,8 +80,9 @@ class ThickCavity {
     };
     static constexpr std::size_t most_tets = 240;
 
-    double cone(const std::array<int, 3>& f, const Vec3& apex) const {
+    double cone(const std::array<int, 3>& f, const Vec3& apex) {
         const auto& p = editor_.complex().points;
+        ++evaluations_;
         return thickness_of_corners({apex, p[f[0]], p[f[1]], p[f[2]]}, least_volume_);
     }
 
@@ -150,7 +153,7 @@ class ThickCavity {
     }
 
     /// At most `enough` where it is no more than that.
-    double thinnest_cone(const Vec3& point, double enough) const {
+    double thinnest_cone(const Vec3& point, double enough) {
         double least = 1;
         for (std::size_t i = 0; i < faces_.size() && least > enough; ++i)
             least = std::min(least, cone(faces_[i].corners, point));
@@ -184,6 +187,7 @@ class ThickCavity {
 
     CavityEditor& editor_;
     double least_volume_, before_ = 1, best_ = 0;
+    std::size_t evaluations_ = 0;
     Vec3 best_point_{};
     std::vector<int> tets_, best_removed_;
     std::vector<Face> faces_;
@@ -192,10 +196,12 @@ class ThickCavity {
 
 class Thickener {
   public:
-    Thickener(TetComplex& complex, double least_volume, std::size_t most_insertions, RunContext& context)
+    Thickener(TetComplex& complex, double least_volume, std::size_t most_insertions, std::size_t most_cones,
+              RunContext& context)
         : complex_(complex),
           least_volume_(least_volume),
           insertions_left_(most_insertions),
+          most_cones_(most_cones),
           context_(context),
           editor_(complex),
           cavity_(editor_, least_volume) {}
@@ -294,7 +300,7 @@ class Thickener {
     /// A new vertex in the tet, or on one of its inner edges: where boundary nodes alone make it, as across a thin wall
     /// with a short edge on either side.
     bool insert(int tet) {
-        if (insertions_left_ == 0) return false;
+        if (insertions_left_ == 0 || cavity_.evaluations() > most_cones_) return false;
         --insertions_left_;
         const Tet& v = complex_.tets[tet];
         const auto& p = complex_.points;
@@ -357,7 +363,7 @@ class Thickener {
 
     TetComplex& complex_;
     double least_volume_;
-    std::size_t insertions_left_;
+    std::size_t insertions_left_, most_cones_;
     RunContext& context_;
     CavityEditor editor_;
     ThickCavity cavity_;
@@ -381,10 +387,11 @@ bool is_too_thin(const TetComplex& complex, const std::array<int, 4>& tet, doubl
            six_volumes < 6 * tolerated_share * least_volume;
 }
 
-Thickened thicken(TetComplex& complex, double least_volume, RunContext& context, std::size_t most_insertions) {
+Thickened thicken(TetComplex& complex, double least_volume, RunContext& context, std::size_t most_insertions,
+                  std::size_t most_cones) {
     std::vector<int> thin = thin_tets(complex, least_volume, context);
     if (thin.empty()) return {};
-    return Thickener(complex, least_volume, most_insertions, context).run(std::move(thin));
+    return Thickener(complex, least_volume, most_insertions, most_cones, context).run(std::move(thin));
 }
 
 }  // namespace featuremesh
