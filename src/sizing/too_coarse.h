@@ -14,8 +14,8 @@ namespace featuremesh {
 
 /// Tells where shorter edges would help.
 struct TooCoarse : MeshError {
-    TooCoarse(const std::string& message, std::string at, std::vector<SizeSource> lengths, bool shape = false)
-        : MeshError(message), place(std::move(at)), shorter(std::move(lengths)), may_be_shape(shape) {}
+    TooCoarse(const std::string& message, std::string at, std::vector<SizeSource> lengths, bool shape_too = false)
+        : MeshError(message), place(std::move(at)), shorter(std::move(lengths)), may_be_shape(shape_too) {}
     std::string place;                ///< names of faces, or of a solid
     std::vector<SizeSource> shorter;  ///< half the elements' lengths
     bool may_be_shape;                ///< that cannot be meshed, whatever the lengths: not worth more than one more try

@@ -99,8 +99,9 @@ TooCoarse unrecovered(const Mesh& mesh, std::span<const Cavity> cavities, std::s
         if (fills[i].is_complete()) continue;
         const std::vector<int>& missing = fills[i].places.missing;
         faces += (faces.empty() ? "" : ", ") + names_of_faces(mesh, cavities[i], missing);
+        if (is_known) continue;
         const std::vector<SizeSource> lengths = half_lengths(cavities[i], missing);
-        if (!is_known) shorter.insert(shorter.end(), lengths.begin(), lengths.end());
+        shorter.insert(shorter.end(), lengths.begin(), lengths.end());
     }
     return {"the volume mesh cannot be made to meet the triangles of " + faces +
                 "; mesh finer there, or check the shape for faces that cut or touch one another",

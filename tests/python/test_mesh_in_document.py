@@ -1,9 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What happens around a mesh object: no engine, copies, renamed and deleted parts."""
+import os
+import shutil
+import tempfile
+import unittest
+
 import FreeCAD
 from freecad.featuremesh import api, engine, mesh_object, state, versions
 from freecad.featuremesh.errors import EngineMissing, UserError
 from meshed_plate import MeshedPlate, points_of
+from parts import new_document, placement
 
 
 class WithoutEngine(MeshedPlate):
@@ -111,3 +117,51 @@ class Parts(MeshedPlate):
         self.assertEqual(points_of(self.mesh), before)
         self.edit()
         self.assertGreater(self.mesh.KeptNodes, 30)
+
+
+class NarrowFace(unittest.TestCase):
+    LEDGE = [[30, 30, 8]]
+
+    def setUp(self):
+        """A block with a ledge 0.3 mm wide and a hole far from it."""
+        self.document = new_document()
+        for name, width, height, z in (("Plate", 30, 8, 0), ("Top", 29.7, 6, 8)):
+            box = self.document.addObject("Part::Box", name)
+            box.Length, box.Width, box.Height, box.Placement = 60, width, height, placement(z=z)
+        stepped = self.document.addObject("Part::Fuse", "Stepped")
+        stepped.Base, stepped.Tool = self.document.Plate, self.document.Top
+        hole = self.document.addObject("Part::Cylinder", "Hole")
+        hole.Radius, hole.Height, hole.Placement = 4, 20, placement(15, 12, -1)
+        part = self.document.addObject("Part::Cut", "Part")
+        part.Base, part.Tool = stepped, hole
+        self.document.recompute()
+        self.mesh = api.add_mesh(part, 3)
+        self.document.recompute()
+
+    def move_hole(self):
+        self.document.Hole.Placement = placement(17, 12, -1)
+        self.document.recompute()
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        self.assertGreater(self.mesh.KeptNodes, 50)
+        self.assertLess(self.mesh.KeptNodes, 100)
+        return points_of(self.mesh)
+
+    def restored(self, without=()):
+        saved = state.load(self.mesh.SavedState)
+        arrays = {name: values for name, values in saved.arrays.items() if name not in without}
+        return engine.load().restore_part(saved.raw, saved.options, arrays)
+
+    def test_shorter_edges_along_it_stay_in_a_reopened_document(self):
+        folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, folder)
+        path = os.path.join(folder, "part.FCStd")
+        self.document.saveAs(path)
+        live = self.move_hole()
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        self.mesh = self.document.FeatureMesh
+        self.assertAlmostEqual(self.restored().wanted_sizes(self.LEDGE)[0], 1.2, 3)
+        self.assertEqual(self.move_hole(), live)
+
+    def test_a_state_from_before_there_were_any_goes_on_without(self):
+        self.assertAlmostEqual(self.restored(without=("refined_narrow_faces",)).wanted_sizes(self.LEDGE)[0], 3, 3)
