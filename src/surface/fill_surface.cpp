@@ -378,9 +378,9 @@ Mesh taken_back(SurfaceResult filled) {
 SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kept, RunContext& context,
                            const SurfaceOptions& options) {
     const RunContext::Step step(context, "surface");
-    constexpr int attempts = 5;
-    constexpr std::size_t many = 1000, hopeless = 20000;
-    std::size_t crossings_before = 0;
+    constexpr int attempts = 5, attempts_at_few = 12;
+    constexpr std::size_t few = 100, many = 1000, hopeless = 20000;
+    std::size_t crossings_at_first = 0, crossings_before = 0;
     int times_grown = 0;
     const MeshExtent before = extent_of(kept);
     const std::optional<MergedEntities> own = options.known ? std::nullopt : std::optional<MergedEntities>(brep);
@@ -416,15 +416,18 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
         }
         const std::string names = names_of(result.mesh, crossings);
         // Thin walls part as the mesh gets finer; a shape that crosses itself only gets more crossings.
-        if (attempt > 1) times_grown = crossings.size() > crossings_before ? times_grown + 1 : 0;
+        if (attempt == 1) crossings_at_first = crossings.size();
+        times_grown = attempt > 1 && crossings.size() > crossings_before ? times_grown + 1 : 0;
         crossings_before = crossings.size();
         const bool is_hopeless = crossings.size() > hopeless || (times_grown >= 2 && crossings.size() > many);
-        if ((attempt == attempts || is_hopeless) && !beside.is_empty()) {
+        const bool are_few = crossings.size() < std::max(crossings_at_first, few) && beside.is_empty();
+        const bool is_last = attempt >= (are_few ? attempts_at_few : attempts);
+        if ((is_last || is_hopeless) && !beside.is_empty()) {
             SurfaceOptions other = options;
             other.known = &merged, other.narrow = NarrowFaces::own_chains;
             return fill_surface(brep, sizing, taken_back(std::move(result)), context, other);
         }
-        if (attempt == attempts || is_hopeless)
+        if (is_last || is_hopeless)
             throw MeshError("These faces cross each other: " + names_of(result.mesh, crossings, true) +
                             ". The shape intersects itself (Part: Check geometry), or is thinner there than any mesh "
                             "of this size can follow; repair the feature, or ask for a smaller size on these faces.");

@@ -7,9 +7,9 @@
 
 #include "core/errors.h"
 #include "mesh/tets_at_nodes.h"
-#include "sizing/too_coarse.h"
 #include "surface/mid_side_nodes.h"
 #include "surface/turned_triangles.h"
+#include "update/too_coarse.h"
 
 namespace featuremesh {
 
@@ -86,12 +86,12 @@ Filled fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult su
 /// Where tets cannot be made to meet a narrow face whose edges have their nodes opposite one another, other chains may
 /// do.
 Filled fill_once(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options,
-                 SecondOrder& second, RunContext& context, bool tries_chains = true) {
+                 SecondOrder& second, RunContext& context) {
     context.check_cancelled();
     SurfaceOptions surface_options{.known = kept.merged.get()};
     SurfaceResult surface = fill_surface(brep, sizing, std::move(kept.mesh), context, surface_options);
     for (const NarrowFaces next : {NarrowFaces::shorter, NarrowFaces::own_chains}) {
-        if (!surface.report.has_opposite_nodes || !tries_chains) break;
+        if (!surface.report.has_opposite_nodes) break;
         try {
             return fill_volume(brep, sizing, surface, kept, options, second, context);
         } catch (const MeshError&) {
@@ -104,34 +104,24 @@ Filled fill_once(const Brep& brep, const SizingField& sizing, Kept kept, const M
 }
 
 /// A whole mesh that is too coarse to follow the part is made again with shorter edges there. What an update keeps is
-/// not worth a copy for that: it keeps less, and in the end nothing. What may be no matter of lengths is tried once
-/// more where it concerns few triangles.
+/// not worth a copy for that: it keeps less, and in the end nothing.
 Filled fill_following(const Brep& brep, SizingField sizing, std::vector<SizeSource> shorter, Kept kept,
                       const MeshOptions& options, SecondOrder& second, RunContext& context) {
     constexpr int attempts = 4;
-    constexpr std::size_t few = 300;
     std::set<std::string> places;
-    std::optional<TooCoarse> refusal;
     for (int attempt = 1; kept.mesh.points.empty(); ++attempt) {
         try {
-            Filled filled = fill_once(brep, sizing, kept, options, second, context, !refusal);
+            Filled filled = fill_once(brep, sizing, kept, options, second, context);
             for (const std::string& place : places)
                 filled.surface.warnings.push_back("The mesh is finer than asked at " + place +
                                                   ", because elements of that size cannot follow the part there.");
             return filled;
         } catch (const TooCoarse& coarse) {
             context.check_cancelled();
-            if (refusal) throw *refusal;
-            if (attempt == attempts || (coarse.may_be_shape && (coarse.shorter.empty() || coarse.shorter.size() > few)))
-                throw;
-            if (coarse.may_be_shape) refusal = coarse;
+            if (attempt == attempts) throw;
             for (const SizeSource& source : coarse.shorter) shorter.push_back(shorter_than_asked(sizing, source));
             places.insert(coarse.place);
             sizing = make_sizing(brep, options.sizing, shorter, context);
-        } catch (const MeshError&) {
-            context.check_cancelled();
-            if (refusal) throw *refusal;
-            throw;
         }
     }
     return fill_once(brep, sizing, std::move(kept), options, second, context);

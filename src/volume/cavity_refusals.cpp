@@ -72,40 +72,19 @@ void require_distinct(const Brep& brep, const Mesh& mesh, const Cavity& cavity) 
                     in_words(last) + "; repair it there (Part: Check geometry)");
 }
 
-std::vector<SizeSource> half_lengths(const Cavity& cavity, std::span<const int> facets) {
-    std::vector<SizeSource> lengths;
-    for (const int facet : facets) {
-        if (!cavity.triangle_of_facet[facet].is_valid()) continue;
-        const auto& c = cavity.facets[facet].corners;
-        lengths.push_back(half_length_of(cavity.points[c[0]], cavity.points[c[1]], cavity.points[c[2]]));
-    }
-    return lengths;
-}
-
-TooCoarse cut_one_another(const Mesh& mesh, const Cavity& cavity, std::span<const int> crossing,
-                          std::vector<SizeSource> shorter) {
-    const std::string faces = names_of_faces(mesh, cavity, crossing);
+MeshError cut_one_another(const Mesh& mesh, const Cavity& cavity, std::span<const int> crossing) {
     const Vec3& place = cavity.points[std::size_t(cavity.facets[std::size_t(crossing.front())].corners[0])];
-    return {"triangles of " + faces + " near " + in_words(place) +
-                " cut one another; the shape may touch or cut itself there: repair it, or mesh finer there",
-            faces, std::move(shorter), true};
+    return MeshError("triangles of " + names_of_faces(mesh, cavity, crossing) + " near " + in_words(place) +
+                     " cut one another; the shape may touch or cut itself there: repair it, or mesh finer there");
 }
 
-TooCoarse unrecovered(const Mesh& mesh, std::span<const Cavity> cavities, std::span<const CavityFill> fills,
-                      std::vector<SizeSource> shorter) {
-    const bool is_known = !shorter.empty();
+MeshError unrecovered(const Mesh& mesh, std::span<const Cavity> cavities, std::span<const CavityFill> fills) {
     std::string faces;
-    for (std::size_t i = 0; i < cavities.size(); ++i) {
-        if (fills[i].is_complete()) continue;
-        const std::vector<int>& missing = fills[i].places.missing;
-        faces += (faces.empty() ? "" : ", ") + names_of_faces(mesh, cavities[i], missing);
-        if (is_known) continue;
-        const std::vector<SizeSource> lengths = half_lengths(cavities[i], missing);
-        shorter.insert(shorter.end(), lengths.begin(), lengths.end());
-    }
-    return {"the volume mesh cannot be made to meet the triangles of " + faces +
-                "; mesh finer there, or check the shape for faces that cut or touch one another",
-            faces, std::move(shorter), true};
+    for (std::size_t i = 0; i < cavities.size(); ++i)
+        if (!fills[i].is_complete())
+            faces += (faces.empty() ? "" : ", ") + names_of_faces(mesh, cavities[i], fills[i].places.missing);
+    return MeshError("the volume mesh cannot be made to meet the triangles of " + faces +
+                     "; mesh finer there, or check the shape for faces that cut or touch one another");
 }
 
 }  // namespace featuremesh

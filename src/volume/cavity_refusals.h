@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/errors.h"
 #include "features/brep.h"
-#include "sizing/too_coarse.h"
 #include "volume/cavity.h"
 #include "volume/fill_cavity.h"
 
@@ -27,15 +27,10 @@ void require_closed(const Mesh& mesh, const Cavity& cavity);
 /// Throws MeshError with the names of the faces where two nodes are in one place.
 void require_distinct(const Brep& brep, const Mesh& mesh, const Cavity& cavity);
 
-/// Half the lengths of those of these facets that are triangles.
-std::vector<SizeSource> half_lengths(const Cavity& cavity, std::span<const int> facets);
+/// For these facets, which cut one another.
+MeshError cut_one_another(const Mesh& mesh, const Cavity& cavity, std::span<const int> crossing);
 
-/// For these facets, which cut one another; `shorter` tells where shorter edges would help.
-TooCoarse cut_one_another(const Mesh& mesh, const Cavity& cavity, std::span<const int> crossing,
-                          std::vector<SizeSource> shorter);
-
-/// For the facets that the fills miss; `shorter` as above, where it is empty at these facets.
-TooCoarse unrecovered(const Mesh& mesh, std::span<const Cavity> cavities, std::span<const CavityFill> fills,
-                      std::vector<SizeSource> shorter);
+/// For the facets that the fills miss.
+MeshError unrecovered(const Mesh& mesh, std::span<const Cavity> cavities, std::span<const CavityFill> fills);
 
 }  // namespace featuremesh

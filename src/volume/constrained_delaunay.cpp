@@ -248,7 +248,7 @@ ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<co
     const std::vector<int> facet_of = facets_with_normal(cavity);
     std::vector<Facet> facets;
     for (const int f : facet_of) facets.push_back(cavity.facets[static_cast<std::size_t>(f)]);
-    const VertexBudget budget(2 * points.size() + 5000, context);
+    const VertexBudget budget(2 * points.size() + 20000, context);
     try {
         const Constrained constrained(points, corners_of(facets));
         return Reading(constrained, points, cavity, facet_of).read();

@@ -181,7 +181,7 @@ class Filling {
     int round_limit() const { return may_be_open_.empty() ? most_rounds : most_rounds_of_update; }
 
     void mend(int round) {
-        if (round >= round_limit()) throw unrecovered(result_.mesh, cavities_, fills_, too_long_);
+        if (round >= round_limit()) throw unrecovered(result_.mesh, cavities_, fills_);
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
             CavityFill& fill = fills_[i];
             if (round == 0) result_.report.recovered_triangles += fill.places.missing.size();
@@ -249,9 +249,7 @@ class Filling {
         require_closed(result_.mesh, cavity);
         const std::vector<int> crossing = crossing_facets(cavity);
         if (!crossing.empty()) {
-            if (crossing_rounds_ == 0) too_long_ = half_lengths(cavity, crossing);
-            if (++crossing_rounds_ > most_crossing_rounds)
-                throw cut_one_another(result_.mesh, cavity, crossing, std::move(too_long_));
+            if (++crossing_rounds_ > most_crossing_rounds) throw cut_one_another(result_.mesh, cavity, crossing);
             log("triangles that cross others", crossing.size());
             apply(halve_longest_edges(cavity, crossing), cavity);
             return;
@@ -263,9 +261,7 @@ class Filling {
         if (constrained.is_given_up || !constrained.failed.empty()) {
             const std::vector<int>& bad = constrained.is_given_up ? fill.places.missing : constrained.failed;
             log("triangles that constraints did not bring back", bad.size());
-            if (crossing_rounds_ == 0) too_long_ = half_lengths(cavity, bad);
-            if (++crossing_rounds_ > most_crossing_rounds)
-                throw unrecovered(result_.mesh, cavities_, fills_, too_long_);
+            if (++crossing_rounds_ > most_crossing_rounds) throw unrecovered(result_.mesh, cavities_, fills_);
             apply(halve_longest_edges(cavity, bad), cavity);
             return;
         }
@@ -579,7 +575,6 @@ class Filling {
     std::vector<std::optional<SeamRegion>> unoptimised_;
     std::vector<char> is_thick_;  ///< by cavity: all its tets have a volume to speak of
     int crossing_rounds_ = 0, local_recoveries_ = 0;
-    std::vector<SizeSource> too_long_;  ///< what was in the way in the first of the crossing rounds
     bool is_first_round_ = true;
     VolumeResult result_;
 };

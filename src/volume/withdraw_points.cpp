@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "volume/kernel_centre.h"
 #include "volume/polygon_cut.h"
 #include "volume/tet_complex.h"
 #include "volume/tet_measures.h"
@@ -63,12 +64,15 @@ class Withdrawal {
         for (const auto& piece : split.pieces) add_piece(piece);
     }
 
-    /// A point that finds no room may find some once others are gone, or have made room.
+    /// A point that finds little room may find more once others are gone, or have made room, so every round asks for
+    /// less: who goes where there is next to none leaves none to those around.
     bool run(const RunContext& context) {
         constexpr int most_rounds = 12;
         std::vector<int> open;
         for (int p = first_; p < last_; ++p) open.push_back(p);
-        for (int round = 0; !open.empty() && round < most_rounds; ++round) {
+        double degrees = 0.5;
+        for (int round = 0; !open.empty() && round < most_rounds; ++round, degrees *= 0.1) {
+            largest_flatness_ = flatness_of_angle(degrees);
             std::vector<int> left;
             for (const int p : open) {
                 context.check_cancelled();
@@ -217,12 +221,17 @@ class Withdrawal {
         return sectors;
     }
 
-    /// Looks for room along the way to the middle of the sector and along the mean of the facets' normals.
+    /// Looks for room along the way to the middle of the sector and along the mean of the facets' normals; in the end,
+    /// when no angle can be too small, wherever there is most.
     bool place(int point, Sector& sector) const {
         StarShape shape;
+        std::vector<std::array<Vec3, 3>> walls;
         Vec3 middle{}, inward{};
         double reach = 0;
-        const auto add = [&](int a, int b, int c) { shape.add(points_[a], points_[b], points_[c]); };
+        const auto add = [&](int a, int b, int c) {
+            walls.push_back({points_[a], points_[b], points_[c]});
+            shape.add(points_[a], points_[b], points_[c]);
+        };
         for (const int t : sector.tets) {
             const Tet& v = tets_[t];
             const auto& face = opposite_face[corner_of(v, point)];
@@ -245,10 +254,15 @@ class Withdrawal {
                 if (value < best) best = value, sector.place = trial;
             }
         }
-        if (best >= 1) return false;
+        if (best >= 1) {
+            if (largest_flatness_ < 1) return false;
+            const std::optional<Vec3> centre = kernel_centre(walls, points_[point], reach / count);
+            if (centre) sector.place = *centre;
+            return centre.has_value();
+        }
         static const double bearable = flatness_of_angle(5);
-        if (best > bearable) shape.climb(sector.place, bearable);
-        return true;
+        if (best > bearable) best = shape.climb(sector.place, bearable);
+        return best <= largest_flatness_;
     }
 
     void replace_pieces(int point, const Patch& patch) {
@@ -288,7 +302,8 @@ class Withdrawal {
     }
 
     const Cavity& cavity_;
-    int first_, last_;  ///< the added points
+    double largest_flatness_ = 1;  ///< of the tets round a point that is withdrawn
+    int first_, last_;             ///< the added points
     std::vector<Vec3> points_;
     std::vector<Tet> tets_;
     std::vector<int> regions_;

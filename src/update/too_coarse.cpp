@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sizing/too_coarse.h"
+#include "update/too_coarse.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,14 +12,11 @@ namespace {
 
 SizeSource half_length_at(const Mesh& mesh, std::size_t triangle) {
     const auto& corners = mesh.triangles[triangle];
-    return half_length_of(mesh.point(corners[0]), mesh.point(corners[1]), mesh.point(corners[2]));
+    const Vec3 &a = mesh.point(corners[0]), &b = mesh.point(corners[1]), &c = mesh.point(corners[2]);
+    return {(a + b + c) / 3, 0.5 * std::max({distance(a, b), distance(b, c), distance(c, a)})};
 }
 
 }  // namespace
-
-SizeSource half_length_of(const Vec3& a, const Vec3& b, const Vec3& c) {
-    return {(a + b + c) / 3, 0.5 * std::max({distance(a, b), distance(b, c), distance(c, a)})};
-}
 
 TooCoarse turned_over(const Mesh& mesh, const std::vector<TriangleId>& turned) {
     const std::size_t first = turned.front().index();
