@@ -35,6 +35,9 @@ TEST_CASE("without a point that sees every triangle there is no kernel centre") 
     Triangles triangles = sides(a, b, c, d);
     CHECK(kernel_centre(triangles, a, 2).has_value());
     CHECK_FALSE(kernel_centre(triangles, {5, 5, 5}, 1).has_value());
+    Triangles with_line = triangles;
+    with_line.push_back({a, b, b});
+    CHECK_FALSE(kernel_centre(with_line, a, 2).has_value());
     triangles.push_back({{{2, 0, 0}, {2, 0, 1}, {2, 1, 0}}});  // seen from x > 2
     CHECK_FALSE(kernel_centre(triangles, a, 9).has_value());
 }
