@@ -378,7 +378,7 @@ Mesh taken_back(SurfaceResult filled) {
 SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kept, RunContext& context,
                            const SurfaceOptions& options) {
     const RunContext::Step step(context, "surface");
-    constexpr int attempts = 5, attempts_at_few = 12;
+    constexpr int attempts = 5, attempts_worth_more = 12;
     constexpr std::size_t few = 100, many = 1000, hopeless = 20000;
     std::size_t crossings_at_first = 0, crossings_before = 0;
     int times_grown = 0;
@@ -420,8 +420,8 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
         times_grown = attempt > 1 && crossings.size() > crossings_before ? times_grown + 1 : 0;
         crossings_before = crossings.size();
         const bool is_hopeless = crossings.size() > hopeless || (times_grown >= 2 && crossings.size() > many);
-        const bool are_few = crossings.size() < std::max(crossings_at_first, few) && beside.is_empty();
-        const bool is_last = attempt >= (are_few ? attempts_at_few : attempts);
+        const bool is_worth_more = crossings.size() < std::max(crossings_at_first, few) && beside.is_empty();
+        const bool is_last = attempt >= (is_worth_more ? attempts_worth_more : attempts);
         if ((is_last || is_hopeless) && !beside.is_empty()) {
             SurfaceOptions other = options;
             other.known = &merged, other.narrow = NarrowFaces::own_chains;
