@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct CavityFill {
     bool is_leaky = false;                      ///< all facets are there, and yet regions run into one another
     std::shared_ptr<GrowingDelaunay> delaunay;  ///< of the points, where kept tets at the seam may have to go
     std::vector<int> point_of;                  ///< by its numbers: the point
+    std::optional<std::vector<int>> withdrawn;  ///< the points that a recovery left inside, where there was one
     bool is_complete() const { return places.missing.empty() && !is_leaky; }
 };
 

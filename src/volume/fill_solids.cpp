@@ -15,6 +15,7 @@
 #include "volume/boundary_moves.h"
 #include "volume/cavity_refusals.h"
 #include "volume/constrained_delaunay.h"
+#include "volume/crowded_points.h"
 #include "volume/detours.h"
 #include "volume/facet_split.h"
 #include "volume/fill_cavity.h"
@@ -119,7 +120,6 @@ class Filling {
         if (!may_be_open_.empty()) near_ = rim_tets_;
         cavities_ = separate_cavities(find_cavity(result_.mesh, sides_, is_released_, may_be_open_, near_));
         fills_.assign(cavities_.size(), {});
-        is_finished_.assign(cavities_.size(), 0);
         parallel_for(context_, cavities_.size(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) fill(i);
         });
@@ -127,7 +127,7 @@ class Filling {
         finished_.clear();
         outgrown_.clear();
         for (std::size_t i = 0; i < cavities_.size(); ++i)
-            if (!is_finished_[i]) turn_missing(i);
+            if (!fills_[i].withdrawn) turn_missing(i);
         is_first_round_ = false;
         return std::all_of(fills_.begin(), fills_.end(), [](const CavityFill& f) { return f.is_complete(); });
     }
@@ -154,7 +154,6 @@ class Filling {
         for (KnownFill& known : finished_)
             if (known.nodes == cavity.nodes) {
                 fills_[i] = std::move(known.fill);
-                is_finished_[i] = 1;
                 return;
             }
         for (KnownTriangulation& known : known_) {
@@ -186,7 +185,7 @@ class Filling {
             CavityFill& fill = fills_[i];
             if (round == 0) result_.report.recovered_triangles += fill.places.missing.size();
             if (!fill.is_complete()) log("triangles are missing", fill.places.missing.size());
-            if (is_finished_[i]) {
+            if (fill.withdrawn) {
                 finished_.push_back({cavities_[i].nodes, std::move(fill)});
             } else if (fill.is_complete()) {
                 known_.push_back(
@@ -206,7 +205,7 @@ class Filling {
         if (round >= round_limit()) return false;
         bool is_changed = false;
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
-            if (is_finished_[i]) continue;
+            if (fills_[i].withdrawn) continue;
             const FacetSplit flips = flip_flat(cavities_[i], fills_[i], result_.mesh);
             if (flips.pieces.empty()) continue;
             is_changed = true;
@@ -409,6 +408,11 @@ class Filling {
 
     std::pair<OdtReport, SliverReport> optimise(std::size_t i, RunContext& context) {
         regions_[i] = SeamRegion(cavities_[i], make_complex(cavities_[i], fills_[i], context_));
+        if (fills_[i].withdrawn) {
+            const std::size_t gone =
+                remove_crowded(regions_[i].complex, *fills_[i].withdrawn, size_, options_.target_dihedral_deg, context);
+            context.log("boundary recovery: " + std::to_string(gone) + " points inside taken out again");
+        }
         fills_[i] = {};
         if (has_needle(regions_[i].complex)) unoptimised_[i] = regions_[i];
         return improve_angles(i, context);
@@ -567,8 +571,7 @@ class Filling {
     std::vector<Cavity> cavities_;
     std::vector<CavityFill> fills_;
     std::vector<KnownTriangulation> known_;
-    std::vector<KnownFill> finished_;        ///< by withdrawn points; nothing outside
-    std::vector<std::uint8_t> is_finished_;  ///< by cavity
+    std::vector<KnownFill> finished_;  ///< by withdrawn points; nothing outside
     std::vector<KnownFill> outgrown_;
     std::vector<SeamRegion> regions_;  ///< by cavity
     /// By cavity, where there are needles: volume may be left to them only while their angles count.

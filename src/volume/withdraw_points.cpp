@@ -56,6 +56,7 @@ class Withdrawal {
         : cavity_(cavity),
           first_(static_cast<int>(cavity.points.size())),
           last_(first_ + static_cast<int>(split.added.size())),
+          first_copy_(static_cast<int>(fill.points.size())),
           points_(std::move(fill.points)),
           tets_of_(points_.size() - cavity.points.size()),
           pieces_of_(split.added.size()) {
@@ -96,6 +97,9 @@ class Withdrawal {
         fill.triangulation = {std::move(complex.tets), std::move(complex.neighbours)};
         fill.places = find_facets(fill.triangulation, fill.points.size(), cavity_.facets);
         fill.regions = std::move(regions);
+        fill.withdrawn.emplace();
+        for (int p = first_; p < static_cast<int>(fill.points.size()); ++p)
+            if (p < last_ || p >= first_copy_) fill.withdrawn->push_back(p);
         return fill;
     }
 
@@ -304,6 +308,7 @@ class Withdrawal {
     const Cavity& cavity_;
     double largest_flatness_ = 1;  ///< of the tets round a point that is withdrawn
     int first_, last_;             ///< the added points
+    int first_copy_;               ///< with the points after it, of added ones between several regions
     std::vector<Vec3> points_;
     std::vector<Tet> tets_;
     std::vector<int> regions_;
