@@ -5,6 +5,7 @@ import signal
 import sys
 
 from arguments import parse
+from closed_pipe import run_until_unread
 from layout import Failure, Unavailable, UserError
 
 
@@ -31,4 +32,4 @@ def main():
         return 1
 
 
-sys.exit(main())
+sys.exit(run_until_unread(main))

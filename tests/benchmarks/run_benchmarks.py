@@ -23,6 +23,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(Path(__file__).parent), str(ROOT / "resources" / "launcher"), str(ROOT / "build" / "release" / "bindings")]
 
 import cases  # noqa: E402
+from closed_pipe import run_until_unread  # noqa: E402
 from freecad_task import run_script  # noqa: E402
 from gmsh_peer import ALGORITHMS, mesh_with_gmsh, quality_of  # noqa: E402
 from measured_process import run_measured  # noqa: E402
@@ -272,4 +273,4 @@ def commit():
                           text=True).stdout.strip()
 
 
-sys.exit(main())
+sys.exit(run_until_unread(main))

@@ -53,6 +53,14 @@ class CommandLine(unittest.TestCase):
                 self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
                 self.assertNotIn("Traceback", done.stderr)
 
+    def test_a_reader_that_has_seen_enough_is_no_error_to_tell_of(self):
+        for words in (("--help",), ("bench", "--list")):
+            with self.subTest(words=words):
+                reader, writer = os.pipe()
+                os.close(reader)
+                done = subprocess.run([str(LAUNCHER), *words], stdout=writer, stderr=subprocess.PIPE, text=True)
+                os.close(writer)
+                self.assertEqual((done.returncode, done.stderr), (1, ""))
 
     def test_warnings_follow_the_message_on_standard_error(self):
         out, err = io.StringIO(), io.StringIO()
