@@ -274,11 +274,7 @@ class BoundaryMover {
 
     /// What helps a needle harms all others.
     bool has_needle() const {
-        const auto& p = complex_.points;
-        return std::any_of(star_.begin(), star_.end(), [&](int t) {
-            const auto& [a, b, c, d] = complex_.tets[t];
-            return unforced_flatness(complex_, complex_.tets[t]) < flatness(p[a], p[b], p[c], p[d]);
-        });
+        return std::any_of(star_.begin(), star_.end(), [&](int t) { return is_excused(complex_, complex_.tets[t]); });
     }
 
     struct Place {

@@ -2,10 +2,12 @@
 #include "volume/crowded_points.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "volume/cavity_editor.h"
 #include "volume/edge_removal.h"
+#include "volume/needles.h"
 #include "volume/tet_measures.h"
 
 namespace featuremesh {
@@ -37,19 +39,31 @@ class CrowdRemover {
     bool collapse(int v) {
         if (complex_.is_fixed[v] != 0 || !gather_star(complex_, v, star_)) return false;
         find_neighbours(v);
-        if (!is_crowded(v)) return false;
-        const double before = worst_flatness(complex_, star_);
-        const double burden_before = burden_of(complex_, star_, target_);
+        if (!is_crowded(v) || is_beside_needle()) return false;
+        tets_.clear();
+        for (const int t : star_) tets_.push_back(complex_.tets[t]);
+        const double before = worst_flatness(complex_, star_), smallest_before = smallest_volume(tets_),
+                     burden_before = burden_of(complex_, tets_, target_);
         double best = inverted_flatness;
         for (const int onto : neighbours_) {
             const double worst = plan_collapse(v, onto, best);
-            if (worst >= best || worst > before || burden_of(complex_, tets_, target_) > burden_before) continue;
+            if (worst >= best || worst > before || smallest_volume(tets_) < smallest_before ||
+                burden_of(complex_, tets_, target_) > burden_before)
+                continue;
             best = worst;
             best_tets_.swap(tets_);
         }
         if (best == inverted_flatness) return false;
         editor_.replace(star_, best_tets_);
         return true;
+    }
+
+    double smallest_volume(std::span<const Tet> tets) const {
+        double smallest = std::numeric_limits<double>::infinity();
+        for (const auto& [a, b, c, d] : tets)
+            smallest = std::min(smallest, signed_volume(complex_.points[a], complex_.points[b], complex_.points[c],
+                                                        complex_.points[d]));
+        return smallest;
     }
 
     void find_neighbours(int v) {
@@ -66,6 +80,11 @@ class CrowdRemover {
         const double least = SeedOptions{}.spacing * size_.at(p);
         return std::any_of(neighbours_.begin(), neighbours_.end(),
                            [&](int other) { return distance(p, complex_.points[other]) < least; });
+    }
+
+    /// Where volume is scarce, who is in the way of angles may be what makes room for it.
+    bool is_beside_needle() const {
+        return std::any_of(star_.begin(), star_.end(), [&](int t) { return is_excused(complex_, complex_.tets[t]); });
     }
 
     /// Puts into tets_ what is left of the star with v at `onto`. Flatness of the worst of them; as soon as that is

@@ -12,8 +12,9 @@
 namespace featuremesh {
 
 /// Collapses those of the vertices that are free and nearer to a neighbour than seeds may be to each other
-/// (SeedOptions::spacing), each onto the neighbour that leaves the best worst angle, where that is no worse than it was
-/// and the tets that miss the target do not weigh more. How many went.
+/// (SeedOptions::spacing), each onto the neighbour that leaves the best worst angle: where that is no worse than it
+/// was, no tet is smaller than the smallest was, the tets that miss the target do not weigh more, and no needle is
+/// near. How many went.
 std::size_t remove_crowded(TetComplex& complex, std::span<const int> vertices, const WantedSize& size,
                            double target_dihedral_deg, const RunContext& context);
 

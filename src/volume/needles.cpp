@@ -72,4 +72,10 @@ double unforced_flatness(const TetComplex& complex, const std::array<int, 4>& te
     return unforced_flatness({p[a], p[b], p[c], p[d]}, {is_outside(a), is_outside(b), is_outside(c), is_outside(d)});
 }
 
+bool is_excused(const TetComplex& complex, const std::array<int, 4>& tet) {
+    const auto& [a, b, c, d] = tet;
+    const auto& p = complex.points;
+    return unforced_flatness(complex, tet) < flatness(p[a], p[b], p[c], p[d]);
+}
+
 }  // namespace featuremesh

@@ -29,5 +29,7 @@ bool has_needle(const TetComplex& complex);
 
 /// The same for corners of a complex.
 double unforced_flatness(const TetComplex& complex, const std::array<int, 4>& tet);
+/// The tet's worst angle is the one that it is excused.
+bool is_excused(const TetComplex& complex, const std::array<int, 4>& tet);
 
 }  // namespace featuremesh

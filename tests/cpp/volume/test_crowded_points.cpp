@@ -8,6 +8,7 @@
 #include "volume/box_of_tets.h"
 #include "volume/cavity_editor.h"
 #include "volume/edge_removal.h"
+#include "volume/needles.h"
 
 using namespace featuremesh;
 
@@ -23,6 +24,13 @@ std::vector<int> all_of(const TetComplex& complex) {
     std::vector<int> vertices(complex.points.size());
     std::iota(vertices.begin(), vertices.end(), 0);
     return vertices;
+}
+
+double smallest_volume(const TetComplex& complex) {
+    double smallest = 1e300;
+    for (const Tet& tet : complex.tets)
+        if (tet[0] >= 0) smallest = std::min(smallest, volume_of(complex, tet));
+    return smallest;
 }
 
 /// Splits the vertex's tets by points of their own, a tenth of the way to the other corners' middle.
@@ -77,16 +85,34 @@ TEST_CASE("points as close as the sizes ask for stay, and those that must") {
     CHECK(box.tets == before.tets);
 }
 
-TEST_CASE("no worst angle gets worse where points are taken out") {
+TEST_CASE("no worst angle and no smallest tet gets worse where points are taken out") {
     std::size_t gone = 0;
     for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
         TetComplex box = box_of_tets(5, 0.2, seed);
-        const double worst = worst_flatness(box), volume = total_volume(box);
+        for (Vec3& p : box.points) p.z *= 0.1;
+        const double worst = worst_flatness(box), volume = total_volume(box), smallest = smallest_volume(box);
         RunContext context;
         gone += remove_crowded(box, all_of(box), uniform(3), target_deg, context);  // they are all too close for that
         CHECK(find_flaws(box).empty());
         CHECK(worst_flatness(box) <= worst);
+        CHECK(smallest_volume(box) >= smallest);
         CHECK(total_volume(box) == Approx(volume));
     }
     CHECK(gone > 0);
+}
+
+TEST_CASE("points beside needles stay") {
+    TetComplex box = box_of_tets(2, 0, 1);
+    box.points[1] = {0.001, 0, 0};  // on the edge from corner 0, which is fixed as well
+    const int added = crowd(box, 13);
+    REQUIRE(find_flaws(box).empty());
+    std::vector<Tet> needles;
+    for (const Tet& tet : box.tets)
+        if (tet[0] >= 0 && is_excused(box, tet)) needles.push_back(tet);
+    REQUIRE(!needles.empty());
+    RunContext context;
+    const std::size_t gone = remove_crowded(box, all_of(box), uniform(1), target_deg, context);
+    CHECK(gone > 0);
+    CHECK(gone < static_cast<std::size_t>(added));
+    for (const Tet& tet : needles) CHECK(std::find(box.tets.begin(), box.tets.end(), tet) != box.tets.end());
 }
