@@ -87,6 +87,14 @@ bool gather_star(const TetComplex& complex, int vertex, std::vector<int>& star) 
     return i == met.size() || gather_large_star(complex, vertex, i, star);
 }
 
+void gather_neighbours(const TetComplex& complex, int vertex, std::span<const int> star, std::vector<int>& neighbours) {
+    neighbours.clear();
+    for (const int t : star) neighbours.insert(neighbours.end(), complex.tets[t].begin(), complex.tets[t].end());
+    std::sort(neighbours.begin(), neighbours.end());
+    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+    std::erase(neighbours, vertex);
+}
+
 bool is_forced(const TetComplex& complex, int tet, double flatness) {
     std::array<Vec3, 4> normal;
     int count = 0;

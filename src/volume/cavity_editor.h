@@ -26,6 +26,8 @@ bool find_ring(const TetComplex& complex, int tet, int from_corner, int to_corne
 
 /// All tets of a vertex that is inside. False, with some of them, when it lies on the boundary or has no tet.
 bool gather_star(const TetComplex& complex, int vertex, std::vector<int>& star);
+/// The other corners of a vertex's star, ascending.
+void gather_neighbours(const TetComplex& complex, int vertex, std::span<const int> star, std::vector<int>& neighbours);
 
 /// The worst angle of a tet of this flatness lies between two boundary triangles: no operation can change it.
 bool is_forced(const TetComplex& complex, int tet, double flatness);

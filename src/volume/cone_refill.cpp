@@ -53,12 +53,9 @@ void ConeRefill::plan_collapses(int tet) {
     for (int v : complex.tets[tet]) {
         if (complex.is_fixed[v]) continue;
         if (!gather_star(complex, v, star_)) continue;
-        others_.clear();
-        for (int t : star_) others_.insert(others_.end(), complex.tets[t].begin(), complex.tets[t].end());
-        std::sort(others_.begin(), others_.end());
-        others_.erase(std::unique(others_.begin(), others_.end()), others_.end());
+        gather_neighbours(complex, v, star_, others_);
         for (int apex : others_)
-            if (apex != v && cavity_.grow(star_, apex, complex.points[apex])) consider(least_gain);
+            if (cavity_.grow(star_, apex, complex.points[apex])) consider(least_gain);
     }
 }
 

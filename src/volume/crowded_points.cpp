@@ -38,7 +38,7 @@ class CrowdRemover {
   private:
     bool collapse(int v) {
         if (complex_.is_fixed[v] != 0 || !gather_star(complex_, v, star_)) return false;
-        find_neighbours(v);
+        gather_neighbours(complex_, v, star_, neighbours_);
         if (!is_crowded(v) || is_beside_needle()) return false;
         tets_.clear();
         for (const int t : star_) tets_.push_back(complex_.tets[t]);
@@ -64,15 +64,6 @@ class CrowdRemover {
             smallest = std::min(smallest, signed_volume(complex_.points[a], complex_.points[b], complex_.points[c],
                                                         complex_.points[d]));
         return smallest;
-    }
-
-    void find_neighbours(int v) {
-        neighbours_.clear();
-        for (const int t : star_)
-            for (const int other : complex_.tets[t])
-                if (other != v) neighbours_.push_back(other);
-        std::sort(neighbours_.begin(), neighbours_.end());
-        neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());
     }
 
     bool is_crowded(int v) const {

@@ -280,10 +280,7 @@ class Thickener {
 
     std::vector<int> neighbours_of(int vertex) const {
         std::vector<int> around;
-        for (const int t : star_) around.insert(around.end(), complex_.tets[t].begin(), complex_.tets[t].end());
-        std::sort(around.begin(), around.end());
-        around.erase(std::unique(around.begin(), around.end()), around.end());
-        std::erase(around, vertex);
+        gather_neighbours(complex_, vertex, star_, around);
         return around;
     }
 

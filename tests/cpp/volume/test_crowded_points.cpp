@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "catch.h"
-#include "core/errors.h"
 #include "volume/box_of_tets.h"
 #include "volume/cavity_editor.h"
 #include "volume/edge_removal.h"
