@@ -311,7 +311,7 @@ class Interpreter {
         if (is_new) {
             const double start = used_seconds(context_);
             // One in error counts as changed whatever it did, and shows what it did before it failed.
-            const double worth = feature(i).error.empty() ? 8.0 : 1.0;
+            const double worth = feature(i).error.empty() ? 8.0 : 0.3;
             difference =
                 difference_of(feature(i).before, after, std::min(worth, seconds_left_), context_, known_difference(i));
             seconds_left_ = std::max(0.5, seconds_left_ - (used_seconds(context_) - start));

@@ -17,6 +17,7 @@
 #include "core/errors.h"
 #include "core/numbers_in_words.h"
 #include "difference/volume_faces.h"
+#include "features/deadline.h"
 #include "mesh/validation.h"
 #include "sizing/lost_sizes.h"
 #include "surface/mid_side_nodes.h"
@@ -33,6 +34,7 @@ namespace {
 // What is changed reaches this much further than it must, in the smallest wanted edge lengths, and at least in global
 // sizes: a detail with tiny elements anywhere in the part is no reason to look that closely at all that changed.
 constexpr double resolution_of_changes = 0.5, coarsest_resolution_needed = 0.05;
+constexpr double least_seconds_beside_mesh = 1, most_seconds_beside_mesh = 5;  // of the processor, for cells
 
 double peak_memory_mb() {
     rusage usage{};
@@ -240,18 +242,39 @@ FeatureTree interpreted(const RawDocument& document, RunContext& context, const 
     return interpret(document, context, known);
 }
 
-void leave_cells_out(PartState& part) {
+/// Tree and final shape; the cells are still to come.
+PartState without_cells(FeatureTree tree, RunContext& context) {
+    const RunContext::Step step(context, "cells");
+    Brep brep(tree.final_shape);
+    return {std::move(tree), std::move(brep), {}};
+}
+
+void find_owners_by_points(PartState& part) {
     part.cells = cells_without_fuse(part.tree, part.brep);
     part.cells.owners_of_final_face = VolumeFaces(part.tree).owners_of_faces(part.brep);
 }
 
-PartState with_cells(FeatureTree tree, RunContext& context, const PartState* before, double seconds) {
+void find_cells(PartState& part, RunContext& context, const PartState* before, double seconds) {
     const RunContext::Step step(context, "cells");
-    Brep brep(tree.final_shape);
     std::optional<CellModel> cells;
-    if (before) cells = cells_after_edit({before->tree, before->cells}, tree, brep, context);
-    if (!cells) cells = build_cells(tree, brep, context, seconds);
-    return {std::move(tree), std::move(brep), std::move(*cells)};
+    if (before) cells = cells_after_edit({before->tree, before->cells}, part.tree, part.brep, context);
+    if (!cells) cells = build_cells(part.tree, part.brep, context, seconds);
+    part.cells = std::move(*cells);
+}
+
+void find_cells_or_owners(PartState& part, RunContext& context, const PartState* before, double seconds) {
+    find_cells(part, context, before, seconds);
+    if (!part.cells.report.is_out_of_time) return;
+    const RunContext::Step step(context, "cells");
+    find_owners_by_points(part);
+    part.cells.report.fallbacks = {
+        "the volumes of the features take too long to fuse; who owns a face was found by points on it"};
+}
+
+/// Nobody should wait longer for cells than for the mesh, which does not need them; but a moment is always worth it.
+void find_cells_of_meshed(PartState& part, RunContext& context, double seconds_of_meshing) {
+    find_cells_or_owners(part, context, nullptr,
+                         std::clamp(seconds_of_meshing, least_seconds_beside_mesh, most_seconds_beside_mesh));
 }
 
 double resolution(const SizingField& sizing, const MeshOptions& options) {
@@ -272,33 +295,30 @@ double share_to_fill(const Kept& kept, const Mesh& old) {
 }  // namespace
 
 PartState read_part(const RawDocument& document, RunContext& context, const FeatureTree* known) {
-    return with_cells(interpreted(document, context, known), context, nullptr, most_seconds_of_cells);
+    PartState part = without_cells(interpreted(document, context, known), context);
+    find_cells(part, context, nullptr, most_seconds_of_cells);
+    return part;
 }
 
 PartState read_part_to_mesh(const RawDocument& document, RunContext& context, const PartState* before, double seconds) {
-    PartState part =
-        with_cells(interpreted(document, context, before ? &before->tree : nullptr), context, before, seconds);
-    if (!part.cells.report.is_out_of_time) return part;
-    const RunContext::Step step(context, "cells");
-    leave_cells_out(part);
-    part.cells.report.fallbacks = {
-        "the volumes of the features take too long to fuse; who owns a face was found by points on it"};
+    PartState part = without_cells(interpreted(document, context, before ? &before->tree : nullptr), context);
+    find_cells_or_owners(part, context, before, seconds);
     return part;
 }
 
 PartState read_part_unfused(const RawDocument& document, RunContext& context, const FeatureTree* known) {
-    FeatureTree tree = interpreted(document, context, known);
+    PartState part = without_cells(interpreted(document, context, known), context);
     const RunContext::Step step(context, "cells");
-    Brep brep(tree.final_shape);
-    PartState part{std::move(tree), std::move(brep), {}};
-    leave_cells_out(part);
+    find_owners_by_points(part);
     return part;
 }
 
 PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context, NextNumbers next) {
     const auto start = std::chrono::steady_clock::now();
-    PartState part = read_part_to_mesh(document, context);
+    PartState part = without_cells(interpreted(document, context, nullptr), context);
+    const double start_of_meshing = used_seconds(context);
     Whole whole = mesh_whole(part.brep, options, {}, next, context);
+    find_cells_of_meshed(part, context, used_seconds(context) - start_of_meshing);
     const double total = seconds_since(start);
     PartMeshResult result;
     Mesh& mesh = whole.filled.mesh;
@@ -408,7 +428,8 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& asked, const 
     MeshOptions options = asked;
     options.sizing.refines_narrow_faces = false;
     if (options.order != foreign.order) throw InputError("An adopted mesh keeps its element order.");
-    PartState part = read_part_to_mesh(document, context);
+    PartState part = without_cells(interpreted(document, context, nullptr), context);
+    const double start_of_meshing = used_seconds(context);
     const std::vector<SizeSource> adopted_sizes = local_sizes(foreign, options.sizing.size);
     SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
     refuse_too_many(part.brep, sizing, options, context);
@@ -446,6 +467,7 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& asked, const 
         sizing = std::move(whole.sizing);
         filled = std::move(whole.filled);
     }
+    find_cells_of_meshed(part, context, used_seconds(context) - start_of_meshing);
     const double total = seconds_since(start);
     record_mesh(filled->mesh, sizing, options, context, report);
     record_fill(*filled, report);

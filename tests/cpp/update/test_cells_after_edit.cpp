@@ -3,6 +3,7 @@
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <algorithm>
 #include <random>
 
 #include "catch.h"
@@ -193,6 +194,23 @@ TEST_CASE("nobody waits for cells to get a mesh") {
         CHECK(state->cells.owners_of_final_face == whole.cells.owners_of_final_face);
         CHECK(state->cells.report.untrusted.empty());
     }
+}
+
+TEST_CASE("cells are looked for when the mesh is there, and have its time") {
+    std::vector<std::string> steps;
+    RunContext context;
+    context.on_progress = [&](std::string_view step, double) {
+        if (steps.empty() || steps.back() != step) steps.emplace_back(step);
+        return true;
+    };
+    const RawDocument document = document_of(RandomEdits(6).rounds);
+    MeshOptions options;
+    options.sizing.size = 4;
+    const PartMeshResult result = mesh_part(document, options, context);
+    const auto at = [&](const char* step) { return std::find(steps.begin(), steps.end(), step) - steps.begin(); };
+    CHECK(at("volume") < at("cells"));
+    CHECK(at("cells") < std::ssize(steps));
+    CHECK(result.part_mesh->part.cells.cells.size() == read_part(document, context).cells.cells.size());
 }
 
 TEST_CASE("what a feature did in one document is not looked for again in another") {
