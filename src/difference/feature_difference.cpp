@@ -64,7 +64,7 @@ CarriedRegion find_region(const BoundaryPair& pair, BoundaryMatch& match) {
     return region;
 }
 
-ChangedBoundary changed_boundary(const BoundaryPair& pair, const BoundaryMatch& match, double resolution) {
+ChangedBoundary changed_boundary(const BoundaryPair& pair, const BoundaryMatch& match, const Resolution& resolution) {
     std::vector<SpaceTriangle> triangles;
     for (const CarrierGroup& group : match.groups) append_trim_difference(pair, match, group, resolution, triangles);
     return pair.domain ? ChangedBoundary(std::move(triangles), *pair.domain) : ChangedBoundary(std::move(triangles));
@@ -95,7 +95,7 @@ void limit_motions(std::vector<MovedFeatures>& moved, std::vector<std::string>& 
     moved.resize(most_motions);
 }
 
-FeatureDifference compare_states(const PartState& old_state, const PartState& new_state, double resolution,
+FeatureDifference compare_states(const PartState& old_state, const PartState& new_state, const Resolution& resolution,
                                  RunContext& context) {
     const Sameness sameness = sameness_for(old_state, new_state);
     FeatureVerdicts verdicts = compare_features(old_state, new_state, sameness);
@@ -114,7 +114,7 @@ FeatureDifference compare_states(const PartState& old_state, const PartState& ne
     for (std::size_t m = 0; m < verdicts.moved.size(); ++m) {
         MovedFeatures& moved = verdicts.moved[m];
         const BoundaryPair pair{old_model, new_model, moved.motion,
-                                domain_of(moved, verdicts.everything_moved, resolution), sameness};
+                                domain_of(moved, verdicts.everything_moved, resolution.finest), sameness};
         CarriedRegion region = find_region(pair, match);
         region.features = std::move(moved.features);
         region.volumes = std::move(moved.additive_volumes);
@@ -135,12 +135,12 @@ FeatureDifference compare_states(const PartState& old_state, const PartState& ne
 }
 }  // namespace
 
-FeatureDifference compare(const PartState& old_state, const PartState& new_state, double resolution,
+FeatureDifference compare(const PartState& old_state, const PartState& new_state, const Resolution& resolution,
                           RunContext& context) {
     const RunContext::Step step(context, "difference");
-    if (!(resolution > 0) || !std::isfinite(resolution))
+    if (!(resolution.finest > 0) || !std::isfinite(resolution.finest))
         throw InputError("the resolution of the difference must be a positive length, not " +
-                         std::to_string(resolution) + " mm");
+                         std::to_string(resolution.finest) + " mm");
     try {
         return compare_states(old_state, new_state, resolution, context);
     } catch (const Standard_Failure& failure) {

@@ -3,10 +3,13 @@
 // (Sypkens Smit and Bronsvoort 2007).
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cells/cell_model.h"
@@ -50,6 +53,20 @@ struct EdgeChange {
     EdgeId old_edge, new_edge;              ///< none where there is no partner
     double old_length = 0, new_length = 0;  ///< mm
     bool inner = false;                     ///< vanished into the material, or appeared out of it
+};
+
+/// How closely the changed boundary is looked at: the edge length of its triangles where a face is trimmed differently,
+/// mm.
+struct Resolution {
+    Resolution(double everywhere) : finest(everywhere) {}
+    /// `wanted` is asked for points in the new state's place and changes by no more than a fifth of a way over that
+    /// way.
+    Resolution(double finest_wanted, std::function<double(const Vec3&)> wanted)
+        : finest(finest_wanted), coarser(std::move(wanted)) {}
+    double at(const Vec3& in_new_place) const { return coarser ? std::max(finest, coarser(in_new_place)) : finest; }
+
+    double finest;
+    std::function<double(const Vec3&)> coarser;  ///< none: the finest everywhere
 };
 
 /// The part of either boundary that the other does not have, as triangles, conservative: every point of the symmetric
@@ -110,8 +127,7 @@ void tell_inner_faces(std::vector<FaceChange>& faces, const Brep& old_shape, con
 /// For reports: what became of every edge, from the partners in the difference's first region. Poles are left out.
 std::vector<EdgeChange> edge_changes(const FeatureDifference& difference, const Brep& old_shape, const Brep& new_shape);
 
-/// `resolution`: wanted edge length of the triangles of the changed boundary where a face is trimmed differently, mm.
-FeatureDifference compare(const PartState& old_state, const PartState& new_state, double resolution,
+FeatureDifference compare(const PartState& old_state, const PartState& new_state, const Resolution& resolution,
                           RunContext& context);
 
 }  // namespace featuremesh

@@ -29,13 +29,13 @@ struct ToldCell {
 
 class TrimRaster {
   public:
-    TrimRaster(const BoundaryPair& pair, const BoundaryMatch& match, const CarrierGroup& group, double resolution,
-               std::vector<SpaceTriangle>& triangles)
+    TrimRaster(const BoundaryPair& pair, const BoundaryMatch& match, const CarrierGroup& group,
+               const Resolution& resolution, std::vector<SpaceTriangle>& triangles)
         : pair_(pair),
           match_(match),
           group_(group),
           resolution_(resolution),
-          leaf_(resolution),
+          leaf_(resolution.finest),
           triangles_(triangles),
           to_old_(pair.motion.inverse()),
           chart_(carrier()) {}
@@ -46,9 +46,8 @@ class TrimRaster {
         root_ = root_box();
         if (chart_.carrier().kind == SurfaceKind::plane && !clip_root_to_domain()) return;
         chart_.scale_for(root_);
-        step_ = chart_.step_for_sag(resolution_ / 8);
-        free_form_cell_ = std::max(
-            2 * resolution_, std::hypot(root_.size(0) * chart_.scale()[0], root_.size(1) * chart_.scale()[1]) / 150);
+        step_ = chart_.step_for_sag(resolution_.finest / 8);
+        least_free_form_cell_ = std::hypot(root_.size(0) * chart_.scale()[0], root_.size(1) * chart_.scale()[1]) / 150;
         if (!known) return emit(root_);
         shift_into_root();
         widen_margins();
@@ -130,14 +129,21 @@ class TrimRaster {
         return std::nullopt;
     }
 
+    double resolution_along(const CurveCarrier& curve, const ChangedPiece& piece) const {
+        double least = resolution_.at(point_at(curve, piece.first));
+        for (int i = 1; resolution_.coarser && i <= 16; ++i)
+            least = std::min(least, resolution_.at(point_at(curve, piece.first + (piece.last - piece.first) * i / 16)));
+        return least;
+    }
+
     int samples_of(const CurveCarrier& curve, const ChangedPiece& piece) const {
-        // No chord strays from its curve by more than an eighth of the resolution.
-        const double sampling = std::min(leaf_, 10 * resolution_);
         const SurfaceKind kind = chart_.carrier().kind;
+        if (curve.kind == CurveKind::line && kind != SurfaceKind::free_form) return 1;
+        // No chord strays from its curve by more than an eighth of the resolution.
+        const double resolution = resolution_along(curve, piece),
+                     sampling = std::min(std::max(leaf_, resolution), 10 * resolution);
         if (curve.kind == CurveKind::line)
-            return kind == SurfaceKind::free_form
-                       ? int(std::clamp(std::ceil(4 * (piece.last - piece.first) / sampling), 4.0, 400.0))
-                       : 1;
+            return int(std::clamp(std::ceil(4 * (piece.last - piece.first) / sampling), 4.0, 400.0));
         double size = curve.radius * (piece.last - piece.first), turns = (piece.last - piece.first) / 0.2;
         if (curve.kind == CurveKind::free_form) {
             size = 0, turns = 24;
@@ -302,7 +308,9 @@ class TrimRaster {
             if (differs(cell)) emit(cell);
             return;
         }
-        if (std::max(width, height) <= leaf_) return emit(cell);
+        const double extent = std::max(width, height);
+        if (extent <= leaf_ || (resolution_.coarser && extent <= resolution_.at(chart_.point(cell.at(0.5, 0.5)))))
+            return emit(cell);
         const int k = width >= height ? 0 : 1;
         UvBox low = cell, high = cell;
         low.high[k] = high.low[k] = 0.5 * (cell.low[k] + cell.high[k]);
@@ -317,7 +325,7 @@ class TrimRaster {
     bool outside_domain(const UvBox& cell, double width, double height) const {
         if (!pair_.domain) return false;
         const Vec3 centre = chart_.point(cell.at(0.5, 0.5));
-        return !pair_.domain->grown(0.5 * std::hypot(width, height) + resolution_).contains(centre);
+        return !pair_.domain->grown(0.5 * std::hypot(width, height) + resolution_.finest).contains(centre);
     }
 
     /// On these carriers the difference ends along every line u = const.
@@ -456,11 +464,11 @@ class TrimRaster {
         const auto& [a, b, c, d] = corners;
         const auto at = [&](double s, double t) { return chart_.point(cell.at(s, t)); };
         const Vec3 ab = at(0.5, 0), bc = at(1, 0.5), cd = at(0.5, 1), da = at(0, 0.5), middle = at(0.5, 0.5);
-        const double sag = resolution_ / 8;
+        const double resolution = resolution_.at(middle), sag = resolution / 8;
         const double strays = std::max({squared_distance_to_segment(ab, a, b), squared_distance_to_segment(bc, b, c),
                                         squared_distance_to_segment(cd, c, d), squared_distance_to_segment(da, d, a),
                                         squared_distance_to_segment(middle, a, c)});
-        const bool small = std::max(distance(a, c), distance(b, d)) <= free_form_cell_;
+        const bool small = std::max(distance(a, c), distance(b, d)) <= std::max(2 * resolution, least_free_form_cell_);
         if ((strays <= sag * sag && small) || depth >= 9) {
             add_triangle(a, b, c);
             add_triangle(a, c, d);
@@ -483,7 +491,8 @@ class TrimRaster {
     const BoundaryPair& pair_;
     const BoundaryMatch& match_;
     const CarrierGroup& group_;
-    double resolution_, leaf_, free_form_cell_ = 0;
+    const Resolution& resolution_;
+    double leaf_, least_free_form_cell_ = 0;
     std::vector<SpaceTriangle>& triangles_;
     RigidMotion to_old_;
     CarrierChart chart_;
@@ -500,7 +509,7 @@ class TrimRaster {
 }  // namespace
 
 void append_trim_difference(const BoundaryPair& pair, const BoundaryMatch& match, const CarrierGroup& group,
-                            double resolution, std::vector<SpaceTriangle>& triangles) {
+                            const Resolution& resolution, std::vector<SpaceTriangle>& triangles) {
     if (!group.is_unchanged()) TrimRaster(pair, match, group, resolution, triangles).run();
 }
 

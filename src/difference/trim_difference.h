@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "difference/boundary_match.h"
+#include "difference/feature_difference.h"
 
 namespace featuremesh {
 
@@ -18,6 +19,6 @@ using SpaceTriangle = std::array<Vec3, 3>;
 /// The parameter plane is halved again and again where a changed piece runs, down to the resolution. A cell that no
 /// changed piece enters lies wholly in the difference or wholly outside it: one point decides.
 void append_trim_difference(const BoundaryPair& pair, const BoundaryMatch& match, const CarrierGroup& group,
-                            double resolution, std::vector<SpaceTriangle>& triangles);
+                            const Resolution& resolution, std::vector<SpaceTriangle>& triangles);
 
 }  // namespace featuremesh

@@ -277,8 +277,11 @@ void find_cells_of_meshed(PartState& part, RunContext& context, double seconds_o
                          std::clamp(seconds_of_meshing, least_seconds_beside_mesh, most_seconds_beside_mesh));
 }
 
-double resolution(const SizingField& sizing, const MeshOptions& options) {
-    return std::max(resolution_of_changes * sizing.smallest(), coarsest_resolution_needed * options.sizing.size);
+Resolution resolution(const SizingField& sizing, const MeshOptions& options) {
+    const double finest =
+        std::max(resolution_of_changes * sizing.smallest(), coarsest_resolution_needed * options.sizing.size);
+    if (sizing.is_uniform()) return finest;
+    return {finest, [&sizing](const Vec3& p) { return resolution_of_changes * sizing.at(p); }};
 }
 
 /// Where sizes change along a seam, the tets that have to change with them need more room.
