@@ -391,8 +391,10 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
             node_origin = std::move(kept.node_origin);
             tet_origin = std::move(kept.tet_origin);
             const std::vector<KeptByMotion> by_motion = kept.by_motion;
-            if (node_origin.empty())
-                report.fallbacks.push_back("full mesh: no element of the old mesh is clear of what changed");
+            if (node_origin.empty()) {
+                why_nothing = "full mesh: no element of the old mesh is clear of what changed";
+                break;
+            }
             filled = fill(part.brep, sizing, std::move(kept), filling, context);
             report.kept = by_motion;
             break;

@@ -506,6 +506,18 @@ TEST_CASE("a part that is refused with shorter pieces along narrow faces is mesh
         CHECK(warned(live) == 0);
         CHECK(same_bytes(live.part_mesh->mesh, updated(*saved, part(17), now).part_mesh->mesh));
     }
+    // where nothing stays the mesh is one from scratch
+    const RawDocument other = PartDocument()
+                                  .box("Plate", {0, 0, 40}, {61, 31, 9})
+                                  .box("Top", {0, 0, 49}, {61, 30.7, 7})
+                                  .fuse("Stepped", "Plate", "Top")
+                                  .cylinder("Hole", {15, 12, 39}, 5, 20)
+                                  .cut("Part", "Stepped", "Hole")
+                                  .finish();
+    const PartMeshResult anew = updated(*plain.part_mesh, other, options);
+    REQUIRE(anew.report.fallbacks.size() == 1);
+    CHECK_THAT(anew.report.fallbacks[0], Catch::Matchers::Contains("no element of the old mesh is clear"));
+    CHECK(anew.part_mesh->mesh.points == meshed(other, options).part_mesh->mesh.points);
     // a mesh from scratch tries again
     MeshOptions coarser = options;
     coarser.sizing.size = 3.7;
