@@ -31,9 +31,9 @@ namespace featuremesh {
 
 namespace {
 
-// What is changed reaches this much further than it must, in the smallest wanted edge lengths, and at least in global
-// sizes: a detail with tiny elements anywhere in the part is no reason to look that closely at all that changed.
-constexpr double resolution_of_changes = 0.5, coarsest_resolution_needed = 0.05;
+// What is changed reaches this much further than it must: in wanted edge lengths there, and at least in the smallest
+// ones and in global sizes. A detail with tiny elements anywhere is no reason to look that closely at all that changed.
+constexpr double resolution_of_changes = 1.0 / 3, finest_resolution_needed = 0.5, coarsest_resolution_needed = 0.05;
 constexpr double least_seconds_beside_mesh = 1, most_seconds_beside_mesh = 5;  // of the processor, for cells
 
 double peak_memory_mb() {
@@ -279,7 +279,7 @@ void find_cells_of_meshed(PartState& part, RunContext& context, double seconds_o
 
 Resolution resolution(const SizingField& sizing, const MeshOptions& options) {
     const double finest =
-        std::max(resolution_of_changes * sizing.smallest(), coarsest_resolution_needed * options.sizing.size);
+        std::max(finest_resolution_needed * sizing.smallest(), coarsest_resolution_needed * options.sizing.size);
     if (sizing.is_uniform()) return finest;
     return {finest, [&sizing](const Vec3& p) { return resolution_of_changes * sizing.at(p); }};
 }
