@@ -12,8 +12,8 @@
 
 namespace featuremesh {
 
-/// Two pieces of the boundary that cross, or a piece that runs through a point of another; twice the same piece where it
-/// cuts off a lone point.
+/// Two pieces of the boundary that cross, or a piece that runs through a point of another; twice the same piece where
+/// it cuts off a lone point.
 struct Crossing {
     std::size_t first = 0, second = 0;  ///< index in FaceBoundary::segments
 };

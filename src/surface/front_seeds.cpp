@@ -144,6 +144,7 @@ class Front {
     /// reach half around.
     void plant_rings() {
         for (Tip tip : find_tips()) {
+            tip = beyond_short_pieces(tip);
             plant_ring(tip);
             while (!is_fine_enough(tip) && step_out(tip)) plant_ring(tip);
         }
@@ -165,6 +166,23 @@ class Front {
         return tips;
     }
 
+    /// Where a border passes close by the apex a ring through the ends of the pieces there would be tiny: on to points
+    /// as far out as there is to be room.
+    Tip beyond_short_pieces(const Tip& tip) const {
+        Tip further = tip;
+        const auto move_on = [&](int& p, bool ahead) {
+            for (const double least = 0.5 * wanted(p); length_of(p) < least;) {
+                const int next = next_outside(p, ahead);
+                if (next < 0) return false;
+                const double turn = std::remainder(angle_of(next) - angle_of(p), 2 * M_PI);
+                further.sector -= ahead ? turn : -turn;
+                p = next;
+            }
+            return true;
+        };
+        return move_on(further.from, true) && move_on(further.to, false) && further.sector > 0 ? further : tip;
+    }
+
     double radius_of(const Tip& tip) const { return 0.5 * (length_of(tip.from) + length_of(tip.to)); }
 
     /// Whether so many sides as wanted go around there that none reaches far.
@@ -176,16 +194,20 @@ class Front {
     /// On to the next points on the same straight lines from the apex, if there are any.
     bool step_out(Tip& tip) const {
         const int from = next_outside(tip.from, true), to = next_outside(tip.to, false);
-        if (from < 0 || to < 0) return false;
+        if (from < 0 || to < 0 || !are_in_line(tip.from, from) || !are_in_line(tip.to, to)) return false;
         tip.from = from, tip.to = to;
         return true;
     }
 
+    bool are_in_line(int p, int q) const {
+        return std::abs(cross(point(p), point(q))) < 1e-6 * length_of(p) * length_of(q);
+    }
+
+    /// The other end of the border's next piece, if that is further from the apex.
     int next_outside(int p, bool ahead) const {
         for (const auto& s : boundary_.segments)
             if ((ahead ? s.a : s.b) == p)
-                if (const int next = ahead ? s.b : s.a; length_of(next) > length_of(p))
-                    if (std::abs(cross(point(p), point(next))) < 1e-6 * length_of(p) * length_of(next)) return next;
+                if (const int next = ahead ? s.b : s.a; length_of(next) > length_of(p)) return next;
         return -1;
     }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "surface/folded_triangles.h"
+
 namespace featuremesh {
 
 namespace {
@@ -55,48 +57,6 @@ bool is_badly_turned(const TrianglePatch& patch, int t, int i) {
     return patch.can_flip(t, i) && !would_fold(patch, t, i);
 }
 
-/// Whether three points of the patch, in their order, stand across the surface: at their middle, or at all three, where
-/// they reach more than half around it and their middle says nothing.
-bool is_folded(const TrianglePatch& patch, const PatchGeometry& geometry, const std::array<int, 3>& corners) {
-    constexpr double least_cosine = 0.25, noticeable_sag = 0.1;
-    const Chart& chart = geometry.chart();
-    if (chart.is_plane()) return false;
-    std::array<Vec3, 3> places;
-    for (int i = 0; i < 3; ++i) {
-        const int p = corners[at(i)];
-        places[at(i)] = geometry.is_flat() ? chart.point(patch.point(p)) : patch.place(p);
-    }
-    const auto& [a, b, c] = places;
-    const Vec3 normal = normalized(area_vector(a, b, c));
-    const auto is_against = [&](const Chart::Frame& frame) {
-        const Vec3 across = cross(frame.dx, frame.dy);
-        return dot(across, normal) < least_cosine * length(across);
-    };
-    const Chart::Frame middle =
-        chart.frame((1.0 / 3) * (patch.point(corners[0]) + patch.point(corners[1]) + patch.point(corners[2])));
-    if (is_against(middle)) return true;
-    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-    if (distance(middle.point, (a + b + c) / 3) < noticeable_sag * longest) return false;
-    return std::all_of(corners.begin(), corners.end(), [&](int p) {
-        const bool is_apex = chart.cone_sine() != 0 && distance(patch.point(p), Vec2{}) < 1e-7 * longest;
-        return is_apex || is_against(chart.frame(patch.point(p)));
-    });
-}
-
-bool is_folded(const TrianglePatch& patch, const PatchGeometry& geometry, int t) {
-    return !patch.is_at_pole(t) && is_folded(patch, geometry, patch.corners(t));
-}
-
-/// Whether turning the side opposite corner i of t would make a folded triangle where there is none.
-bool would_fold(const TrianglePatch& patch, const PatchGeometry& geometry, int t, int i) {
-    const int n = patch.neighbour(t, i);
-    const auto& c = patch.corners(t);
-    const int a = c[at(i)], b = c[at((i + 1) % 3)], d = c[at((i + 2) % 3)];
-    const int e = patch.corners(n)[at(patch.opposite_index(n, t))];
-    return !is_folded(patch, geometry, t) && !is_folded(patch, geometry, n) &&
-           (is_folded(patch, geometry, {a, b, e}) || is_folded(patch, geometry, {a, e, d}));
-}
-
 /// Turns the sides of the queued triangles, and of those that this changes, until all are Delaunay. On the surface of
 /// `geometry`, if there is one, none may fold.
 void flip_from(TrianglePatch& patch, std::vector<int>& queue, std::vector<int>* touched = nullptr,
@@ -107,7 +67,7 @@ void flip_from(TrianglePatch& patch, std::vector<int>& queue, std::vector<int>* 
         queue.pop_back();
         if (patch.is_removed(t)) continue;
         for (int i = 0; i < 3; ++i) {
-            if (!is_badly_turned(patch, t, i) || (geometry && would_fold(patch, *geometry, t, i))) continue;
+            if (!is_badly_turned(patch, t, i) || (geometry && folds_by_turning(patch, *geometry, t, i))) continue;
             const int n = patch.neighbour(t, i);
             patch.flip(t, i);
             --budget;
@@ -321,6 +281,7 @@ std::size_t split_folded(TrianglePatch& patch, const PatchGeometry& geometry, co
         for (std::size_t t = 0; t < count; ++t) {
             if (t % 1024 == 0) heart.beat();
             if (patch.is_removed(static_cast<int>(t)) || !is_folded(patch, geometry, static_cast<int>(t))) continue;
+            if (unfold(patch, geometry, static_cast<int>(t))) continue;
             const int p = split_triangle_or_side(patch, geometry, static_cast<int>(t),
                                                  longest_inner_side(patch, static_cast<int>(t)));
             ++splits;
@@ -416,7 +377,7 @@ class AngleRaiser {
             const int n = patch_.neighbour(t, i);
             if (n < 0 || !patch_.can_flip(t, i) || would_fold(patch_, t, i)) continue;
             if (angle_after_turn(t, i) <= std::min(angle_of(t), angle_of(n)) + 1e-9) continue;
-            if (would_fold(patch_, geometry_, t, i)) continue;
+            if (folds_by_turning(patch_, geometry_, t, i)) continue;
             patch_.flip(t, i);
             return true;
         }

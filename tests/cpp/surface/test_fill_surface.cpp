@@ -211,6 +211,18 @@ TEST_CASE("rings around the tip of a cone keep off its base, however few pieces 
     CHECK(turned_triangles(brep, result.mesh, {}, context).empty());
 }
 
+TEST_CASE("where a border passes close by a cone's apex no ring of tiny triangles lies around it") {
+    const TopoDS_Shape cone = BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(10, 10, 0), gp::DZ(), gp::DX()), 4, 0, 6).Shape();
+    const double beyond = GENERATE(0.002, 0.1);
+    const Brep brep(BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(10 + beyond, 20, 8).Shape(), cone).Shape());
+    const Mesh mesh = mesh_surface(brep, 1).mesh;
+    CHECK(findings(brep, mesh).empty());
+    const auto near = std::count_if(mesh.points.begin(), mesh.points.end(), [](const Vec3& p) {
+        return distance(p, {10, 10, 6}) < 0.3;
+    });
+    CHECK(near == 2);
+}
+
 TEST_CASE("a strip far thinner than the size gets no nodes but those of its edges") {
     for (const double width : {0.01, 1e-4}) {
         const Brep brep(BRepPrimAPI_MakeBox(width, 6, 10).Shape());
