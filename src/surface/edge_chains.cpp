@@ -25,7 +25,10 @@ namespace {
 class Measure {
   public:
     Measure(const BRepAdaptor_Curve& curve, const WantedLength& sizing, double first, double last)
-        : curve_(curve), sizing_(sizing), is_line_(curve.GetType() == GeomAbs_Line) {
+        : curve_(curve),
+          sizing_(sizing),
+          is_line_(curve.GetType() == GeomAbs_Line),
+          least_length_(std::min(2 * curve.Tolerance(), sizing.largest())) {
         const int steps = is_line_ ? (sizing.is_uniform() ? 1 : 8) : 32;
         for (int i = 0; i < steps; ++i)
             add(first + (last - first) * i / steps, first + (last - first) * (i + 1) / steps, 0);
@@ -64,7 +67,7 @@ class Measure {
             gp_Vec d;
             curve_.D1(start + (0.5 + (i == 0 ? -offset : offset)) * (end - start), p, d);
             directions[static_cast<std::size_t>(i)] = {d.X(), d.Y(), d.Z()};
-            sum += 0.5 * d.Magnitude() * (end - start) / sizing_.at(to_vec3(p));
+            sum += 0.5 * d.Magnitude() * (end - start) / std::max(sizing_.at(to_vec3(p)), least_length_);
         }
         const bool is_even = is_line_ && sizing_.is_uniform();
         if (sum > 0.5 && depth < 12 && !is_even) {
@@ -87,6 +90,7 @@ class Measure {
     const BRepAdaptor_Curve& curve_;
     const WantedLength& sizing_;
     bool is_line_;
+    double least_length_;  ///< of a loosely fitted edge: pieces shorter than it is known follow its loops
     double turning_ = 0;
     Vec3 last_direction_{};
     std::vector<double> t_, metric_{0};  ///< at the steps' ends

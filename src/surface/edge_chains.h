@@ -40,10 +40,11 @@ struct EdgeChain {
 /// A node per CAD vertex and a chain per CAD edge, each the same for all faces that use it.
 class EdgeChains {
   public:
-    /// Keeps the mesh's nodes and segments on edges and fills the gaps by the sizing field along the arc length: equal
-    /// shares, at least one piece, a curve at least one per quarter turn, two edges between the same two vertices never
-    /// the same chain. Where edges of one solid touch between their vertices, nodes keep off the place. Edges `beside`
-    /// one another get nodes opposite one another as far as they run so. New nodes are appended to `mesh`.
+    /// Keeps the mesh's nodes and segments on edges and fills the gaps by the sizing field along the arc length, no
+    /// finer than twice the edge's tolerance: equal shares, at least one piece, a curve at least one per quarter turn,
+    /// two edges between the same two vertices never the same chain. Where edges of one solid touch between their
+    /// vertices, nodes keep off the place. Edges `beside` one another get nodes opposite one another as far as they run
+    /// so. New nodes are appended to `mesh`.
     EdgeChains(const Brep& brep, const MergedEntities& merged, const WantedLength& sizing, const EdgesBeside& beside,
                Mesh& mesh, RunContext& context);
 

@@ -119,7 +119,7 @@ class SurfaceFiller {
         const std::vector<char> is_complete = find_complete();
         for (std::size_t f = 0; f < jobs_.size(); ++f)
             if (is_used(FaceId(f)) && !is_complete[f]) open.push_back(FaceId(f));
-        constexpr int rounds = 14;
+        constexpr int rounds = 14, rounds_of_all_pieces = 4;
         std::set<EdgeId> refined;
         for (int round = 0; !open.empty(); ++round) {
             parallel_for(context_, open.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -133,7 +133,8 @@ class SurfaceFiller {
             for (const FaceId f : open) {
                 const FaceJob& job = jobs_[f.index()];
                 if (!job.domain || job.domain->is_valid()) continue;
-                if (round == rounds || !refine(f, refined, again)) fail_crossing(f);
+                const int most = job.domain->crossings().empty() ? rounds_of_all_pieces : rounds;
+                if (round >= most || !refine(f, refined, again)) fail_crossing(f);
                 again.insert(f);
             }
             open.assign(again.begin(), again.end());
@@ -182,17 +183,20 @@ class SurfaceFiller {
         if (!job.boundary.is_complete()) job.domain.emplace(job.boundary);
     }
 
-    /// Halves the curved pieces that cross; false when there is nothing to halve.
+    /// Halves the curved pieces that cross, or all where none does and the face lies inside out, as one beside an arc
+    /// of a single piece may; false when there is nothing to halve.
     bool refine(FaceId face, std::set<EdgeId>& refined, std::set<FaceId>& again) {
         const FaceJob& job = jobs_[face.index()];
         std::set<EdgeChains::Piece, std::greater<>>
             pieces;  // the last first, so that halving does not renumber the others
+        const auto add = [&](const BoundarySegment& segment) {
+            if (segment.edge.is_valid() && !segment.is_pole)
+                pieces.insert(chains_.owner_of({segment.edge, segment.piece}));
+        };
         for (const Crossing& c : job.domain->crossings())
-            for (const std::size_t s : {c.first, c.second}) {
-                const BoundarySegment& segment = job.boundary.segments[s];
-                if (segment.edge.is_valid() && !segment.is_pole)
-                    pieces.insert(chains_.owner_of({segment.edge, segment.piece}));
-            }
+            for (const std::size_t s : {c.first, c.second}) add(job.boundary.segments[s]);
+        if (job.domain->crossings().empty())
+            for (const BoundarySegment& segment : job.boundary.segments) add(segment);
         bool halved = false;
         std::set<EdgeId> edges;
         for (const auto& [edge, piece] : pieces) {

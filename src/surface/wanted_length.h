@@ -19,6 +19,7 @@ class WantedLength {
         for (const SizeSource& limit : limits_) h = std::min(h, limit.size + growth * distance(p, limit.point));
         return h;
     }
+    double largest() const { return field_.largest(); }
     bool is_uniform() const { return limits_.empty() && field_.is_uniform(); }
     /// Near the point no longer than this, growing away from it. A limit that others imply is left out.
     void limit(const SizeSource& source) {

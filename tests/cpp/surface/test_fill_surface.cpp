@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <GC_MakeArcOfCircle.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <TColStd_Array1OfInteger.hxx>
@@ -221,6 +225,39 @@ TEST_CASE("where a border passes close by a cone's apex no ring of tiny triangle
         return distance(p, {10, 10, 6}) < 0.3;
     });
     CHECK(near == 2);
+}
+
+TEST_CASE("a face between an arc and what lies within its height gets more pieces than its size asks for") {
+    const gp_Pnt a(0, 0, 0), b(2, 0, 0), within(1, 0.1, 0), on_arc(1, 0.2, 0);
+    BRepBuilderAPI_MakeWire border;
+    border.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(b, on_arc, a).Value()));
+    border.Add(BRepBuilderAPI_MakeEdge(a, within));
+    border.Add(BRepBuilderAPI_MakeEdge(within, b));
+    const Brep brep(BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(border.Wire()).Face(), gp_Vec(0, 0, 6)).Shape());
+    const SurfaceResult result = mesh_surface(brep, 4);
+    CHECK(findings(brep, result.mesh).empty());
+    CHECK_FALSE(result.report.warnings.empty());
+}
+
+TEST_CASE("an edge that loops within its own tolerance is stepped over") {
+    // A drill's tip that a wall passes by at 0.006: the kernel's curve there has a loop of 0.1, and a tolerance of
+    // 0.18.
+    const gp_Pnt foot(9.796, 15.508, 1.522);
+    const gp_Ax2 axes(foot, gp::DZ(), gp_Dir(std::cos(4.595), std::sin(4.595), 0));
+    const double height = 3.78, radius = height * std::tan(59 * std::numbers::pi / 180);
+    const TopoDS_Shape tip = BRepPrimAPI_MakeCone(axes, radius, 0, height).Shape(),
+                       shank =
+                           BRepPrimAPI_MakeCylinder(gp_Ax2({foot.X(), foot.Y(), -1}, gp::DZ()), radius, foot.Z() + 1),
+                       wall = BRepPrimAPI_MakeCylinder(gp_Ax2({foot.X() + 7.994, foot.Y(), -20}, gp::DZ()), 8, 40);
+    const TopoDS_Shape drilled =
+        BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(20, 20, 12).Shape(), BRepAlgoAPI_Fuse(shank, tip).Shape()).Shape();
+    const Brep brep(BRepAlgoAPI_Cut(drilled, wall).Shape());
+    RunContext context;
+    SizingOptions options;
+    options.size = 1;
+    const Mesh mesh = fill_surface(brep, make_sizing(brep, options, {}, context), {}, context).mesh;
+    CHECK(mesh.triangles.size() > 1000);
+    CHECK(turned_triangles(brep, mesh, {}, context).empty());
 }
 
 TEST_CASE("a strip far thinner than the size gets no nodes but those of its edges") {
