@@ -59,8 +59,7 @@ struct EdgeChange {
 /// mm.
 struct Resolution {
     Resolution(double everywhere) : finest(everywhere) {}
-    /// `wanted` is asked for points in the new state's place and changes by no more than a fifth of a way over that
-    /// way.
+    /// `wanted` is asked for points in the new state's place and changes by less than half of a way over that way.
     Resolution(double finest_wanted, std::function<double(const Vec3&)> wanted)
         : finest(finest_wanted), coarser(std::move(wanted)) {}
     double at(const Vec3& in_new_place) const { return coarser ? std::max(finest, coarser(in_new_place)) : finest; }
