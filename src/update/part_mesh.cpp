@@ -34,7 +34,7 @@ namespace {
 // What is changed reaches this much further than it must: in wanted edge lengths there, and at least in the smallest
 // ones and in global sizes. A detail with tiny elements anywhere is no reason to look that closely at all that changed.
 constexpr double resolution_of_changes = 1.0 / 3, finest_resolution_needed = 0.5, coarsest_resolution_needed = 0.05;
-constexpr double least_seconds_beside_mesh = 1, most_seconds_beside_mesh = 5;  // of the processor, for cells
+constexpr double least_seconds_beside_mesh = 2, most_seconds_beside_mesh = 5;  // of the processor, for cells
 
 double peak_memory_mb() {
     rusage usage{};
