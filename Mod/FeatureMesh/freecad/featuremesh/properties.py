@@ -24,6 +24,8 @@ _rotation_of = FreeCAD.Placement.Rotation.__get__
 _axis_of = FreeCAD.Rotation.Axis.__get__
 _angle_of = FreeCAD.Rotation.Angle.__get__
 
+_IDENTITY = _entries_of(_matrix_of(FreeCAD.Placement()))
+
 # Types of sketch constraints that have a value.
 DIMENSIONS = ("Distance", "DistanceX", "DistanceY", "Radius", "Diameter", "Angle", "Weight", "SnellsLaw")
 _SKIPPED_LINKS = ("_Body", "Origin", "ExpressionEngine", "Proxy", "_ChildCache", "_CopyOnChangeControl")
@@ -137,7 +139,7 @@ def property_if_any(obj, name):
 
 def matrix_entries(placement):
     """The sixteen numbers of its matrix, row by row."""
-    return list(_entries_of(_matrix_of(placement)))
+    return list(_IDENTITY if placement.isIdentity() else _entries_of(_matrix_of(placement)))
 
 
 def _link_targets(value):

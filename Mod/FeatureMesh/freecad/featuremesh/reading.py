@@ -134,7 +134,7 @@ def describe(obj):
 def has_shape(obj):
     """Is there a shape with at least one face?"""
     shape = _shape_of(obj)
-    return shape is not None and (len(shape.Solids) > 0 or shape.countElement("Face") > 0)
+    return _has_solid(shape) or shape is not None and shape.countElement("Face") > 0
 
 
 def key_of(obj, home):
@@ -322,7 +322,7 @@ def _is_shown_by_body(obj, volume, walk):
 
 
 def _has_solid(shape):
-    return shape is not None and not shape.isNull() and bool(shape.Solids)
+    return shape is not None and not shape.isNull() and (shape.ShapeType == "Solid" or bool(shape.Solids))
 
 
 class _ShapeList:
@@ -369,19 +369,20 @@ def _shapes_from_bytes(data):
 
 
 @functools.lru_cache(maxsize=None)
-def _has_files_in_memory():
-    return hasattr(os, "memfd_create") and os.path.isdir("/proc/self/fd")
+def _handle_in_memory():
+    """Handle of a file without a disk, None where there is no such thing. A new one for each reading would cost as much as a small part's records."""
+    return os.memfd_create("featuremesh") if hasattr(os, "memfd_create") and os.path.isdir("/proc/self/fd") else None
 
 
 @contextlib.contextmanager
 def _file_in_memory():
-    """Path of a file for as long as it is needed, and a handle at its start or None; without a disk where there is another place."""
-    if _has_files_in_memory():
-        handle = os.memfd_create("featuremesh")
+    """Path of an empty file for as long as it is needed, and a handle at its start or None; without a disk where there is another place."""
+    handle = _handle_in_memory()
+    if handle is not None:
         try:
             yield "/proc/self/fd/%d" % handle, handle
         finally:
-            os.close(handle)
+            os.ftruncate(handle, 0)
         return
     folder = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
     handle, path = tempfile.mkstemp(".bin", "featuremesh-", folder)
