@@ -170,11 +170,14 @@ class Patch {
             }
     }
 
-    /// Of a tet as thin as the least volume: one that has that much may not lose it. Zero from twice the floor on.
+    /// Of a tet as thin as the least volume, or with a third of what it had: one that has that much may not lose it.
+    /// Zero from twice the floor on.
     double volume_energy(std::size_t i, const std::array<Vec3, 10>& nodes, Field* gradient) const {
         const double volume = 6 * signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]);
-        constexpr double spare = 0.95;  // a wall right behind a tet would leave it no way round
-        const double floor = std::min(spare * barriers_[i].volume, least_volume_);
+        // a wall right behind a tet would leave it no way round
+        constexpr double spare = 0.95, flattened_share = 0.3;
+        const double had = barriers_[i].volume,
+                     floor = std::min(spare * had, std::max(flattened_share * had, least_volume_));
         if (!(volume > std::max(floor, 0.0))) return infinite;
         if (!(floor > 0)) return 0;
         const double way = volume / floor - 1;

@@ -13,8 +13,9 @@ namespace featuremesh {
 /// What curved tets are improved towards.
 struct CurvedTetAims {
     double scaled_jacobian;  ///< smallest of each tet
-    double least_volume =
-        0;  ///< mm^3: moving corners takes no straight tet below this, or below what it had if that was less
+    /// mm^3: moving corners takes no straight tet below this, nor all corners at once below a third of what it had;
+    /// none that has less below that
+    double least_volume = 0;
 };
 
 /// Lowers a moving log barrier on the Bernstein coefficients of the tets around `bad` (Toulorge, Geuzaine, Remacle and

@@ -47,6 +47,17 @@ TopoDS_Shape crossing_cylinders() {
         .Shape();
 }
 
+/// A pipe with a branch of the same radius, both with a wall as thin as this.
+TopoDS_Shape branching_pipe(double wall) {
+    const auto both = [](double radius, double beyond) {
+        const gp_Ax2 along(gp_Pnt(-15 - beyond, 0, 0), gp::DX());
+        return BRepAlgoAPI_Fuse(BRepPrimAPI_MakeCylinder(along, radius, 30 + 2 * beyond).Shape(),
+                                BRepPrimAPI_MakeCylinder(radius, 15 + beyond).Shape())
+            .Shape();
+    };
+    return BRepAlgoAPI_Cut(both(4.5, 0), both(4.5 - wall, 5)).Shape();
+}
+
 /// An L whose parts are not merged: the fillet's arc and the edge between the parts' end faces meet tangentially.
 TopoDS_Shape sheet_with_cusps() {
     const TopoDS_Shape sheet =
@@ -132,6 +143,7 @@ TEST_CASE("coarse 10-node meshes of strongly curved parts are unfolded and on th
          BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(20, 20).Shape(), BRepPrimAPI_MakeCylinder(19, 20).Shape()).Shape(),
          6},
         {"crossing cylinders", crossing_cylinders(), 10},
+        {"branching pipe, wall 0.2", branching_pipe(0.2), 2.4},
         {"arc that leaves a line at no angle", sheet_with_cusps(), 5},
         {"hairpin", block_with_hairpin(), 10}};
     for (const Case& c : cases) {
