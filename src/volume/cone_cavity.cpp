@@ -45,7 +45,7 @@ double ConeCavity::cone_flatness(const std::array<int, 3>& f) const {
     const double all = flatness(point_, p[f[0]], p[f[1]], p[f[2]]);
     if (all < least_flatness_of_needle || all == inverted_flatness) return all;
     const auto [a, b, c] = are_outside(f);
-    return unforced_flatness({point_, p[f[0]], p[f[1]], p[f[2]]},
+    return unforced_flatness(all, {point_, p[f[0]], p[f[1]], p[f[2]]},
                              {apex_ >= 0 && may_have_needle(editor_.complex(), apex_), a, b, c});
 }
 

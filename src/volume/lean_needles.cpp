@@ -276,9 +276,10 @@ class NeedleStrips {
     Worth worth_of(const std::vector<std::array<NodeId, 4>>& tets) const {
         Worth worst{1e300, 0};
         for (const auto& [a, b, c, d] : tets) {
-            worst.volume = std::min(worst.volume, signed_volume(place(a), place(b), place(c), place(d)));
+            const std::array<Vec3, 4> p{place(a), place(b), place(c), place(d)};
+            worst.volume = std::min(worst.volume, signed_volume(p[0], p[1], p[2], p[3]));
             worst.flatness = std::max(worst.flatness,
-                                      unforced_flatness({place(a), place(b), place(c), place(d)},
+                                      unforced_flatness(flatness(p[0], p[1], p[2], p[3]), p,
                                                         {is_outside(a), is_outside(b), is_outside(c), is_outside(d)}));
         }
         return worst;

@@ -45,11 +45,11 @@ int needle_side(const std::array<Vec3, 4>& p, const std::array<bool, 4>& is_on_b
     return least < needle_share * needle_share * most ? shortest : -1;
 }
 
-double unforced_flatness(const std::array<Vec3, 4>& corners, const std::array<bool, 4>& is_on_boundary) {
-    const double all = flatness(corners[0], corners[1], corners[2], corners[3]);
-    if (all < least_flatness_of_needle || all == inverted_flatness) return all;
+double unforced_flatness(double flatness, const std::array<Vec3, 4>& corners,
+                         const std::array<bool, 4>& is_on_boundary) {
+    if (flatness < least_flatness_of_needle || flatness == inverted_flatness) return flatness;
     const int side = needle_side(corners, is_on_boundary);
-    return side >= 0 ? flatness_without(corners, side) : all;
+    return side >= 0 ? flatness_without(corners, side) : flatness;
 }
 
 bool has_needle(const TetComplex& complex) {
@@ -69,7 +69,8 @@ double unforced_flatness(const TetComplex& complex, const std::array<int, 4>& te
     const double all = flatness(p[a], p[b], p[c], p[d]);
     if (all < least_flatness_of_needle || all == inverted_flatness) return all;
     const auto is_outside = [&](int v) { return may_have_needle(complex, v); };
-    return unforced_flatness({p[a], p[b], p[c], p[d]}, {is_outside(a), is_outside(b), is_outside(c), is_outside(d)});
+    return unforced_flatness(all, {p[a], p[b], p[c], p[d]},
+                             {is_outside(a), is_outside(b), is_outside(c), is_outside(d)});
 }
 
 bool is_excused(const TetComplex& complex, const std::array<int, 4>& tet) {

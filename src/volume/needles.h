@@ -13,9 +13,10 @@ namespace featuremesh {
 /// ends, and it is shorter than 0.005 of the longest side. -1 for none.
 int needle_side(const std::array<Vec3, 4>& corners, const std::array<bool, 4>& is_on_boundary);
 
-/// Flatness (tet_measures) of a tet with these corners, of which some are on the boundary. Of a needle without the
+/// `flatness` (tet_measures) of a tet with these corners, of which some are on the boundary; of a needle without the
 /// angle opposite its short side: no mesh that has both nodes can have one worth speaking of.
-double unforced_flatness(const std::array<Vec3, 4>& corners, const std::array<bool, 4>& is_on_boundary);
+double unforced_flatness(double flatness, const std::array<Vec3, 4>& corners,
+                         const std::array<bool, 4>& is_on_boundary);
 
 /// No needle is less flat: what the local operations ask first, since few tets are as flat.
 inline constexpr double least_flatness_of_needle = 0.97;

@@ -115,7 +115,7 @@ double StarShape::flatness_at(const Vec3& point, const Face& face) const {
     const auto& [a, b, c] = face.corners;
     const double all = flatness(point, a, b, c);
     if (all < least_flatness_of_needle || all == inverted_flatness) return all;
-    return unforced_flatness({point, a, b, c},
+    return unforced_flatness(all, {point, a, b, c},
                              {is_on_boundary_, face.is_on_boundary[0], face.is_on_boundary[1], face.is_on_boundary[2]});
 }
 
