@@ -240,15 +240,17 @@ ConstrainedTriangulation given_up() {
 
 }  // namespace
 
-ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<const Vec3> seeds,
+ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<const Vec3> seeds, std::size_t missing,
                                               const RunContext& context) {
+    // walls of a fiftieth of the edge length took 20 to 40 vertices, made and gone again, for a missing facet
+    constexpr std::size_t spare_vertices = 20'000, vertices_per_missing = 100;
     std::vector<Point> points;
     append_converted(cavity.points, points);
     append_converted(seeds, points);
     const std::vector<int> facet_of = facets_with_normal(cavity);
     std::vector<Facet> facets;
     for (const int f : facet_of) facets.push_back(cavity.facets[static_cast<std::size_t>(f)]);
-    const VertexBudget budget(2 * points.size() + 20000, context);
+    const VertexBudget budget(2 * points.size() + spare_vertices + vertices_per_missing * missing, context);
     try {
         const Constrained constrained(points, corners_of(facets));
         return Reading(constrained, points, cavity, facet_of).read();

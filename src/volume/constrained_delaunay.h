@@ -20,8 +20,9 @@ struct ConstrainedTriangulation {
 };
 
 /// By CGAL's conforming constrained Delaunay triangulation (Si and Gaertner 2005, Diazzi et al. 2023) with each facet a
-/// constraint of its own. Facets must not cut one another: see `crossing_facets`.
-ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<const Vec3> seeds,
+/// constraint of its own. Facets must not cut one another: see `crossing_facets`. How many points it may add grows with
+/// `missing`, the number of facets that a Delaunay triangulation of the points does not have.
+ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<const Vec3> seeds, std::size_t missing,
                                               const RunContext& context = {});
 
 /// Facets that cut or overlap others, or have no area; ascending.

@@ -256,7 +256,7 @@ class Filling {
         std::optional<ConstrainedTriangulation> local;
         if (local_recoveries_++ < most_local_recoveries) local = recover_locally(cavity, fill, context_);
         ConstrainedTriangulation constrained =
-            local ? std::move(*local) : constrained_delaunay(cavity, seeds, context_);
+            local ? std::move(*local) : constrained_delaunay(cavity, seeds, fill.places.missing.size(), context_);
         if (constrained.is_given_up || !constrained.failed.empty()) {
             const std::vector<int>& bad = constrained.is_given_up ? fill.places.missing : constrained.failed;
             log("triangles that constraints did not bring back", bad.size());

@@ -37,7 +37,7 @@ class Neighbourhood {
 
     std::optional<ConstrainedTriangulation> recover(const RunContext& context) const {
         if (!crossing_facets(sub_).empty()) return {};  // what is missing reaches through the border
-        ConstrainedTriangulation local = constrained_delaunay(sub_, {}, context);
+        ConstrainedTriangulation local = constrained_delaunay(sub_, {}, fill_.places.missing.size(), context);
         if (local.is_given_up || !local.failed.empty()) return {};
         for (const auto& piece : local.split.pieces)
             if (facet_of_sub_[piece.facet] < 0 || is_border_[piece.facet]) return {};

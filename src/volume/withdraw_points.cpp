@@ -79,7 +79,7 @@ class Withdrawal {
                 context.check_cancelled();
                 if (!withdraw(p)) left.push_back(p);
             }
-            for (const int p : left) make_room(p);
+            make_room(left, context);
             open = std::move(left);
         }
         return open.empty();
@@ -274,15 +274,18 @@ class Withdrawal {
         for (const Corners& c : patch.filled) add_piece({c, patch.facet});
     }
 
-    /// Brings the free points round this one to better places.
-    void make_room(int point) {
+    /// Brings the free points round these to better places.
+    void make_room(std::span<const int> points, const RunContext& context) {
         std::vector<int> around;
-        for (const int t : tets_of_[point - first_]) around.insert(around.end(), tets_[t].begin(), tets_[t].end());
+        for (const int point : points)
+            for (const int t : tets_of_[point - first_])
+                for (const int p : tets_[t])
+                    if (p >= first_ && (!is_added(p) || pieces_of_[p - first_].empty())) around.push_back(p);
         std::sort(around.begin(), around.end());
         around.erase(std::unique(around.begin(), around.end()), around.end());
         static const double good_enough = flatness_of_angle(20);
         for (const int p : around) {
-            if (p < first_ || (is_added(p) && !pieces_of_[p - first_].empty())) continue;
+            context.check_cancelled();
             StarShape shape;
             for (const int t : tets_of_[p - first_]) {
                 const auto& face = opposite_face[corner_of(tets_[t], p)];

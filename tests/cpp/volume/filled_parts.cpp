@@ -83,6 +83,13 @@ TopoDS_Shape slotted_block() {
     return BRepAlgoAPI_Cut(box_part({0, 0, 0}, {60, 10, 10}), box_part({3, -1, 2}, {0.3, 12, 9})).Shape();
 }
 
+TopoDS_Shape comb_part(int slits, double width) {
+    TopoDS_Shape comb = box_part({0, 0, 0}, {30, 20, 3});
+    for (int i = 0; i < slits; ++i)
+        comb = BRepAlgoAPI_Cut(comb, box_part({10 + 2 * width * i, 2, -1}, {width, 10.0 + i % 3, 5})).Shape();
+    return comb;
+}
+
 TopoDS_Shape cut_corner(double width) {
     BRepBuilderAPI_MakePolygon outline;
     for (const auto& [x, y] : {std::pair{0.0, 0.0}, {30.0, 0.0}, {30.0, 20 - width}, {30 - width, 20.0}, {0.0, 20.0}})

@@ -33,6 +33,8 @@ TopoDS_Shape cylinders_at_a_point();
 TopoDS_Shape unglued_boxes();
 /// A long block with a slot 0.3 wide at one end.
 TopoDS_Shape slotted_block();
+/// A plate 30 x 20 x 3 with so many slits of this width side by side, as far apart as they are wide.
+TopoDS_Shape comb_part(int slits, double width);
 /// A block 30 x 20 x 10 with a chamfer of this width along a vertical edge.
 TopoDS_Shape cut_corner(double width);
 /// A thin wall whose two sides have a step as high as this, opposite each other.

@@ -74,7 +74,7 @@ TEST_CASE("missing triangles come back by constraint, in the whole cavity and ar
     REQUIRE(!filled.fill.places.missing.empty());
     const std::vector<Vec3> seeds(filled.fill.points.begin() + static_cast<std::ptrdiff_t>(filled.cavity.points.size()),
                                   filled.fill.points.end());
-    check_recovered(filled, constrained_delaunay(filled.cavity, seeds));
+    check_recovered(filled, constrained_delaunay(filled.cavity, seeds, 0));
     const auto local = recover_locally(filled.cavity, filled.fill);
     REQUIRE(local.has_value());
     check_recovered(filled, *local);
@@ -90,7 +90,7 @@ TEST_CASE("a facet without a normal is left to its neighbours, and the library w
         return std::distance(begin(here), end(here));
     };
     const auto before = files();
-    const ConstrainedTriangulation recovered = constrained_delaunay(cavity, {});
+    const ConstrainedTriangulation recovered = constrained_delaunay(cavity, {}, 0);
     CHECK(files() == before);
     CHECK(recovered.failed.empty());
     CHECK(recovered.split.added.empty());
