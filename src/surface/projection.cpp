@@ -154,6 +154,11 @@ double rounding_of_square(const Vec3& p, double square) {
     return 1e-14 * square + 2e-15 * length(p) * std::sqrt(square);
 }
 
+/// Of a step, so that it is half a period at most.
+double share_within_period(double step, double period) {
+    return period > 0 && 2 * std::abs(step) > period ? 0.5 * period / std::abs(step) : 1;
+}
+
 /// Newton on |S(u,v) - p|^2 with step halving; none when it does not reach a stationary point.
 std::optional<Uv> newton(const SurfaceData& s, const Vec3& p, Uv uv) {
     const auto& a = s.adaptor;
@@ -173,7 +178,8 @@ std::optional<Uv> newton(const SurfaceData& s, const Vec3& p, Uv uv) {
         const double move =
             std::sqrt(std::abs(step[0] * step[0] * e + 2 * step[0] * step[1] * m + step[1] * step[1] * g));
         if (move < negligible_step(p, std::sqrt(f))) return uv;
-        double scale = 1;
+        // beside a pole a short way in space may be one of many periods
+        double scale = std::min(share_within_period(step[0], s.u_period), share_within_period(step[1], s.v_period));
         bool better = false;
         for (int halving = 0; halving < 12 && !better; ++halving, scale *= 0.5) {
             const Uv next{clamped(uv[0] + scale * step[0], a.FirstUParameter(), a.LastUParameter(), s.u_period),
@@ -324,6 +330,7 @@ bool Projector::is_inside_trim(FaceId face, std::array<double, 2> uv) const {
         return s.wires->contains(uv);
     }
     if (!s.trim) s.trim = std::make_unique<BRepTopAdaptor_FClass2d>(s.face, 1e-9);
+    uv = in_period(s, uv, {});  // the kernel would take one period after the other
     const TopAbs_State state = s.trim->Perform(gp_Pnt2d(uv[0], uv[1]));
     return state == TopAbs_IN || state == TopAbs_ON;
 }

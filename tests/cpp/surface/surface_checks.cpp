@@ -3,6 +3,7 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_GTransform.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
@@ -89,6 +90,12 @@ std::vector<NamedShape> named_shapes() {
     };
     for (NamedShape& s : list) s.shape = turned(s.shape);
     return list;
+}
+
+TopoDS_Shape ellipsoid(const Vec3& half_axes) {
+    gp_GTrsf stretch;
+    for (int k = 0; k < 3; ++k) stretch.SetValue(k + 1, k + 1, half_axes[k]);
+    return BRepBuilderAPI_GTransform(BRepPrimAPI_MakeSphere(1).Shape(), stretch, true).Shape();
 }
 
 SurfaceResult mesh_surface(const Brep& brep, double size, Mesh kept, int threads) {

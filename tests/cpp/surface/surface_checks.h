@@ -21,6 +21,9 @@ struct NamedShape {
 /// Boxes, cylinders, cones with their apex, spheres, tori, fillets, lofts, plates with holes: turned by an odd angle.
 std::vector<NamedShape> named_shapes();
 
+/// A free-form face with a pole at either end of the third axis.
+TopoDS_Shape ellipsoid(const Vec3& half_axes);
+
 SurfaceResult mesh_surface(const Brep& brep, double size, Mesh kept = {}, int threads = 1);
 
 /// Nodes on their entities, chains complete, triangles the right way round, every side shared as the shape says. In

@@ -42,6 +42,23 @@ TEST_CASE("a point of a face or an edge projects on itself, with and without a g
     }
 }
 
+TEST_CASE("steps beside a pole stay near the face's period") {
+    const Brep brep(ellipsoid({12, 2, 5}));
+    const Projector projector(brep);
+    const FaceId face(0);
+    double furthest = 0;
+    for (double height : {1e-1, 1e-2, 1e-4, 1e-6})
+        for (double from = 0; from < 2 * M_PI; from += 0.1)
+            for (double to = 0; to < 2 * M_PI; to += 0.1) {
+                const Vec3 p = projector.on_face(face, {to, M_PI / 2 - height});
+                const auto foot = projector.nearest_by_steps(face, p, {from, M_PI / 2 - 0.1 * height});
+                if (!foot) continue;
+                furthest = std::max(furthest, std::abs(foot->uv[0]));
+            }
+    CHECK(furthest < 100);
+    CHECK(projector.is_inside_trim(face, {-3e13, 1.5}));
+}
+
 TEST_CASE("the nearest point of an edge is within the edge") {
     const NamedShape box = named_shapes().front();
     const Brep brep(box.shape);
