@@ -205,8 +205,20 @@ void make_delaunay(TrianglePatch& patch) {
     flip_from(patch, queue);
 }
 
+namespace {
+
+/// Of the point and the nearest corner of the two triangles at the side opposite corner i of t.
+double distance_to_corners(const TrianglePatch& patch, int t, int i, const Vec3& point) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const int triangle : {t, patch.neighbour(t, i)})
+        for (const int corner : patch.corners(triangle)) least = std::min(least, distance(patch.place(corner), point));
+    return least;
+}
+
+}  // namespace
+
 std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry, const Heartbeat& heart) {
-    constexpr double too_long = 1.6, least_height = 0.7;
+    constexpr double too_long = 1.6, least_height = 0.7, least_apart = 0.3;
     std::size_t splits = 0;
     std::vector<int> queue;
     for (int round = 0; round < 12; ++round) {
@@ -216,6 +228,8 @@ std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry
             if (t % 1024 == 0) heart.beat();
             int longest = -1;
             double excess = too_long;
+            Vec2 its_middle;
+            Vec3 its_place;
             for (int i = 0; i < 3; ++i) {
                 const int n = patch.neighbours[t][at(i)];
                 if (n < 0) continue;
@@ -227,12 +241,14 @@ std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry
                 const double height =
                     std::min(height_above_boundary(patch, static_cast<int>(t)), height_above_boundary(patch, n));
                 if (height < least_height * h) continue;
-                excess = l / h, longest = i;
+                // round a pole, the middle of a side in the chart may be far from its middle in space
+                const Vec2 middle = 0.5 * (patch.point(a) + patch.point(b));
+                const Vec3 place = geometry.place(middle);
+                if (distance_to_corners(patch, static_cast<int>(t), i, place) < least_apart * h) continue;
+                excess = l / h, longest = i, its_middle = middle, its_place = place;
             }
             if (longest < 0) continue;
-            const int a = patch.triangles[t][at((longest + 1) % 3)], b = patch.triangles[t][at((longest + 2) % 3)];
-            const Vec2 middle = 0.5 * (patch.point(a) + patch.point(b));
-            const int p = patch.split_side(static_cast<int>(t), longest, middle, geometry.place(middle));
+            const int p = patch.split_side(static_cast<int>(t), longest, its_middle, its_place);
             ++splits;
             std::vector<int> star;
             patch.star(p, star);

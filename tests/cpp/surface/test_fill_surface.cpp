@@ -227,6 +227,18 @@ TEST_CASE("where a border passes close by a cone's apex no ring of tiny triangle
     CHECK(near == 2);
 }
 
+TEST_CASE("round the poles of a free-form face no side is split again and again") {
+    for (const Vec3& half_axes : {Vec3{4.856, 1.91, 8.481}, Vec3{9.75, 3.524, 5.45}}) {
+        const Brep brep(ellipsoid(half_axes));
+        RunContext context;
+        SizingOptions options;
+        options.size = 1.5;
+        const Mesh mesh = fill_surface(brep, make_sizing(brep, options, {}, context), {}, context).mesh;
+        CHECK(findings(brep, mesh).empty());
+        CHECK(smallest_angle(mesh) > 20);
+    }
+}
+
 TEST_CASE("a face between an arc and what lies within its height gets more pieces than its size asks for") {
     const gp_Pnt a(0, 0, 0), b(2, 0, 0), within(1, 0.1, 0), on_arc(1, 0.2, 0);
     BRepBuilderAPI_MakeWire border;
