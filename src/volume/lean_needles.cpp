@@ -96,6 +96,8 @@ class NeedleStrips {
         for (std::size_t t = 0; t < mesh_.tets.size(); ++t)
             for (const NodeId n : mesh_.tets[t])
                 if (is_needle[n.index()]) tets_at_[n].push_back(TetId(t));
+        for (const auto& [a, b] : mesh_.segments)
+            if (is_needle[a.index()] || is_needle[b.index()]) segments_.insert(std::minmax(a, b));
     }
 
     /// By edge with such nodes, all its nodes.
@@ -230,7 +232,7 @@ class NeedleStrips {
             const std::size_t i = std::size_t(std::find(corners.begin(), corners.end(), a) - corners.begin());
             const NodeId b = corners[(i + 1) % 3], d = corners[(i + 2) % 3];
             const auto at_b = triangles_at_.find(b);
-            if (at_b == triangles_at_.end()) continue;
+            if (at_b == triangles_at_.end() || segments_.contains(std::minmax(b, d))) continue;  // it may be a seam
             for (const TriangleId u : at_b->second) {
                 const auto& other = mesh_.triangles[u.index()];
                 if (u != t && mesh_.triangle_faces[u.index()] == mesh_.triangle_faces[t.index()] && holds(other, b) &&
@@ -328,6 +330,7 @@ class NeedleStrips {
     double reach_, least_volume_;
     bool is_careful_ = true;  ///< tets may not get much thinner, either
     std::set<NodeId> nodes_;
+    std::set<std::pair<NodeId, NodeId>> segments_;  ///< with such a node, lower first
     std::map<NodeId, std::vector<TriangleId>> triangles_at_;
     std::map<NodeId, std::vector<TetId>> tets_at_;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/lean_needles.h"
 
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -55,6 +57,22 @@ TEST_CASE("beside a strip of needles the nodes along every edge are a chain, whi
             ++meshes, whole += broken_chains(part.brep, mesh, 1e-5 * part.brep.tolerances().diagonal).empty();
         }
     CHECK(2 * whole >= meshes);
+}
+
+TEST_CASE("beside needles no seam is turned") {
+    // so nearly of one radius, and on one axis, that the seams end at an edge of 0.0003
+    const double radius = 2.4962530422968414, branch = 2.4961641691652887, off = 0.00034305351232783696;
+    const TopoDS_Shape tee =
+        BRepAlgoAPI_Fuse(BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(-15, 0, 0), gp::DX()), radius, 30).Shape(),
+                         BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, off, 0), gp::DZ()), branch, 15).Shape())
+            .Shape();
+    for (const double size : {0.8, 0.877}) {
+        INFO(size);
+        SizingOptions options;
+        options.size = size;
+        const Part part = prepare(tee, options);
+        CHECK(findings(part.brep, fill(part).mesh).empty());
+    }
 }
 
 TEST_CASE("where there are no needles nothing is turned") {
