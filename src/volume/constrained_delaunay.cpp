@@ -7,12 +7,16 @@
 #include <CGAL/make_conforming_constrained_Delaunay_triangulation_3.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 
 #include "core/errors.h"
+#include "core/isolated_run.h"
 
 namespace featuremesh {
 
@@ -238,19 +242,10 @@ ConstrainedTriangulation given_up() {
     return result;
 }
 
-}  // namespace
-
-ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<const Vec3> seeds, std::size_t missing,
-                                              const RunContext& context) {
-    // walls of a fiftieth of the edge length took 20 to 40 vertices, made and gone again, for a missing facet
-    constexpr std::size_t spare_vertices = 20'000, vertices_per_missing = 100;
-    std::vector<Point> points;
-    append_converted(cavity.points, points);
-    append_converted(seeds, points);
-    const std::vector<int> facet_of = facets_with_normal(cavity);
+ConstrainedTriangulation triangulate(const Cavity& cavity, const std::vector<Point>& points,
+                                     std::span<const int> facet_of) {
     std::vector<Facet> facets;
     for (const int f : facet_of) facets.push_back(cavity.facets[static_cast<std::size_t>(f)]);
-    const VertexBudget budget(2 * points.size() + spare_vertices + vertices_per_missing * missing, context);
     try {
         const Constrained constrained(points, corners_of(facets));
         return Reading(constrained, points, cavity, facet_of).read();
@@ -268,6 +263,71 @@ ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<co
     } catch (const std::logic_error&) {  // nor for a facet
         return given_up();
     }
+}
+
+/// A triangulation as bytes, for the way from one process to another.
+class Bytes {
+  public:
+    Bytes() = default;
+    explicit Bytes(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
+
+    static std::vector<std::byte> of(const ConstrainedTriangulation& t) {
+        Bytes all;
+        all.put(std::vector<char>(1, t.is_given_up));
+        all.put(t.failed), all.put(t.split.added), all.put(t.split.pieces);
+        all.put(t.triangulation.tets), all.put(t.triangulation.neighbours);
+        return std::move(all.bytes_);
+    }
+    ConstrainedTriangulation read() {
+        ConstrainedTriangulation t;
+        std::vector<char> is_given_up;
+        take(is_given_up), take(t.failed), take(t.split.added), take(t.split.pieces);
+        take(t.triangulation.tets), take(t.triangulation.neighbours);
+        t.is_given_up = is_given_up.front() != 0;
+        return t;
+    }
+
+  private:
+    template <class T>
+    void put(const std::vector<T>& list) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        const std::size_t count = list.size(), at = bytes_.size();
+        bytes_.resize(at + sizeof count + count * sizeof(T));
+        std::memcpy(bytes_.data() + at, &count, sizeof count);
+        if (count > 0) std::memcpy(bytes_.data() + at + sizeof count, list.data(), count * sizeof(T));
+    }
+    template <class T>
+    void take(std::vector<T>& list) {
+        std::size_t count = 0;
+        std::memcpy(&count, bytes_.data() + next_, sizeof count);
+        next_ += sizeof count;
+        list.resize(count);
+        if (count > 0) std::memcpy(list.data(), bytes_.data() + next_, count * sizeof(T));
+        next_ += count * sizeof(T);
+    }
+
+    std::vector<std::byte> bytes_;
+    std::size_t next_ = 0;
+};
+
+}  // namespace
+
+ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<const Vec3> seeds, std::size_t missing,
+                                              const RunContext& context) {
+    // walls of a fiftieth of the edge length took 20 to 40 vertices, made and gone again, for a missing facet
+    constexpr std::size_t spare_vertices = 20'000, vertices_per_missing = 100;
+    std::vector<Point> points;
+    append_converted(cavity.points, points);
+    append_converted(seeds, points);
+    const std::vector<int> facet_of = facets_with_normal(cavity);
+    // where facets all but touch, the library may follow a handle to nowhere
+    auto found = run_isolated(
+        [&](const RunContext& watched) {
+            const VertexBudget budget(2 * points.size() + spare_vertices + vertices_per_missing * missing, watched);
+            return Bytes::of(triangulate(cavity, points, facet_of));
+        },
+        context);
+    return found ? Bytes(std::move(*found)).read() : given_up();
 }
 
 std::vector<int> crossing_facets(const Cavity& cavity) {

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Work in a process of its own, for libraries that may crash.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/run_context.h"
+
+namespace featuremesh {
+
+/// What `work` returns, from a copy of this process that ends with it; none when the copy crashed or `work` threw
+/// there. The copy is ended when the context is cancelled (throws Cancelled). Where there is no fork, `work` runs here.
+/// It may use no context but the one that it is given: in the copy, one without a caller.
+std::optional<std::vector<std::byte>> run_isolated(
+    const std::function<std::vector<std::byte>(const RunContext& context)>& work, const RunContext& context);
+
+}  // namespace featuremesh

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <csignal>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "catch.h"
+#include "core/errors.h"
+#include "core/isolated_run.h"
+
+using namespace featuremesh;
+
+namespace {
+using Bytes = std::vector<std::byte>;
+}
+
+TEST_CASE("what isolated work returns comes back, however much it is") {
+    const RunContext context;
+    for (const std::size_t size : {0, 1, 3'000'000}) {
+        Bytes sent(size);
+        for (std::size_t i = 0; i < size; ++i) sent[i] = static_cast<std::byte>(i * i % 251);
+        const auto got = run_isolated([&](const RunContext&) { return sent; }, context);
+        REQUIRE(got.has_value());
+        CHECK(*got == sent);
+    }
+}
+
+TEST_CASE("isolated work that crashes or throws gives nothing, and changes nothing here") {
+    const RunContext context;
+    int here = 1;
+    const auto crash = [&](const RunContext&) -> Bytes {
+        here = 2;
+        std::raise(SIGSEGV);
+        return Bytes(1);
+    };
+    const auto fail = [&](const RunContext&) -> Bytes { throw std::runtime_error("no"); };
+    CHECK_FALSE(run_isolated(crash, context).has_value());
+    CHECK_FALSE(run_isolated(fail, context).has_value());
+    CHECK(here == 1);
+}
+
+TEST_CASE("isolated work ends when it is cancelled") {
+    RunContext context;
+    context.cancel();
+    const auto start = std::chrono::steady_clock::now();
+    const auto sleep = [](const RunContext&) {
+        std::this_thread::sleep_for(std::chrono::seconds(60));
+        return Bytes(1);
+    };
+    CHECK_THROWS_AS(run_isolated(sleep, context), Cancelled);
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(30));
+}
