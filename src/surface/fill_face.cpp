@@ -32,8 +32,12 @@ class FaceFiller {
           heart_(heart) {}
 
     FaceFilling fill() {
-        plant();
-        improve();
+        try {
+            plant();
+            improve();
+        } catch (const BrokenPatch&) {
+            fail("its triangles do not hang together");
+        }
         check_cover();
         return result();
     }

@@ -48,9 +48,14 @@ void TrianglePatch::star(int p, std::vector<int>& around) const {
     around.clear();
     const int start = triangle_of[at(p)];
     if (start < 0) return;
+    std::size_t steps = 0;
+    const auto step = [&] {
+        if (++steps > 2 * triangles.size()) throw BrokenPatch();
+    };
     // Clockwise to the boundary first, so that the list is counterclockwise without gaps.
     int first = start;
     for (int t = start;;) {
+        step();
         const int next = neighbour(t, (corner_index(t, p) + 2) % 3);
         if (next < 0 || next == start) {
             first = next < 0 ? t : start;
@@ -59,6 +64,7 @@ void TrianglePatch::star(int p, std::vector<int>& around) const {
         t = next;
     }
     for (int t = first; t >= 0;) {
+        step();
         around.push_back(t);
         t = neighbour(t, (corner_index(t, p) + 1) % 3);
         if (t == first) break;

@@ -15,6 +15,9 @@ namespace featuremesh {
 /// Strictly, with a margin against rounding.
 bool is_counterclockwise(Vec2 a, Vec2 b, Vec2 c);
 
+/// The triangles' neighbours contradict one another, as they may where a face's border crosses itself within rounding.
+struct BrokenPatch {};
+
 /// Every triangle is counterclockwise in the chart, so the triangles never overlap on the surface. Lengths and angles
 /// are taken between `places`: points of the surface, or of the chart itself where that is isometric.
 struct TrianglePatch {
@@ -57,7 +60,8 @@ struct TrianglePatch {
     /// quadrilateral, and the new side joins two nodes.
     bool can_flip(int t, int i) const;
     void flip(int t, int i);
-    /// The triangles around p, counterclockwise; for a boundary point from one boundary side to the other.
+    /// The triangles around p, counterclockwise; for a boundary point from one boundary side to the other. Throws
+    /// BrokenPatch when they go round and round elsewhere.
     void star(int p, std::vector<int>& triangles_around) const;
     /// Puts a new point into the triangle and returns it.
     int split_triangle(int t, Vec2 point, Vec3 place);

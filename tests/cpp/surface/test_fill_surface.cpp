@@ -31,6 +31,7 @@
 #include "catch.h"
 #include "core/errors.h"
 #include "surface/projection.h"
+#include "surface/triangle_patch.h"
 #include "surface/turned_triangles.h"
 #include "surface_checks.h"
 
@@ -237,6 +238,19 @@ TEST_CASE("round the poles of a free-form face no side is split again and again"
         CHECK(findings(brep, mesh).empty());
         CHECK(smallest_angle(mesh) > 20);
     }
+}
+
+TEST_CASE("triangles that do not hang together are told of, not walked round for ever") {
+    TrianglePatch patch;
+    patch.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    patch.triangles = {{0, 1, 2}, {0, 2, 3}};
+    patch.neighbours = {{-1, 1, -1}, {-1, -1, 0}};
+    patch.triangle_of = {0, 0, 0, 1};
+    std::vector<int> around;
+    patch.star(0, around);
+    CHECK(around == std::vector<int>{0, 1});
+    patch.neighbours = {{-1, 1, 1}, {-1, 1, 1}};
+    CHECK_THROWS_AS(patch.star(0, around), BrokenPatch);
 }
 
 TEST_CASE("a face between an arc and what lies within its height gets more pieces than its size asks for") {
