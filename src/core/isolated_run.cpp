@@ -2,6 +2,7 @@
 #include "core/isolated_run.h"
 
 #if __has_include(<unistd.h>)
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -25,6 +26,9 @@ using Work = std::function<std::vector<std::byte>(const RunContext&)>;
 
 namespace {
 
+/// The last byte of what is written, so that nothing depends on whether the program waits for children of its own.
+constexpr std::byte complete{42};
+
 /// In the copy: nothing of it reaches the caller but what is written to `out`.
 [[noreturn]] void work_and_end(const Work& work, int out) {
 #ifdef __linux__
@@ -35,7 +39,8 @@ namespace {
     const rlimit no_core{0, 0};
     setrlimit(RLIMIT_CORE, &no_core);
     try {
-        const std::vector<std::byte> bytes = work(RunContext());
+        std::vector<std::byte> bytes = work(RunContext());
+        bytes.push_back(complete);
         for (std::size_t done = 0; done < bytes.size();) {
             const ssize_t count = write(out, bytes.data() + done, bytes.size() - done);
             if (count < 0 && errno == EINTR) continue;
@@ -56,11 +61,12 @@ class Child {
     ~Child() {
         close(in_);
         if (process_ <= 0) return;
-        kill(process_, SIGKILL);
-        wait();
+        kill(process_, SIGKILL);  // no matter when it has ended already
+        while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+        }
     }
 
-    /// All that it writes; none when it did not end well.
+    /// All that it writes; none when that is not complete.
     std::optional<std::vector<std::byte>> read_all(const RunContext& context) {
         constexpr int milliseconds = 50;
         std::vector<std::byte> bytes;
@@ -75,20 +81,12 @@ class Child {
             if (count == 0) break;
             bytes.insert(bytes.end(), part.begin(), part.begin() + count);
         }
-        const int status = wait();
-        process_ = 0;
-        if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return {};
+        if (bytes.empty() || bytes.back() != complete) return {};
+        bytes.pop_back();
         return bytes;
     }
 
   private:
-    int wait() const {
-        int status = -1;
-        while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-        }
-        return status;
-    }
-
     pid_t process_;
     int in_;
 };
@@ -98,6 +96,7 @@ class Child {
 std::optional<std::vector<std::byte>> run_isolated(const Work& work, const RunContext& context) {
     std::array<int, 2> ends;
     if (pipe(ends.data()) != 0) return work(context);
+    for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);  // other processes of the program do not hold it open
     const pid_t process = fork();
     if (process == 0) {
         close(ends[0]);
