@@ -79,7 +79,7 @@ class Withdrawal {
                 context.check_cancelled();
                 if (!withdraw(p)) left.push_back(p);
             }
-            make_room(left, context);
+            for (const int p : left) make_room(p);
             open = std::move(left);
         }
         return open.empty();
@@ -274,18 +274,15 @@ class Withdrawal {
         for (const Corners& c : patch.filled) add_piece({c, patch.facet});
     }
 
-    /// Brings the free points round these to better places.
-    void make_room(std::span<const int> points, const RunContext& context) {
+    /// Brings the free points round this one to better places.
+    void make_room(int point) {
         std::vector<int> around;
-        for (const int point : points)
-            for (const int t : tets_of_[point - first_])
-                for (const int p : tets_[t])
-                    if (p >= first_ && (!is_added(p) || pieces_of_[p - first_].empty())) around.push_back(p);
+        for (const int t : tets_of_[point - first_]) around.insert(around.end(), tets_[t].begin(), tets_[t].end());
         std::sort(around.begin(), around.end());
         around.erase(std::unique(around.begin(), around.end()), around.end());
         static const double good_enough = flatness_of_angle(20);
         for (const int p : around) {
-            context.check_cancelled();
+            if (p < first_ || (is_added(p) && !pieces_of_[p - first_].empty())) continue;
             StarShape shape;
             for (const int t : tets_of_[p - first_]) {
                 const auto& face = opposite_face[corner_of(tets_[t], p)];
