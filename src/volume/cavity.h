@@ -12,6 +12,11 @@
 
 namespace featuremesh {
 
+class Brep;
+
+/// Brep::sides_of of all faces, by FaceId.
+std::vector<std::array<SolidId, 2>> sides_of_faces(const Brep& brep);
+
 /// The boundary of the space to fill, with node indices of its own.
 struct Cavity {
     std::vector<NodeId> nodes;  ///< the mesh's nodes, ascending

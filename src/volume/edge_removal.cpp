@@ -21,7 +21,7 @@ struct RingPoints {
 
 }  // namespace
 
-int tets_of_triangulation(const EdgeRing& ring, const RingTriangulation& triangulation,
+int tets_of_triangulation(const EdgeRing& ring, const RingTriangulation<>& triangulation,
                           std::array<Tet, 2 * EdgeRing::max_size>& tets) {
     int count = 0;
     visit_triangles(triangulation, 0, ring.size - 1, [&](int i, int j, int k) {
@@ -32,7 +32,7 @@ int tets_of_triangulation(const EdgeRing& ring, const RingTriangulation& triangu
     return count;
 }
 
-RingTriangulation least_flat_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit) {
+RingTriangulation<> least_flat_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit) {
     const RingPoints p(complex, ring);
     return triangulate_ring<WorstOf>(ring.size, limit, [&](int i, int j, int k) {
         double upper = flatness(p.corners[i], p.corners[j], p.corners[k], p.to);
@@ -46,7 +46,7 @@ RingTriangulation least_flat_triangulation(const TetComplex& complex, const Edge
     });
 }
 
-RingTriangulation lowest_energy_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit) {
+RingTriangulation<> lowest_energy_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit) {
     const RingPoints p(complex, ring);
     return triangulate_ring<SumOf>(ring.size, limit, [&](int i, int j, int k) {
         const double upper = odt_energy(p.corners[i], p.corners[j], p.corners[k], p.to);

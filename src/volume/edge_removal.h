@@ -12,18 +12,20 @@
 
 namespace featuremesh {
 
-/// A triangulation of an edge's ring: for each side (i, j) of the triangulation the third ring place.
+/// A triangulation of an edge's ring of at most so many vertices: for each side (i, j) of the triangulation the third
+/// ring place.
+template <int most = EdgeRing::max_size>
 struct RingTriangulation {
     double cost = std::numeric_limits<double>::infinity();
-    std::array<std::array<signed char, EdgeRing::max_size>, EdgeRing::max_size> apex{};
+    std::array<std::array<signed char, most>, most> apex{};
 };
 
 /// Minimises Objective::combine over the costs of the size-2 triangles: all choices are covered in O(size^3). `cost(i,
 /// j, k)`, i < j < k, is that of a triangle of ring places; `limit` is the cost from which on a solution is of no use.
-template <class Objective, class Cost>
-RingTriangulation triangulate_ring(int size, double limit, const Cost& cost) {
-    RingTriangulation result;
-    std::array<std::array<double, EdgeRing::max_size>, EdgeRing::max_size> best;
+template <class Objective, int most = EdgeRing::max_size, class Cost>
+RingTriangulation<most> triangulate_ring(int size, double limit, const Cost& cost) {
+    RingTriangulation<most> result;
+    std::array<std::array<double, most>, most> best;
     for (int i = 0; i + 1 < size; ++i) best[i][i + 1] = Objective::nothing;
     for (int length = 2; length < size; ++length) {
         for (int i = 0; i + length < size; ++i) {
@@ -56,8 +58,8 @@ struct SumOf {
 };
 
 /// Calls visit(i, j, k) for every triangle.
-template <class Visit>
-void visit_triangles(const RingTriangulation& ring, int i, int j, const Visit& visit) {
+template <int most, class Visit>
+void visit_triangles(const RingTriangulation<most>& ring, int i, int j, const Visit& visit) {
     if (j - i < 2) return;
     const int k = ring.apex[i][j];
     visit(i, k, j);
@@ -66,13 +68,13 @@ void visit_triangles(const RingTriangulation& ring, int i, int j, const Visit& v
 }
 
 /// The tets of a ring's triangulation, 2 (size - 2) of them.
-int tets_of_triangulation(const EdgeRing& ring, const RingTriangulation& triangulation,
+int tets_of_triangulation(const EdgeRing& ring, const RingTriangulation<>& triangulation,
                           std::array<Tet, 2 * EdgeRing::max_size>& tets);
 
 /// The triangulation whose worst tet is the least flat.
-RingTriangulation least_flat_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit);
+RingTriangulation<> least_flat_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit);
 /// The triangulation with the lowest ODT energy; tets without volume are not allowed.
-RingTriangulation lowest_energy_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit);
+RingTriangulation<> lowest_energy_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit);
 
 /// Flatness of the worst of some tets.
 double worst_flatness(const TetComplex& complex, std::span<const int> tets);

@@ -20,6 +20,7 @@
 #include "volume/facet_split.h"
 #include "volume/fill_cavity.h"
 #include "volume/flip_facets.h"
+#include "volume/flip_recovery.h"
 #include "volume/lean_needles.h"
 #include "volume/local_recovery.h"
 #include "volume/needle_neighbours.h"
@@ -46,14 +47,10 @@ constexpr int most_releasing_rounds = 5;
 /// of a small mesh, and costs nothing there.
 constexpr int edges_to_seam = 1, edges_to_seam_if_small = 5;
 constexpr std::size_t small_cavity = 8000;  // tets
+/// Of the facets: where more are missing, constraints would add points by the thousand. Else they make better tets.
+constexpr double many_missing = 0.1;
 /// Of the cube of the smallest wanted length: tets below are mended, and those below are refused.
 constexpr double mended_share = 1e-2, refused_share = 1e-3;
-
-std::vector<std::array<SolidId, 2>> sides_of_faces(const Brep& brep) {
-    std::vector<std::array<SolidId, 2>> sides;
-    for (std::size_t i = 0; i < brep.face_count(); ++i) sides.push_back(brep.sides_of(FaceId(i)));
-    return sides;
-}
 
 /// A filling from the round before, for a cavity of the same nodes, or for one that may have grown since.
 struct KnownFill {
@@ -229,8 +226,7 @@ class Filling {
         return is_changed;
     }
 
-    /// Changes diagonals if that is all; else has the missing facets by constraint, or cuts those that stand in the way
-    /// of that.
+    /// Changes diagonals if that is all; else flips or constrains what is missing, or cuts what stands in the way.
     void recover(const Cavity& cavity, CavityFill& fill) {
         if (is_flat(fill))
             throw MeshError("all nodes to fill between lie in one plane, at " +
@@ -253,6 +249,8 @@ class Filling {
             apply(halve_longest_edges(cavity, crossing), cavity);
             return;
         }
+        const bool are_many = fill.places.missing.size() > many_missing * cavity.facets.size();
+        if (are_many && flip(cavity, fill, seeds)) return;
         std::optional<ConstrainedTriangulation> local;
         if (local_recoveries_++ < most_local_recoveries) local = recover_locally(cavity, fill, context_);
         ConstrainedTriangulation constrained =
@@ -260,6 +258,7 @@ class Filling {
         if (constrained.is_given_up || !constrained.failed.empty()) {
             const std::vector<int>& bad = constrained.is_given_up ? fill.places.missing : constrained.failed;
             log("triangles that constraints did not bring back", bad.size());
+            if (!are_many && flip(cavity, fill, seeds)) return;
             if (++crossing_rounds_ > most_crossing_rounds) throw unrecovered(result_.mesh, cavities_, fills_);
             apply(halve_longest_edges(cavity, bad), cavity);
             return;
@@ -276,6 +275,14 @@ class Filling {
             nodes.insert(nodes.end(), added->begin(), added->end());
             known_.push_back({std::move(nodes), std::move(seeds), std::move(constrained.triangulation), false});
         }
+    }
+
+    /// All that is missing, or nothing.
+    bool flip(const Cavity& cavity, const CavityFill& fill, const std::vector<Vec3>& seeds) {
+        auto flipped = recover_by_flips(cavity, fill, context_);
+        if (flipped) known_.push_back({cavity.nodes, seeds, std::move(*flipped), true});
+        log("triangles that flips brought back", flipped ? fill.places.missing.size() : 0);
+        return flipped.has_value();
     }
 
     /// Every step of the recovery is long enough to look for a cancel before it.

@@ -136,7 +136,7 @@ class NeedleNeighbours {
 
     bool remove_edge(int tet) {
         EdgeRing ring, best_ring;
-        RingTriangulation best;
+        RingTriangulation<> best;
         for (const auto& [from, to] : edge_corners) {
             if (!find_ring(complex_, tet, from, to, ring)) continue;
             const double limit = std::min(improved_flatness(worth_of(ring.all_tets()).worst, least_gain), best.cost);

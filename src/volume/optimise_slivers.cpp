@@ -115,7 +115,7 @@ class SliverRemover {
 
     bool remove_edge(int tet) {
         EdgeRing ring;
-        const RingTriangulation best = best_triangulation(tet, ring);
+        const RingTriangulation<> best = best_triangulation(tet, ring);
         if (std::isinf(best.cost)) return false;
         std::array<Tet, 2 * EdgeRing::max_size> added;
         const int count = tets_of_triangulation(ring, best, added);
@@ -127,9 +127,9 @@ class SliverRemover {
     }
 
     /// Of the rings of the tet's six edges; of infinite cost where none gains.
-    RingTriangulation best_triangulation(int tet, EdgeRing& best_ring) const {
+    RingTriangulation<> best_triangulation(int tet, EdgeRing& best_ring) const {
         EdgeRing ring;
-        RingTriangulation best;
+        RingTriangulation<> best;
         for (const auto& [from, to] : edge_corners) {
             if (!find_ring(complex_, tet, from, to, ring)) continue;
             const double before = worst_flatness(complex_, ring.all_tets());

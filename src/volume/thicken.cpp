@@ -242,7 +242,7 @@ class Thickener {
             };
             // a cost of 1 is thick enough
             const double limit = std::max(1 + 1e-12, 1 / (before * least_gain));
-            const RingTriangulation best = triangulate_ring<WorstOf>(ring.size, limit, cost);
+            const RingTriangulation<> best = triangulate_ring<WorstOf>(ring.size, limit, cost);
             if (std::isinf(best.cost)) continue;
             std::array<Tet, 2 * EdgeRing::max_size> added;
             const int count = tets_of_triangulation(ring, best, added);

@@ -5,6 +5,7 @@
 #include "catch.h"
 #include "filled_parts.h"
 #include "volume/fill_cavity.h"
+#include "volume/flip_recovery.h"
 #include "volume/local_recovery.h"
 
 using namespace featuremesh;
@@ -22,9 +23,7 @@ Filled delaunay_fill(const TopoDS_Shape& shape, double size) {
     SizingOptions options;
     options.size = options.min_size = size;  // or the bottom of a slot would get shorter pieces
     Part part = prepare(shape, options);
-    std::vector<std::array<SolidId, 2>> sides;
-    for (std::size_t i = 0; i < part.brep.face_count(); ++i) sides.push_back(part.brep.sides_of(FaceId(i)));
-    Cavity cavity = find_cavity(part.surface, sides);
+    Cavity cavity = find_cavity(part.surface, sides_of_faces(part.brep));
     const WantedSize wanted{[size](const Vec3&) { return size; }, size, true};
     RunContext context;
     CavityFill fill = fill_cavity(cavity, {}, {}, wanted, context);
@@ -78,6 +77,54 @@ TEST_CASE("missing triangles come back by constraint, in the whole cavity and ar
     const auto local = recover_locally(filled.cavity, filled.fill);
     REQUIRE(local.has_value());
     check_recovered(filled, *local);
+}
+
+TEST_CASE("flips bring all missing triangles back and add no point") {
+    const auto [name, shape, expected] = GENERATE(table<std::string, TopoDS_Shape, double>(
+        {{"walls and slits of 0.05", comb_part(6, 0.05), 1800 - 0.05 * 3 * 66},
+         {"in a skew place", turned(comb_part(6, 0.05), 0.4, {3, 4, 5}), 1800 - 0.05 * 3 * 66},
+         {"sides that stand in one another's way", comb_part(10, 0.03), 1800 - 0.03 * 3 * 109}}));
+    INFO(name);
+    const Filled filled = delaunay_fill(shape, 4.0);
+    REQUIRE(filled.fill.places.missing.size() > 50);
+    const auto flipped = recover_by_flips(filled.cavity, filled.fill);
+    REQUIRE(flipped);
+    for (std::size_t i = 0; i < flipped->tets.size(); ++i) {
+        const auto& [a, b, c, d] = flipped->tets[i];
+        const auto& p = filled.fill.points;
+        CHECK(signed_volume(p[a], p[b], p[c], p[d]) > -1e-12);
+        for (const int other : flipped->neighbours[i])
+            if (other >= 0)
+                CHECK(std::count(flipped->neighbours[other].begin(), flipped->neighbours[other].end(),
+                                 static_cast<int>(i)) == 1);
+    }
+    const CavityFill again = flood_cavity(filled.cavity, filled.fill.points, *flipped);
+    CHECK(again.is_complete());
+    double volume = 0;
+    for (std::size_t i = 0; i < again.regions.size(); ++i)
+        if (again.regions[i] >= 0) {
+            const auto& [a, b, c, d] = again.triangulation.tets[i];
+            volume += signed_volume(again.points[a], again.points[b], again.points[c], again.points[d]);
+        }
+    CHECK(volume == Approx(expected).epsilon(1e-9));
+}
+
+TEST_CASE("flips give up a triangle that others cut") {
+    const Filled filled = delaunay_fill(comb_part(6, 0.05), 4.0);
+    CavityFill impossible = filled.fill;
+    Cavity cavity = filled.cavity;
+    // a triangle through the whole part, from corner to corner, which the walls' own triangles cut
+    int far = 0, near = 0;
+    for (int i = 0; i < static_cast<int>(cavity.points.size()); ++i) {
+        const auto key = [&](int n) { return cavity.points[n].x + cavity.points[n].y; };
+        if (key(i) > key(far)) far = i;
+        if (key(i) < key(near)) near = i;
+    }
+    int other = 0;
+    while (other == far || other == near) ++other;
+    impossible.places.missing.push_back(static_cast<int>(cavity.facets.size()));
+    cavity.facets.push_back({{near, far, other}, {0, 0}});
+    CHECK_FALSE(recover_by_flips(cavity, impossible));
 }
 
 TEST_CASE("a facet without a normal is left to its neighbours, and the library writes no file about it") {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Boundary recovery by flips alone: no point is added.
+#pragma once
+
+#include <optional>
+
+#include "volume/fill_cavity.h"
+
+namespace featuremesh {
+
+/// Brings the missing facets of a filling back: first their sides, then themselves, by taking out what they cross, a
+/// face of two tets (2-3 flip) or an edge (any triangulation of its ring), where the tets that take its place have a
+/// volume and cross less (George, Hecht and Saltel 1991; Si 2015). Facets and their sides that are there stay. Tets
+/// that have every facet, or none where one could not be had.
+std::optional<Triangulation> recover_by_flips(const Cavity& cavity, const CavityFill& fill,
+                                              const RunContext& context = {});
+
+}  // namespace featuremesh
