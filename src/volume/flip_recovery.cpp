@@ -59,9 +59,6 @@ struct Change {
     double cost = 0;
 };
 
-/// Of the cube of the longest edge.
-constexpr double least_volume = 1e-8;
-
 class FlipRecovery {
   public:
     FlipRecovery(const Cavity& cavity, const CavityFill& fill, const RunContext& context)
@@ -180,12 +177,12 @@ class FlipRecovery {
     bool is_there(const Target& t) { return t.is_edge() ? has_edge(t.a, t.b) : has_face(t.a, t.b, t.c); }
 
     bool recover(const Target& target) {
-        constexpr int most_changes = 200, most_detours = 8;
-        int detours = 0;
+        constexpr int most_changes = 200, most_sideways = 8;
+        int sideways = 0;
         for (int i = 0; i < most_changes; ++i) {
             context_.check_cancelled();
             if (is_there(target)) return true;
-            if (!improve(target) && (detours++ == most_detours || !change_sideways(target, detours))) return false;
+            if (!improve(target) && (sideways++ == most_sideways || !change_sideways(target, sideways))) return false;
         }
         return false;
     }
@@ -369,7 +366,8 @@ class FlipRecovery {
         const Vec3 &p = point(ring.from), &q = point(ring.to), &u = point(ring.vertices.front()),
                    &v = point(ring.vertices.back());
         const double longest = std::max({length(q - p), length(u - p), length(v - p), length(u - v)});
-        return std::abs(signed_volume(p, q, u, v)) < least_volume * longest * longest * longest;
+        constexpr double flat_share = 1e-8;
+        return std::abs(signed_volume(p, q, u, v)) < flat_share * longest * longest * longest;
     }
 
     /// The triangulation of an edge's ring that crosses least, if by less than `limit` more than now. `ear`, if any, is

@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/kernel_centre.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpzf.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
+
+#include "volume/orientation.h"
 
 namespace featuremesh {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-Kernel::Point_3 converted(const Vec3& p) { return {p.x, p.y, p.z}; }
-
 bool sees_all(const Vec3& point, std::span<const std::array<Vec3, 3>> triangles) {
     for (const auto& [a, b, c] : triangles)
-        if (CGAL::orientation(converted(point), converted(a), converted(b), converted(c)) != CGAL::POSITIVE)
-            return false;
+        if (orientation(point, a, b, c) <= 0) return false;
     return true;
 }
 
