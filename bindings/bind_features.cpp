@@ -127,9 +127,10 @@ double seconds_to_interpret(const py::dict& raw, const std::optional<py::dict>& 
     return run_released({}, 1, [&](RunContext& context) {
         std::optional<FeatureTree> known;
         if (before) known = interpret(earlier, context);
+        FeatureTree tree;
         {
             const RunContext::Step step(context, "read");
-            interpret(document, context, known ? &*known : nullptr);
+            tree = interpret(document, context, known ? &*known : nullptr);
         }
         return context.seconds().at("read");
     });
