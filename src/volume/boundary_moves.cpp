@@ -339,11 +339,13 @@ class BoundaryMover {
 
     /// By shrinking steps, without regard to how the face or edge is curved.
     std::optional<Vec3> climb(const BoundaryVertex& of, const Vec3& start, double wanted) const {
+        constexpr int most_steps = 100;  // far fewer do, but each may gain by rounding alone
         const std::vector<Vec3> ways = ways_from(of, start);
         Vec3 place = start;
         double best = shape_.worst(start, 2 * inverted_flatness);
         const double first_step = 0.2 * shape_.mean_height(start);
-        for (double step = first_step; step > 0.02 * first_step && best > target_;) {
+        double step = first_step;
+        for (int i = 0; i < most_steps && step > 0.02 * first_step && best > target_; ++i) {
             bool is_better = false;
             for (const Vec3& way : ways) {
                 const Vec3 trial = place + step * way;

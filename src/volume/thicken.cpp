@@ -347,7 +347,9 @@ class Thickener {
             return false;
         };
         for (const double share : {1.0, 0.5, 0.25, 0.1}) try_at(place + share * (middle - place));
-        for (double step = 0.3 * reach; step > 1e-4 * reach && best < 1;) {
+        constexpr int most_steps = 200;  // far fewer do, but each may gain by rounding alone
+        double step = 0.3 * reach;
+        for (int i = 0; i < most_steps && step > 1e-4 * reach && best < 1; ++i) {
             bool better = false;
             for (int x = -1; x <= 1; ++x)
                 for (int y = -1; y <= 1; ++y)

@@ -177,9 +177,11 @@ double StarShape::mean_height(const Vec3& point) const {
 }
 
 double StarShape::climb(Vec3& point, double good_enough) const {
+    constexpr int most_steps = 100;  // far fewer do, but each may gain by rounding alone
     double best = worst(point, 2 * inverted_flatness);
     const double start_step = 0.2 * mean_height(point);
-    for (double step = start_step; step > 0.02 * start_step && best > good_enough;) {
+    double step = start_step;
+    for (int i = 0; i < most_steps && step > 0.02 * start_step && best > good_enough; ++i) {
         bool gained = false;
         for (const Vec3& direction : directions()) {
             const Vec3 trial = point + step * direction;
