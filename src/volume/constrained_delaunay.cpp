@@ -17,6 +17,7 @@
 
 #include "core/errors.h"
 #include "core/isolated_run.h"
+#include "volume/stray_pieces.h"
 
 namespace featuremesh {
 
@@ -121,8 +122,8 @@ class Reading {
         : constrained_(constrained),
           all_(constrained.triangulation()),
           points_(points),
+          cavity_(cavity),
           own_(static_cast<int>(cavity.points.size())),
-          facets_(cavity.facets),
           facet_of_(facet_of) {}
 
     ConstrainedTriangulation read() {
@@ -130,6 +131,8 @@ class Reading {
         read_tets();
         read_pieces();
         find_edges();
+        result_.failed = drop_stray_pieces(cavity_, result_.split);
+        if (!result_.failed.empty()) result_.split = {}, result_.triangulation = {};
         return std::move(result_);
     }
 
@@ -206,7 +209,7 @@ class Reading {
         return cross(point_of(c[1]) - point_of(c[0]), point_of(c[2]) - point_of(c[0]));
     }
     bool turns_like_facet(const FacetSplit::Piece& piece) const {
-        return dot(normal_of(piece.corners), normal_of(facets_[piece.facet].corners)) > 0;
+        return dot(normal_of(piece.corners), normal_of(cavity_.facets[piece.facet].corners)) > 0;
     }
 
     /// The edge of an added point is the one that the facets around it share.
@@ -218,7 +221,8 @@ class Reading {
                     facets_around[c - own_].push_back(piece.facet);
         for (std::size_t i = 0; i < result_.split.added.size(); ++i) {
             if (result_.split.added[i].facet >= 0 || facets_around[i].size() < 2) continue;
-            std::array<int, 3> a = facets_[facets_around[i][0]].corners, b = facets_[facets_around[i][1]].corners;
+            std::array<int, 3> a = cavity_.facets[facets_around[i][0]].corners,
+                               b = cavity_.facets[facets_around[i][1]].corners;
             std::sort(a.begin(), a.end()), std::sort(b.begin(), b.end());
             std::vector<int> shared;
             std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(shared));
@@ -229,8 +233,8 @@ class Reading {
     const Constrained& constrained_;
     const Constrained::Triangulation& all_;
     const std::vector<Point>& points_;
+    const Cavity& cavity_;
     int own_;
-    std::span<const Facet> facets_;
     std::span<const int> facet_of_;  ///< by constraint
     std::vector<int> index_;
     ConstrainedTriangulation result_;

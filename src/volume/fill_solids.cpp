@@ -242,32 +242,31 @@ class Filling {
             return;
         }
         require_closed(result_.mesh, cavity);
-        const std::vector<int> crossing = crossing_facets(cavity);
-        if (!crossing.empty()) {
+        if (const std::vector<int> crossing = crossing_facets(cavity); !crossing.empty()) {
             if (++crossing_rounds_ > most_crossing_rounds) throw cut_one_another(result_.mesh, cavity, crossing);
             log("triangles that cross others", crossing.size());
             apply(halve_longest_edges(cavity, crossing), cavity);
             return;
         }
-        const bool are_many = fill.places.missing.size() > many_missing * cavity.facets.size();
-        if (are_many && flip(cavity, fill, seeds)) return;
+        std::vector<int> stuck = fill.places.missing;
+        const bool are_many = stuck.size() > many_missing * cavity.facets.size();
+        if (are_many && flip(cavity, fill, seeds, stuck)) return;
         std::optional<ConstrainedTriangulation> local;
         if (local_recoveries_++ < most_local_recoveries) local = recover_locally(cavity, fill, context_);
         ConstrainedTriangulation constrained =
             local ? std::move(*local) : constrained_delaunay(cavity, seeds, fill.places.missing.size(), context_);
         if (constrained.is_given_up || !constrained.failed.empty()) {
-            const std::vector<int>& bad = constrained.is_given_up ? fill.places.missing : constrained.failed;
-            log("triangles that constraints did not bring back", bad.size());
-            if (!are_many && flip(cavity, fill, seeds)) return;
+            if (!are_many && flip(cavity, fill, seeds, stuck)) return;
+            if (!constrained.is_given_up) stuck = constrained.failed;
+            log("triangles that constraints did not bring back", stuck.size());
             if (++crossing_rounds_ > most_crossing_rounds) throw unrecovered(result_.mesh, cavities_, fills_);
-            apply(halve_longest_edges(cavity, bad), cavity);
+            apply(halve_longest_edges(cavity, stuck), cavity);
             return;
         }
         log("points that constraints added", constrained.split.added.size());
         if (auto whole = withdraw_points(cavity, constrained, seeds, context_)) {
             result_.report.recovery_points += constrained.split.added.size();
-            finished_.push_back({cavity.nodes, std::move(*whole)});
-            return;
+            return finished_.push_back({cavity.nodes, std::move(*whole)});
         }
         log("points that stay on the boundary", constrained.split.added.size());
         if (const auto added = apply(constrained.split, cavity)) {
@@ -277,12 +276,13 @@ class Filling {
         }
     }
 
-    /// All that is missing, or nothing.
-    bool flip(const Cavity& cavity, const CavityFill& fill, const std::vector<Vec3>& seeds) {
-        auto flipped = recover_by_flips(cavity, fill, context_);
-        if (flipped) known_.push_back({cavity.nodes, seeds, std::move(*flipped), true});
-        log("triangles that flips brought back", flipped ? fill.places.missing.size() : 0);
-        return flipped.has_value();
+    /// All that is missing, or nothing: then `stuck` is what could not be had.
+    bool flip(const Cavity& cavity, const CavityFill& fill, const std::vector<Vec3>& seeds, std::vector<int>& stuck) {
+        FlippedTriangulation flipped = recover_by_flips(cavity, fill, context_);
+        if (flipped.tets) known_.push_back({cavity.nodes, seeds, std::move(*flipped.tets), true});
+        stuck = std::move(flipped.left);
+        log("triangles that flips did not bring back", stuck.size());
+        return stuck.empty();
     }
 
     /// Every step of the recovery is long enough to look for a cancel before it.

@@ -7,6 +7,7 @@
 
 #include "volume/cavity_editor.h"
 #include "volume/edge_removal.h"
+#include "volume/levelled_points.h"
 #include "volume/orientation.h"
 #include "volume/tet_complex.h"
 #include "volume/tet_measures.h"
@@ -97,6 +98,8 @@ class FlipRecovery {
         hard.insert(hard.begin(), open_sides.begin(), open_sides.end());
         return {};
     }
+
+    const std::vector<int>& left() const { return open_facets_; }
 
   private:
     static TetComplex complex_of(const CavityFill& fill) {
@@ -418,15 +421,36 @@ class FlipRecovery {
     std::vector<int> open_facets_;
 };
 
-}  // namespace
-
-std::optional<Triangulation> recover_by_flips(const Cavity& cavity, const CavityFill& fill, const RunContext& context) {
+FlippedTriangulation recover_all(const Cavity& cavity, const CavityFill& fill, const RunContext& context) {
     constexpr int most_attempts = 6;
     constexpr std::size_t most_hard = 20;  // of more than so many some never come
+    FlippedTriangulation result{{}, fill.places.missing};
     std::vector<Side> hard;
-    for (int i = 0; i < most_attempts && hard.size() <= most_hard; ++i)
-        if (auto tets = FlipRecovery(cavity, fill, context).run(hard)) return tets;
-    return {};
+    for (int i = 0; i < most_attempts && hard.size() <= most_hard && !result.tets; ++i) {
+        FlipRecovery recovery(cavity, fill, context);
+        result.tets = recovery.run(hard);
+        if (recovery.left().size() < result.left.size()) result.left = recovery.left();
+    }
+    return result;
+}
+
+}  // namespace
+
+FlippedTriangulation recover_by_flips(const Cavity& cavity, const CavityFill& fill, RunContext& context) {
+    FlippedTriangulation flipped = recover_all(cavity, fill, context);
+    if (flipped.tets) return flipped;
+    CavityFill levelled;
+    levelled.points = levelled_points(cavity, fill.points);
+    levelled.triangulation = delaunay(levelled.points, context);
+    levelled.places = find_facets(levelled.triangulation, levelled.points.size(), cavity.facets, context);
+    FlippedTriangulation second = recover_all(cavity, levelled, context);
+    if (second.tets) {
+        const CavityFill as_given = flood_cavity(cavity, fill.points, *second.tets, context);
+        if (as_given.is_complete() && !has_inverted_tet(as_given)) return second;
+    } else if (second.left.size() < flipped.left.size()) {
+        flipped.left = std::move(second.left);
+    }
+    return flipped;
 }
 
 }  // namespace featuremesh

@@ -136,7 +136,8 @@ TEST_CASE("thin parts are filled, with the boundary recovered") {
          {"plate 0.5 thick, size 5", box_part({0, 0, 0}, {40, 30, 0.5}), 5.0},
          {"plate in a skew place", turned(box_part({0, 0, 0}, {40, 30, 0.5}), 0.6, {3, 4, 5}), 5.0},
          {"walls and slits of 0.1, size 4", comb_part(10, 0.1), 4.0},
-         {"walls and slits of 0.03, size 4", comb_part(10, 0.03), 4.0}}));
+         {"walls and slits of 0.03, size 4", comb_part(10, 0.03), 4.0},
+         {"walls and slits of 0.05, turned", turned(comb_part(6, 0.05), 0.7, {3, 4, 5}), 4.0}}));
     INFO(name);
     const Part part = prepare(shape, size);
     CHECK(findings(part.brep, fill(part).mesh) == "");

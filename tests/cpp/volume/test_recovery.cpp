@@ -7,6 +7,7 @@
 #include "volume/fill_cavity.h"
 #include "volume/flip_recovery.h"
 #include "volume/local_recovery.h"
+#include "volume/stray_pieces.h"
 
 using namespace featuremesh;
 using namespace featuremesh::testing;
@@ -83,12 +84,15 @@ TEST_CASE("flips bring all missing triangles back and add no point") {
     const auto [name, shape, expected] = GENERATE(table<std::string, TopoDS_Shape, double>(
         {{"walls and slits of 0.05", comb_part(6, 0.05), 1800 - 0.05 * 3 * 66},
          {"in a skew place", turned(comb_part(6, 0.05), 0.4, {3, 4, 5}), 1800 - 0.05 * 3 * 66},
-         {"sides that stand in one another's way", comb_part(10, 0.03), 1800 - 0.03 * 3 * 109}}));
+         {"sides that stand in one another's way", comb_part(10, 0.03), 1800 - 0.03 * 3 * 109},
+         {"planes that rounding bends", turned(comb_part(5, 0.03), 0.7, {3, 4, 5}), 1800 - 0.03 * 3 * 54}}));
     INFO(name);
     const Filled filled = delaunay_fill(shape, 4.0);
     REQUIRE(filled.fill.places.missing.size() > 50);
-    const auto flipped = recover_by_flips(filled.cavity, filled.fill);
+    RunContext context;
+    const auto [flipped, left] = recover_by_flips(filled.cavity, filled.fill, context);
     REQUIRE(flipped);
+    CHECK(left.empty());
     for (std::size_t i = 0; i < flipped->tets.size(); ++i) {
         const auto& [a, b, c, d] = flipped->tets[i];
         const auto& p = filled.fill.points;
@@ -124,7 +128,34 @@ TEST_CASE("flips give up a triangle that others cut") {
     while (other == far || other == near) ++other;
     impossible.places.missing.push_back(static_cast<int>(cavity.facets.size()));
     cavity.facets.push_back({{near, far, other}, {0, 0}});
-    CHECK_FALSE(recover_by_flips(cavity, impossible));
+    RunContext context;
+    const auto [flipped, left] = recover_by_flips(cavity, impossible, context);
+    CHECK_FALSE(flipped);
+    CHECK(left == std::vector<int>{static_cast<int>(cavity.facets.size()) - 1});
+}
+
+TEST_CASE("of the pieces of a facet those that lie over others go") {
+    // a square of two facets; points are added on the diagonal, on the first one's side along x, and inside the first
+    Cavity cavity;
+    cavity.points = {{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {6, 6, 0}};
+    cavity.facets = {{{0, 1, 2}, {0, -1}}, {{1, 3, 2}, {0, -1}}};
+    FacetSplit split;
+    split.added = {{{3, 3, 0}, {1, 2}, -1}, {{3, 0, 0}, {0, 1}, -1}, {{2, 2, 0}, {-1, -1}, 0}};
+    const std::vector<FacetSplit::Piece> first{
+        {{0, 5, 6}, 0}, {{5, 1, 6}, 0}, {{1, 4, 6}, 0}, {{4, 2, 6}, 0}, {{2, 0, 6}, 0}};
+    const std::vector<FacetSplit::Piece> second{{{1, 3, 4}, 1}, {{4, 3, 2}, 1}};
+    split.pieces = first;
+    SECTION("none lies over another") {}
+    SECTION("one spans a point that was added") { split.pieces.push_back({{0, 1, 6}, 0}); }
+    SECTION("one that hangs on another") { split.pieces.push_back({{1, 2, 5}, 0}); }
+    split.pieces.insert(split.pieces.end(), second.begin(), second.end());
+    CHECK(drop_stray_pieces(cavity, split).empty());
+    std::vector<FacetSplit::Piece> all = first;
+    all.insert(all.end(), second.begin(), second.end());
+    CHECK(std::equal(split.pieces.begin(), split.pieces.end(), all.begin(), all.end(),
+                     [](const auto& a, const auto& b) { return a.facet == b.facet && a.corners == b.corners; }));
+    split.pieces.erase(split.pieces.begin() + 1);
+    CHECK(drop_stray_pieces(cavity, split) == std::vector<int>{0});
 }
 
 TEST_CASE("a facet without a normal is left to its neighbours, and the library writes no file about it") {
