@@ -229,7 +229,7 @@ class Neighbourhood {
 
 std::optional<ConstrainedTriangulation> recover_locally(const Cavity& cavity, const CavityFill& fill,
                                                         const RunContext& context) {
-    for (const double reach : {1.5, 4.0}) {
+    for (const double reach : {0.7, 1.5, 4.0}) {
         const Neighbourhood near(cavity, fill, reach);
         if (!near.is_small()) return {};
         auto recovered = near.recover(context);

@@ -162,7 +162,7 @@ TEST_CASE("coarse 10-node meshes of strongly curved parts are unfolded and on th
 TEST_CASE("where the tets are valid, but miss the aim, shorter edges are asked for at the place") {
     const Brep brep(block_with_hairpin());
     RunContext context;
-    const SecondOrder result = try_second_order(brep, straight_mesh(brep, 4.42152, context), nullptr, context);
+    const SecondOrder result = try_second_order(brep, straight_mesh(brep, 4.7824, context), nullptr, context);
     REQUIRE(result.is_valid());
     const double smallest = measure_quality(result.mesh).min_scaled_jacobian;
     CHECK(smallest < 0.19);
