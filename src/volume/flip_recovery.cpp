@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/errors.h"
 #include "volume/cavity_editor.h"
 #include "volume/edge_removal.h"
 #include "volume/levelled_points.h"
@@ -441,7 +442,11 @@ FlippedTriangulation recover_by_flips(const Cavity& cavity, const CavityFill& fi
     if (flipped.tets) return flipped;
     CavityFill levelled;
     levelled.points = levelled_points(cavity, fill.points);
-    levelled.triangulation = delaunay(levelled.points, context);
+    try {
+        levelled.triangulation = delaunay(levelled.points, context);
+    } catch (const MeshError&) {  // levelling has made one of two
+        return flipped;
+    }
     levelled.places = find_facets(levelled.triangulation, levelled.points.size(), cavity.facets, context);
     FlippedTriangulation second = recover_all(cavity, levelled, context);
     if (second.tets) {
