@@ -207,6 +207,7 @@ std::span<const EdgeId> Brep::edges_of(VertexId vertex) const { return data_->ed
 std::span<const VertexId> Brep::vertices_inside(FaceId face) const { return data_->vertices_inside[face.index()]; }
 std::array<VertexId, 2> Brep::ends_of(EdgeId edge) const { return data_->ends[edge.index()]; }
 std::array<SolidId, 2> Brep::sides_of(FaceId face) const { return data_->sides[face.index()]; }
+const std::vector<std::array<SolidId, 2>>& Brep::sides_of_faces() const { return data_->sides; }
 std::vector<FaceId> Brep::faces_at(Entity entity) const {
     std::vector<FaceId> faces;
     const auto add_faces_of = [&](EdgeId e) { faces.insert(faces.end(), faces_of(e).begin(), faces_of(e).end()); };

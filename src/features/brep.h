@@ -59,6 +59,7 @@ class Brep {
     std::array<VertexId, 2> ends_of(EdgeId edge) const;
     /// Solid behind (against the face's normal) and before it; none for outside.
     std::array<SolidId, 2> sides_of(FaceId face) const;
+    const std::vector<std::array<SolidId, 2>>& sides_of_faces() const;  ///< by face
     /// The faces that what lies on a vertex, edge or face lies on; ascending. None for a solid.
     std::vector<FaceId> faces_at(Entity entity) const;
     bool is_degenerated(EdgeId edge) const;  ///< a pole: no length in space

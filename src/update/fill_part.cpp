@@ -148,7 +148,7 @@ struct BestFilling {
 Expectation expectation_of(const Brep& brep) {
     Expectation expected;
     for (std::size_t s = 0; s < brep.solid_count(); ++s) expected.solid_volumes.push_back(brep.volume_of(SolidId(s)));
-    for (std::size_t f = 0; f < brep.face_count(); ++f) expected.face_sides.push_back(brep.sides_of(FaceId(f)));
+    expected.face_sides = brep.sides_of_faces();
     // Chords cut curved faces; how much is the judgement of the surface module, so only gross errors count here.
     expected.volume_tolerance = 0.3;
     return expected;

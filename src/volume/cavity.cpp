@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "core/errors.h"
-#include "features/brep.h"
 #include "mesh/second_order.h"
 
 namespace featuremesh {
@@ -284,12 +283,6 @@ std::vector<int> number_parts(const Cavity& cavity, int& part_count) {
 }
 
 }  // namespace
-
-std::vector<std::array<SolidId, 2>> sides_of_faces(const Brep& brep) {
-    std::vector<std::array<SolidId, 2>> sides;
-    for (std::size_t i = 0; i < brep.face_count(); ++i) sides.push_back(brep.sides_of(FaceId(i)));
-    return sides;
-}
 
 Cavity find_cavity(const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,
                    std::span<const std::uint8_t> is_released, std::span<const char> may_be_open,

@@ -12,11 +12,6 @@
 
 namespace featuremesh {
 
-class Brep;
-
-/// Brep::sides_of of all faces, by FaceId.
-std::vector<std::array<SolidId, 2>> sides_of_faces(const Brep& brep);
-
 /// The boundary of the space to fill, with node indices of its own.
 struct Cavity {
     std::vector<NodeId> nodes;  ///< the mesh's nodes, ascending
@@ -28,7 +23,7 @@ struct Cavity {
 
 /// Triangles whose solid sides are not covered by a kept tet, and faces of kept tets that no other kept tet and no
 /// triangle matches. One linear pass over the tets, unless `near` is given; the rest costs what the cavity costs.
-/// `face_sides` as Brep::sides_of by FaceId; `is_released` by TetId marks tets that count as not there (empty: none);
+/// `face_sides` as Brep::sides_of_faces; `is_released` by TetId marks tets that count as not there (empty: none);
 /// `may_be_open` by node marks all nodes that the cavity can have (empty: unknown, they are searched for); `near` are
 /// all tets with such a node, ascending (none: searched for).
 Cavity find_cavity(const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,

@@ -79,7 +79,7 @@ class Filling {
           active_(active),
           options_(options),
           context_(context),
-          sides_(sides_of_faces(brep)),
+          sides_(brep.sides_of_faces()),
           is_released_(surface.tets.size(), 0),
           may_be_open_(rim.nodes.begin(), rim.nodes.end()),
           kept_nodes_(rim.kept_nodes),
@@ -566,7 +566,7 @@ class Filling {
     std::span<const Vec3> active_;
     const VolumeOptions& options_;
     RunContext& context_;
-    std::vector<std::array<SolidId, 2>> sides_;
+    const std::vector<std::array<SolidId, 2>>& sides_;  ///< by face
     std::vector<std::uint8_t> is_released_;
     std::vector<char> may_be_open_;               ///< by node, or empty when it is not known
     std::size_t kept_nodes_;                      ///< the first so many

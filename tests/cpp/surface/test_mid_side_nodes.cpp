@@ -59,7 +59,7 @@ double largest_distance(const Brep& brep, const Mesh& mesh) {
 
 Expectation expectation_of(const Brep& brep) {
     Expectation expected;
-    for (std::size_t f = 0; f < brep.face_count(); ++f) expected.face_sides.push_back(brep.sides_of(FaceId(f)));
+    expected.face_sides = brep.sides_of_faces();
     return expected;
 }
 

@@ -69,7 +69,7 @@ void check_valid(const PartMesh& part) {
     Expectation expected;
     const Brep& brep = part.part.brep;
     for (std::size_t s = 0; s < brep.solid_count(); ++s) expected.solid_volumes.push_back(brep.volume_of(SolidId(s)));
-    for (std::size_t f = 0; f < brep.face_count(); ++f) expected.face_sides.push_back(brep.sides_of(FaceId(f)));
+    expected.face_sides = brep.sides_of_faces();
     const auto broken = broken_invariants(part.mesh, expected);
     INFO((broken.empty() ? std::string() : broken.front()));
     CHECK(broken.empty());

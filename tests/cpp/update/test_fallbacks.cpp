@@ -51,8 +51,7 @@ std::string findings(const PartMesh& part) {
     Expectation expected;
     for (std::size_t s = 0; s < part.part.brep.solid_count(); ++s)
         expected.solid_volumes.push_back(part.part.brep.volume_of(SolidId(s)));
-    for (std::size_t f = 0; f < part.part.brep.face_count(); ++f)
-        expected.face_sides.push_back(part.part.brep.sides_of(FaceId(f)));
+    expected.face_sides = part.part.brep.sides_of_faces();
     const std::vector<std::string> broken = broken_invariants(part.mesh, expected);
     return broken.empty() ? "" : broken.front();
 }

@@ -86,7 +86,7 @@ PartMeshResult updated(const PartMesh& old, const RawDocument& document, const M
 Expectation expectation_of(const Brep& brep) {
     Expectation expected;
     for (std::size_t s = 0; s < brep.solid_count(); ++s) expected.solid_volumes.push_back(brep.volume_of(SolidId(s)));
-    for (std::size_t f = 0; f < brep.face_count(); ++f) expected.face_sides.push_back(brep.sides_of(FaceId(f)));
+    expected.face_sides = brep.sides_of_faces();
     return expected;
 }
 

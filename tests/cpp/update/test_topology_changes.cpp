@@ -163,8 +163,7 @@ double kept_after(const PartMesh& old, const RawDocument& document, double least
     Expectation expected;
     for (std::size_t s = 0; s < now.part.brep.solid_count(); ++s)
         expected.solid_volumes.push_back(now.part.brep.volume_of(SolidId(s)));
-    for (std::size_t f = 0; f < now.part.brep.face_count(); ++f)
-        expected.face_sides.push_back(now.part.brep.sides_of(FaceId(f)));
+    expected.face_sides = now.part.brep.sides_of_faces();
     const std::vector<std::string> broken = broken_invariants(now.mesh, expected);
     CHECK(broken == std::vector<std::string>{});
     CHECK(result.report.fallbacks == std::vector<std::string>{});

@@ -33,9 +33,7 @@ void check_withdrawn(const TopoDS_Shape& shape, double size) {
     SizingOptions options;
     options.size = options.min_size = size;  // or the bottom of a slot would get shorter pieces
     const Part part = prepare(shape, options);
-    std::vector<std::array<SolidId, 2>> sides;
-    for (std::size_t i = 0; i < part.brep.face_count(); ++i) sides.push_back(part.brep.sides_of(FaceId(i)));
-    const Cavity cavity = find_cavity(part.surface, sides);
+    const Cavity cavity = find_cavity(part.surface, part.brep.sides_of_faces());
     const ConstrainedTriangulation recovered = constrained_delaunay(cavity, {}, 0);
     REQUIRE(!recovered.split.added.empty());
     const auto fill = withdraw_points(cavity, recovered, {});
