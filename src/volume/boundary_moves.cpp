@@ -339,7 +339,7 @@ class BoundaryMover {
 
     /// By shrinking steps, without regard to how the face or edge is curved.
     std::optional<Vec3> climb(const BoundaryVertex& of, const Vec3& start, double wanted) const {
-        constexpr int most_steps = 100;  // far fewer do, but each may gain by rounding alone
+        constexpr int most_steps = 1000;  // fewer do, but each may gain by rounding alone
         const std::vector<Vec3> ways = ways_from(of, start);
         Vec3 place = start;
         double best = shape_.worst(start, 2 * inverted_flatness);

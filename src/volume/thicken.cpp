@@ -347,7 +347,7 @@ class Thickener {
             return false;
         };
         for (const double share : {1.0, 0.5, 0.25, 0.1}) try_at(place + share * (middle - place));
-        constexpr int most_steps = 200;  // far fewer do, but each may gain by rounding alone
+        constexpr int most_steps = 1000;  // fewer do, but each may gain by rounding alone
         double step = 0.3 * reach;
         for (int i = 0; i < most_steps && step > 1e-4 * reach && best < 1; ++i) {
             bool better = false;

@@ -177,7 +177,7 @@ double StarShape::mean_height(const Vec3& point) const {
 }
 
 double StarShape::climb(Vec3& point, double good_enough) const {
-    constexpr int most_steps = 100;  // far fewer do, but each may gain by rounding alone
+    constexpr int most_steps = 1000;  // fewer do, but each may gain by rounding alone
     double best = worst(point, 2 * inverted_flatness);
     const double start_step = 0.2 * mean_height(point);
     double step = start_step;
