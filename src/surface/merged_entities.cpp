@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 
+#include "core/sorted_pair.h"
 #include "surface/projection.h"
 
 namespace featuremesh {
@@ -153,8 +154,6 @@ bool runs_along(const Brep& brep, const Projector& projector, EdgeId edge, EdgeI
     });
 }
 
-std::array<VertexId, 2> sorted(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
-
 std::string listed(const std::vector<Entity>& entities) {
     constexpr std::size_t most = 6;
     std::string names;
@@ -202,7 +201,7 @@ void MergedEntities::join_edges(const Brep& brep, const Projector& projector) {
     std::map<std::array<VertexId, 2>, std::vector<EdgeId>> between;
     for (const EdgeId edge : order) {
         const std::vector<VertexId> sequence = sequence_of(brep, edge);
-        for (const EdgeId other : between[sorted(sequence.front(), sequence.back())])
+        for (const EdgeId other : between[sorted_pair(sequence.front(), sequence.back())])
             if (runs_along(brep, projector, edge, other, tolerance)) {
                 edge_of[edge.index()] = other;
                 break;
@@ -210,7 +209,7 @@ void MergedEntities::join_edges(const Brep& brep, const Projector& projector) {
         if (edge_of[edge.index()] != edge) continue;
         for (std::size_t i = 0; i < sequence.size(); ++i)
             for (std::size_t j = i + 1; j < sequence.size(); ++j)
-                between[sorted(sequence[i], sequence[j])].push_back(edge);
+                between[sorted_pair(sequence[i], sequence[j])].push_back(edge);
     }
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "volume/needles.h"
+#include "volume/shrinking_steps.h"
 #include "volume/tet_measures.h"
 #include "volume/tet_topology.h"
 #include "volume/thicken.h"
@@ -339,13 +340,11 @@ class BoundaryMover {
 
     /// By shrinking steps, without regard to how the face or edge is curved.
     std::optional<Vec3> climb(const BoundaryVertex& of, const Vec3& start, double wanted) const {
-        constexpr int most_steps = 1000;  // fewer do, but each may gain by rounding alone
         const std::vector<Vec3> ways = ways_from(of, start);
         Vec3 place = start;
         double best = shape_.worst(start, 2 * inverted_flatness);
         const double first_step = 0.2 * shape_.mean_height(start);
-        double step = first_step;
-        for (int i = 0; i < most_steps && step > 0.02 * first_step && best > target_; ++i) {
+        const auto improve = [&](double step) {
             bool is_better = false;
             for (const Vec3& way : ways) {
                 const Vec3 trial = place + step * way;
@@ -353,8 +352,10 @@ class BoundaryMover {
                 if (value >= best || !keeps_triangles(start, trial)) continue;
                 best = value, place = trial, is_better = true;
             }
-            if (!is_better) step *= 0.5;
-        }
+            return is_better;
+        };
+        search_by_shrinking_steps(
+            first_step, 0.02 * first_step, [&] { return !(best > target_); }, improve);
         return best < wanted ? std::optional(place) : std::nullopt;
     }
 

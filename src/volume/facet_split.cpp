@@ -5,13 +5,13 @@
 #include <map>
 #include <set>
 
+#include "core/sorted_pair.h"
+
 namespace featuremesh {
 
 namespace {
 
 using NodePair = std::array<NodeId, 2>;
-
-NodePair sorted_pair(NodeId a, NodeId b) { return a < b ? NodePair{a, b} : NodePair{b, a}; }
 
 template <class T>
 bool is_odd(const std::array<T, 3>& c) {
@@ -143,7 +143,6 @@ void cut_triangles(const FacetSplit& split, const Cavity& cavity, const std::vec
 FacetSplit halve_longest_edges(const Cavity& cavity, std::span<const int> facets) {
     FacetSplit split;
     std::map<std::array<int, 2>, int> point_on;
-    const auto key = [](int a, int b) { return std::array<int, 2>{std::min(a, b), std::max(a, b)}; };
     for (const int facet : facets) {
         const auto& c = cavity.facets[facet].corners;
         int longest = 0;
@@ -151,7 +150,7 @@ FacetSplit halve_longest_edges(const Cavity& cavity, std::span<const int> facets
             if (distance(cavity.points[c[k]], cavity.points[c[(k + 1) % 3]]) >
                 distance(cavity.points[c[longest]], cavity.points[c[(longest + 1) % 3]]))
                 longest = k;
-        const auto edge = key(c[longest], c[(longest + 1) % 3]);
+        const auto edge = sorted_pair(c[longest], c[(longest + 1) % 3]);
         if (!point_on.emplace(edge, static_cast<int>(cavity.points.size() + split.added.size())).second) continue;
         split.added.push_back({(cavity.points[edge[0]] + cavity.points[edge[1]]) * 0.5, edge, -1});
     }
@@ -159,7 +158,7 @@ FacetSplit halve_longest_edges(const Cavity& cavity, std::span<const int> facets
         const auto& c = cavity.facets[i].corners;
         std::array<int, 3> mids;
         for (int k = 0; k < 3; ++k) {
-            const auto found = point_on.find(key(c[k], c[(k + 1) % 3]));
+            const auto found = point_on.find(sorted_pair(c[k], c[(k + 1) % 3]));
             mids[k] = found == point_on.end() ? -1 : found->second;
         }
         cut_triangle(c, mids, static_cast<int>(i), split.pieces);

@@ -6,13 +6,13 @@
 #include <map>
 #include <set>
 
+#include "core/sorted_pair.h"
+
 namespace featuremesh {
 
 namespace {
 
 using Edge = std::array<int, 2>;
-
-Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// Two missing facets (a, b, c) and (a, c, d); turned (a, b, d) and (b, c, d).
 struct Quad {
@@ -47,13 +47,13 @@ class FlipSearch {
             for (int k = 0; k < 4; ++k)
                 if (const int f = fill_.places.facet_at[4 * t + k]; f >= 0) own.push_back(f);
             if (own.size() != 2 || !is_one_sided(own[0]) || !is_one_sided(own[1])) continue;
-            pairs.insert(edge_of(own[0], own[1]));
+            pairs.insert(sorted_pair(own[0], own[1]));
             facets.insert(facets.end(), own.begin(), own.end());
         }
         std::sort(facets.begin(), facets.end());
         facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
         std::vector<Quad> quads = quads_among(facets);
-        std::erase_if(quads, [&](const Quad& q) { return !pairs.contains(edge_of(q.first, q.second)); });
+        std::erase_if(quads, [&](const Quad& q) { return !pairs.contains(sorted_pair(q.first, q.second)); });
         return split_of(quads);
     }
 
@@ -86,14 +86,14 @@ class FlipSearch {
         std::map<Edge, std::vector<int>> by_edge;
         for (const int f : facets)
             for (int k = 0; k < 3; ++k)
-                by_edge[edge_of(cavity_.facets[f].corners[k], cavity_.facets[f].corners[(k + 1) % 3])].push_back(f);
+                by_edge[sorted_pair(cavity_.facets[f].corners[k], cavity_.facets[f].corners[(k + 1) % 3])].push_back(f);
         std::vector<Quad> quads;
         if (facets.empty()) return quads;
         const std::set<Edge> taken = edges_near(by_edge), segments = segments_near(by_edge);
         for (const auto& [edge, pair] : by_edge) {
             if (pair.size() != 2 || segments.contains(edge) || !are_alike(pair[0], pair[1])) continue;
             const Quad q = quad_of(pair[0], pair[1], edge);
-            if (q.a >= 0 && !taken.contains(edge_of(q.b, q.d)) && is_smooth(q)) quads.push_back(q);
+            if (q.a >= 0 && !taken.contains(sorted_pair(q.b, q.d)) && is_smooth(q)) quads.push_back(q);
         }
         return quads;
     }
@@ -105,7 +105,7 @@ class FlipSearch {
         for (const Facet& f : cavity_.facets)
             for (int k = 0; k < 3; ++k)
                 if (corners.contains(f.corners[k]) && corners.contains(f.corners[(k + 1) % 3]))
-                    edges.insert(edge_of(f.corners[k], f.corners[(k + 1) % 3]));
+                    edges.insert(sorted_pair(f.corners[k], f.corners[(k + 1) % 3]));
         return edges;
     }
     /// Pieces of CAD edges between corners of missing facets.
@@ -115,7 +115,8 @@ class FlipSearch {
         std::set<Edge> edges;
         for (const auto& segment : mesh_.segments) {
             const auto first = corner_of.find(segment[0]), last = corner_of.find(segment[1]);
-            if (first != corner_of.end() && last != corner_of.end()) edges.insert(edge_of(first->second, last->second));
+            if (first != corner_of.end() && last != corner_of.end())
+                edges.insert(sorted_pair(first->second, last->second));
         }
         return edges;
     }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/errors.h"
+#include "core/sorted_pair.h"
 #include "volume/cavity_editor.h"
 #include "volume/edge_removal.h"
 #include "volume/levelled_points.h"
@@ -21,10 +22,8 @@ namespace {
 using Corners = std::array<int, 3>;
 using Side = std::array<int, 2>;
 
-Side side_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-
 std::array<Side, 3> sides_of(const Corners& c) {
-    return {side_of(c[0], c[1]), side_of(c[1], c[2]), side_of(c[2], c[0])};
+    return {sorted_pair(c[0], c[1]), sorted_pair(c[1], c[2]), sorted_pair(c[2], c[0])};
 }
 
 template <class T>
@@ -134,7 +133,7 @@ class FlipRecovery {
     int side(int a, int b, int c, int d) const { return orientation(point(a), point(b), point(c), point(d)); }
 
     bool is_protected(const Side& s) const {
-        return std::binary_search(sides_.begin(), sides_.end(), side_of(s[0], s[1]));
+        return std::binary_search(sides_.begin(), sides_.end(), sorted_pair(s[0], s[1]));
     }
     bool is_protected(int a, int b, int c) const {
         return std::binary_search(facets_.begin(), facets_.end(), sorted({a, b, c}));

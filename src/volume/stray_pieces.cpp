@@ -5,6 +5,8 @@
 #include <map>
 #include <span>
 
+#include "core/sorted_pair.h"
+
 namespace featuremesh {
 
 namespace {
@@ -12,14 +14,13 @@ namespace {
 using Side = std::array<int, 2>;
 using Piece = FacetSplit::Piece;
 
-Side side_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-
 /// The sides of facets, cut at the added points.
 class CutSides {
   public:
     CutSides(const Cavity& cavity, const FacetSplit& split) : cavity_(cavity), split_(split) {
         for (std::size_t i = 0; i < split.added.size(); ++i)
-            if (const Side& edge = split.added[i].edge; edge[0] >= 0) points_on_[edge].push_back(static_cast<int>(i));
+            if (const Side& edge = split.added[i].edge; edge[0] >= 0)
+                points_on_[sorted_pair(edge[0], edge[1])].push_back(static_cast<int>(i));
         for (auto& [edge, points] : points_on_) {
             const Vec3 along = cavity.points[edge[1]] - cavity.points[edge[0]];
             std::sort(points.begin(), points.end(), [&](int p, int q) {
@@ -31,15 +32,15 @@ class CutSides {
     std::vector<Side> of(const Facet& facet) const {
         std::vector<Side> sides;
         for (int k = 0; k < 3; ++k) {
-            const Side edge = side_of(facet.corners[k], facet.corners[(k + 1) % 3]);
+            const Side edge = sorted_pair(facet.corners[k], facet.corners[(k + 1) % 3]);
             int last = edge[0];
             if (const auto found = points_on_.find(edge); found != points_on_.end())
                 for (const int p : found->second) {
                     const int corner = static_cast<int>(cavity_.points.size()) + p;
-                    sides.push_back(side_of(last, corner));
+                    sides.push_back(sorted_pair(last, corner));
                     last = corner;
                 }
-            sides.push_back(side_of(last, edge[1]));
+            sides.push_back(sorted_pair(last, edge[1]));
         }
         std::sort(sides.begin(), sides.end());
         return sides;
@@ -65,7 +66,7 @@ class CutSides {
 std::map<Side, int> count_sides(std::span<const Piece> pieces) {
     std::map<Side, int> count;
     for (const Piece& piece : pieces)
-        for (int k = 0; k < 3; ++k) ++count[side_of(piece.corners[k], piece.corners[(k + 1) % 3])];
+        for (int k = 0; k < 3; ++k) ++count[sorted_pair(piece.corners[k], piece.corners[(k + 1) % 3])];
     return count;
 }
 
@@ -76,7 +77,7 @@ bool drop_strays(std::span<const Side> own, std::vector<Piece>& pieces) {
         std::map<Side, int> count = count_sides(pieces);
         const auto is_loose = [&](const Piece& piece) {
             for (int k = 0; k < 3; ++k) {
-                const Side side = side_of(piece.corners[k], piece.corners[(k + 1) % 3]);
+                const Side side = sorted_pair(piece.corners[k], piece.corners[(k + 1) % 3]);
                 if (count[side] == 1 && !is_own(side)) return true;
             }
             return false;

@@ -8,6 +8,7 @@
 
 #include "volume/cavity_editor.h"
 #include "volume/edge_removal.h"
+#include "volume/shrinking_steps.h"
 #include "volume/tet_topology.h"
 
 namespace featuremesh {
@@ -347,16 +348,16 @@ class Thickener {
             return false;
         };
         for (const double share : {1.0, 0.5, 0.25, 0.1}) try_at(place + share * (middle - place));
-        constexpr int most_steps = 1000;  // fewer do, but each may gain by rounding alone
-        double step = 0.3 * reach;
-        for (int i = 0; i < most_steps && step > 1e-4 * reach && best < 1; ++i) {
-            bool better = false;
+        const auto improve = [&](double step) {
+            bool is_better = false;
             for (int x = -1; x <= 1; ++x)
                 for (int y = -1; y <= 1; ++y)
                     for (int z = -1; z <= 1; ++z)
-                        better = try_at(place + step * Vec3{double(x), double(y), double(z)}) || better;
-            if (!better) step *= 0.5;
-        }
+                        is_better = try_at(place + step * Vec3{double(x), double(y), double(z)}) || is_better;
+            return is_better;
+        };
+        search_by_shrinking_steps(
+            0.3 * reach, 1e-4 * reach, [&] { return !(best < 1); }, improve);
         return is_gain(before, best);
     }
 

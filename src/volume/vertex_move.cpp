@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "volume/needles.h"
+#include "volume/shrinking_steps.h"
 #include "volume/tet_measures.h"
 #include "volume/tet_topology.h"
 
@@ -177,22 +178,22 @@ double StarShape::mean_height(const Vec3& point) const {
 }
 
 double StarShape::climb(Vec3& point, double good_enough) const {
-    constexpr int most_steps = 1000;  // fewer do, but each may gain by rounding alone
     double best = worst(point, 2 * inverted_flatness);
     const double start_step = 0.2 * mean_height(point);
-    double step = start_step;
-    for (int i = 0; i < most_steps && step > 0.02 * start_step && best > good_enough; ++i) {
-        bool gained = false;
+    const auto improve = [&](double step) {
+        bool is_better = false;
         for (const Vec3& direction : directions()) {
             const Vec3 trial = point + step * direction;
             const double value = worst(trial, best);
             if (value >= best) continue;
             best = value;
             point = trial;
-            gained = true;
+            is_better = true;
         }
-        if (!gained) step *= 0.5;
-    }
+        return is_better;
+    };
+    search_by_shrinking_steps(
+        start_step, 0.02 * start_step, [&] { return !(best > good_enough); }, improve);
     return best;
 }
 

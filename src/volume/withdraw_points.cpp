@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/sorted_pair.h"
 #include "volume/kernel_centre.h"
 #include "volume/polygon_cut.h"
 #include "volume/tet_complex.h"
@@ -18,8 +19,6 @@ namespace {
 
 using Corners = std::array<int, 3>;
 using Pair = std::array<int, 2>;
-
-Pair pair_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// The cavity with its cut facets replaced by their pieces, added points after its own.
 Cavity cut_cavity(const Cavity& cavity, const FacetSplit& split) {
@@ -183,12 +182,12 @@ class Withdrawal {
             for (int i = 0; i < 4; ++i)
                 for (int j = i + 1; j < 4; ++j)
                     if (tets_[t][i] != point && tets_[t][j] != point)
-                        across[pair_of(tets_[t][i], tets_[t][j])].push_back(t);
+                        across[sorted_pair(tets_[t][i], tets_[t][j])].push_back(t);
         std::map<Pair, const Patch*> patch_at;
         std::map<Pair, Pair> turn_of;
         for (const Patch& patch : patches)
             for (const Pair& uv : patch.fan)
-                patch_at[pair_of(uv[0], uv[1])] = &patch, turn_of[pair_of(uv[0], uv[1])] = uv;
+                patch_at[sorted_pair(uv[0], uv[1])] = &patch, turn_of[sorted_pair(uv[0], uv[1])] = uv;
         std::map<int, int> sector_of;
         std::vector<Sector> sectors;
         for (const int seed : star) {
@@ -204,7 +203,7 @@ class Withdrawal {
                     const auto& face = opposite_face[k];
                     Corners side{tets_[t][face[0]], tets_[t][face[1]], tets_[t][face[2]]};
                     while (side[0] != point) std::rotate(side.begin(), side.begin() + 1, side.end());
-                    const Pair key = pair_of(side[1], side[2]);
+                    const Pair key = sorted_pair(side[1], side[2]);
                     if (const auto patch = patch_at.find(key); patch != patch_at.end()) {
                         const bool behind = turn_of[key] == Pair{side[1], side[2]};
                         is_plain &= is_behind.emplace(patch->second, behind).first->second == behind;
