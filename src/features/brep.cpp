@@ -96,12 +96,9 @@ Box tight_box_of(const std::vector<TopoDS_Face>& faces) {
         if (is_elementary(face))
             BRepBndLib::AddOptimal(face, bounds, false, false);
         else
-            BRepBndLib::Add(face, bounds, false);
+            add_bounds(face, bounds);
     }
-    Box box;
-    if (bounds.IsVoid()) return box;
-    bounds.Get(box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z);
-    return box;
+    return to_box(bounds);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <BRepAdaptor_Surface.hxx>
-#include <BRepBndLib.hxx>
 #include <Bnd_Box.hxx>
 #include <TopoDS_Face.hxx>
 #include <gp_Pnt.hxx>
@@ -37,9 +36,12 @@ inline RigidMotion to_motion(const gp_Trsf& trsf) {
 }
 
 /// Axis-aligned box that holds the shape (not the tightest); empty for a shape without geometry.
-inline Box box_of(const TopoDS_Shape& shape) {
-    Bnd_Box bounds;
-    BRepBndLib::Add(shape, bounds, false);
+Box box_of(const TopoDS_Shape& shape);
+
+/// Makes the bounds hold the shape, too.
+void add_bounds(const TopoDS_Shape& shape, Bnd_Box& bounds);
+
+inline Box to_box(const Bnd_Box& bounds) {
     Box box;
     if (!bounds.IsVoid()) bounds.Get(box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z);
     return box;

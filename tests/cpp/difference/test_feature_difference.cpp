@@ -14,6 +14,7 @@
 #include "catch.h"
 #include "core/errors.h"
 #include "difference/sample_parts.h"
+#include "features/occt_geometry.h"
 
 using namespace featuremesh;
 using namespace featuremesh::test;
@@ -169,6 +170,31 @@ TEST_CASE("the same inputs give the same triangles") {
     REQUIRE(a.regions.size() == b.regions.size());
     for (std::size_t r = 0; r < a.regions.size(); ++r)
         CHECK(std::ranges::equal(a.regions[r].changed.triangles(), b.regions[r].changed.triangles()));
+}
+
+TEST_CASE("of a swept spline that moved every place of the wall has changed") {
+    const auto with_boss_at = [](double x) {
+        return part({{"Plate", Effect::adds, {box({0, 0, 0}, {40, 40, 5})}, {}},
+                     {"Boss", Effect::adds, {blob({x, 20, 5}, 8, 12)}, {}}});
+    };
+    const PartState before = with_boss_at(15), after = with_boss_at(16.7);
+    for (const double resolution : {0.25, 0.4}) {
+        const ChangedBoundary changed = diff(before, after, resolution).regions[0].changed;
+        for (const PartState* state : {&before, &after})
+            for (std::size_t f = 0; f < state->brep.face_count(); ++f) {
+                const BRepAdaptor_Surface wall(state->brep.face(FaceId(f)));
+                if (wall.GetType() == GeomAbs_Plane) continue;
+                double furthest = 0;
+                for (int i = 0; i < 400; ++i)
+                    for (int j = 1; j < 20; ++j) {
+                        const gp_Pnt p = wall.Value(
+                            wall.FirstUParameter() + (wall.LastUParameter() - wall.FirstUParameter()) * i / 400,
+                            wall.FirstVParameter() + (wall.LastVParameter() - wall.FirstVParameter()) * j / 20);
+                        furthest = std::max(furthest, changed.distance(to_vec3(p), 10));
+                    }
+                CHECK(furthest <= resolution / 4);
+            }
+    }
 }
 
 TEST_CASE("a moved boss carries its volume") {

@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
+#include <GeomAPI_PointsToBSpline.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Geom_OffsetSurface.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
@@ -24,6 +33,7 @@
 #include "catch.h"
 #include "core/errors.h"
 #include "features/brep.h"
+#include "features/occt_geometry.h"
 #include "features/raw_document.h"
 
 using namespace featuremesh;
@@ -57,6 +67,39 @@ TEST_CASE("a cylinder has a seam and a sphere has degenerated edges") {
     for (std::size_t e = 0; e < sphere.edge_count(); ++e) poles += sphere.is_degenerated(EdgeId(e));
     CHECK(poles == 2);
     CHECK(sphere.volume_of(SolidId(0)) == Approx(4 * std::numbers::pi / 3));
+}
+
+TEST_CASE("the box of a swept, a turned, an offset and a cut face holds what bulges between samples of it") {
+    // of 33 points by parameter none is at a crest
+    TColgp_Array1OfPnt points(1, 8);
+    for (int i = 1; i <= 8; ++i) points.SetValue(i, gp_Pnt(3.0 * i + 0.1 * i * i, 10 + 3 * std::cos(2.7 * i), 0));
+    const TopoDS_Edge wave =
+        BRepBuilderAPI_MakeEdge(Handle(Geom_Curve)(GeomAPI_PointsToBSpline(points).Curve())).Edge();
+    const TopoDS_Face swept = TopoDS::Face(BRepPrimAPI_MakePrism(wave, gp_Vec(0, 0.3, 5)).Shape());
+    const TopoDS_Face turned =
+        TopoDS::Face(BRepPrimAPI_MakeRevol(wave, gp_Ax1(gp::Origin(), gp::DX()), std::numbers::pi * 1.23).Shape());
+    const TopoDS_Face offset =
+        BRepBuilderAPI_MakeFace(new Geom_OffsetSurface(BRep_Tool::Surface(swept), 0.5), 1e-7).Face();
+    TColgp_Array2OfPnt poles(1, 8, 1, 2);
+    for (int i = 1; i <= 8; ++i)
+        for (int j = 1; j <= 2; ++j) poles.SetValue(i, j, points(i).Translated(gp_Vec(0, 0, 5 * j)));
+    const TopoDS_Face cut = BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 0.1, 0.83, 0, 1, 1e-7).Face();
+    for (const TopoDS_Face& face : {swept, turned, offset, cut}) {
+        const BRepAdaptor_Surface surface(face);
+        const Box box = box_of(face);
+        Box found;
+        for (int i = 0; i <= 2000; ++i)
+            for (int j = 0; j <= 200; ++j)
+                found.add(to_vec3(
+                    surface.Value(surface.FirstUParameter() + (surface.LastUParameter() - surface.FirstUParameter()) *
+                                                                  (turned.IsSame(face) ? j / 200.0 : i / 2000.0),
+                                  surface.FirstVParameter() + (surface.LastVParameter() - surface.FirstVParameter()) *
+                                                                  (turned.IsSame(face) ? i / 2000.0 : j / 200.0))));
+        INFO("a face of the kernel's type " << surface.GetType());
+        CHECK(box.contains(found.low));
+        CHECK(box.contains(found.high));
+        CHECK(box.diagonal() < 1.1 * found.diagonal());
+    }
 }
 
 TEST_CASE("a loose vertex is where all its edges reach it, when its tolerance and its faces have such a place") {
