@@ -12,9 +12,13 @@
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <GeomAPI_Interpolate.hxx>
+#include <GeomAPI_PointsToBSpline.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <gp_GTrsf.hxx>
@@ -53,6 +57,22 @@ TopoDS_Shape blob(const Vec3& base, double size, double height) {
     spline.Perform();
     const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(spline.Curve()).Edge()).Wire();
     return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire, true).Face(), gp_Vec(0, 0, height)).Shape();
+}
+
+TopoDS_Shape vase(const Vec3& base, const Vec3& axis, double radius, double height) {
+    const gp_Ax2 frame(to_pnt(base), gp_Dir(to_vec(axis)));
+    const auto at = [&](double r, double h) {
+        return frame.Location().Translated(r * gp_Vec(frame.XDirection()) + h * gp_Vec(frame.Direction()));
+    };
+    TColgp_Array1OfPnt wall(1, 4);
+    const double bulges[] = {1, 1.4, 0.7, 1};
+    for (int i = 0; i < 4; ++i) wall.SetValue(i + 1, at(radius * bulges[i], height * i / 3));
+    const Handle(Geom_BSplineCurve) spline = GeomAPI_PointsToBSpline(wall).Curve();
+    BRepBuilderAPI_MakeWire outline(BRepBuilderAPI_MakeEdge(Handle(Geom_Curve)(spline)).Edge());
+    outline.Add(BRepBuilderAPI_MakeEdge(at(radius, height), at(0, height)).Edge());
+    outline.Add(BRepBuilderAPI_MakeEdge(at(0, height), at(0, 0)).Edge());
+    outline.Add(BRepBuilderAPI_MakeEdge(at(0, 0), at(radius, 0)).Edge());
+    return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), frame.Axis()).Shape();
 }
 
 TopoDS_Shape ellipsoid(const Vec3& centre, const Vec3& half_axes) {

@@ -25,6 +25,8 @@ TopoDS_Shape sphere(const Vec3& centre, double radius);
 TopoDS_Shape torus(const Vec3& centre, const Vec3& axis, double radius, double tube);
 /// A bent rod between free-form walls: a closed spline swept along z.
 TopoDS_Shape blob(const Vec3& base, double size, double height);
+/// A spline turned about an axis, between two discs; `radius` at the ends.
+TopoDS_Shape vase(const Vec3& base, const Vec3& axis, double radius, double height);
 /// Bounded by B-spline surfaces.
 TopoDS_Shape ellipsoid(const Vec3& centre, const Vec3& half_axes);
 TopoDS_Shape moved(const TopoDS_Shape& shape, const RigidMotion& motion);
