@@ -86,7 +86,7 @@ class Filling {
           projector_(brep) {
         result_.mesh = std::move(surface);
         rim_tets_.assign(rim.tets.begin(), rim.tets.end());
-        size_ = {[this](const Vec3& p) { return sizing_.at(p); }, sizing.largest(), sizing.is_uniform()};
+        size_ = wanted_size(sizing_, result_.mesh);
     }
 
     VolumeResult run() {

@@ -61,7 +61,7 @@ class SeedOctree {
           size_(size),
           options_(options),
           context_(context),
-          unit_(lattice_constant(size.largest) / root_edge) {
+          unit_(lattice_constant(size.root) / root_edge) {
         if (!facets_.empty()) places_.push_back(whole());
     }
 

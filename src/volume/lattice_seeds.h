@@ -2,7 +2,6 @@
 // Start positions of inner nodes: a body-centred cubic lattice, graded by an octree.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -11,15 +10,9 @@
 #include "core/run_context.h"
 #include "volume/circumsphere.h"
 #include "volume/facet.h"
+#include "volume/wanted_size.h"
 
 namespace featuremesh {
-
-/// The wanted edge length, mm, as a function, with its largest value; what the seeds know of the sizing field.
-struct WantedSize {
-    std::function<double(const Vec3&)> at;
-    double largest = 0;
-    bool is_uniform = true;
-};
 
 struct SeedOptions {
     double clearance = 0.65;     ///< distance from the facets, in wanted edge lengths
@@ -40,9 +33,9 @@ class SeedSpace {
     ~SeedSpace();
 
     /// The `active` points, as far as they have room (less of it than others need), then points of the lattice, apart
-    /// from one another. The lattice is anchored at the origin of space, so that the same place gives the same points
-    /// whatever is around it. Always the same order. Coordinates are off the exact lattice by 1e-6 of its constant,
-    /// since exactly coplanar points cost exact arithmetic.
+    /// from one another. The lattice is anchored at the origin of space, so that the same place and root size give the
+    /// same points whatever is around it. Always the same order. Coordinates are off the exact lattice by 1e-6 of its
+    /// constant, since exactly coplanar points cost exact arithmetic.
     std::vector<Vec3> seeds(std::span<const Vec3> active);
 
     /// Those of the candidates that are where seeds may be, with these distances (a clearance of at most the space's),

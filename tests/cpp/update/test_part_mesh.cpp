@@ -441,6 +441,7 @@ TEST_CASE("with two elements across asked, no tet spans the walls of an open box
                                      .finish();
     MeshOptions options;
     options.sizing.size = 10;
+    options.sizing.min_size = 0.6;  // where half of a wall is 0.5
     options.sizing.elements_across_gap = 2;
     options.order = GENERATE(1, 2);
     const PartMeshResult result = meshed(document, options);
@@ -461,6 +462,14 @@ TEST_CASE("with two elements across asked, no tet spans the walls of an open box
             return on(0) > 0 && on(1) > 0 && on(0) + on(1) == 4;
         });
     }));
+}
+
+TEST_CASE("where the shape alone asks for the edge lengths the global size makes no difference") {
+    const RawDocument rod = PartDocument().cylinder("Part", {0, 0, 0}, 2, 30).finish();
+    std::vector<double> tets;
+    for (const double size : {4.0, 4.8, 5.6, 6.4}) tets.push_back(double(meshed(rod, options_of(size)).report.tets));
+    const auto [least, most] = std::minmax_element(tets.begin(), tets.end());
+    CHECK(*most < 1.1 * *least);
 }
 
 TEST_CASE("a part that is refused with shorter pieces along narrow faces is meshed without, and updated so") {
@@ -487,7 +496,7 @@ TEST_CASE("a part that is refused with shorter pieces along narrow faces is mesh
     CHECK(on_ledge(*updated(*fine.part_mesh, part(17), options).part_mesh) == Approx(1.2));
 
     MeshOptions few = options;
-    few.most_tets = 0.9 * double(fine.report.tets);
+    few.most_tets = 0.8 * double(fine.report.tets);
     const PartMeshResult plain = meshed(part(15), few);
     REQUIRE(warned(plain) == 1);
     check_valid(*plain.part_mesh);
