@@ -464,6 +464,32 @@ TEST_CASE("with two elements across asked, no tet spans the walls of an open box
     }));
 }
 
+TEST_CASE("of the edge lengths of graded meshes nine in ten are within 0.7 and 1.4 of the wanted ones") {
+    const RawDocument rod = PartDocument().cylinder("Part", {0, 0, 0}, 2, 30).finish();
+    const RawDocument block = PartDocument().box("Part", {0, 0, 0}, {40, 30, 20}).finish();
+    const RawDocument drilled = PartDocument()
+                                    .box("Block", {0, 0, 0}, {40, 30, 20})
+                                    .cylinder("Hole", {15, 12, -1}, 1, 22)
+                                    .cut("Part", "Block", "Hole")
+                                    .finish();
+    const auto with_local = [](double size, Entity entity, double fine) {
+        MeshOptions options = options_of(size);
+        options.sizing.local = {{entity, fine}};
+        return options;
+    };
+    const std::pair<RawDocument, MeshOptions> graded[] = {
+        {rod, options_of(4)},
+        {drilled, options_of(3)},
+        {block, with_local(4, entity_of(FaceId(0)), 1)},
+        {block, with_local(4, entity_of(EdgeId(0)), 0.5)},
+        {block, with_local(4, entity_of(VertexId(0)), 0.3)},
+    };
+    for (std::size_t i = 0; i < std::size(graded); ++i) {
+        INFO("part " << i);
+        CHECK(meshed(graded[i].first, graded[i].second).report.lengths.share_within > 0.9);
+    }
+}
+
 TEST_CASE("where the shape alone asks for the edge lengths the global size makes no difference") {
     const RawDocument rod = PartDocument().cylinder("Part", {0, 0, 0}, 2, 30).finish();
     std::vector<double> tets;
