@@ -163,7 +163,7 @@ std::size_t end_of_group(const std::vector<Side>& sides, std::size_t begin) {
 }
 
 [[noreturn]] void throw_overlap(const Mesh& mesh, const Side& side) {
-    throw MeshError("the kept tets overlap at node " + std::to_string(mesh.node_numbers[side.sorted[0].index()]) +
+    throw MeshError("the kept elements overlap at node " + std::to_string(mesh.node_numbers[side.sorted[0].index()]) +
                     "; mesh the part from scratch");
 }
 

@@ -125,7 +125,7 @@ void CavityEditor::begin_marks() {
 
 int CavityEditor::add_vertex(const Vec3& point) {
     complex_.points.push_back(point);
-    complex_.is_fixed.push_back(0);
+    complex_.mobility.push_back(Mobility::free);
     complex_.tet_of_vertex.push_back(-1);
     return static_cast<int>(complex_.points.size()) - 1;
 }

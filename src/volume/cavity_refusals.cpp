@@ -39,11 +39,34 @@ std::vector<FaceId> nearest_faces(const Brep& brep, const Mesh& mesh, const Cavi
     return nearest;
 }
 
-void require_closed(const Mesh& mesh, const Cavity& cavity) {
+namespace {
+
+/// Half the longest edge of each of the facets that are triangles.
+std::vector<SizeSource> half_lengths_at(const Cavity& cavity, std::span<const int> facets) {
+    std::vector<SizeSource> halves;
+    for (const int facet : facets) {
+        if (!cavity.triangle_of_facet[facet].is_valid()) continue;
+        const auto& [i, j, k] = cavity.facets[facet].corners;
+        const Vec3 &a = cavity.points[i], &b = cavity.points[j], &c = cavity.points[k];
+        halves.push_back({(a + b + c) / 3, 0.5 * std::max({distance(a, b), distance(b, c), distance(c, a)})});
+    }
+    return halves;
+}
+
+}  // namespace
+
+std::optional<Obstacle> if_open(const Mesh& mesh, const Cavity& cavity) {
     const std::vector<int> open = open_facets(cavity);
-    if (open.empty()) return;
-    throw MeshError("the surface mesh does not close at " + names_of_faces(mesh, cavity, open) +
-                    "; check the shape there, or try another size");
+    if (open.empty()) return {};
+    const std::string place = names_of_faces(mesh, cavity, open);
+    return Obstacle{"the surface mesh does not close at " + place + "; check the shape there, or try another size",
+                    place};
+}
+
+Obstacle in_one_plane(const Mesh& mesh, const Cavity& cavity, std::span<const int> missing) {
+    const std::string place = names_of_faces(mesh, cavity, missing);
+    return {"all nodes to fill between lie in one plane, at " + place + "; mesh the part finer", place,
+            half_lengths_at(cavity, missing)};
 }
 
 void require_distinct(const Brep& brep, const Mesh& mesh, const Cavity& cavity) {
@@ -72,19 +95,25 @@ void require_distinct(const Brep& brep, const Mesh& mesh, const Cavity& cavity) 
                     in_words(last) + "; repair it there (Part: Check geometry)");
 }
 
-MeshError cut_one_another(const Mesh& mesh, const Cavity& cavity, std::span<const int> crossing) {
-    const Vec3& place = cavity.points[std::size_t(cavity.facets[std::size_t(crossing.front())].corners[0])];
-    return MeshError("triangles of " + names_of_faces(mesh, cavity, crossing) + " near " + in_words(place) +
-                     " cut one another; the shape may touch or cut itself there: repair it, or mesh finer there");
+Obstacle cut_one_another(const Mesh& mesh, const Cavity& cavity, std::span<const int> crossing) {
+    const Vec3& point = cavity.points[std::size_t(cavity.facets[std::size_t(crossing.front())].corners[0])];
+    const std::string place = names_of_faces(mesh, cavity, crossing);
+    return {"triangles of " + place + " near " + in_words(point) +
+                " cut one another; the shape may touch or cut itself there: repair it, or mesh finer there",
+            place, half_lengths_at(cavity, crossing)};
 }
 
-MeshError unrecovered(const Mesh& mesh, std::span<const Cavity> cavities, std::span<const CavityFill> fills) {
-    std::string faces;
-    for (std::size_t i = 0; i < cavities.size(); ++i)
-        if (!fills[i].is_complete())
-            faces += (faces.empty() ? "" : ", ") + names_of_faces(mesh, cavities[i], fills[i].places.missing);
-    return MeshError("the volume mesh cannot be made to meet the triangles of " + faces +
-                     "; mesh finer there, or check the shape for faces that cut or touch one another");
+Obstacle unrecovered(const Mesh& mesh, std::span<const Cavity> cavities, std::span<const CavityFill> fills) {
+    Obstacle obstacle;
+    for (std::size_t i = 0; i < cavities.size(); ++i) {
+        const std::vector<int>& missing = fills[i].places.missing;
+        if (fills[i].is_complete()) continue;
+        obstacle.place += (obstacle.place.empty() ? "" : ", ") + names_of_faces(mesh, cavities[i], missing);
+        for (const SizeSource& half : half_lengths_at(cavities[i], missing)) obstacle.shorter.push_back(half);
+    }
+    obstacle.message = "the volume mesh cannot be made to meet the triangles of " + obstacle.place +
+                       "; mesh finer there, or check the shape for faces that cut or touch one another";
+    return obstacle;
 }
 
 }  // namespace featuremesh

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "features/brep.h"
 #include "volume/cavity.h"
 #include "volume/fill_cavity.h"
+#include "volume/obstacle.h"
 
 namespace featuremesh {
 
@@ -21,16 +23,19 @@ std::string names_of_faces(const Mesh& mesh, const Cavity& cavity, std::span<con
 std::vector<FaceId> nearest_faces(const Brep& brep, const Mesh& mesh, const Cavity& cavity,
                                   const std::array<int, 4>& tet);
 
-/// Throws MeshError with the names of the faces where the cavity's boundary does not close.
-void require_closed(const Mesh& mesh, const Cavity& cavity);
+/// Where the cavity's boundary does not close, if anywhere.
+std::optional<Obstacle> if_open(const Mesh& mesh, const Cavity& cavity);
+
+/// For a cavity of nodes in one plane, which misses these facets.
+Obstacle in_one_plane(const Mesh& mesh, const Cavity& cavity, std::span<const int> missing);
 
 /// Throws MeshError with the names of the faces where two nodes are in one place.
 void require_distinct(const Brep& brep, const Mesh& mesh, const Cavity& cavity);
 
 /// For these facets, which cut one another.
-MeshError cut_one_another(const Mesh& mesh, const Cavity& cavity, std::span<const int> crossing);
+Obstacle cut_one_another(const Mesh& mesh, const Cavity& cavity, std::span<const int> crossing);
 
 /// For the facets that the fills miss.
-MeshError unrecovered(const Mesh& mesh, std::span<const Cavity> cavities, std::span<const CavityFill> fills);
+Obstacle unrecovered(const Mesh& mesh, std::span<const Cavity> cavities, std::span<const CavityFill> fills);
 
 }  // namespace featuremesh

@@ -320,17 +320,20 @@ ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<co
                                               const RunContext& context) {
     // walls of a fiftieth of the edge length took 20 to 40 vertices, made and gone again, for a missing facet
     constexpr std::size_t spare_vertices = 20'000, vertices_per_missing = 100;
+    // no vertex was seen to take a tenth of this
+    constexpr std::size_t least_seconds = 60, vertices_per_second = 200;
     std::vector<Point> points;
     append_converted(cavity.points, points);
     append_converted(seeds, points);
     const std::vector<int> facet_of = facets_with_normal(cavity);
     // where facets all but touch, the library may follow a handle to nowhere
+    const std::size_t most_vertices = 2 * points.size() + spare_vertices + vertices_per_missing * missing;
     auto found = run_isolated(
         [&](const RunContext& watched) {
-            const VertexBudget budget(2 * points.size() + spare_vertices + vertices_per_missing * missing, watched);
+            const VertexBudget budget(most_vertices, watched);
             return Bytes::of(triangulate(cavity, points, facet_of));
         },
-        context);
+        {static_cast<unsigned>(least_seconds + most_vertices / vertices_per_second)}, context);
     return found ? Bytes(std::move(*found)).read() : given_up();
 }
 

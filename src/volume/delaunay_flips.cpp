@@ -120,7 +120,7 @@ void DelaunayFlipper::replace(std::span<const int> removed, std::span<const Tet>
     ++flips_;
     for (int tet : editor_.replace(removed, added)) {
         pending_.push_back(tet);
-        for (int v : complex_.tets[tet]) marks.queued[v] = !complex_.is_fixed[v];
+        for (int v : complex_.tets[tet]) marks.queued[v] = complex_.is_free(v);
     }
 }
 

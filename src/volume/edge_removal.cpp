@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/edge_removal.h"
 
-#include <algorithm>
-
-#include "volume/needles.h"
-
 namespace featuremesh {
 
 namespace {
@@ -32,20 +28,6 @@ int tets_of_triangulation(const EdgeRing& ring, const RingTriangulation<>& trian
     return count;
 }
 
-RingTriangulation<> least_flat_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit) {
-    const RingPoints p(complex, ring);
-    return triangulate_ring<WorstOf>(ring.size, limit, [&](int i, int j, int k) {
-        double upper = flatness(p.corners[i], p.corners[j], p.corners[k], p.to);
-        if (upper >= least_flatness_of_needle)
-            upper = unforced_flatness(complex, {ring.vertices[i], ring.vertices[j], ring.vertices[k], ring.to});
-        if (upper >= limit) return upper;
-        double lower = flatness(p.corners[j], p.corners[i], p.corners[k], p.from);
-        if (lower >= least_flatness_of_needle)
-            lower = unforced_flatness(complex, {ring.vertices[j], ring.vertices[i], ring.vertices[k], ring.from});
-        return std::max(upper, lower);
-    });
-}
-
 RingTriangulation<> lowest_energy_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit) {
     const RingPoints p(complex, ring);
     return triangulate_ring<SumOf>(ring.size, limit, [&](int i, int j, int k) {
@@ -53,24 +35,6 @@ RingTriangulation<> lowest_energy_triangulation(const TetComplex& complex, const
         const double lower = odt_energy(p.corners[j], p.corners[i], p.corners[k], p.from);
         return upper > 0 && lower > 0 ? upper + lower : std::numeric_limits<double>::infinity();
     });
-}
-
-double worst_flatness(const TetComplex& complex, std::span<const int> tets) {
-    double worst = 0;
-    for (int tet : tets) worst = std::max(worst, unforced_flatness(complex, complex.tets[tet]));
-    return worst;
-}
-
-double burden_of(const TetComplex& complex, std::span<const int> tets, double target) {
-    double sum = 0;
-    for (int tet : tets) sum += burden(unforced_flatness(complex, complex.tets[tet]), target);
-    return sum;
-}
-
-double burden_of(const TetComplex& complex, std::span<const Tet> tets, double target) {
-    double sum = 0;
-    for (const Tet& tet : tets) sum += burden(unforced_flatness(complex, tet), target);
-    return sum;
 }
 
 }  // namespace featuremesh

@@ -71,15 +71,7 @@ void visit_triangles(const RingTriangulation<most>& ring, int i, int j, const Vi
 int tets_of_triangulation(const EdgeRing& ring, const RingTriangulation<>& triangulation,
                           std::array<Tet, 2 * EdgeRing::max_size>& tets);
 
-/// The triangulation whose worst tet is the least flat.
-RingTriangulation<> least_flat_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit);
 /// The triangulation with the lowest ODT energy; tets without volume are not allowed.
 RingTriangulation<> lowest_energy_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit);
-
-/// Flatness of the worst of some tets.
-double worst_flatness(const TetComplex& complex, std::span<const int> tets);
-/// Sum of the burdens of some tets.
-double burden_of(const TetComplex& complex, std::span<const int> tets, double target);
-double burden_of(const TetComplex& complex, std::span<const Tet> tets, double target);
 
 }  // namespace featuremesh

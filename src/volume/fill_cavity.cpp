@@ -167,8 +167,8 @@ TetComplex make_complex(const Cavity& cavity, const CavityFill& fill, const RunC
         if (fill.regions[t] >= 0) new_index[t] = count++;
     TetComplex complex;
     complex.points = fill.points;
-    complex.is_fixed.assign(fill.points.size(), 0);
-    std::fill_n(complex.is_fixed.begin(), cavity.points.size(), std::uint8_t{1});
+    complex.mobility.assign(fill.points.size(), Mobility::free);
+    std::fill_n(complex.mobility.begin(), cavity.points.size(), Mobility::fixed);
     complex.tet_of_vertex.assign(fill.points.size(), -1);
     complex.tets.reserve(count), complex.neighbours.reserve(count), complex.regions.reserve(count);
     for (std::size_t t = 0; t < all.tets.size(); ++t) {

@@ -6,12 +6,14 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/run_context.h"
 #include "features/brep.h"
 #include "mesh/mesh.h"
 #include "sizing/sizing_field.h"
+#include "volume/obstacle.h"
 
 namespace featuremesh {
 
@@ -53,19 +55,23 @@ struct KeptRim {
 
 struct VolumeResult {
     Mesh mesh;
-    VolumeReport report;
-    std::vector<TetId> released;                        ///< kept tets (as counted in the input) that were given up
-    std::vector<std::array<NodeId, 4>> released_nodes;  ///< their nodes
-    std::vector<NodeId> moved;                          ///< inner kept nodes that are elsewhere now, with new numbers
-    std::vector<Vec3> used_active;                      ///< the start positions that were of use
+    VolumeReport report = {};
+    std::vector<TetId> released = {};                        ///< kept tets (as counted in the input) that were given up
+    std::vector<std::array<NodeId, 4>> released_nodes = {};  ///< their nodes
+    std::vector<NodeId> moved = {};      ///< inner kept nodes that are elsewhere now, with new numbers
+    std::vector<Vec3> used_active = {};  ///< the start positions that were of use
 };
 
 /// Takes a 4-node mesh whose surface is complete and whose tets (if any) are kept; gives it back with every solid full.
 /// Kept nodes keep their places in the arrays, and their bits but for the moved ones; kept tets stay in front in their
 /// order but for the released ones. New nodes inside a CAD face may be moved along it. `active` are start positions for
 /// inner nodes that survived without being kept. `rim` tells where something is not kept, which spares the search for
-/// it (no nodes: searched). The same bytes for any number of threads. Throws MeshError that names the faces where the
-/// boundary could not be recovered.
+/// it (no nodes: searched). The same bytes for any number of threads. An obstacle where the boundary could not be
+/// recovered; throws MeshError where the surface is none that can be filled.
+std::variant<VolumeResult, Obstacle> try_fill_solids(const Brep& brep, const SizingField& sizing, Mesh surface,
+                                                     std::span<const Vec3> active, const VolumeOptions& options,
+                                                     RunContext& context, const KeptRim& rim = {});
+/// The same; throws MeshError with what stands in the way.
 VolumeResult fill_solids(const Brep& brep, const SizingField& sizing, Mesh surface, std::span<const Vec3> active,
                          const VolumeOptions& options, RunContext& context, const KeptRim& rim = {});
 

@@ -105,7 +105,7 @@ class FlipRecovery {
     static TetComplex complex_of(const CavityFill& fill) {
         TetComplex complex;
         complex.points = fill.points;
-        complex.is_fixed.assign(fill.points.size(), 1);
+        complex.mobility.assign(fill.points.size(), Mobility::fixed);
         complex.tets = fill.triangulation.tets;
         complex.neighbours = fill.triangulation.neighbours;
         complex.tet_of_vertex.assign(fill.points.size(), -1);

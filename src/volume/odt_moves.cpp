@@ -82,7 +82,8 @@ void OdtMover::queue_gainers(OdtMarks& marks) const {
             sums[corner].six_volumes += sphere.six_volumes;
         }
     }
-    for (std::size_t v = 0; v < sums.size(); ++v) marks.queued[v] = !complex_.is_fixed[v] && !sums[v].is_still();
+    for (std::size_t v = 0; v < sums.size(); ++v)
+        marks.queued[v] = complex_.is_free(static_cast<int>(v)) && !sums[v].is_still();
 }
 
 std::size_t OdtMover::sweep(OdtMarks& marks, double share, double part) {
@@ -172,7 +173,7 @@ bool OdtMover::try_shift(int vertex, const Vec3& shift, double smallest, OdtMark
         if (is_weighted_) sizes_[vertex] = sizing_.at(trial);
         marks.touched[vertex] = 1;
         for (int tet : scratch.star)
-            for (int v : complex_.tets[tet]) marks.queued[v] = !complex_.is_fixed[v];
+            for (int v : complex_.tets[tet]) marks.queued[v] = complex_.is_free(v);
         marks.queued[vertex] = step < 1;
         return true;
     }

@@ -3,7 +3,7 @@
 
 #include "volume/delaunay_flips.h"
 #include "volume/odt_moves.h"
-#include "volume/optimise.h"
+#include "volume/optimise_odt.h"
 #include "volume/tet_measures.h"
 
 namespace featuremesh {
@@ -40,7 +40,8 @@ OdtReport optimise_odt(TetComplex& complex, const SizingField& sizing, const Odt
     DelaunayFlipper flipper(complex, context);
     mover.queue_gainers(marks);
     // far from the boundary and at their optimum the seeds are a lattice that Delaunay has connected already
-    for (std::size_t v = 0; v < complex.points.size(); ++v) marks.touched[v] = complex.is_fixed[v] | marks.queued[v];
+    for (std::size_t v = 0; v < complex.points.size(); ++v)
+        marks.touched[v] = !complex.is_free(static_cast<int>(v)) || marks.queued[v];
     report.flips += flipper.restore(marks);
     const int sweeps = options.weight_by_size ? graded_sweeps * options.sweeps : options.sweeps;
     for (int sweep = 0; sweep < sweeps; ++sweep) {

@@ -5,11 +5,18 @@
 #include <tuple>
 
 #include "volume/cavity_editor.h"
-#include "volume/needles.h"
-#include "volume/tet_measures.h"
 #include "volume/tet_topology.h"
 
 namespace featuremesh {
+
+namespace {
+
+bool is_outside(const Brep& brep, FaceId face) {
+    const auto sides = brep.sides_of(face);
+    return sides[0].is_valid() != sides[1].is_valid();
+}
+
+}  // namespace
 
 SeamRegion::SeamRegion(const Cavity& cavity, TetComplex filled)
     : complex(std::move(filled)), nodes_(cavity.nodes), is_at_seam_(cavity.nodes.size(), 0) {
@@ -18,42 +25,25 @@ SeamRegion::SeamRegion(const Cavity& cavity, TetComplex filled)
             for (const int v : cavity.facets[f].corners) is_at_seam_[static_cast<std::size_t>(v)] = 1;
 }
 
-std::vector<int> SeamRegion::bad_tets_at_seam(double target_dihedral_deg) const {
-    const double target = flatness_of_angle(target_dihedral_deg);
+std::vector<int> SeamRegion::bad_tets_at_seam(const Objective& objective) const {
     std::vector<int> bad;
     for (std::size_t t = 0; t < complex.tets.size(); ++t) {
         const Tet& tet = complex.tets[t];
         if (tet[0] < 0 || std::none_of(tet.begin(), tet.end(), [&](int v) { return is_at_seam(v); })) continue;
-        if (is_bad(tet, target)) bad.push_back(static_cast<int>(t));
+        if (objective.misses(objective.flaw(complex, tet))) bad.push_back(static_cast<int>(t));
     }
     return bad;
 }
 
 bool SeamRegion::has_seam() const { return std::find(is_at_seam_.begin(), is_at_seam_.end(), 1) != is_at_seam_.end(); }
 
-std::vector<int> SeamRegion::vertices_near_seam(int edges) const {
-    std::vector<std::uint8_t> is_near = is_at_seam_;
-    is_near.resize(complex.points.size(), 0);
-    for (int ring = 0; ring < edges; ++ring) {
-        const std::vector<std::uint8_t> before = is_near;
-        for (const Tet& tet : complex.tets)
-            if (tet[0] >= 0 && std::any_of(tet.begin(), tet.end(), [&](int v) { return before[v] != 0; }))
-                for (const int v : tet) is_near[v] = 1;
-    }
-    std::vector<int> near;
-    for (std::size_t v = 0; v < is_near.size(); ++v)
-        if (is_near[v]) near.push_back(static_cast<int>(v));
-    return near;
-}
-
-std::size_t SeamRegion::count_bad(double target_dihedral_deg) const {
-    const double target = flatness_of_angle(target_dihedral_deg);
-    return static_cast<std::size_t>(std::count_if(complex.tets.begin(), complex.tets.end(),
-                                                  [&](const Tet& tet) { return tet[0] >= 0 && is_bad(tet, target); }));
-}
-
-bool SeamRegion::is_bad(const Tet& tet, double target_flatness) const {
-    return unforced_flatness(complex, tet) > target_flatness;
+std::vector<int> SeamRegion::tets_near_seam(int edges) const {
+    std::vector<int> tets;
+    for (std::size_t t = 0; t < complex.tets.size(); ++t)
+        if (const Tet& tet = complex.tets[t];
+            tet[0] >= 0 && std::any_of(tet.begin(), tet.end(), [&](int v) { return is_at_seam(v); }))
+            tets.push_back(static_cast<int>(t));
+    return with_rings(std::move(tets), edges - 1);
 }
 
 std::vector<int> SeamRegion::with_rings(std::vector<int> tets, int rings) const {
@@ -85,7 +75,7 @@ std::vector<NodeId> SeamRegion::nodes_of(std::span<const int> tets) const {
 int SeamRegion::add_vertex(NodeId node, const Mesh& mesh) {
     const int vertex = static_cast<int>(complex.points.size());
     complex.points.push_back(mesh.point(node));
-    complex.is_fixed.push_back(1);
+    complex.mobility.push_back(Mobility::fixed);
     complex.tet_of_vertex.push_back(-1);
     nodes_.resize(complex.points.size());
     nodes_.back() = node;
@@ -151,7 +141,7 @@ void SeamRegion::free_inner_nodes(const Mesh& mesh) {
     std::vector<int> star;
     for (std::size_t v = 0; v < nodes_.size(); ++v) {
         if (!nodes_[v].is_valid() || mesh.entities[nodes_[v].index()].dim < 3) continue;
-        if (gather_star(complex, static_cast<int>(v), star)) complex.is_fixed[v] = 2;
+        if (gather_star(complex, static_cast<int>(v), star)) complex.mobility[v] = Mobility::kept;
     }
 }
 
@@ -186,6 +176,22 @@ std::vector<TetId> SeamRegion::give_back(const Mesh& mesh) {
     }
     taken_.clear();
     return given;
+}
+
+std::vector<SurfaceVertex> movable_vertices(const Brep& brep, const Mesh& mesh, const SeamRegion& region,
+                                            std::size_t first_new) {
+    std::vector<SurfaceVertex> vertices;
+    for (int v = 0; v < static_cast<int>(region.complex.points.size()); ++v) {
+        const NodeId node = region.node_of(v);
+        if (!node.is_valid() || node.index() < first_new || region.is_at_seam(v) || region.complex.tet_of_vertex[v] < 0)
+            continue;
+        const Entity on = mesh.entities[node.index()];
+        if (on.dim != 1 && on.dim != 2) continue;
+        const std::vector<FaceId> faces = brep.faces_at(on);
+        if (faces.size() <= 2 && std::all_of(faces.begin(), faces.end(), [&](FaceId f) { return is_outside(brep, f); }))
+            vertices.push_back({v, on, mesh.parameters[node.index()]});
+    }
+    return vertices;
 }
 
 }  // namespace featuremesh

@@ -7,6 +7,7 @@
 
 #include "mesh/mesh.h"
 #include "volume/cavity.h"
+#include "volume/improvement/local_mesh.h"
 #include "volume/tet_complex.h"
 
 namespace featuremesh {
@@ -27,9 +28,9 @@ class SeamRegion {
         return vertex < static_cast<int>(is_at_seam_.size()) && is_at_seam_[static_cast<std::size_t>(vertex)] != 0;
     }
     /// Tets that touch the seam and miss the target.
-    std::vector<int> bad_tets_at_seam(double target_dihedral_deg) const;
-    /// Vertices with so few edges between them and the seam, ascending.
-    std::vector<int> vertices_near_seam(int edges) const;
+    std::vector<int> bad_tets_at_seam(const Objective& objective) const;
+    /// Tets whose corners have so few edges between them and the seam, one at least; ascending.
+    std::vector<int> tets_near_seam(int edges) const;
     /// The tets, those that share a vertex with them, and so on, `rings` times; ascending.
     std::vector<int> with_rings(std::vector<int> tets, int rings) const;
     /// The mesh's nodes of these tets, as far as they have any.
@@ -37,8 +38,6 @@ class SeamRegion {
 
     /// Adds kept tets of the mesh, none of which was taken in before. Gives their numbers in the complex.
     std::vector<int> take_in(const Mesh& mesh, std::span<const TetId> tets);
-    /// Of all tets.
-    std::size_t count_bad(double target_dihedral_deg) const;
     std::size_t taken_count() const { return taken_.size(); }
     /// Of those taken in: how many are not as they were.
     std::size_t changed_count(const Mesh& mesh) const;
@@ -61,7 +60,6 @@ class SeamRegion {
         int place;
         std::array<int, 4> corners;
     };
-    bool is_bad(const std::array<int, 4>& tet, double target_flatness) const;
     int add_vertex(NodeId node, const Mesh& mesh);
     bool is_moved(int vertex, const Mesh& mesh) const;
     bool is_changed(const Taken& taken, const Mesh& mesh) const;
@@ -71,5 +69,10 @@ class SeamRegion {
     std::vector<std::uint8_t> is_at_seam_;  // by vertex
     std::vector<Taken> taken_;
 };
+
+/// The region's nodes from `first_new` on that are on one face, or between two, with material on one side only, and
+/// away from kept tets.
+std::vector<SurfaceVertex> movable_vertices(const Brep& brep, const Mesh& mesh, const SeamRegion& region,
+                                            std::size_t first_new);
 
 }  // namespace featuremesh

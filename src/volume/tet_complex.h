@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The connectivity that the local operations of `optimise` work on. No CGAL, no CAD.
+// The connectivity that the local operations work on. No CGAL, no CAD.
 #pragma once
 
 #include <array>
@@ -11,18 +11,22 @@
 
 namespace featuremesh {
 
+/// What may be done to a vertex. `kept` ones may move, but are not taken out; so are those on a CAD edge or face, which
+/// only move along it.
+enum class Mobility : std::uint8_t { free, fixed, kept, on_edge, on_face };
+inline bool is_on_boundary(Mobility m) { return m != Mobility::free && m != Mobility::kept; }
+
 /// Tets with neighbours, for local operations. Vertices are ints here: they count within one cavity.
 struct TetComplex {
     std::vector<Vec3> points;
-    std::vector<std::uint8_t> is_fixed;          ///< by vertex: 1 for boundary or kept, never moved; 2 where it may
-                                                 ///< be moved for better tets, but not taken out; 0 for free
+    std::vector<Mobility> mobility;              ///< by vertex; `fixed` for the boundary and what is kept
     std::vector<std::array<int, 4>> tets;        ///< positive volume; tets[i][0] < 0 marks a removed one
     std::vector<std::array<int, 4>> neighbours;  ///< neighbours[i][k] is opposite vertex k; -1 at the cavity's
                                                  ///< boundary
     std::vector<int> regions;                    ///< by tet: the solid; faces between regions are
                                                  ///< never flipped away
     std::vector<int> tet_of_vertex;              ///< any one live tet of the vertex; -1 for none
-    bool excuses_needles = true;                 ///< they are measured without the angle that is forced (needles.h)
+    bool is_free(int vertex) const { return mobility[static_cast<std::size_t>(vertex)] == Mobility::free; }
 };
 
 /// Finds neighbours and tet_of_vertex from points and tets. A triangle between two regions counts as boundary (-1 on

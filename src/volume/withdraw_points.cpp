@@ -6,12 +6,12 @@
 #include <map>
 
 #include "core/sorted_pair.h"
+#include "volume/improvement/star_shape.h"
 #include "volume/kernel_centre.h"
 #include "volume/polygon_cut.h"
 #include "volume/tet_complex.h"
 #include "volume/tet_measures.h"
 #include "volume/tet_topology.h"
-#include "volume/vertex_move.h"
 
 namespace featuremesh {
 
@@ -227,7 +227,7 @@ class Withdrawal {
     /// Looks for room along the way to the middle of the sector and along the mean of the facets' normals; in the end,
     /// when no angle can be too small, wherever there is most.
     bool place(int point, Sector& sector) const {
-        StarShape shape;
+        StarShape shape(angles_);
         std::vector<std::array<Vec3, 3>> walls;
         Vec3 middle{}, inward{};
         double reach = 0;
@@ -282,7 +282,7 @@ class Withdrawal {
         static const double good_enough = flatness_of_angle(20);
         for (const int p : around) {
             if (p < first_ || (is_added(p) && !pieces_of_[p - first_].empty())) continue;
-            StarShape shape;
+            StarShape shape(angles_);
             for (const int t : tets_of_[p - first_]) {
                 const auto& face = opposite_face[corner_of(tets_[t], p)];
                 shape.add(points_[tets_[t][face[0]]], points_[tets_[t][face[1]]], points_[tets_[t][face[2]]]);
@@ -305,6 +305,7 @@ class Withdrawal {
     }
 
     const Cavity& cavity_;
+    const Objective angles_;
     double largest_flatness_ = 1;  ///< of the tets round a point that is withdrawn
     int first_, last_;             ///< the added points
     int first_copy_;               ///< with the points after it, of added ones between several regions

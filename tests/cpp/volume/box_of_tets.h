@@ -26,7 +26,7 @@ inline TetComplex bar_of_tets(const std::array<int, 3>& count, double jitter, un
                 Vec3 p{1.0 * x, 1.0 * y, 1.0 * z};
                 if (is_free) p += {displace(random), displace(random), displace(random)};
                 bar.points.push_back(p);
-                bar.is_fixed.push_back(!is_free);
+                bar.mobility.push_back(is_free ? Mobility::free : Mobility::fixed);
             }
     std::array<int, 3> axes{0, 1, 2};
     const std::array<int, 3> stride{1, count[0] + 1, (count[0] + 1) * (count[1] + 1)};
@@ -48,6 +48,8 @@ inline TetComplex bar_of_tets(const std::array<int, 3>& count, double jitter, un
 inline TetComplex box_of_tets(int count, double jitter, unsigned seed) {
     return bar_of_tets({count, count, count}, jitter, seed);
 }
+
+inline void fix_all(TetComplex& complex) { complex.mobility.assign(complex.points.size(), Mobility::fixed); }
 
 inline double volume_of(const TetComplex& complex, const Tet& v) {
     const auto& p = complex.points;
@@ -88,14 +90,14 @@ inline std::set<std::array<int, 3>> outside_of(const TetComplex& complex) {
 }
 
 inline bool are_same_bytes(const TetComplex& a, const TetComplex& b) {
-    return a.points == b.points && a.is_fixed == b.is_fixed && a.tets == b.tets && a.neighbours == b.neighbours &&
+    return a.points == b.points && a.mobility == b.mobility && a.tets == b.tets && a.neighbours == b.neighbours &&
            a.regions == b.regions && a.tet_of_vertex == b.tet_of_vertex;
 }
 
 /// Fixed vertices are where they were, bit for bit.
 inline bool are_fixed_kept(const TetComplex& before, const TetComplex& after) {
     for (std::size_t v = 0; v < before.points.size(); ++v)
-        if (before.is_fixed[v] && before.points[v] != after.points[v]) return false;
+        if (before.mobility[v] == Mobility::fixed && before.points[v] != after.points[v]) return false;
     return true;
 }
 

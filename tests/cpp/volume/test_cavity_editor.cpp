@@ -26,7 +26,7 @@ TEST_CASE("the star of an inner vertex is all its tets, a boundary vertex has no
     std::vector<int> star;
     for (int v = 0; v < static_cast<int>(box.points.size()); ++v) {
         const bool is_inside = gather_star(box, v, star);
-        REQUIRE(is_inside == !box.is_fixed[v]);
+        REQUIRE(is_inside == box.is_free(static_cast<int>(v)));
         if (!is_inside) continue;
         const auto count = std::count_if(box.tets.begin(), box.tets.end(), [&](const Tet& t) { return has(t, v); });
         REQUIRE(static_cast<long>(star.size()) == count);
@@ -43,7 +43,7 @@ TEST_CASE("the ring of an inner edge is all its tets in order, with their orient
             EdgeRing ring;
             const int a = box.tets[t][i], b = box.tets[t][j];
             const bool is_found = find_ring(box, t, i, j, ring);
-            const bool is_inner = !box.is_fixed[a] || !box.is_fixed[b];
+            const bool is_inner = box.is_free(static_cast<int>(a)) || box.is_free(static_cast<int>(b));
             REQUIRE((is_found || !is_inner));
             if (!is_found) continue;
             ++inner;
@@ -78,7 +78,7 @@ TEST_CASE("the star of a hub with very many tets is complete") {
         triangles = finer;
     }
     for (const auto& [a, b, c] : triangles) hub.tets.push_back({0, a, b, c});
-    hub.is_fixed.assign(hub.points.size(), 0);
+    hub.mobility.assign(hub.points.size(), Mobility::free);
     connect(hub);
     REQUIRE(find_flaws(hub).empty());
     std::vector<int> star;

@@ -23,9 +23,20 @@ TetComplex random_ring(int size, std::mt19937& random) {
         complex.points.push_back({r * std::cos(angle), r * std::sin(angle), height(random)});
         complex.tets.push_back({0, 1, 2 + i, 2 + (i + 1) % size});
     }
-    complex.is_fixed.assign(complex.points.size(), 1);
+    fix_all(complex);
     connect(complex);
     return complex;
+}
+
+/// The triangulation whose worst tet is the least flat.
+RingTriangulation<> least_flat_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit) {
+    const auto flatness_of = [&](int a, int b, int c, int d) {
+        return flatness(complex.points[a], complex.points[b], complex.points[c], complex.points[d]);
+    };
+    return triangulate_ring<WorstOf>(ring.size, limit, [&](int i, int j, int k) {
+        const int a = ring.vertices[i], b = ring.vertices[j], c = ring.vertices[k];
+        return std::max(flatness_of(a, b, c, ring.to), flatness_of(b, a, c, ring.from));
+    });
 }
 
 /// Every triangulation of the polygon i..j, one after the other.

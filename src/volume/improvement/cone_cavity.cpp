@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/improvement/cone_cavity.h"
+
+#include <algorithm>
+
+namespace featuremesh {
+
+void ConeCavity::reset(std::span<const int> start) {
+    tets_.clear();
+    faces_.clear();
+    worst_before_ = 0;
+    editor_.begin_marks();
+    for (const int tet : start) add(tet);
+}
+
+void ConeCavity::add(int tet) {
+    tets_.push_back(tet);
+    editor_.mark(tet);
+    worst_before_ = std::max(worst_before_, objective_.flaw(complex_, complex_.tets[tet]));
+    for (int face = 0; face < 4; ++face) {
+        const int next = complex_.neighbours[tet][face];
+        if (next >= 0 && editor_.is_marked(next))
+            remove_face(next, face_towards(complex_.neighbours[next], tet));
+        else
+            add_face(tet, face);
+    }
+}
+
+std::array<bool, 3> ConeCavity::are_outside(const std::array<int, 3>& f) const {
+    const auto& m = complex_.mobility;
+    return {is_on_boundary(m[f[0]]), is_on_boundary(m[f[1]]), is_on_boundary(m[f[2]])};
+}
+
+double ConeCavity::cone_flaw(const std::array<int, 3>& f) const {
+    if (apex_ >= 0) return objective_.flaw(complex_, {apex_, f[0], f[1], f[2]});
+    const auto& p = complex_.points;
+    const auto [a, b, c] = are_outside(f);
+    return objective_.flaw({point_, p[f[0]], p[f[1]], p[f[2]]}, {false, a, b, c});
+}
+
+void ConeCavity::add_face(int tet, int face) {
+    const Tet& v = complex_.tets[tet];
+    const auto& corner = opposite_face[face];
+    Face open{tet, face, {v[corner[0]], v[corner[1]], v[corner[2]]}, 0};
+    // a triangle with the apex makes no cone, but is part of the outside
+    if (!open.has(apex_)) open.value = cone_flaw(open.vertices);
+    faces_.push_back(open);
+}
+
+void ConeCavity::remove_face(int tet, int face) {
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+        if (faces_[i].tet != tet || faces_[i].face != face) continue;
+        faces_[i] = faces_.back();
+        faces_.pop_back();
+        return;
+    }
+}
+
+const ConeCavity::Face* ConeCavity::worst_face() const {
+    return &*std::max_element(faces_.begin(), faces_.end(), [](const Face& a, const Face& b) {
+        return a.value != b.value ? a.value < b.value : std::pair(a.tet, a.face) > std::pair(b.tet, b.face);
+    });
+}
+
+bool ConeCavity::loses_fixed_vertex() const {
+    for (const int tet : tets_)
+        for (const int v : complex_.tets[tet]) {
+            if (complex_.is_free(v) || v == apex_) continue;
+            if (std::none_of(faces_.begin(), faces_.end(), [&](const Face& f) { return f.has(v); })) return true;
+        }
+    return false;
+}
+
+bool ConeCavity::grow(std::span<const int> start, int apex, const Vec3& point) {
+    if (start.size() >= most_tets) return false;
+    apex_ = apex;
+    point_ = point;
+    reset(start);
+    double best_gain = 0;
+    std::size_t best_count = 0;
+    while (tets_.size() < most_tets && !faces_.empty()) {
+        const Face* worst = worst_face();
+        const double gain = worst_before_ - worst->value;
+        if (gain > best_gain && !loses_fixed_vertex()) {
+            best_gain = gain;
+            best_count = tets_.size();
+        }
+        const int next = behind(*worst);
+        if (next < 0) break;
+        add(next);
+    }
+    if (best_count == 0) return false;
+    rebuild(best_count);
+    return true;
+}
+
+void ConeCavity::rebuild(std::size_t count) {
+    order_.assign(tets_.begin(), tets_.begin() + static_cast<std::ptrdiff_t>(count));
+    reset(order_);
+    worst_after_ = worst_face()->value;
+}
+
+bool ConeCavity::make_visible() {
+    for (;;) {
+        const Face* hidden = worst_face();
+        if (hidden->value < inverted_flatness) return true;
+        if (behind(*hidden) < 0 || tets_.size() >= most_tets_with_room) return false;
+        add(behind(*hidden));
+    }
+}
+
+bool ConeCavity::give_room() {
+    constexpr std::size_t most_at_once = 4;
+    std::vector<std::pair<double, int>> thinnest;
+    for (Face& f : faces_) {
+        f.value = cone_flaw(f.vertices);
+        if (behind(f) >= 0) thinnest.emplace_back(-f.value, behind(f));
+    }
+    std::sort(thinnest.begin(), thinnest.end());
+    std::size_t added = 0;
+    for (const auto& [value, tet] : thinnest)
+        if (added < most_at_once && tets_.size() < most_tets_with_room && !editor_.is_marked(tet)) add(tet), ++added;
+    return added > 0;
+}
+
+void ConeCavity::gather_shape() {
+    const auto& p = complex_.points;
+    shape_.clear(apex_ >= 0 && is_on_boundary(complex_.mobility[apex_]));
+    for (const Face& f : faces_)
+        if (const auto& [a, b, c] = f.vertices; !f.has(apex_)) shape_.add(p[a], p[b], p[c], are_outside(f.vertices));
+}
+
+void ConeCavity::climb(double good_enough) {
+    gather_shape();
+    worst_after_ = shape_.climb(point_, good_enough);
+}
+
+Value ConeCavity::after() {
+    if (apex_ >= 0) return objective_.value(complex_, cones(apex_));
+    gather_shape();
+    return shape_.value(point_);
+}
+
+std::span<const Tet> ConeCavity::cones(int apex) {
+    cones_.clear();
+    for (const Face& f : faces_)
+        if (!f.has(apex)) cones_.push_back({apex, f.vertices[0], f.vertices[1], f.vertices[2]});
+    return cones_;
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A cavity that is filled from one point: vertex insertion, edge collapse, multi-face flips. Grown tet by tet as in
+// Klingner and Shewchuk, "Aggressive tetrahedral mesh improvement", 2007.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "volume/improvement/local_mesh.h"
+#include "volume/improvement/star_shape.h"
+
+namespace featuremesh {
+
+/// Plans on the untouched complex. When every triangle of its outside sees the point from inside, the cones over them
+/// fill the cavity exactly.
+class ConeCavity {
+  public:
+    ConeCavity(CavityEditor& editor, const Objective& objective)
+        : editor_(editor), complex_(editor.complex()), objective_(objective), shape_(objective) {}
+
+    /// Grows from `start` across the triangle with the worst cone, as long as that may help; keeps the best cavity met.
+    /// `apex` is the vertex that `point` belongs to, -1 for a new one. False where no cavity was better than the tets
+    /// it replaces.
+    bool grow(std::span<const int> start, int apex, const Vec3& point);
+
+    /// For tets that are too thin: grows until a new point sees the whole outside, moves the point, and takes in the
+    /// tets behind the thinnest cones, in turns; up to 240 tets. Calls `consider` for every cavity that may do.
+    template <class Consider>
+    void make_room(std::span<const int> start, const Vec3& point, const Consider& consider);
+
+    /// Moves a new point to where the worst cone is the best.
+    void climb(double good_enough);
+
+    double worst_before() const { return worst_before_; }
+    double worst_after() const { return worst_after_; }
+    int apex() const { return apex_; }
+    const Vec3& point() const { return point_; }
+    std::span<const int> removed() const { return tets_; }
+    /// Of the tets that go, and of the cones.
+    Value before() const { return objective_.value(complex_, tets_); }
+    Value after();
+    /// The cones; `apex` stands for a new vertex.
+    std::span<const Tet> cones(int apex);
+
+  private:
+    struct Face {
+        int tet, face;
+        std::array<int, 3> vertices;
+        double value;
+        bool has(int v) const { return vertices[0] == v || vertices[1] == v || vertices[2] == v; }
+    };
+    void reset(std::span<const int> start);
+    void add(int tet);
+    void add_face(int tet, int face);
+    void remove_face(int tet, int face);
+    void gather_shape();
+    double cone_flaw(const std::array<int, 3>& face) const;
+    int behind(const Face& f) const { return complex_.neighbours[f.tet][f.face]; }
+    const Face* worst_face() const;
+    bool loses_fixed_vertex() const;
+    void rebuild(std::size_t count);
+    bool make_visible();
+    bool give_room();
+    std::array<bool, 3> are_outside(const std::array<int, 3>& corners) const;
+
+    static constexpr std::size_t most_tets = 48, most_tets_with_room = 240;
+    CavityEditor& editor_;
+    const TetComplex& complex_;
+    const Objective& objective_;
+    int apex_ = -1;
+    Vec3 point_{};
+    double worst_before_ = 0, worst_after_ = 0;
+    std::vector<int> tets_, order_;
+    std::vector<Face> faces_;
+    std::vector<Tet> cones_;
+    StarShape shape_;
+};
+
+template <class Consider>
+void ConeCavity::make_room(std::span<const int> start, const Vec3& point, const Consider& consider) {
+    constexpr int rounds = 10;
+    apex_ = -1;
+    point_ = point;
+    worst_after_ = inverted_flatness;
+    reset(start);
+    for (int round = 0; round < rounds && worst_after_ > 1; ++round) {
+        if (!make_visible()) return;
+        if (!loses_fixed_vertex()) {
+            climb(1);
+            consider();
+        }
+        if (!give_room()) return;
+    }
+}
+
+}  // namespace featuremesh

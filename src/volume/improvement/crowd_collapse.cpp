@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "volume/improvement/operations.h"
+#include "volume/lattice_seeds.h"
+
+namespace featuremesh {
+
+namespace {
+
+class CrowdCollapse : public Operation {
+  public:
+    CrowdCollapse(LocalMesh& mesh, const Objective& objective, const WantedSize& size)
+        : mesh_(mesh), complex_(mesh.complex()), objective_(objective), size_(size) {}
+
+    std::string_view name() const override { return "crowd collapse"; }
+    bool moves_boundary() const override { return true; }  // what is forced need not be crowded
+
+    bool plan(int tet, Change& change) override {
+        tried_at_.resize(complex_.points.size(), 0);
+        for (const int v : complex_.tets[tet]) {
+            if (!complex_.is_free(v) || tried_at_[v] >= mesh_.changed_at(v)) continue;
+            if (collapse(v, change)) return true;
+            tried_at_[v] = mesh_.now();
+        }
+        return false;
+    }
+
+  private:
+    bool collapse(int v, Change& change) {
+        if (!gather_star(complex_, v, star_)) return false;
+        gather_neighbours(complex_, v, star_, neighbours_);
+        if (!is_crowded(v) || is_beside_needle()) return false;
+        change.before = objective_.value(complex_, star_);
+        change.price = price_of_fewer_tets;
+        change.after.worst = inverted_flatness;
+        for (const int onto : neighbours_) {
+            tets_.clear();
+            for (const int t : star_) {
+                Tet tet = complex_.tets[t];
+                if (std::find(tet.begin(), tet.end(), onto) != tet.end()) continue;
+                std::replace(tet.begin(), tet.end(), v, onto);
+                tets_.push_back(tet);
+            }
+            const Value after = objective_.value(complex_, tets_);
+            if (after.worst >= change.after.worst || !objective_.is_better(change.before, after, change.price))
+                continue;
+            change.after = after;
+            change.added.swap(tets_);
+            change.removed = star_;
+        }
+        return !change.removed.empty();
+    }
+
+    bool is_crowded(int v) const {
+        const Vec3& p = complex_.points[v];
+        const double least = SeedOptions{}.spacing * size_.at(p);
+        return std::any_of(neighbours_.begin(), neighbours_.end(),
+                           [&](int other) { return distance(p, complex_.points[other]) < least; });
+    }
+
+    /// Where volume is scarce, a vertex that blocks one change may make room for another.
+    bool is_beside_needle() const {
+        return std::any_of(star_.begin(), star_.end(),
+                           [&](int t) { return objective_.is_excused(complex_, complex_.tets[t]); });
+    }
+
+    LocalMesh& mesh_;
+    const TetComplex& complex_;
+    const Objective& objective_;
+    const WantedSize& size_;
+    std::vector<int> star_, neighbours_;
+    std::vector<std::uint32_t> tried_at_;  // by vertex
+    std::vector<Tet> tets_;
+};
+
+}  // namespace
+
+std::unique_ptr<Operation> crowd_collapse(LocalMesh& mesh, const Objective& objective, const WantedSize& size) {
+    return std::make_unique<CrowdCollapse>(mesh, objective, size);
+}
+
+}  // namespace featuremesh

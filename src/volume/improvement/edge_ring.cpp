@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "volume/edge_removal.h"
+#include "volume/improvement/operations.h"
+
+namespace featuremesh {
+
+namespace {
+
+class EdgeRingOperation : public Operation {
+  public:
+    EdgeRingOperation(LocalMesh& mesh, const Objective& objective) : complex_(mesh.complex()), objective_(objective) {}
+
+    std::string_view name() const override { return "edge ring"; }
+
+    bool plan(int tet, Change& change) override {
+        double least = inverted_flatness;
+        for (const auto& [from, to] : edge_corners) {
+            EdgeRing ring;
+            if (!find_ring(complex_, tet, from, to, ring)) continue;
+            const double limit = std::min(least, Objective::improved(worst_of(ring.all_tets()), change.price.angle));
+            const RingTriangulation<> found = triangulate_ring<WorstOf>(ring.size, limit, [&](int i, int j, int k) {
+                const int a = ring.vertices[i], b = ring.vertices[j], c = ring.vertices[k];
+                const double upper = objective_.flaw(complex_, {a, b, c, ring.to});
+                return upper >= limit ? upper : std::max(upper, objective_.flaw(complex_, {b, a, c, ring.from}));
+            });
+            if (std::isinf(found.cost)) continue;
+            std::array<Tet, 2 * EdgeRing::max_size> added;
+            const std::span<const Tet> fresh{added.data(),
+                                             static_cast<std::size_t>(tets_of_triangulation(ring, found, added))};
+            const Value before = objective_.value(complex_, ring.all_tets()), after = objective_.value(complex_, fresh);
+            if (!objective_.is_better(before, after, change.price)) continue;
+            least = found.cost;
+            change.before = before, change.after = after;
+            change.removed.assign(ring.all_tets().begin(), ring.all_tets().end());
+            change.added.assign(fresh.begin(), fresh.end());
+        }
+        return !change.removed.empty();
+    }
+
+  private:
+    double worst_of(std::span<const int> tets) const {
+        double worst = 0;
+        for (const int t : tets) worst = std::max(worst, objective_.flaw(complex_, complex_.tets[t]));
+        return worst;
+    }
+
+    const TetComplex& complex_;
+    const Objective& objective_;
+};
+
+}  // namespace
+
+std::unique_ptr<Operation> edge_ring(LocalMesh& mesh, const Objective& objective) {
+    return std::make_unique<EdgeRingOperation>(mesh, objective);
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tets that are worked on, with what may be done to each vertex and where on the CAD shape it may go.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "features/brep.h"
+#include "surface/projection.h"
+#include "volume/cavity_editor.h"
+#include "volume/improvement/operation.h"
+#include "volume/tet_complex.h"
+
+namespace featuremesh {
+
+/// A vertex inside a CAD face, or inside an edge between two faces, whose tets are all in the complex.
+struct SurfaceVertex {
+    int vertex;
+    Entity on;
+    std::array<double, 2> parameters;  ///< (t, 0) on an edge, (u, v) on a face
+};
+
+/// The surface on which some vertices may move. Without a projector none may.
+struct MovableSurface {
+    std::vector<SurfaceVertex> vertices{};
+    const Projector* projector = nullptr;
+    /// The tets will follow the surface. Where it is curved no vertex moves: other sides may fold such tets.
+    bool is_for_curved_tets = false;
+};
+
+class LocalMesh {
+  public:
+    /// Vertices of the surface are `on_edge` or `on_face` from now on; `release_surface` fixes them again.
+    explicit LocalMesh(TetComplex& complex, MovableSurface surface = {});
+
+    const TetComplex& complex() const { return complex_; }
+    CavityEditor& editor() { return editor_; }
+    const MovableSurface& surface() const { return surface_; }
+    /// The vertices of the surface where they are now. They are fixed from now on.
+    std::vector<SurfaceVertex> release_surface();
+
+    /// All tets of a vertex that may move, and the sides on the boundary between them, without the vertex.
+    struct Star {
+        std::vector<int> tets;
+        std::vector<std::array<Vec3, 2>> rim;
+    };
+    bool gather(int vertex, Star& star) const;
+
+    Price price_of_moving(int vertex) const;
+    bool is_on_surface(int vertex) const { return place_of(vertex) >= 0; }
+    const SurfaceVertex* surface_vertex(int vertex) const {
+        return is_on_surface(vertex) ? &surface_.vertices[static_cast<std::size_t>(place_of(vertex))] : nullptr;
+    }
+    /// Unit vectors along which a vertex may go: in space, in the tangent plane or along the edge.
+    std::vector<Vec3> ways_from(int vertex, const Star& star) const;
+    /// The part of a way that the vertex may go.
+    Vec3 along(int vertex, const Vec3& way) const;
+    /// Nearest to `aim` on what the vertex lies on. None where a short step does not get there.
+    std::optional<Change::Move> place_near(int vertex, const Vec3& aim) const;
+    /// The triangles of the surface keep their side, and their angles stay as good, or good enough.
+    bool keeps_triangles(int vertex, const Star& star, const Vec3& to) const;
+    /// The star's volume stays within half a percent: on a curved face other triangles cut off more of it, or less.
+    bool keeps_volume(int vertex, const Star& star, const Vec3& to) const;
+    /// The vertex stays where it is, for the sake of tets that will follow a curved face.
+    bool is_held(int vertex, const Star& star) const;
+
+    /// Makes the change. Gives the tets that are new or bent, until the next call.
+    std::span<const int> apply(const Change& change);
+
+    /// Counts changes. A vertex has changed when its star has.
+    std::uint32_t now() const { return now_; }
+    std::uint32_t changed_at(int vertex) const { return changed_at_[static_cast<std::size_t>(vertex)]; }
+    bool has_moved(int vertex) const { return has_moved_[static_cast<std::size_t>(vertex)] != 0; }
+
+  private:
+    int place_of(int vertex) const {
+        return vertex < static_cast<int>(place_of_.size()) ? place_of_[static_cast<std::size_t>(vertex)] : -1;
+    }
+    TetComplex& complex_;
+    MovableSurface surface_;
+    CavityEditor editor_;
+    std::vector<int> place_of_;  // by vertex: in the surface's vertices; -1 for none
+    std::vector<std::uint32_t> changed_at_;
+    std::vector<std::uint8_t> has_moved_;
+    std::uint32_t now_ = 1;
+    std::vector<int> changed_;
+};
+
+}  // namespace featuremesh

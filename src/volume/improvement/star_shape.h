@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tets round one point: what they are worth with the point elsewhere.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "volume/improvement/objective.h"
+
+namespace featuremesh {
+
+/// The triangles a point sees, each with positive volume (point, a, b, c): the star of a vertex, or the outside of a
+/// cavity that is filled from one point.
+class StarShape {
+  public:
+    explicit StarShape(const Objective& objective) : objective_(objective) {}
+
+    void clear(bool is_on_boundary = false) { faces_.clear(), is_on_boundary_ = is_on_boundary; }
+    void add(const Vec3& a, const Vec3& b, const Vec3& c, const std::array<bool, 3>& is_on_boundary = {}) {
+        faces_.push_back({{a, b, c}, is_on_boundary});
+    }
+    void gather(const TetComplex& complex, std::span<const int> star, int vertex);
+    std::size_t size() const { return faces_.size(); }
+
+    /// The worst tet's flaw; stops early, with some value >= limit, once it reaches `limit`.
+    double worst(const Vec3& point, double limit = 2 * inverted_flatness) const;
+    Value value(const Vec3& point) const;
+
+    /// Sum of the tets' radius ratios 3 r / R, and the way in which it grows; without volume a tet adds nothing.
+    struct Ratios {
+        double sum = 0;
+        Vec3 gradient{};
+    };
+    Ratios radius_ratios(const Vec3& point) const;
+    double sum_of_radius_ratios(const Vec3& point) const;
+
+    /// Mean distance from the point, and from the middle of what it sees.
+    double mean_height(const Vec3& point) const;
+    Vec3 middle() const;
+
+    /// Deterministic hill climbing from `point`, which is moved along the `ways` where `may_be_at` agrees; gives the
+    /// worst flaw there. Stops at `good_enough`.
+    template <class MayBeAt>
+    double climb(Vec3& point, double good_enough, std::span<const Vec3> ways, const MayBeAt& may_be_at) const;
+    /// The same in all directions.
+    double climb(Vec3& point, double good_enough) const;
+
+    /// Tets looked at so far: what a search has cost.
+    std::size_t evaluations() const { return evaluations_; }
+
+  private:
+    struct Face {
+        std::array<Vec3, 3> corners;
+        std::array<bool, 3> is_on_boundary;
+    };
+    double flaw_at(const Vec3& point, const Face& face) const {
+        const auto& [a, b, c] = face.corners;
+        const auto& on = face.is_on_boundary;
+        return objective_.flaw({point, a, b, c}, {is_on_boundary_, on[0], on[1], on[2]});
+    }
+
+    const Objective& objective_;
+    bool is_on_boundary_ = false;
+    mutable std::size_t evaluations_ = 0;
+    // the triangle that refused last is the likeliest to refuse again and moves to the front: results do not depend on
+    // the order
+    mutable std::vector<Face> faces_;
+};
+
+/// Directions spread evenly over the sphere.
+std::span<const Vec3> directions_in_space();
+
+template <class MayBeAt>
+double StarShape::climb(Vec3& point, double good_enough, std::span<const Vec3> ways, const MayBeAt& may_be_at) const {
+    // a search ends by itself with far fewer calls, but each call may gain by rounding alone
+    constexpr int most_calls = 1000;
+    double best = worst(point);
+    double step = 0.2 * mean_height(point);
+    // what hardly has a volume may have to find a place of next to no size
+    const double last = (best > 1 ? 1e-4 : 0.02) * step;
+    if (best > 1)
+        for (const double share : {1.0, 0.5, 0.25, 0.1}) {
+            const Vec3 trial = point + share * (middle() - point);
+            if (const double value = worst(trial, best); value < best && may_be_at(trial)) best = value, point = trial;
+        }
+    for (int i = 0; i < most_calls && step > last && best > good_enough; ++i) {
+        bool is_better = false;
+        for (const Vec3& way : ways) {
+            const Vec3 trial = point + step * way;
+            const double value = worst(trial, best);
+            if (value >= best || !may_be_at(trial)) continue;
+            best = value, point = trial, is_better = true;
+        }
+        if (!is_better) step *= 0.5;
+    }
+    return best;
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/improvement/operations.h"
+#include "volume/improvement/star_shape.h"
+
+namespace featuremesh {
+
+namespace {
+
+class TetSplit : public Operation {
+  public:
+    TetSplit(LocalMesh& mesh, const Objective& objective) : complex_(mesh.complex()), objective_(objective) {}
+
+    std::string_view name() const override { return "tet split"; }
+    bool moves_boundary() const override { return true; }  // so that a tet with a forced angle is looked at, too
+
+    bool plan(int tet, Change& change) override {
+        if (!objective_.is_barred(complex_.tets[tet])) return false;
+        const Tet& v = complex_.tets[tet];
+        const auto& p = complex_.points;
+        change.mobility = Mobility::kept;
+        change.after.worst = inverted_flatness;
+        consider(std::array{tet}, {0, 1, 2, 3}, (p[v[0]] + p[v[1]] + p[v[2]] + p[v[3]]) / 4, v, change);
+        for (const auto& [from, to] : edge_corners) {
+            EdgeRing ring;
+            if (find_ring(complex_, tet, from, to, ring))
+                consider(ring.all_tets(), {from, to}, (p[ring.from] + p[ring.to]) / 2, v, change);
+        }
+        return !change.removed.empty();
+    }
+
+  private:
+    /// All tets of `star` have the corners `shared` of the tet `v`; in each of them the new vertex takes their places
+    /// in turn.
+    void consider(std::span<const int> star, const std::vector<int>& shared, Vec3 point, const Tet& v,
+                  Change& change) const {
+        const auto& p = complex_.points;
+        StarShape shape(objective_);
+        std::vector<Tet> added;
+        for (const int t : star)
+            for (const int corner : shared) {
+                Tet tet = complex_.tets[t];
+                const int gone = corner_of(tet, v[corner]);
+                const auto& side = opposite_face[gone];
+                shape.add(p[tet[side[0]]], p[tet[side[1]]], p[tet[side[2]]]);
+                tet[gone] = static_cast<int>(p.size());
+                added.push_back(tet);
+            }
+        if (shape.climb(point, 0) >= change.after.worst) return;
+        const Value before = objective_.value(complex_, star), after = shape.value(point);
+        if (!objective_.is_better(before, after, {})) return;
+        change.before = before, change.after = after;
+        change.points = {point};
+        change.removed.assign(star.begin(), star.end());
+        change.added = std::move(added);
+    }
+
+    const TetComplex& complex_;
+    const Objective& objective_;
+};
+
+}  // namespace
+
+std::unique_ptr<Operation> tet_split(LocalMesh& mesh, const Objective& objective) {
+    return std::make_unique<TetSplit>(mesh, objective);
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "volume/improvement/operations.h"
+#include "volume/improvement/star_shape.h"
+
+namespace featuremesh {
+
+namespace {
+
+class VertexMove : public Operation {
+  public:
+    VertexMove(LocalMesh& mesh, const Objective& objective)
+        : mesh_(mesh), complex_(mesh.complex()), objective_(objective), shape_(objective) {}
+
+    std::string_view name() const override { return "vertex move"; }
+    bool moves_boundary() const override { return !mesh_.surface().vertices.empty(); }
+
+    bool plan(int tet, Change& change) override {
+        tried_at_.resize(complex_.points.size(), 0);
+        for (const int v : complex_.tets[tet]) {
+            if (complex_.mobility[v] == Mobility::fixed || tried_at_[v] >= mesh_.changed_at(v)) continue;
+            if (move(v, change)) return true;
+            tried_at_[v] = mesh_.now();
+        }
+        return false;
+    }
+
+  private:
+    bool move(int vertex, Change& change) {
+        if (!mesh_.gather(vertex, star_) || mesh_.is_held(vertex, star_)) return false;
+        if (mesh_.is_on_surface(vertex) && has_needle()) return false;
+        shape_.gather(complex_, star_.tets, vertex);
+        vertex_ = vertex, start_ = complex_.points[vertex];
+        if (!objective_.looks_at_shapes() && shape_.worst(start_) <= objective_.target()) return false;
+        change.before = shape_.value(start_);
+        change.price = mesh_.price_of_moving(vertex);
+        if (change.before.worst > objective_.target() && climb(change)) return true;
+        return objective_.is_poor(change.before.mean_shape()) && go_uphill(change);
+    }
+
+    /// A vertex of the surface that makes its ends drift apart would make a needle's small angle count.
+    bool has_needle() const {
+        return std::any_of(star_.tets.begin(), star_.tets.end(),
+                           [&](int t) { return objective_.is_excused(complex_, complex_.tets[t]); });
+    }
+
+    /// In the worst angle, without regard to how the face or edge is curved; part of the way has a chance, too.
+    bool climb(Change& change) {
+        Vec3 aim = start_;
+        const double wanted = Objective::improved(change.before.worst, change.price.angle);
+        const double best =
+            mesh_.is_on_surface(vertex_)
+                ? shape_.climb(aim, objective_.target(), mesh_.ways_from(vertex_, star_),
+                               [&](const Vec3& trial) { return mesh_.keeps_triangles(vertex_, star_, trial); })
+                : shape_.climb(aim, objective_.target());
+        if (best >= wanted) return false;
+        for (const double share : {1.0, 0.5, 0.25})
+            if (take(start_ + share * (aim - start_), change)) return true;
+        return false;
+    }
+
+    /// In the sum of the radius ratios. A step is slope / (curvature x tets): two to three times the way to the top of
+    /// a good star, since poor ones have theirs further away.
+    bool go_uphill(Change& change) {
+        constexpr double longest_step = 0.15, curvature = 2;  // in mean edge lengths of the star
+        constexpr int most_halvings = 2, most_steps = 4;
+        const double least = std::min(change.price.shape, Price{}.shape);
+        Vec3 place = start_;
+        double sum = change.before.shape;
+        // a dear move may take some steps before it is known whether it is worth it
+        for (int steps = 0; steps < (change.price.shape > least ? most_steps : 1); ++steps) {
+            const Vec3 way = mesh_.along(vertex_, shape_.radius_ratios(place).gradient);
+            const double reach = shape_.mean_height(place), slope = length(way) * reach;  // by edge length
+            double step = std::min(longest_step, slope / (curvature * change.before.count));
+            bool is_higher = false;
+            for (int k = 0; k <= most_halvings && !is_higher && slope * step > 2 * least; ++k, step /= 2) {
+                const Vec3 trial = place + way * (step * reach * reach / slope);
+                const double there = shape_.sum_of_radius_ratios(trial);
+                if (there < sum + least || shape_.worst(trial) > std::max(change.before.worst, objective_.target()))
+                    continue;
+                place = trial, sum = there, is_higher = true;
+            }
+            if (!is_higher) break;
+        }
+        return sum >= change.before.shape + change.price.shape && take(place, change);
+    }
+
+    bool take(const Vec3& aim, Change& change) {
+        const std::optional<Change::Move> there = mesh_.place_near(vertex_, aim);
+        if (!there || !mesh_.keeps_triangles(vertex_, star_, there->place)) return false;
+        change.after = shape_.value(there->place);
+        if (!objective_.is_better(change.before, change.after, change.price) ||
+            !mesh_.keeps_volume(vertex_, star_, there->place))
+            return false;
+        change.moves.push_back(*there);
+        change.bent = star_.tets;
+        return true;
+    }
+
+    LocalMesh& mesh_;
+    const TetComplex& complex_;
+    const Objective& objective_;
+    StarShape shape_;
+    LocalMesh::Star star_;
+    std::vector<std::uint32_t> tried_at_;  // by vertex
+    int vertex_ = -1;
+    Vec3 start_{};
+};
+
+}  // namespace
+
+std::unique_ptr<Operation> vertex_move(LocalMesh& mesh, const Objective& objective) {
+    return std::make_unique<VertexMove>(mesh, objective);
+}
+
+}  // namespace featuremesh
