@@ -13,7 +13,7 @@
 #include "cells/fuse.h"
 #include "cells/replay.h"
 #include "core/errors.h"
-#include "features/deadline.h"
+#include "core/work.h"
 #include "features/shape_difference.h"
 #include "features/solid_probe.h"
 
@@ -34,12 +34,8 @@ void add_final_shape(std::vector<FuseArgument>& arguments, const Brep& final_sha
 
 class CellBuilder {
   public:
-    CellBuilder(const FeatureTree& tree, const Brep& final_shape, RunContext& context, double seconds)
-        : tree_(tree),
-          final_shape_(final_shape),
-          context_(context),
-          seconds_(seconds),
-          final_volume_(final_shape.volume()) {
+    CellBuilder(const FeatureTree& tree, const Brep& final_shape, RunContext& context)
+        : tree_(tree), final_shape_(final_shape), context_(context), final_volume_(final_shape.volume()) {
         for (std::size_t i = 0; i < final_shape.solid_count(); ++i)
             probes_.push_back(std::make_unique<SolidProbe>(final_shape, SolidId(i)));
     }
@@ -49,16 +45,16 @@ class CellBuilder {
         if (volumes().empty()) return opaque("no feature has a volume of its own");
         if (attempt(volumes(), 0)) return finish();
         if (replace_offenders() && attempt(volumes(), 0)) return finish();
-        if (!out_of_time_ && attempt_fuzzy()) return finish();
+        if (!was_too_much_ && attempt_fuzzy()) return finish();
         if (attempt_one_by_one()) return finish();
         for (const FeatureId step : steps_to_start_from())
             if (collapse_before(step) && attempt(volumes(), 0)) return finish();
-        if (!out_of_time_ && attempt_with_final_shape()) return finish();
+        if (!was_too_much_ && attempt_with_final_shape()) return finish();
         return opaque("no fuse of the volumes adds up to the final shape");
     }
 
   private:
-    double seconds_left() const { return seconds_ - (used_seconds(context_) - start_); }
+    Work share_of_left(double share) const { return static_cast<Work>(share * static_cast<double>(work_left_)); }
     void note(std::string text) { notes_.push_back(std::move(text)); }
     void distrust(FeatureId id) { untrusted_.insert(id); }
 
@@ -87,9 +83,10 @@ class CellBuilder {
     bool replace_offenders() {
         std::set<FeatureId> done;
         for (const FeatureId id : offenders_) {
-            if (tree_[id].before.IsNull() || tree_[id].after.IsNull() || seconds_left() <= 0) continue;
-            ShapeDifference difference =
-                difference_of(tree_[id].before, tree_[id].after, std::min(8.0, seconds_left() / 3), context_);
+            if (tree_[id].before.IsNull() || tree_[id].after.IsNull() || work_left_ <= 0) continue;
+            ShapeDifference difference = difference_of(tree_[id].before, tree_[id].after,
+                                                       std::min(work_of_seconds(8), work_left_ / 3), context_);
+            work_left_ -= difference.work;
             if (!difference.closed) continue;
             auto& solids = replaced_[id];
             solids = std::move(difference.added);
@@ -170,7 +167,7 @@ class CellBuilder {
     /// Also tells who offends where the kernel only says that somebody does.
     bool attempt_one_by_one() {
         note("the volumes are fused one by one");
-        return take(fuse_one_by_one(volumes(), {0, share_of_attempt * seconds_left()}, context_));
+        return take(fuse_one_by_one(volumes(), {0, share_of_left(share_of_attempt)}, context_));
     }
 
     bool attempt_with_final_shape() {
@@ -185,13 +182,14 @@ class CellBuilder {
     }
 
     bool attempt(const std::vector<FuseArgument>& arguments, double fuzzy) {
-        if (seconds_left() <= 0) return note("out of time"), false;
+        if (work_left_ <= 0) return note("no more work is worth it"), false;
         context_.check_cancelled();
-        return take(fuse(arguments, {fuzzy, share_of_attempt * seconds_left()}, context_));
+        return take(fuse(arguments, {fuzzy, share_of_left(share_of_attempt)}, context_));
     }
 
     bool take(FusedComplex complex) {
-        out_of_time_ = complex.out_of_time;
+        was_too_much_ = complex.is_over_limit;
+        work_left_ -= complex.work;
         if (!complex.trouble.empty()) return note("fuse: " + complex.trouble), false;
         model_ = {};
         model_.cells = std::move(complex.cells);
@@ -232,7 +230,7 @@ class CellBuilder {
             if (!inner && cell.volume > Tolerances::volume_books * final_volume_) {
                 std::set<FeatureId> features;
                 for (const Owner& owner : cell.owners) features.insert(owner.feature);
-                note("a cell of " + std::to_string(cell.volume) + " mm^3 of " + names(features) +
+                note("a piece of " + std::to_string(cell.volume) + " mm^3 of " + names(features) +
                      " has no sound inner point");
                 return false;
             }
@@ -260,7 +258,7 @@ class CellBuilder {
                                           " mm^3; fuse them or mesh them one by one"};
             return true;
         }
-        note("the cells' material is " + std::to_string(material) + " mm^3 where the final shape has " +
+        note("the features' volumes come to " + std::to_string(material) + " mm^3 where the final shape has " +
              std::to_string(final_volume_));
         return false;
     }
@@ -304,7 +302,6 @@ class CellBuilder {
 
     /// The final shape as it is, owned by every feature and trusted to none.
     CellModel opaque(const std::string& why) {
-        const bool is_out_of_time = out_of_time_ || seconds_left() <= 0;
         note("the part is taken as one piece: " + why);
         std::vector<FuseArgument> whole;
         add_final_shape(whole, final_shape_);
@@ -323,7 +320,6 @@ class CellBuilder {
             }
         }
         own_everything();
-        model_.report.is_out_of_time = is_out_of_time;
         model_.feature_volumes = volumes_of_features(model_.cells, tree_.features.size());
         model_.report.material_volume = model_.report.final_volume = final_volume_;
         match_final_faces(model_, final_shape_, context_);
@@ -343,12 +339,11 @@ class CellBuilder {
     const Brep& final_shape_;
     std::vector<std::unique_ptr<SolidProbe>> probes_;  // one per solid of the final shape
     RunContext& context_;
-    double seconds_;  // of the processor, for all attempts together
+    Work work_left_ = work_of_seconds(24);  // for all attempts together; what is fused with that is worth it
     double final_volume_;
     double overlap_ = 0;  // mm^3 that the final shape's solids count more than once
-    double start_ = used_seconds(context_);
     CellModel model_;
-    bool out_of_time_ = false;  // was the last attempt? Then variations of it are a waste of time
+    bool was_too_much_ = false;  // was the last attempt? Then variations of it are a waste of time
     std::vector<std::string> notes_;
     std::set<FeatureId> offenders_, untrusted_;
     std::map<FeatureId, std::vector<TopoDS_Shape>> replaced_;  // other volumes than the tree's, all counted as volume 0
@@ -372,9 +367,9 @@ std::vector<Owner> owners_of_anything(const FeatureTree& tree) {
     return owners;
 }
 
-CellModel build_cells(const FeatureTree& tree, const Brep& final_shape, RunContext& context, double seconds) {
+CellModel build_cells(const FeatureTree& tree, const Brep& final_shape, RunContext& context) {
     RunContext::Step step(context, "cells");
-    return CellBuilder(tree, final_shape, context, seconds).run();
+    return CellBuilder(tree, final_shape, context).run();
 }
 
 }  // namespace featuremesh

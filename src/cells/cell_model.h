@@ -42,19 +42,14 @@ struct CellReport {
     std::vector<std::string> fallbacks;            ///< fuzzy fuse, feature by feature, opaque features: in words
     std::vector<std::string> findings;             ///< what is odd about the part itself: solids that overlap
     std::vector<FeatureId> untrusted;              ///< features to be treated as changed
-    bool is_out_of_time = false;                   ///< the part was taken as one piece because the time was over
 };
 
 struct CellModel {
     std::vector<Cell> cells;
     std::vector<CellFace> faces;
-    std::vector<std::vector<Owner>> owners_of_final_face;  ///< by FaceId of the final shape
+    std::vector<std::vector<Owner>> owners_of_final_face;  ///< by FaceId of the final shape; none without a fuse
     std::vector<double> feature_volumes;                   ///< mm^3, by FeatureId: what its volumes fill together
     CellReport report;
-    /// After an edit: cells and faces are left out, and of the owners of final faces only those in the changed volumes
-    /// are known; none (an empty list) where nothing was fused.
-    bool is_summary = false;
-    std::vector<Owner> owners_within_edit;  ///< whose volumes are changed ones or lie within them; sorted
 };
 
 /// By FeatureId: the sum of the cells it owns, mm^3.
@@ -63,11 +58,8 @@ std::vector<double> volumes_of_features(const std::vector<Cell>& cells, std::siz
 /// Of what may be any feature's: the first volume of every feature that has one.
 std::vector<Owner> owners_of_anything(const FeatureTree& tree);
 
-constexpr double most_seconds_of_cells = 24;  ///< what is fused in that time is worth it, see docs/design/cells.md
-
 /// General Fuse of all feature volumes with owner lists from the builder's history, material by classification against
-/// the final shape. `seconds` of the processor, for all attempts together.
-CellModel build_cells(const FeatureTree& tree, const Brep& final_shape, RunContext& context,
-                      double seconds = most_seconds_of_cells);
+/// the final shape. All attempts together have 24 s worth of work, see docs/design/cells.md.
+CellModel build_cells(const FeatureTree& tree, const Brep& final_shape, RunContext& context);
 
 }  // namespace featuremesh

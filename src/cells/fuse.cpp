@@ -18,9 +18,9 @@
 #include "cells/solid_splitter.h"
 #include "core/errors.h"
 #include "core/on_threads.h"
-#include "features/deadline.h"
 #include "features/flux.h"
 #include "features/occt_geometry.h"
+#include "features/work_limit.h"
 
 namespace featuremesh {
 
@@ -63,7 +63,8 @@ class Builder {
     Builder(const Sources& sources, const FuseOptions& options, RunContext& context) {
         const TopTools_IndexedMapOfShape different = arguments_of(sources);
         if (different.Extent() < 2) return;
-        const Handle(Deadline) deadline = new Deadline(options.seconds, context);
+        const Handle(WorkLimit) limit = new WorkLimit(options.work, context);
+        filler_.pay_from(limit);
         used_ = true;
         for (int i = 1; i <= different.Extent(); ++i) {
             filler_.AddArgument(different(i));
@@ -74,19 +75,21 @@ class Builder {
         filler_.SetRunParallel(context.threads > 1);
         builder_.SetRunParallel(context.threads > 1);
         try {
-            on_threads(context, [&] { perform(deadline->Start()); });
+            on_threads(context, [&] { perform(limit->Start()); });
         } catch (const Standard_Failure& failure) {
             trouble_ = std::string("the kernel gave up: ") + failure.GetMessageString();
         }
-        out_of_time_ = deadline->is_over();
-        if (out_of_time_)
-            trouble_ = "it took longer than " + std::to_string(static_cast<int>(options.seconds)) + " s";
+        is_over_limit_ = limit->is_over();
+        work_ = limit->spent();
+        if (is_over_limit_)
+            trouble_ = "it is too much work";
         else if (trouble_.empty() && builder_.HasErrors())
             trouble_ = "the kernel could not intersect the volumes";
     }
 
     const std::string& trouble() const { return trouble_; }
-    bool out_of_time() const { return out_of_time_; }
+    bool is_over_limit() const { return is_over_limit_; }
+    Work work() const { return work_; }
 
     std::vector<TopoDS_Shape> images(const TopoDS_Shape& shape) const {
         return used_ ? builder_.images_of(shape) : std::vector<TopoDS_Shape>{shape};
@@ -113,9 +116,10 @@ class Builder {
         builder_.PerformWithFiller(filler_, scope.Next());
     }
 
-    SectionFiller filler_{NCollection_BaseAllocator::CommonBaseAllocator()};
+    SectionFiller filler_;
     SolidSplitter builder_;
-    bool used_ = false, out_of_time_ = false;
+    bool used_ = false, is_over_limit_ = false;
+    Work work_ = 0;
     std::string trouble_;
 };
 
@@ -234,8 +238,12 @@ void check_arguments(FusedComplex& complex, const std::vector<FuseArgument>& arg
 
 FusedComplex fuse_sources(const Sources& sources, const FuseOptions& options, RunContext& context) {
     Builder builder(sources, options, context);
-    if (!builder.trouble().empty()) return {{}, {}, builder.trouble(), builder.out_of_time(), {}};
-    return Collector(sources, builder, context).take();
+    FusedComplex complex;
+    if (builder.trouble().empty()) complex = Collector(sources, builder, context).take();
+    complex.trouble = builder.trouble();
+    complex.is_over_limit = builder.is_over_limit();
+    complex.work = builder.work();
+    return complex;
 }
 
 }  // namespace
@@ -258,22 +266,24 @@ FusedComplex fuse(std::vector<FuseArgument> arguments, const FuseOptions& option
 FusedComplex fuse_one_by_one(std::vector<FuseArgument> arguments, const FuseOptions& options, RunContext& context) {
     FusedComplex complex;
     std::vector<Owner> left_out;
-    const double end = used_seconds(context) + options.seconds;
+    Work left = options.work;
     try {
         const std::vector<double> volumes = turn_outwards(arguments, context);
         for (const FuseArgument& argument : arguments) {
-            const double left = end - used_seconds(context);
-            if (left <= 0) return {{}, {}, "one by one they take too long", true, {}};
+            if (left <= 0)
+                return {.trouble = "one by one it is too much work", .is_over_limit = true, .work = options.work};
             Sources sources;
             sources.add(complex);
             sources.add(argument);
-            const FuseOptions step{options.fuzzy, std::min(left, options.seconds / 3)};
+            const FuseOptions step{options.fuzzy, std::min(left, options.work / 3)};
             FusedComplex next = fuse_sources(sources, step, context);
+            left -= next.work;
             if (next.trouble.empty())
                 complex = std::move(next);
             else
                 left_out.push_back(argument.owner);
         }
+        complex.work = options.work - left;
         check_arguments(complex, arguments, volumes);
         complex.offenders.insert(complex.offenders.end(), left_out.begin(), left_out.end());
         sort_unique(complex.offenders);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cells/cell_model.h"
+#include "core/work.h"
 
 namespace featuremesh {
 
@@ -16,8 +17,8 @@ struct FuseArgument {
 };
 
 struct FuseOptions {
-    double fuzzy = 0;     ///< mm, added to the shapes' own tolerances
-    double seconds = 20;  ///< of the processor, no more than this
+    double fuzzy = 0;                 ///< mm, added to the shapes' own tolerances
+    Work work = work_of_seconds(20);  ///< no more than this
 };
 
 /// Cells and faces with owners, sides and volumes; material and final faces are not decided yet.
@@ -25,7 +26,8 @@ struct FusedComplex {
     std::vector<Cell> cells;
     std::vector<CellFace> faces;
     std::string trouble;           ///< what went wrong, in words; empty when nothing did
-    bool out_of_time = false;      ///< is it that it took too long?
+    bool is_over_limit = false;    ///< is it that it was too much work?
+    Work work = 0;                 ///< that was done
     std::vector<Owner> offenders;  ///< arguments whose cells do not add up to their own volume
 };
 
@@ -33,7 +35,7 @@ struct FusedComplex {
 FusedComplex fuse(std::vector<FuseArgument> arguments, const FuseOptions& options, RunContext& context);
 
 /// The same, one argument after the other into the cells so far. Slower, but what the kernel cannot intersect is left
-/// out and told in `offenders`, and the others keep their cells. No argument gets more than a third of the seconds.
+/// out and told in `offenders`, and the others keep their cells. No argument gets more than a third of the work.
 FusedComplex fuse_one_by_one(std::vector<FuseArgument> arguments, const FuseOptions& options, RunContext& context);
 
 }  // namespace featuremesh

@@ -103,7 +103,7 @@ class KnownSections {
 }  // namespace
 
 void SectionFiller::PerformFF(const Message_ProgressRange& range) {
-    BOPAlgo_PaveFiller::PerformFF(range);
+    CountedFiller::PerformFF(range);
     for (int i = 0; i < myDS->InterfFF().Length(); ++i) {
         BOPDS_InterfFF& found = myDS->InterfFF()(i);
         if (found.Curves().IsEmpty()) continue;

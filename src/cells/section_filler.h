@@ -2,7 +2,7 @@
 // The kernel's intersection, without the work for sections of faces that are edges of both faces already.
 #pragma once
 
-#include <BOPAlgo_PaveFiller.hxx>
+#include "features/counted_filler.h"
 
 namespace featuremesh {
 
@@ -11,9 +11,8 @@ namespace featuremesh {
 /// surfaces adds nothing. The kernel compares it with every edge in either face all the same: with n features on a
 /// plate these are n^2 comparisons. Here sections that are lines and circles are dropped before if common edges cover
 /// them.
-class SectionFiller : public BOPAlgo_PaveFiller {
+class SectionFiller : public CountedFiller {
   public:
-    explicit SectionFiller(const Handle(NCollection_BaseAllocator) & allocator) : BOPAlgo_PaveFiller(allocator) {}
     void PerformFF(const Message_ProgressRange& range) override;
 };
 

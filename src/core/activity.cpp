@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/activity.h"
 
+#ifdef _WIN32
+#include <io.h>
+#else
 #include <unistd.h>
+#endif
 
 #include <algorithm>
-#include <array>
 #include <csignal>
 #include <cstring>
 
@@ -29,11 +32,23 @@ void append(std::string_view part) {
     text.length += count;
 }
 
-extern "C" void report_crash(int signal) {
-    alarm(2);  // ends the process should the lines below hang
+#ifdef _WIN32
+constexpr int crashes[] = {SIGSEGV, SIGABRT, SIGFPE, SIGILL};
+
+void write_text() { _write(crash_descriptor, text.bytes, static_cast<unsigned>(text.length)); }
+#else
+constexpr int crashes[] = {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL};
+
+void write_text() {
+    alarm(2);  // ends the process should the line below hang
     if (write(crash_descriptor, text.bytes, text.length) < 0) alarm(1);
+}
+#endif
+
+extern "C" void report_crash(int signal) {
+    write_text();
     std::signal(signal, SIG_DFL);
-    raise(signal);
+    std::raise(signal);
 }
 
 }  // namespace
@@ -49,7 +64,7 @@ std::string_view current_activity() { return {text.bytes, text.length}; }
 
 void write_activity_of_crash_to(int descriptor) {
     crash_descriptor = descriptor;
-    for (const int signal : std::array{SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) std::signal(signal, report_crash);
+    for (const int signal : crashes) std::signal(signal, report_crash);
 }
 
 }  // namespace featuremesh

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/isolated_run.h"
 
-#if __has_include(<unistd.h>)
+#ifndef _WIN32
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/resource.h>
@@ -11,6 +11,10 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <ctime>
+#include <string>
+
+#include "core/errors.h"
 #endif
 #ifdef __linux__
 #include <sys/prctl.h>
@@ -22,22 +26,27 @@ namespace {
 using Work = std::function<std::vector<std::byte>(const RunContext&)>;
 }
 
-#if __has_include(<unistd.h>)
+#ifndef _WIN32
 
 namespace {
+
+constexpr const char* no_answer =
+    "a step of the meshing does not end; try another size, or check the shape for faces that cut or touch one another";
 
 /// The last byte of what is written, so that nothing depends on whether the program waits for children of its own.
 constexpr std::byte complete{42};
 
 /// In the copy: nothing of it reaches the caller but what is written to `out`.
-[[noreturn]] void work_and_end(const Work& work, int out) {
+[[noreturn]] void work_and_end(const Work& work, const Patience& patience, int out) {
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
     // a crash is no news for the handlers of the program
-    for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) std::signal(signal, SIG_DFL);
+    for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU}) std::signal(signal, SIG_DFL);
     const rlimit no_core{0, 0};
     setrlimit(RLIMIT_CORE, &no_core);
+    const rlimit seconds{patience.processor_seconds, patience.processor_seconds + 1};
+    setrlimit(RLIMIT_CPU, &seconds);
     try {
         std::vector<std::byte> bytes = work(RunContext());
         bytes.push_back(complete);
@@ -60,57 +69,86 @@ class Child {
     Child& operator=(const Child&) = delete;
     ~Child() {
         close(in_);
-        if (process_ <= 0) return;
-        kill(process_, SIGKILL);  // no matter when it has ended already
-        while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
-        }
+        end();
     }
 
     /// All that it writes; none when that is not complete.
-    std::optional<std::vector<std::byte>> read_all(const RunContext& context) {
+    std::optional<std::vector<std::byte>> read_all(const Patience& patience, const RunContext& context) {
         constexpr int milliseconds = 50;
+        const unsigned most_idle_rounds = patience.idle_seconds * 1000 / milliseconds;
         std::vector<std::byte> bytes;
         std::array<std::byte, 1 << 16> part;
-        for (;;) {
+        for (unsigned idle_rounds = 0;; ++idle_rounds) {
             context.check_cancelled();
             pollfd ready{in_, POLLIN, 0};
-            if (poll(&ready, 1, milliseconds) <= 0) continue;
+            if (poll(&ready, 1, milliseconds) <= 0) {
+                if (is_at_work()) idle_rounds = 0;
+                if (idle_rounds < most_idle_rounds) continue;
+                throw MeshError(no_answer);
+            }
             const ssize_t count = read(in_, part.data(), part.size());
             if (count < 0 && errno == EINTR) continue;
             if (count < 0) return {};
             if (count == 0) break;
             bytes.insert(bytes.end(), part.begin(), part.begin() + count);
         }
-        if (bytes.empty() || bytes.back() != complete) return {};
+        if (bytes.empty() || bytes.back() != complete) {
+            if (const int status = end(); WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+                throw MeshError(no_answer);
+            return {};
+        }
         bytes.pop_back();
         return bytes;
     }
 
   private:
+    /// Its last status, which killing does not change once it has ended; 0 where the program itself waits for children.
+    int end() {
+        if (process_ <= 0) return 0;
+        int status = 0;
+        kill(process_, SIGKILL);
+        while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+        }
+        process_ = 0;
+        return status;
+    }
+
+    /// Has it used the processor since it was asked last?
+    bool is_at_work() {
+        clockid_t clock = 0;
+        timespec used{};
+        if (clock_getcpuclockid(process_, &clock) != 0 || clock_gettime(clock, &used) != 0) return false;
+        const bool is_more = used.tv_sec != used_.tv_sec || used.tv_nsec != used_.tv_nsec;
+        used_ = used;
+        return is_more;
+    }
+
     pid_t process_;
     int in_;
+    timespec used_{};
 };
 
 }  // namespace
 
-std::optional<std::vector<std::byte>> run_isolated(const Work& work, const RunContext& context) {
+std::optional<std::vector<std::byte>> run_isolated(const Work& work, const Patience& patience,
+                                                   const RunContext& context) {
     std::array<int, 2> ends;
     if (pipe(ends.data()) != 0) return work(context);
     for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);  // other processes of the program do not hold it open
     const pid_t process = fork();
     if (process == 0) {
         close(ends[0]);
-        work_and_end(work, ends[1]);
+        work_and_end(work, patience, ends[1]);
     }
     close(ends[1]);
     Child child(process, ends[0]);
     if (process < 0) return work(context);
-    return child.read_all(context);
+    return child.read_all(patience, context);
 }
 
 #else
 
-std::optional<std::vector<std::byte>> run_isolated(const Work& work, const RunContext& context) {
+std::optional<std::vector<std::byte>> run_isolated(const Work& work, const Patience&, const RunContext& context) {
     return work(context);
 }
 

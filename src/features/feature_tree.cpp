@@ -9,7 +9,6 @@
 #include "core/activity.h"
 #include "core/errors.h"
 #include "features/copied_volumes.h"
-#include "features/deadline.h"
 #include "features/document_view.h"
 #include "features/feature_types.h"
 #include "features/occt_geometry.h"
@@ -309,12 +308,11 @@ class Interpreter {
         const auto [known, is_new] = differences_.try_emplace(i);
         ShapeDifference& difference = known->second;
         if (is_new) {
-            const double start = used_seconds(context_);
             // One in error counts as changed whatever it did, and shows what it did before it failed.
-            const double worth = feature(i).error.empty() ? 8.0 : 0.3;
+            const Work worth = work_of_seconds(feature(i).error.empty() ? 8.0 : 0.3);
             difference =
-                difference_of(feature(i).before, after, std::min(worth, seconds_left_), context_, known_difference(i));
-            seconds_left_ = std::max(0.5, seconds_left_ - (used_seconds(context_) - start));
+                difference_of(feature(i).before, after, std::min(worth, work_left_), context_, known_difference(i));
+            work_left_ = std::max(work_of_seconds(0.5), work_left_ - difference.work);
         }
         feature(i).difference = std::make_shared<const ShapeDifference>(difference);
         if (!difference.closed) {
@@ -362,7 +360,7 @@ class Interpreter {
     std::vector<TypeMeaning> meanings_;
     std::vector<bool> visited_;
     std::map<int, ShapeDifference> differences_;  // by record: the source of a copy is evaluated more than once
-    double seconds_left_ = 16;                    // for what was added and removed by all features together
+    Work work_left_ = work_of_seconds(16);        // for what was added and removed by all features together
 };
 
 }  // namespace

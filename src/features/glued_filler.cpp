@@ -69,9 +69,7 @@ class PairsOnSurfaces : public BOPDS_Iterator {
 
 }  // namespace
 
-GluedFiller::GluedFiller() : BOPAlgo_PaveFiller(NCollection_BaseAllocator::CommonBaseAllocator()) {
-    SetGlue(BOPAlgo_GlueShift);
-}
+GluedFiller::GluedFiller() { SetGlue(BOPAlgo_GlueShift); }
 
 void GluedFiller::Init(const Message_ProgressRange& range) {
     BOPAlgo_PaveFiller::Init(range);

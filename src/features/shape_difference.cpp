@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "features/shape_difference.h"
 
+#include <BOPAlgo_BOP.hxx>
 #include <BOPAlgo_MakerVolume.hxx>
-#include <BRepAlgoAPI_Cut.hxx>
 #include <Message_ProgressScope.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
@@ -14,13 +14,14 @@
 #include <utility>
 
 #include "core/on_threads.h"
-#include "features/deadline.h"
+#include "features/counted_filler.h"
 #include "features/flux.h"
 #include "features/glued_filler.h"
 #include "features/occt_geometry.h"
 #include "features/patch_volumes.h"
 #include "features/same_faces.h"
 #include "features/solid_probe.h"
+#include "features/work_limit.h"
 
 namespace featuremesh {
 
@@ -101,7 +102,7 @@ ShapeDifference along_edges(const Change& change) {
 /// The volumes between the faces that vanished and those that appeared. `glued`: faces are not intersected with each
 /// other, for mostly they meet along edges that one of them has anyway; that is several times faster where the faces
 /// are splines, but misses a drafted face that crosses the one it was before.
-ShapeDifference between_faces(const Change& change, bool glued, double seconds, RunContext& context) {
+ShapeDifference between_faces(const Change& change, bool glued, Work most, RunContext& context) {
     ShapeDifference result;
     TopTools_ListOfShape faces;
     const auto add = [&](const std::vector<TopoDS_Shape>& some, const std::vector<TopoDS_Shape>& others) {
@@ -110,8 +111,9 @@ ShapeDifference between_faces(const Change& change, bool glued, double seconds, 
     add(change.vanished, change.appeared);
     add(change.appeared, change.vanished);
     if (faces.IsEmpty()) return result.closed = true, result;
-    const Handle(Deadline) deadline = new Deadline(seconds, context);
-    const std::unique_ptr<BOPAlgo_PaveFiller> filler(glued ? new GluedFiller : new BOPAlgo_PaveFiller);
+    const Handle(WorkLimit) limit = new WorkLimit(most, context);
+    const std::unique_ptr<CountedFiller> filler(glued ? new GluedFiller : new CountedFiller);
+    filler->pay_from(limit);
     filler->SetArguments(faces);
     filler->SetNonDestructive(true);
     filler->SetRunParallel(context.threads > 1);
@@ -122,11 +124,12 @@ ShapeDifference between_faces(const Change& change, bool glued, double seconds, 
     maker.SetToFillHistory(false);
     maker.SetRunParallel(context.threads > 1);
     on_threads(context, [&] {
-        Message_ProgressScope scope(deadline->Start(), "volumes between faces", 10);
+        Message_ProgressScope scope(limit->Start(), "volumes between faces", 10);
         filler->Perform(scope.Next(9));
         maker.PerformWithFiller(*filler, scope.Next());
     });
-    result.is_hopeless = !deadline->is_over();
+    result.is_hopeless = !limit->is_over();
+    result.work = limit->spent();
     if (!result.is_hopeless || maker.HasErrors()) return result;
     const SolidProbe before(change.before);
     const SolidProbe after(change.after);
@@ -142,64 +145,81 @@ ShapeDifference between_faces(const Change& change, bool glued, double seconds, 
     return result;
 }
 
-std::vector<TopoDS_Shape> cut(const TopoDS_Shape& from, const TopoDS_Shape& tool, double seconds, RunContext& context,
+/// Adds the work to the result's, and says there whether it came to its end.
+std::vector<TopoDS_Shape> cut(const TopoDS_Shape& from, const TopoDS_Shape& tool, Work most, RunContext& context,
                               ShapeDifference& result) {
-    TopTools_ListOfShape arguments, tools;
-    arguments.Append(from);
-    tools.Append(tool);
-    const Handle(Deadline) deadline = new Deadline(seconds, context);
-    BRepAlgoAPI_Cut algorithm;
-    algorithm.SetArguments(arguments);
-    algorithm.SetTools(tools);
+    TopTools_ListOfShape all;
+    all.Append(from);
+    all.Append(tool);
+    const Handle(WorkLimit) limit = new WorkLimit(most, context);
+    CountedFiller filler;
+    filler.pay_from(limit);
+    filler.SetArguments(all);
+    filler.SetNonDestructive(true);
+    filler.SetRunParallel(context.threads > 1);
+    BOPAlgo_BOP algorithm;
+    algorithm.AddArgument(from);
+    algorithm.AddTool(tool);
+    algorithm.SetOperation(BOPAlgo_CUT);
     algorithm.SetNonDestructive(true);
     algorithm.SetRunParallel(context.threads > 1);
-    on_threads(context, [&] { algorithm.Build(deadline->Start()); });
-    result.is_hopeless = !deadline->is_over();
-    result.closed = result.is_hopeless && algorithm.IsDone();
+    on_threads(context, [&] {
+        Message_ProgressScope scope(limit->Start(), "cut", 10);
+        filler.Perform(scope.Next(9));
+        if (!filler.HasErrors()) algorithm.PerformWithFiller(filler, scope.Next());
+    });
+    result.is_hopeless = !limit->is_over();
+    result.work += limit->spent();
+    result.closed = result.is_hopeless && !filler.HasErrors() && !algorithm.HasErrors();
     return result.closed ? solids_of(algorithm.Shape()) : std::vector<TopoDS_Shape>();
 }
 
-ShapeDifference by_booleans(const Change& change, double seconds, RunContext& context) {
+ShapeDifference by_booleans(const Change& change, Work most, RunContext& context) {
     ShapeDifference result;
-    result.added = cut(change.after, change.before, seconds, context, result);
-    if (result.closed) result.removed = cut(change.before, change.after, seconds, context, result);
+    result.added = cut(change.after, change.before, most, context, result);
+    if (result.closed) result.removed = cut(change.before, change.after, most, context, result);
     result.closed = result.closed && change.is_explained_by(result);
     return result;
 }
 
 }  // namespace
 
-ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& after, double seconds,
-                              RunContext& context, const ShapeDifference* known) {
+ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& after, Work most, RunContext& context,
+                              const ShapeDifference* known) {
     if (solids_of(before).empty()) return {solids_of(after), {}, true};
     if (solids_of(after).empty()) return {{}, solids_of(before), true};
     ShapeDifference result;
     ChangeOutline outline;
-    const double end = used_seconds(context) + seconds;
-    const auto left = [&] { return std::max(0.0, end - used_seconds(context)); };
+    Work left = most;
+    const auto share_of_left = [&](double share) { return static_cast<Work>(share * static_cast<double>(left)); };
     try {
         const Change change(before, after);
         // The volumes lie between the faces that only one of the shapes has, and nothing else counts.
         outline = ChangeOutline(change.vanished, change.appeared);
         if (known && outline.matches(known->outline) &&
-            (known->is_hopeless || (known->closed && change.is_explained_by(*known))))
-            return *known;
+            (known->is_hopeless || (known->closed && change.is_explained_by(*known)))) {
+            result = *known;
+            result.work = 0;
+            return result;
+        }
         bool is_hopeless = true;
         const auto attempt = [&](auto&& by) {
             if (result.closed) return;
             result = by();
+            left -= result.work;
             is_hopeless = is_hopeless && result.is_hopeless;
         };
-        if (seconds > 0) attempt([&] { return along_edges(change); });
+        if (most > 0) attempt([&] { return along_edges(change); });
         context.progress(0.5);
-        attempt([&] { return between_faces(change, true, 0.7 * left(), context); });
-        attempt([&] { return between_faces(change, false, 0.7 * left(), context); });
-        attempt([&] { return by_booleans(change, left() / 2, context); });
+        attempt([&] { return between_faces(change, true, share_of_left(0.7), context); });
+        attempt([&] { return between_faces(change, false, share_of_left(0.7), context); });
+        attempt([&] { return by_booleans(change, share_of_left(0.5), context); });
         result.is_hopeless = !result.closed && is_hopeless;
     } catch (const Standard_Failure&) {
         result = {};  // not closed: the caller takes the feature as opaque and says so
     }
     result.outline = outline;
+    result.work = most - left;
     return result;
 }
 

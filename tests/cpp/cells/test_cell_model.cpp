@@ -408,13 +408,28 @@ TEST_CASE("where two solids of the final shape touch, both faces have owners") {
     for (const auto& owners : model.owners_of_final_face) CHECK_FALSE(owners.empty());
 }
 
-TEST_CASE("a fuse without time says so and throws nothing") {
+TEST_CASE("a fuse that is too much work says so and throws nothing") {
     RunContext context;
     const FusedComplex complex =
         fuse({{{FeatureId(0), 0}, box(0, 0, 0, 10, 10, 10)}, {{FeatureId(1), 0}, box(5, 5, 5, 10, 10, 10)}},
-             {.fuzzy = 0, .seconds = 0}, context);
+             {.fuzzy = 0, .work = 0}, context);
     CHECK(complex.cells.empty());
-    CHECK(complex.trouble.find("longer than") != std::string::npos);
+    CHECK(complex.trouble.find("too much work") != std::string::npos);
+}
+
+TEST_CASE("a fuse is as much work with any number of threads, and stops at the limit or not at all") {
+    std::vector<FuseArgument> arguments{{{FeatureId(0), 0}, box(0, 0, 0, 60, 60, 10)}};
+    for (int i = 1; i < 10; ++i)
+        arguments.push_back({{FeatureId(std::size_t(i)), 0}, cylinder({6.0 * i, 6.0 * i, -1}, {0, 0, 1}, 4, 18)});
+    RunContext context;
+    const FusedComplex alone = fuse(arguments, {}, context);
+    CHECK(alone.trouble.empty());
+    for (const int threads : {2, 4}) {
+        context.threads = threads;
+        CHECK(fuse(arguments, {}, context).work == alone.work);
+        CHECK(fuse(arguments, {.work = alone.work}, context).is_over_limit);
+        CHECK_FALSE(fuse(arguments, {.work = alone.work + 1}, context).is_over_limit);
+    }
 }
 
 TEST_CASE("fused one by one, the cells and their owners are the same") {
@@ -436,7 +451,7 @@ TEST_CASE("fused one by one, the cells and their owners are the same") {
     CHECK(one_by_one.offenders.empty());
     CHECK(at_once.cells.size() > 6);
     CHECK(owned(at_once) == owned(one_by_one));
-    CHECK_FALSE(fuse_one_by_one(arguments, {.fuzzy = 0, .seconds = 0}, context).trouble.empty());
+    CHECK_FALSE(fuse_one_by_one(arguments, {.fuzzy = 0, .work = 0}, context).trouble.empty());
 }
 
 TEST_CASE("fused one by one, an argument that does not add up is named") {

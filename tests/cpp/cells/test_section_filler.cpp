@@ -26,7 +26,7 @@ TopTools_ListOfShape list_of(const std::vector<TopoDS_Shape>& shapes) {
 
 /// Sections that are left for the kernel to make edges of.
 int sections_left(const std::vector<TopoDS_Shape>& shapes) {
-    SectionFiller filler(NCollection_BaseAllocator::CommonBaseAllocator());
+    SectionFiller filler;
     filler.SetArguments(list_of(shapes));
     filler.Perform();
     int count = 0;
@@ -55,7 +55,7 @@ void check_against_kernel(const std::vector<TopoDS_Shape>& shapes) {
     plain.SetArguments(list_of(shapes));
     plain.SetNonDestructive(true);
     plain.Perform();
-    SectionFiller filler(NCollection_BaseAllocator::CommonBaseAllocator());
+    SectionFiller filler;
     filler.SetArguments(list_of(shapes));
     filler.SetNonDestructive(true);
     filler.Perform();

@@ -13,14 +13,15 @@ using namespace featuremesh;
 
 namespace {
 using Bytes = std::vector<std::byte>;
-}
+constexpr Patience enough{60};
+}  // namespace
 
 TEST_CASE("what isolated work returns comes back, however much it is") {
     const RunContext context;
     for (const std::size_t size : {0, 1, 3'000'000}) {
         Bytes sent(size);
         for (std::size_t i = 0; i < size; ++i) sent[i] = static_cast<std::byte>(i * i % 251);
-        const auto got = run_isolated([&](const RunContext&) { return sent; }, context);
+        const auto got = run_isolated([&](const RunContext&) { return sent; }, enough, context);
         REQUIRE(got.has_value());
         CHECK(*got == sent);
     }
@@ -35,8 +36,8 @@ TEST_CASE("isolated work that crashes or throws gives nothing, and changes nothi
         return Bytes(1);
     };
     const auto fail = [&](const RunContext&) -> Bytes { throw std::runtime_error("no"); };
-    CHECK_FALSE(run_isolated(crash, context).has_value());
-    CHECK_FALSE(run_isolated(fail, context).has_value());
+    CHECK_FALSE(run_isolated(crash, enough, context).has_value());
+    CHECK_FALSE(run_isolated(fail, enough, context).has_value());
     CHECK(here == 1);
 }
 
@@ -48,6 +49,20 @@ TEST_CASE("isolated work ends when it is cancelled") {
         std::this_thread::sleep_for(std::chrono::seconds(60));
         return Bytes(1);
     };
-    CHECK_THROWS_AS(run_isolated(sleep, context), Cancelled);
+    CHECK_THROWS_AS(run_isolated(sleep, enough, context), Cancelled);
     CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(30));
+}
+
+TEST_CASE("isolated work that does not end is ended with an error") {
+    const RunContext context;
+    const auto work_on = [](const RunContext&) {
+        for (volatile int i = 0;; i = i + 1) continue;
+        return Bytes(1);
+    };
+    const auto sleep = [](const RunContext&) {
+        std::this_thread::sleep_for(std::chrono::seconds(60));
+        return Bytes(1);
+    };
+    CHECK_THROWS_AS(run_isolated(work_on, {.processor_seconds = 1}, context), MeshError);
+    CHECK_THROWS_AS(run_isolated(sleep, {.processor_seconds = 60, .idle_seconds = 1}, context), MeshError);
 }

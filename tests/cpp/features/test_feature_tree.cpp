@@ -13,14 +13,15 @@
 #include <TopoDS_Compound.hxx>
 #include <gp_Trsf.hxx>
 #include <numbers>
+#include <set>
 
 #include "catch.h"
 #include "core/errors.h"
 #include "documents.h"
-#include "features/deadline.h"
 #include "features/flux.h"
 #include "features/occt_geometry.h"
 #include "features/same_faces.h"
+#include "features/shape_difference.h"
 
 using namespace featuremesh;
 using namespace featuremesh::test;
@@ -307,28 +308,30 @@ TEST_CASE("a feature in error is noted with FreeCAD's words") {
     CHECK(tree.notes[0].find("Fillet not possible") != std::string::npos);
 }
 
-TEST_CASE("what a feature in error did is worth a second") {
+TEST_CASE("what a feature did is looked for with so much work, the same for any number of threads") {
     const TopoDS_Shape upright = box(0, 0, 0, 10, 10, 10);
     gp_Trsf shift;
     shift.SetTranslation({0.5, 0, 0});  // a side crosses the one it was, which only the kernel can tell
     const TopoDS_Shape slanting =
         BRepBuilderAPI_Transform(BRepPrimAPI_MakeWedge(10, 10, 10, 0, 0, 9, 10).Shape(), shift).Shape();
-    for (const std::string error : {"", "it went wrong"}) {
-        DocumentMaker maker;
-        maker.add("Pad", "PartDesign::Pad", {}, upright, upright);
-        maker.add("Draft", "PartDesign::Draft", {{"BaseFeature", "Pad", ""}}, slanting).error = error;
+    std::set<Work> works;
+    for (const int threads : {1, 2, 4}) {
         RunContext context;
-        std::vector<double> waste{1.1,
-                                  0.05};  // the second call, not too soon after the first, is within the difference
-        context.on_progress = [&](std::string_view, double) {
-            const double end = used_seconds(context) + (waste.empty() ? 0 : waste.back());
-            if (!waste.empty()) waste.pop_back();
-            while (used_seconds(context) < end) continue;
-            return true;
-        };
-        const FeatureTree tree = interpret(maker.done(), context);
-        CHECK(named(tree, "Draft").volume_source == (error.empty() ? "before and after" : "shape"));
+        context.threads = threads;
+        const ShapeDifference enough = difference_of(upright, slanting, work_of_seconds(1), context);
+        CHECK(enough.closed);
+        CHECK(enough.work > 0);
+        CHECK(enough.work < work_of_seconds(1));
+        works.insert(enough.work);
+        const ShapeDifference little = difference_of(upright, slanting, enough.work / 10, context);
+        CHECK_FALSE(little.closed);
+        CHECK_FALSE(little.is_hopeless);
+        CHECK(little.work <= enough.work / 10);
+        const ShapeDifference known = difference_of(upright, slanting, work_of_seconds(1), context, &enough);
+        CHECK(known.closed);
+        CHECK(known.work == 0);
     }
+    CHECK(works.size() == 1);
 }
 
 TEST_CASE("an unknown type is one opaque volume") {
