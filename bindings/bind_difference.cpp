@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bindings.h"
+#include "core/errors.h"
+#include "difference/followed_faces.h"
+#include "difference/place_partners.h"
 
 namespace featuremesh {
 
@@ -50,6 +53,7 @@ py::dict face_dict(const FaceChange& change) {
     out["old_area"] = change.old_area;
     out["new_area"] = change.new_area;
     out["inner"] = change.inner;
+    out["new_faces"] = face_names(change.new_faces);
     return out;
 }
 
@@ -71,10 +75,11 @@ py::dict compare_documents(const py::dict& old_raw, const py::dict& new_raw, dou
     const RawDocument old_document = raw_document_from(old_raw), new_document = raw_document_from(new_raw);
     std::vector<EdgeChange> edges;
     const FeatureDifference difference = run_released({}, 1, [&](RunContext& context) {
-        const auto read = [&](const RawDocument& document, const FeatureTree* known) {
-            return fuse ? read_part(document, context, known) : read_part_unfused(document, context, known);
+        const auto read = [&](const RawDocument& document, const PartState* before) {
+            return fuse ? read_part(document, context, before ? &before->tree : nullptr)
+                        : read_part_to_mesh(document, context, before);
         };
-        const PartState old_state = read(old_document, nullptr), new_state = read(new_document, &old_state.tree);
+        const PartState old_state = read(old_document, nullptr), new_state = read(new_document, &old_state);
         const double fine = resolution > 0 ? resolution : new_state.brep.box().diagonal() / 100;
         FeatureDifference found = compare(old_state, new_state, fine, context);
         tell_inner_faces(found.faces, old_state.brep, new_state.brep);
@@ -86,6 +91,87 @@ py::dict compare_documents(const py::dict& old_raw, const py::dict& new_raw, dou
     py::dict out = to_dict(difference);
     out["edges"] = edge_list;
     return out;
+}
+
+SketchElement element_from(int id, const std::vector<double>& numbers) {
+    if (numbers.size() != 9 && numbers.size() != 12)
+        throw InputError("A sketch element has three points and perhaps a centre.");
+    const auto point = [&](std::size_t i) { return Vec3{numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]}; };
+    SketchElement element{id, {point(0), point(1), point(2)}, std::nullopt};
+    if (numbers.size() == 12) element.centre = point(3);
+    return element;
+}
+
+SketchElements elements_from(const py::dict& raw) {
+    SketchElements elements;
+    for (const py::handle item : raw["records"]) {
+        const auto record = item.cast<py::dict>();
+        if (!record.contains("elements")) continue;
+        for (const py::handle entry : record["elements"]) {
+            const auto [id, numbers] = entry.cast<std::pair<int, std::vector<double>>>();
+            elements[record["name"].cast<std::string>()].push_back(element_from(id, numbers));
+        }
+    }
+    return elements;
+}
+
+py::list followed_list(const std::vector<FollowedFace>& faces) {
+    py::list out;
+    for (const FollowedFace& face : faces) {
+        py::dict entry;
+        entry["old_face"] = face_name(face.old_face);
+        entry["new_faces"] = face_names(face.new_faces);
+        entry["by"] = to_string(face.by);
+        out.append(entry);
+    }
+    return out;
+}
+
+py::list followed_faces_of_meshes(const PartMesh& old_mesh, const py::dict& old_raw, const PartMesh& new_mesh,
+                                  const py::dict& new_raw) {
+    const SketchElements old_elements = elements_from(old_raw), new_elements = elements_from(new_raw);
+    return followed_list(run_released(
+        {}, 1, [&](RunContext&) { return follow_faces(old_mesh.part, old_elements, new_mesh.part, new_elements); }));
+}
+
+py::list followed_faces_of_documents(const py::dict& old_raw, const py::dict& new_raw) {
+    const RawDocument old_document = raw_document_from(old_raw), new_document = raw_document_from(new_raw);
+    const SketchElements old_elements = elements_from(old_raw), new_elements = elements_from(new_raw);
+    return followed_list(run_released({}, 1, [&](RunContext& context) {
+        const PartState old_state = read_part_to_mesh(old_document, context);
+        const PartState new_state = read_part_to_mesh(new_document, context, &old_state);
+        return follow_faces(old_state, old_elements, new_state, new_elements);
+    }));
+}
+
+Brep brep_of(const RawDocument& document, const std::string& object) {
+    const auto record = std::find_if(document.records.begin(), document.records.end(),
+                                     [&](const RawRecord& r) { return r.name == object; });
+    const std::vector<TopoDS_Shape> shapes = read_shapes(document.shapes);
+    if (record == document.records.end() || record->shape < 0 || record->shape >= int(shapes.size()))
+        throw InputError("The part has no solid of " + object + ".");
+    return Brep(shapes[std::size_t(record->shape)]);
+}
+
+template <class Id>
+void add_names(py::dict& names, std::size_t from, const std::vector<Id>& to) {
+    py::list found;
+    for (const Id id : to)
+        if (id.is_valid()) found.append(name_of(entity_of(id)));
+    names[py::str(name_of(entity_of(Id(from))))] = found;
+}
+
+py::dict trace_sub_elements(const py::dict& raw, const std::string& object) {
+    const RawDocument document = raw_document_from(raw);
+    const PlacePartners partners = run_released({}, 1, [&](RunContext&) {
+        return partners_in_place(brep_of(document, object), brep_of(document, document.final_object));
+    });
+    py::dict names;
+    for (std::size_t f = 0; f < partners.faces.size(); ++f) add_names(names, f, partners.faces[f]);
+    for (std::size_t e = 0; e < partners.edges.size(); ++e) add_names(names, e, partners.edges[e]);
+    for (std::size_t v = 0; v < partners.vertices.size(); ++v)
+        add_names(names, v, std::vector<VertexId>{partners.vertices[v]});
+    return names;
 }
 
 }  // namespace
@@ -114,6 +200,14 @@ void define_difference(py::module_& module) {
                "boundary's triangles where a face is "
                "trimmed differently; 0 takes a hundredth of the part's diagonal. Without `fuse` no cells are built: "
                "quicker, and owners of faces are found by points of them.");
+    const char* followed =
+        "For every face of the old final shape: the faces that it is in the new one, by the feature and what made it.";
+    module.def("followed_faces", &followed_faces_of_meshes, py::arg("old"), py::arg("old_raw"), py::arg("new"),
+               py::arg("new_raw"), followed);
+    module.def("followed_faces", &followed_faces_of_documents, py::arg("old_raw"), py::arg("new_raw"), followed);
+    module.def("trace_sub_elements", &trace_sub_elements, py::arg("raw"), py::arg("object"),
+               "By name of every face, edge and vertex of an object that the part is made of: the names of what lies "
+               "there on the part's final shape.");
 }
 
 }  // namespace featuremesh

@@ -1,17 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who owns the faces of a part whose cells were not built again as a whole.
+// Who owns the faces of a part: the cells know it where there are any, points on the faces tell it elsewhere.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "difference/feature_difference.h"
+#include "difference/volume_faces.h"
 
 namespace featuremesh {
 
-/// By new FaceId. A face that was kept has the owners it had. A face that is trimmed differently or new has those that
-/// were found in the edited box, and those of the old faces it overlaps whose volumes reach out of the box; where
-/// nothing was fused, those whose volumes have a face there. `difference` has its faces and its first region.
-std::vector<std::vector<Owner>> owners_after_edit(const PartState& old_state, const PartState& new_state,
-                                                  const FeatureDifference& difference);
+/// Of one state. Answers without cells are found when they are asked for, and the same whenever that is. Not for
+/// concurrent use.
+class FaceOwners {
+  public:
+    explicit FaceOwners(const PartState& state);
+    /// Sorted; a face on which no volume has one may be any feature's.
+    std::vector<Owner> of(FaceId face) const;
+    /// Only those of the features that are marked; none where they are others.
+    std::vector<Owner> of(FaceId face, std::span<const char> is_wanted) const;
+
+  private:
+    const PartState& state_;
+    std::optional<VolumeFaces> by_points_;
+};
+
+/// Of all faces, by FaceId.
+std::vector<std::vector<Owner>> owners_of_faces(const PartState& state);
 
 }  // namespace featuremesh

@@ -6,7 +6,6 @@
 
 #include "core/errors.h"
 #include "difference/boundary_match.h"
-#include "difference/face_owners.h"
 #include "difference/feature_verdicts.h"
 #include "difference/partners.h"
 #include "difference/trim_difference.h"
@@ -126,9 +125,7 @@ FeatureDifference compare_states(const PartState& old_state, const PartState& ne
     }
 
     difference.features = std::move(verdicts.changes);
-    difference.owners_of_new_face = new_state.cells.is_summary ? owners_after_edit(old_state, new_state, difference)
-                                                               : new_state.cells.owners_of_final_face;
-    add_face_verdicts(old_state, new_state, difference.owners_of_new_face, difference.faces, difference.features);
+    add_face_verdicts(old_state, new_state, difference.faces, difference.features);
     difference.regions[0].features = names_of_unmoved(difference.features);
     note_unrelated(old_state, new_state, difference.notes);
     return difference;

@@ -46,6 +46,7 @@ struct FaceChange {
     FaceId old_face, new_face;          ///< none where there is no partner
     double old_area = 0, new_area = 0;  ///< mm^2, of faces that changed
     bool inner = false;                 ///< vanished into the material, or appeared out of it; see tell_inner_faces
+    std::vector<FaceId> new_faces;      ///< all that overlap the old one, which may have been split
 };
 
 struct EdgeChange {
@@ -113,10 +114,7 @@ struct FeatureDifference {
     std::vector<FaceChange> faces;
     std::vector<CarriedRegion> regions;  ///< identity first
     std::vector<std::string> notes;      ///< e.g. "the two parts look unrelated"
-    /// By new FaceId, as CellModel::owners_of_final_face; where the new cells are a summary, faces that stayed have
-    /// their old owners.
-    std::vector<std::vector<Owner>> owners_of_new_face;
-    bool is_empty() const;  ///< nothing changed at all
+    bool is_empty() const;               ///< nothing changed at all
 };
 
 /// For reports: which of the vanished faces now lie inside the material (the boundary became inner), and which of the

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/numbers_in_words.h"
+#include "difference/face_owners.h"
 #include "difference/feature_pieces.h"
 
 namespace featuremesh {
@@ -190,12 +191,18 @@ class FeatureComparison {
     bool something_stayed_ = false;
 };
 
-/// Faces of the final shape by the feature that owns them.
-std::map<std::string, std::vector<FaceId>> faces_by_feature(const PartState& state,
-                                                            const std::vector<std::vector<Owner>>& owners) {
+/// Faces of the final shape by the feature that owns them: all of a feature that changed, and of others those that were
+/// not kept.
+std::map<std::string, std::vector<FaceId>> faces_by_feature(const PartState& state, const std::vector<char>& is_kept,
+                                                            const std::vector<FeatureChange>& changes) {
+    std::vector<char> is_changed(state.tree.features.size(), 0);
+    for (const FeatureChange& change : changes)
+        if (const auto id = state.tree.find(change.name); id && change.verdict != Verdict::same)
+            is_changed[id->index()] = 1;
+    const FaceOwners owners(state);
     std::map<std::string, std::vector<FaceId>> result;
-    for (std::size_t f = 0; f < owners.size() && f < state.brep.face_count(); ++f)
-        for (const Owner& owner : owners[f]) {
+    for (std::size_t f = 0; f < state.brep.face_count(); ++f)
+        for (const Owner& owner : is_kept[f] ? owners.of(FaceId(f), is_changed) : owners.of(FaceId(f))) {
             auto& faces = result[state.tree[owner.feature].name];
             if (faces.empty() || faces.back() != FaceId(f)) faces.push_back(FaceId(f));
         }
@@ -207,22 +214,18 @@ FeatureVerdicts compare_features(const PartState& old_state, const PartState& ne
     return FeatureComparison(old_state, new_state, sameness).run();
 }
 
-void add_face_verdicts(const PartState& old_state, const PartState& new_state,
-                       const std::vector<std::vector<Owner>>& owners_of_new_face, const std::vector<FaceChange>& faces,
+void add_face_verdicts(const PartState& old_state, const PartState& new_state, const std::vector<FaceChange>& faces,
                        std::vector<FeatureChange>& changes) {
     std::vector<char> old_kept(old_state.brep.face_count(), 0), new_kept(new_state.brep.face_count(), 0);
     for (const FaceChange& face : faces)
         if (face.verdict == BoundaryVerdict::kept)
             old_kept[face.old_face.index()] = new_kept[face.new_face.index()] = 1;
-    auto old_faces = faces_by_feature(old_state, old_state.cells.owners_of_final_face),
-         new_faces = faces_by_feature(new_state, owners_of_new_face);
+    auto old_faces = faces_by_feature(old_state, old_kept, changes),
+         new_faces = faces_by_feature(new_state, new_kept, changes);
     for (FeatureChange& change : changes) {
         change.old_faces = old_faces[change.name];
         change.new_faces = new_faces[change.name];
-        if (change.verdict != Verdict::same) continue;
-        std::erase_if(change.old_faces, [&](FaceId f) { return old_kept[f.index()] != 0; });
-        std::erase_if(change.new_faces, [&](FaceId f) { return new_kept[f.index()] != 0; });
-        if (change.old_faces.empty() && change.new_faces.empty()) continue;
+        if (change.verdict != Verdict::same || (change.old_faces.empty() && change.new_faces.empty())) continue;
         change.verdict = Verdict::interaction_changed;
         change.detail = "its own volume is the same, but other features now meet " +
                         std::to_string(std::max(change.old_faces.size(), change.new_faces.size())) +

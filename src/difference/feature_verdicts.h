@@ -25,8 +25,7 @@ struct FeatureVerdicts {
 FeatureVerdicts compare_features(const PartState& old_state, const PartState& new_state, const Sameness& sameness);
 
 /// Names the concerned faces and finds the features whose own volume is the same while their faces are not.
-void add_face_verdicts(const PartState& old_state, const PartState& new_state,
-                       const std::vector<std::vector<Owner>>& owners_of_new_face, const std::vector<FaceChange>& faces,
+void add_face_verdicts(const PartState& old_state, const PartState& new_state, const std::vector<FaceChange>& faces,
                        std::vector<FeatureChange>& changes);
 
 }  // namespace featuremesh

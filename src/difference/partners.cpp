@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "difference/face_area.h"
+#include "difference/place_partners.h"
 
 namespace featuremesh {
 namespace {
@@ -243,8 +244,13 @@ class FaceHistory {
         for (std::size_t f = 0; f < twins_of_.size(); ++f) changes.push_back(change_of(FaceId(f)));
         for (std::size_t f = 0; f < has_partner_.size(); ++f)
             if (!has_partner_[f])
-                changes.push_back(
-                    {BoundaryVerdict::appeared, FaceId(), FaceId(f), 0, area_of(pair_.new_model, FaceId(f))});
+                changes.push_back({BoundaryVerdict::appeared,
+                                   FaceId(),
+                                   FaceId(f),
+                                   0,
+                                   area_of(pair_.new_model, FaceId(f)),
+                                   false,
+                                   {}});
         return changes;
     }
 
@@ -256,12 +262,14 @@ class FaceHistory {
 
     /// Marks the new faces that overlap the old one.
     FaceChange change_of(FaceId f) {
-        FaceChange change{BoundaryVerdict::vanished, f, FaceId(), 0, 0};
+        FaceChange change{BoundaryVerdict::vanished, f, FaceId(), 0, 0, false, {}};
         for (const FaceId partner : region_.new_faces_of[f.index()]) {
             const std::vector<FaceId>& twins = twins_of_[f.index()];
             const bool kept = std::find(twins.begin(), twins.end(), partner) != twins.end();
             if (!kept && (is_known_apart(f, partner) || !finder_.do_overlap(f, partner))) continue;
             has_partner_[partner.index()] = 1;
+            if (kept) change.new_faces.clear();
+            if (change.verdict != BoundaryVerdict::kept) change.new_faces.push_back(partner);
             if (change.new_face.is_valid() && !kept) continue;
             change.verdict = kept ? BoundaryVerdict::kept : BoundaryVerdict::trimmed_differently;
             change.new_face = partner;
@@ -287,6 +295,42 @@ class FaceHistory {
 std::vector<FaceChange> face_changes(const BoundaryPair& pair, const BoundaryMatch& match,
                                      const CarriedRegion& region) {
     return FaceHistory(pair, match, region).changes();
+}
+
+namespace {
+/// The comparison of two shapes by place, with all that it needs.
+struct PlaceComparison {
+    PlaceComparison(const Brep& from, const Brep& to, const RigidMotion& motion)
+        : from_model(from), to_model(to), pair{from_model, to_model, motion, std::nullopt, sameness_for(from, to)} {
+        match = match_boundaries(pair);
+        find_partners(pair, match, region);
+    }
+
+    static Sameness sameness_for(const Brep& from, const Brep& to) {
+        Box box = from.box();
+        box.add(to.box());
+        return {Tolerances{box.diagonal()}.same_geometry(), box.center(), box.diagonal()};
+    }
+
+    const BoundaryModel from_model, to_model;
+    const BoundaryPair pair;
+    BoundaryMatch match;
+    CarriedRegion region;
+};
+}  // namespace
+
+std::vector<FaceChange> faces_in_place(const Brep& from, const Brep& to, const RigidMotion& motion) {
+    const PlaceComparison found(from, to, motion);
+    return face_changes(found.pair, found.match, found.region);
+}
+
+PlacePartners partners_in_place(const Brep& from, const Brep& to) {
+    PlaceComparison found(from, to, RigidMotion{});
+    PlacePartners partners{std::vector<std::vector<FaceId>>(from.face_count()), std::move(found.region.new_edges_of),
+                           std::move(found.region.new_vertex_of)};
+    for (const FaceChange& change : face_changes(found.pair, found.match, found.region))
+        if (change.old_face.is_valid()) partners.faces[change.old_face.index()] = change.new_faces;
+    return partners;
 }
 
 }  // namespace featuremesh

@@ -22,7 +22,7 @@ struct SurfacePoint {
     double u, v;
 };
 
-std::vector<SurfacePoint> points_spread_over(const TopoDS_Face& face) {
+std::vector<SurfacePoint> points_on(const TopoDS_Face& face, SurfaceKind kind) {
     std::vector<SurfacePoint> points;
     double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
     BRepTools::UVBounds(face, u1, u2, v1, v2);
@@ -33,6 +33,8 @@ std::vector<SurfacePoint> points_spread_over(const TopoDS_Face& face) {
             const double u = u1 + (u2 - u1) * (i + 0.5) / points_across, v = v1 + (v2 - v1) * (j + 0.5) / points_across;
             if (trim.Perform({u, v}) == TopAbs_IN) points.push_back({to_vec3(surface.Value(u, v)), u, v});
         }
+    const auto sound = kind == SurfaceKind::free_form ? std::nullopt : point_on(face);
+    if (sound) points.push_back({sound->point, 0, 0});
     return points;
 }
 
@@ -44,7 +46,7 @@ bool holds(const FaceProbe& face, SurfaceKind kind, const SurfacePoint& p) {
 
 }  // namespace
 
-VolumeFaces::VolumeFaces(const FeatureTree& tree) : anybody_(owners_of_anything(tree)) {
+VolumeFaces::VolumeFaces(const FeatureTree& tree) {
     for (std::size_t f = 0; f < tree.features.size(); ++f)
         for (std::size_t v = 0; v < tree.features[f].volumes.size(); ++v)
             for (TopExp_Explorer it(tree.features[f].volumes[v].shape, TopAbs_FACE); it.More(); it.Next()) {
@@ -53,31 +55,28 @@ VolumeFaces::VolumeFaces(const FeatureTree& tree) : anybody_(owners_of_anything(
             }
 }
 
-std::vector<Owner> VolumeFaces::owners_on(const TopoDS_Face& final_face) const {
-    const Box box = box_of(final_face);
+std::vector<Owner> VolumeFaces::owners_on(const TopoDS_Face& final_face, const Box& box,
+                                          std::span<const char> is_wanted) const {
     const SurfaceCarrier carrier = carrier_of(final_face);
-    std::vector<SurfacePoint> points = points_spread_over(final_face);
-    const auto sound = carrier.kind == SurfaceKind::free_form ? std::nullopt : point_on(final_face);
-    if (sound) points.push_back({sound->point, 0, 0});
+    const Sameness sameness{boolean_tolerance, box.center(), 0.5 * box.diagonal()};
+    std::vector<const OwnedFace*> candidates;  // carriers first: only of those on the same one are the boxes made
+    bool is_any_wanted = false;
+    for (const OwnedFace& face : faces_)
+        if (same_carrier(face.carrier, carrier, sameness) && face.probe.box().overlaps(box)) {
+            candidates.push_back(&face);
+            is_any_wanted |= is_wanted[face.owner.feature.index()] != 0;
+        }
+    if (!is_any_wanted) return {};
+    if (std::all_of(candidates.begin(), candidates.end(),
+                    [&](const OwnedFace* face) { return face->owner == candidates.front()->owner; }))
+        return {candidates.front()->owner};  // nobody else can have made the face
+    const std::vector<SurfacePoint> points = points_on(final_face, carrier.kind);
     std::vector<Owner> owners;
-    for (const OwnedFace& face : faces_) {
-        if (!owners.empty() && owners.back() == face.owner) continue;
-        if (!face.probe.box().overlaps(box) ||
-            !same_carrier(face.carrier, carrier, {boolean_tolerance, box.center(), 0.5 * box.diagonal()}))
-            continue;
-        if (std::any_of(points.begin(), points.end(),
-                        [&](const SurfacePoint& p) { return holds(face.probe, carrier.kind, p); }))
-            owners.push_back(face.owner);
-    }
-    return owners;
-}
-
-std::vector<std::vector<Owner>> VolumeFaces::owners_of_faces(const Brep& final_shape) const {
-    std::vector<std::vector<Owner>> owners;
-    for (std::size_t f = 0; f < final_shape.face_count(); ++f) {
-        owners.push_back(owners_on(final_shape.face(FaceId(f))));
-        if (owners.back().empty()) owners.back() = anybody_;
-    }
+    for (const OwnedFace* face : candidates)
+        if (is_wanted[face->owner.feature.index()] && (owners.empty() || owners.back() != face->owner) &&
+            std::any_of(points.begin(), points.end(),
+                        [&](const SurfacePoint& p) { return holds(face->probe, carrier.kind, p); }))
+            owners.push_back(face->owner);
     return owners;
 }
 

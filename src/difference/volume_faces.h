@@ -3,6 +3,7 @@
 #pragma once
 
 #include <TopoDS_Face.hxx>
+#include <span>
 #include <vector>
 
 #include "cells/cell_model.h"
@@ -15,11 +16,10 @@ namespace featuremesh {
 class VolumeFaces {
   public:
     explicit VolumeFaces(const FeatureTree& tree);
-    /// Owners of the volume faces on the carrier of a face of the final shape that hold some of 36 points spread over
-    /// it; sorted. What lies between those points is not found.
-    std::vector<Owner> owners_on(const TopoDS_Face& final_face) const;
-    /// By FaceId; a face on which no volume has one may be any feature's.
-    std::vector<std::vector<Owner>> owners_of_faces(const Brep& final_shape) const;
+    /// Owners, of the features that are marked, of the volume faces on the carrier of a face of the final shape that
+    /// hold some of 36 points spread over it, or the only one who has faces there; sorted. What lies between those
+    /// points is not found. `box` holds the face.
+    std::vector<Owner> owners_on(const TopoDS_Face& final_face, const Box& box, std::span<const char> is_wanted) const;
 
   private:
     struct OwnedFace {
@@ -28,7 +28,6 @@ class VolumeFaces {
         FaceProbe probe;
     };
     std::vector<OwnedFace> faces_;  // by owner
-    std::vector<Owner> anybody_;
 };
 
 }  // namespace featuremesh

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "difference/followed_faces.h"
+
+#include <BRepTools.hxx>
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "difference/made_partners.h"
+#include "difference/place_partners.h"
+#include "features/occt_geometry.h"
+
+namespace featuremesh {
+
+namespace {
+constexpr double most_of_it = 0.3;  // share of a face that two faces have in common when one is a piece of the other
+
+template <class T>
+bool contains(const std::vector<T>& list, const T& value) {
+    return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+class FaceFollower {
+  public:
+    FaceFollower(const MadeFaces& was, const MadeFaces& is)
+        : old_(was.state()), new_(is.state()), was_(was), is_(is), partners_(partners_of_made_faces(was, is)) {
+        followed_.resize(old_.brep.face_count());
+        in_place_.resize(followed_.size());
+        claimed_.assign(new_.brep.face_count(), 0);
+        for (std::size_t f = 0; f < followed_.size(); ++f) followed_[f].old_face = FaceId(f);
+        for (const FaceChange& change : faces_in_place(old_.brep, new_.brep, RigidMotion{}))
+            if (change.old_face.is_valid()) in_place_[change.old_face.index()] = change;
+    }
+
+    std::vector<FollowedFace> run() {
+        if (const auto motion = motion_of_all()) follow_motion(*motion);
+        for (std::size_t f = 0; f < followed_.size(); ++f) follow_origin(FaceId(f));
+        for (std::size_t f = 0; f < followed_.size(); ++f) follow_place(FaceId(f), BoundaryVerdict::kept);
+        while (follow_neighbours()) {
+        }
+        for (std::size_t f = 0; f < followed_.size(); ++f)
+            follow_place(FaceId(f), BoundaryVerdict::trimmed_differently);
+        while (follow_neighbours()) {
+        }
+        return std::move(followed_);
+    }
+
+  private:
+    void follow(FaceId f, const std::vector<FaceId>& faces, FollowedBy by) {
+        FollowedFace& followed = followed_[f.index()];
+        followed.new_faces = faces;
+        std::sort(followed.new_faces.begin(), followed.new_faces.end());
+        followed.by = by;
+        if (by != FollowedBy::place)
+            for (const FaceId g : faces) claimed_[g.index()] = 1;
+    }
+    bool is_open(FaceId f) const { return followed_[f.index()].by == FollowedBy::nothing; }
+
+    // By what made the face
+
+    /// New faces of the final shape on the made faces that those of the old one became.
+    std::vector<FaceId> candidates_of(FaceId f) {
+        if (by_made_.empty()) {
+            by_made_.resize(is_.faces().size());
+            for (std::size_t g = 0; g < claimed_.size(); ++g)
+                for (const int m : is_.made(FaceId(g))) by_made_[std::size_t(m)].push_back(FaceId(g));
+        }
+        std::set<FaceId> found;
+        for (const int m : was_.made(f))
+            for (const int n : partners_[std::size_t(m)])
+                found.insert(by_made_[std::size_t(n)].begin(), by_made_[std::size_t(n)].end());
+        return {found.begin(), found.end()};
+    }
+
+    /// Where it is also kept in place, that is it; else points tell which pieces of a made face belong together.
+    void follow_origin(FaceId f) {
+        std::vector<FaceId> candidates = candidates_of(f);
+        if (candidates.empty()) return;
+        const FaceChange& place = in_place_[f.index()];
+        if (place.verdict == BoundaryVerdict::kept && contains(candidates, place.new_face))
+            return follow(f, {place.new_face}, FollowedBy::origin);
+        const bool is_one = candidates.size() == 1 && !has_siblings(f);
+        if (!is_one || stays(f)) std::erase_if(candidates, [&](FaceId g) { return !share_points(f, g); });
+        if (!candidates.empty()) follow(f, candidates, FollowedBy::origin);
+    }
+
+    /// Are there other faces of the old final shape on one of its made faces?
+    bool has_siblings(FaceId f) const {
+        for (std::size_t h = 0; h < followed_.size(); ++h)
+            if (FaceId(h) != f && std::any_of(was_.made(f).begin(), was_.made(f).end(),
+                                              [&](int m) { return contains(was_.made(FaceId(h)), m); }))
+                return true;
+        return false;
+    }
+
+    bool stays(FaceId f) const {
+        return std::all_of(was_.made(f).begin(), was_.made(f).end(), [&](int m) {
+            const std::vector<int>& to = partners_[std::size_t(m)];
+            return std::all_of(to.begin(), to.end(), [&](int n) { return is_image_in_place(m, n); });
+        });
+    }
+
+    bool is_image_in_place(int m, int n) const {
+        const Box a = was_.faces()[std::size_t(m)].probe.box(), b = is_.faces()[std::size_t(n)].probe.box();
+        return distance(a.low, b.low) < boolean_tolerance && distance(a.high, b.high) < boolean_tolerance;
+    }
+
+    /// Does most of one lie on the other, where the made face takes it along?
+    bool share_points(FaceId f, FaceId g) const {
+        for (const int m : was_.made(f))
+            for (const int n : partners_[std::size_t(m)])
+                if (contains(is_.made(g), n) &&
+                    std::max(share(old_.brep.face(f), was_.faces()[std::size_t(m)], new_.brep.face(g),
+                                   is_.faces()[std::size_t(n)]),
+                             share(new_.brep.face(g), is_.faces()[std::size_t(n)], old_.brep.face(f),
+                                   was_.faces()[std::size_t(m)])) > most_of_it)
+                    return true;
+        return false;
+    }
+
+    /// Share of the points of a face, on `from`, that its partner takes into the other face.
+    static double share(const TopoDS_Face& face, const MadeFace& from, const TopoDS_Face& other, const MadeFace& to) {
+        const FaceProbe target(other);
+        const std::vector<Vec3> points = points_over(face);
+        int own = 0, inside = 0;
+        for (const Vec3& p : points) {
+            if (!from.probe.contains(p, boolean_tolerance)) continue;
+            ++own;
+            inside += target.contains(carried(p, from, to), boolean_tolerance);
+        }
+        return own == 0 ? 0 : double(inside) / own;
+    }
+
+    /// To the same place relative to the bounds of the made face.
+    static Vec3 carried(const Vec3& p, const MadeFace& from, const MadeFace& to) {
+        if (from.carrier.kind == SurfaceKind::free_form || to.carrier.kind != from.carrier.kind) return p;
+        std::array<double, 4> a{}, b{};
+        BRepTools::UVBounds(from.face, a[0], a[1], a[2], a[3]);
+        BRepTools::UVBounds(to.face, b[0], b[1], b[2], b[3]);
+        std::array<double, 2> uv = parameters_of(from.carrier, p);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const double low = a[2 * i], high = a[2 * i + 1];
+            if (uv[i] < low - 1e-9) uv[i] += 2 * std::numbers::pi;
+            uv[i] = b[2 * i] + (high > low ? (uv[i] - low) / (high - low) : 0.5) * (b[2 * i + 1] - b[2 * i]);
+        }
+        return point_at(to.carrier, uv[0], uv[1]);
+    }
+
+    // By its place
+
+    /// The motion of the part as a whole; none when it stayed or only some of it moved.
+    std::optional<RigidMotion> motion_of_all() const {
+        const auto old_id = old_.tree.find(old_.tree.object), new_id = new_.tree.find(new_.tree.object);
+        if (!old_id || !new_id) return std::nullopt;
+        const RigidMotion motion = compose(new_.tree[*new_id].frame, old_.tree[*old_id].frame.inverse());
+        return motion.is_identity() ? std::nullopt : std::optional(motion);
+    }
+
+    void follow_motion(const RigidMotion& motion) {
+        for (const FaceChange& change : faces_in_place(old_.brep, new_.brep, motion))
+            if (change.old_face.is_valid()) in_place_[change.old_face.index()] = change;
+    }
+
+    void follow_place(FaceId f, BoundaryVerdict verdict) {
+        const FaceChange& place = in_place_[f.index()];
+        if (!is_open(f) || place.verdict != verdict) return;
+        std::vector<FaceId> faces = place.new_faces;
+        std::erase_if(faces, [&](FaceId g) { return is_stranger(f, g); });
+        if (!faces.empty()) follow(f, faces, FollowedBy::place);
+    }
+
+    /// Is it known that the new face, though it lies where the old one was, is another one?
+    bool is_stranger(FaceId f, FaceId g) const {
+        if (claimed_[g.index()]) return true;
+        const bool known = std::any_of(was_.made(f).begin(), was_.made(f).end(),
+                                       [&](int m) { return !partners_[std::size_t(m)].empty(); });
+        return known && !is_.made(g).empty();
+    }
+
+    // By the faces around it
+
+    /// Jaccard index of what the neighbours of the old face became and the neighbours of the new one; 0 when they have
+    /// fewer than two in common.
+    double likeness(FaceId f, FaceId g) const {
+        const std::set<FaceId> around = neighbours(new_.brep, g);
+        std::size_t common = 0, known = 0;
+        std::set<FaceId> met;
+        for (const FaceId h : neighbours(old_.brep, f)) {
+            const std::vector<FaceId>& now = followed_[h.index()].new_faces;
+            if (now.empty()) continue;
+            ++known;
+            bool meets = false;
+            for (const FaceId n : now)
+                if (around.contains(n)) met.insert(n), meets = true;
+            common += meets;
+        }
+        if (common < 2) return 0;
+        return double(common) / double(known + around.size() - met.size());
+    }
+
+    static std::set<FaceId> neighbours(const Brep& brep, FaceId f) {
+        std::set<FaceId> found;
+        for (const EdgeId e : brep.edges_of(f))
+            for (const FaceId h : brep.faces_of(e))
+                if (h != f) found.insert(h);
+        return found;
+    }
+
+    /// Gives each new face that nobody claims to the one old face that it is most like. Returns whether there was one.
+    bool follow_neighbours() {
+        std::map<FaceId, std::vector<FaceId>> given;
+        for (std::size_t g = 0; g < claimed_.size(); ++g) {
+            if (claimed_[g]) continue;
+            FaceId best;
+            double most = 0, second = 0;
+            for (std::size_t f = 0; f < followed_.size(); ++f) {
+                if (!is_open(FaceId(f)) || !may_be(FaceId(f), FaceId(g))) continue;
+                const double like = likeness(FaceId(f), FaceId(g));
+                if (like > most)
+                    second = most, most = like, best = FaceId(f);
+                else
+                    second = std::max(second, like);
+            }
+            if (most > 0 && most > second) given[best].push_back(FaceId(g));
+        }
+        for (const auto& [f, faces] : given) follow(f, faces, FollowedBy::neighbours);
+        return !given.empty();
+    }
+
+    /// Can both come from one feature, as far as their own volumes tell, with a surface of the same kind?
+    bool may_be(FaceId f, FaceId g) const {
+        if (carrier_of(old_.brep.face(f)).kind != carrier_of(new_.brep.face(g)).kind) return false;
+        const std::set<std::string> olds = features_of(was_, f), news = features_of(is_, g);
+        return olds.empty() || news.empty() ||
+               std::any_of(olds.begin(), olds.end(), [&](const std::string& name) { return news.contains(name); });
+    }
+
+    static std::set<std::string> features_of(const MadeFaces& made, FaceId f) {
+        std::set<std::string> names;
+        for (const int m : made.made(f))
+            names.insert(
+                made.state().tree[made.pieces()[std::size_t(made.faces()[std::size_t(m)].piece)].feature].name);
+        return names;
+    }
+
+    const PartState& old_;
+    const PartState& new_;
+    const MadeFaces& was_;
+    const MadeFaces& is_;
+    const std::vector<std::vector<int>> partners_;
+    std::vector<FollowedFace> followed_;
+    std::vector<FaceChange> in_place_;
+    std::vector<char> claimed_;                 // by new FaceId
+    std::vector<std::vector<FaceId>> by_made_;  // by index into the new made faces
+};
+}  // namespace
+
+std::string to_string(FollowedBy by) {
+    switch (by) {
+        case FollowedBy::nothing:
+            return "";
+        case FollowedBy::origin:
+            return "origin";
+        case FollowedBy::place:
+            return "place";
+        case FollowedBy::neighbours:
+            return "neighbours";
+    }
+    return "";
+}
+
+std::vector<FollowedFace> follow_faces(const PartState& old_state, const SketchElements& old_elements,
+                                       const PartState& new_state, const SketchElements& new_elements) {
+    const MadeFaces was(old_state, old_elements), is(new_state, new_elements);
+    return FaceFollower(was, is).run();
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "difference/made_faces.h"
+
+#include <BRepTools.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <Precision.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+
+#include "features/occt_geometry.h"
+#include "features/solid_probe.h"
+
+namespace featuremesh {
+
+namespace {
+constexpr int points_across = 6;
+constexpr double on_surface = 1e-4;  // mm: how closely a sketch element lies on the surface that was swept from it
+
+SketchElement moved(SketchElement element, const RigidMotion& motion) {
+    for (Vec3& p : element.points) p = motion.apply(p);
+    if (element.centre) element.centre = motion.apply(*element.centre);
+    return element;
+}
+
+bool is_swept_from(const SketchElement& element, const FaceProbe& face) {
+    return std::all_of(element.points.begin(), element.points.end(),
+                       [&](const Vec3& p) { return face.distance_to_surface(p) < on_surface; });
+}
+
+/// A plane along which the sketch lies: all its elements are on it, but none made it.
+bool is_cap(const SurfaceCarrier& carrier, const Vec3& normal) {
+    return carrier.kind == SurfaceKind::plane &&
+           std::abs(dot(to_vec3(gp_Vec(carrier.position.Direction())), normal)) > same_normal;
+}
+
+bool is_axis_through(const SurfaceCarrier& carrier, const Vec3& centre) {
+    if (carrier.kind != SurfaceKind::cylinder && carrier.kind != SurfaceKind::cone) return false;
+    const Vec3 to = centre - to_vec3(carrier.position.Location());
+    return length(cross(to, to_vec3(gp_Vec(carrier.position.Direction())))) < on_surface;
+}
+
+double distance_to(const Box& box, const Vec3& p) {
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) {
+        const double off = std::max({box.low[i] - p[i], p[i] - box.high[i], 0.0});
+        sum += off * off;
+    }
+    return std::sqrt(sum);
+}
+
+void add_once(std::vector<ElementName>& sorted, const ElementName& value) {
+    const auto at = std::lower_bound(sorted.begin(), sorted.end(), value);
+    if (at == sorted.end() || *at != value) sorted.insert(at, value);
+}
+}  // namespace
+
+std::vector<Vec3> points_over(const TopoDS_Face& face) {
+    std::vector<Vec3> points;
+    double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
+    BRepTools::UVBounds(face, u1, u2, v1, v2);
+    const BRepAdaptor_Surface surface(face, false);
+    const BRepTopAdaptor_FClass2d trim(face, Precision::PConfusion());
+    for (int i = 0; i < points_across; ++i)
+        for (int j = 0; j < points_across; ++j) {
+            const double u = u1 + (u2 - u1) * (i + 0.5) / points_across, v = v1 + (v2 - v1) * (j + 0.5) / points_across;
+            if (trim.Perform({u, v}) == TopAbs_IN) points.push_back(to_vec3(surface.Value(u, v)));
+        }
+    if (const auto sound = point_on(face); points.empty() && sound) points.push_back(sound->point);
+    return points;
+}
+
+MadeFaces::MadeFaces(const PartState& state, const SketchElements& elements)
+    : state_(state), elements_(elements), pieces_of_(state.tree.features.size()), made_(state.brep.face_count()) {
+    for (std::size_t f = 0; f < state.tree.features.size(); ++f) {
+        const Feature& feature = state.tree.features[f];
+        int number = 0, instance = feature.volumes.empty() ? 0 : feature.volumes.front().instance;
+        for (const FeatureVolume& volume : feature.volumes) {
+            if (volume.instance != instance) number = 0, instance = volume.instance;
+            take_volume(FeatureId(f), volume, number);
+        }
+        find_elements(FeatureId(f));
+    }
+}
+
+void MadeFaces::take_volume(FeatureId feature, const FeatureVolume& volume, int& number) {
+    for (TopExp_Explorer solids(volume.shape, TopAbs_SOLID); solids.More(); solids.Next()) {
+        const int piece = int(pieces_.size());
+        pieces_.push_back({feature, volume.instance, number++, volume.motion, solids.Current(), {}, {}});
+        pieces_of_[feature.index()].push_back(piece);
+        for (TopExp_Explorer it(solids.Current(), TopAbs_FACE); it.More(); it.Next()) {
+            const TopoDS_Face& face = TopoDS::Face(it.Current());
+            pieces_.back().faces.push_back(int(faces_.size()));
+            faces_.push_back({piece, face, carrier_of(face), FaceProbe(face), {}, 0});
+        }
+    }
+}
+
+/// Of the sketches that a feature is made from, for a pattern of those of what it repeats.
+std::vector<MadeFaces::PlacedElement> MadeFaces::elements_of(FeatureId id, const RigidMotion& motion) const {
+    std::vector<PlacedElement> placed;
+    const auto add = [&](const Feature& feature) {
+        for (const FeatureId d : feature.depends_on) {
+            const Feature& sketch = state_.tree[d];
+            const auto found = elements_.find(sketch.name);
+            if (found == elements_.end()) continue;
+            const RigidMotion place = compose(motion, sketch.frame);
+            for (const SketchElement& element : found->second)
+                placed.push_back({{sketch.name, element.id}, moved(element, place), place.rotate({0, 0, 1})});
+        }
+    };
+    add(state_.tree[id]);
+    if (placed.empty() && state_.tree[id].role == Role::pattern)
+        for (const FeatureId original : state_.tree[id].depends_on) add(state_.tree[original]);
+    return placed;
+}
+
+void MadeFaces::find_elements(FeatureId feature) {
+    const std::vector<int>& all = pieces_of_[feature.index()];
+    for (auto first = all.begin(); first != all.end();) {
+        const MadePiece& piece = pieces_[std::size_t(*first)];
+        const auto end = std::find_if(first, all.end(), [&](int p) {
+            return pieces_[std::size_t(p)].instance != piece.instance || pieces_[std::size_t(p)].motion != piece.motion;
+        });
+        for (const PlacedElement& placed : elements_of(feature, piece.motion))
+            give(placed, std::span<const int>(first, end));
+        first = end;
+    }
+}
+
+/// To the faces that were swept from it. Of faces on one surface, which elements in a line make, those next to it.
+void MadeFaces::give(const PlacedElement& placed, std::span<const int> pieces) {
+    double nearest = std::numeric_limits<double>::infinity();
+    std::vector<std::pair<double, int>> swept;
+    const Vec3 middle = placed.element.points[1];
+    for (const int p : pieces)
+        for (const int f : pieces_[std::size_t(p)].faces) {
+            MadeFace& face = faces_[std::size_t(f)];
+            face.height = dot(face.probe.box().center(), placed.normal);
+            if (placed.element.centre && is_axis_through(face.carrier, *placed.element.centre))
+                add_once(pieces_[std::size_t(p)].elements, placed.name);
+            if (is_cap(face.carrier, placed.normal) || !is_swept_from(placed.element, face.probe)) continue;
+            swept.emplace_back(face.probe.contains(middle, on_surface) ? 0 : distance_to(face.probe.box(), middle), f);
+            nearest = std::min(nearest, swept.back().first);
+        }
+    for (const auto& [off, f] : swept) {
+        if (off > nearest + on_surface) continue;
+        add_once(faces_[std::size_t(f)].elements, placed.name);
+        add_once(pieces_[std::size_t(faces_[std::size_t(f)].piece)].elements, placed.name);
+    }
+}
+
+const std::vector<int>& MadeFaces::made(FaceId final_face) const {
+    std::unique_ptr<std::vector<int>>& known = made_[final_face.index()];
+    if (known) return *known;
+    known = std::make_unique<std::vector<int>>();
+    const TopoDS_Face& face = state_.brep.face(final_face);
+    const Box box = box_of(face);
+    const SurfaceCarrier carrier = carrier_of(face);
+    const Sameness sameness{boolean_tolerance, box.center(), 0.5 * box.diagonal()};
+    const std::vector<Vec3> points = points_over(face);
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+        const MadeFace& made = faces_[f];
+        if (!made.probe.box().grown(boolean_tolerance).overlaps(box) || !same_carrier(made.carrier, carrier, sameness))
+            continue;
+        if (std::any_of(points.begin(), points.end(),
+                        [&](const Vec3& p) { return made.probe.contains(p, boolean_tolerance); }))
+            known->push_back(int(f));
+    }
+    return *known;
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "difference/made_partners.h"
+
+#include <algorithm>
+#include <map>
+
+#include "difference/feature_motion.h"
+
+namespace featuremesh {
+
+namespace {
+constexpr double same_direction_cosine = 0.8;
+
+bool have_one_in_common(const std::vector<ElementName>& a, const std::vector<ElementName>& b) {
+    return std::any_of(a.begin(), a.end(),
+                       [&](const ElementName& x) { return std::binary_search(b.begin(), b.end(), x); });
+}
+
+class PieceMatcher {
+  public:
+    PieceMatcher(const MadeFaces& was, const MadeFaces& is) : was_(was), is_(is), partners_(was.faces().size()) {}
+
+    std::vector<std::vector<int>> run() {
+        const FeatureTree &old_tree = was_.state().tree, &new_tree = is_.state().tree;
+        for (std::size_t f = 0; f < old_tree.features.size(); ++f) {
+            const auto n = new_tree.find(old_tree.features[f].name);
+            if (n && old_tree.features[f].role != Role::dress_up && !new_tree[*n].suppressed)
+                match_feature(FeatureId(f), *n);
+        }
+        return std::move(partners_);
+    }
+
+  private:
+    const MadePiece& old_piece(int p) const { return was_.pieces()[std::size_t(p)]; }
+    const MadePiece& new_piece(int p) const { return is_.pieces()[std::size_t(p)]; }
+    const MadeFace& old_face(int f) const { return was_.faces()[std::size_t(f)]; }
+    const MadeFace& new_face(int f) const { return is_.faces()[std::size_t(f)]; }
+
+    void match_feature(FeatureId old_id, FeatureId new_id) {
+        const RigidMotion motion = compose(is_.state().tree[new_id].frame, was_.state().tree[old_id].frame.inverse());
+        std::map<int, std::vector<int>> olds, news;  // by instance
+        for (const int p : was_.pieces_of(old_id)) olds[old_piece(p).instance].push_back(p);
+        for (const int p : is_.pieces_of(new_id)) news[new_piece(p).instance].push_back(p);
+        for (const auto& [instance, pieces] : olds)
+            if (const auto found = news.find(instance); found != news.end())
+                match_instance(pieces, found->second, motion);
+    }
+
+    void match_instance(const std::vector<int>& olds, const std::vector<int>& news, const RigidMotion& motion) {
+        const auto swept = [](const auto& piece) { return !piece.elements.empty(); };
+        const bool by_elements = std::all_of(olds.begin(), olds.end(), [&](int p) { return swept(old_piece(p)); }) &&
+                                 std::all_of(news.begin(), news.end(), [&](int p) { return swept(new_piece(p)); });
+        if (by_elements) {
+            for (const int o : olds)
+                for (const int n : news)
+                    if (have_one_in_common(old_piece(o).elements, new_piece(n).elements)) match_swept(o, n);
+            return;
+        }
+        if (olds.size() == 1 && news.size() == 1) return match_in_order(olds[0], news[0], motion);
+        match_by_place(olds, news, motion);
+    }
+
+    /// Without sketch elements: what is where it was, or moved with the feature.
+    void match_by_place(const std::vector<int>& olds, const std::vector<int>& news, const RigidMotion& motion) {
+        std::vector<int> olds_left = olds, news_left = news;
+        for (const RigidMotion& m : {motion, RigidMotion{}})
+            for (const int o : olds)
+                for (const int n : news)
+                    if (contains(olds_left, o) && contains(news_left, n) &&
+                        is_image(outline(old_piece(o)), outline(new_piece(n)), m, sameness())) {
+                        match_in_order(o, n, m);
+                        std::erase(olds_left, o), std::erase(news_left, n);
+                    }
+        if (olds_left.size() == 1 && news_left.size() == 1) match_in_order(olds_left[0], news_left[0], motion);
+    }
+
+    static bool contains(const std::vector<int>& list, int value) {
+        return std::find(list.begin(), list.end(), value) != list.end();
+    }
+
+    static VolumeOutline outline(const MadePiece& piece) { return outline_of(piece.solid); }
+
+    Sameness sameness() const {
+        Box box = was_.state().brep.box();
+        box.add(is_.state().brep.box());
+        return {Tolerances{box.diagonal()}.same_geometry(), box.center(), box.diagonal()};
+    }
+
+    /// Sides by their sketch elements, caps from the lowest to the highest.
+    void match_swept(int o, int n) {
+        std::vector<int> old_caps, new_caps;
+        for (const int f : old_piece(o).faces) {
+            if (old_face(f).elements.empty()) old_caps.push_back(f);
+            for (const int g : new_piece(n).faces)
+                if (have_one_in_common(old_face(f).elements, new_face(g).elements)) add(f, g);
+        }
+        for (const int g : new_piece(n).faces)
+            if (new_face(g).elements.empty()) new_caps.push_back(g);
+        const auto by_height = [](const MadeFaces& made) {
+            return [&made](int a, int b) {
+                return made.faces()[std::size_t(a)].height < made.faces()[std::size_t(b)].height;
+            };
+        };
+        if (old_caps.size() != new_caps.size()) return;
+        std::stable_sort(old_caps.begin(), old_caps.end(), by_height(was_));
+        std::stable_sort(new_caps.begin(), new_caps.end(), by_height(is_));
+        for (std::size_t i = 0; i < old_caps.size(); ++i) add(old_caps[i], new_caps[i]);
+    }
+
+    void match_in_order(int o, int n, const RigidMotion& motion) {
+        const std::vector<int>&from = old_piece(o).faces, &to = new_piece(n).faces;
+        if (from.size() != to.size()) return;
+        for (std::size_t i = 0; i < from.size(); ++i)
+            if (!points_likewise(old_face(from[i]).carrier, new_face(to[i]).carrier, motion)) return;
+        for (std::size_t i = 0; i < from.size(); ++i) add(from[i], to[i]);
+    }
+
+    static bool points_likewise(const SurfaceCarrier& was, const SurfaceCarrier& is, const RigidMotion& motion) {
+        if (was.kind != is.kind) return false;
+        if (was.kind == SurfaceKind::free_form || was.kind == SurfaceKind::sphere) return true;
+        const Vec3 before = motion.rotate(to_vec3(gp_Vec(was.position.Direction())));
+        return dot(before, to_vec3(gp_Vec(is.position.Direction()))) > same_direction_cosine;
+    }
+
+    void add(int from, int to) {
+        std::vector<int>& list = partners_[std::size_t(from)];
+        if (std::find(list.begin(), list.end(), to) == list.end()) list.push_back(to);
+    }
+
+    const MadeFaces& was_;
+    const MadeFaces& is_;
+    std::vector<std::vector<int>> partners_;
+};
+}  // namespace
+
+std::vector<std::vector<int>> partners_of_made_faces(const MadeFaces& was, const MadeFaces& is) {
+    return PieceMatcher(was, is).run();
+}
+
+}  // namespace featuremesh
