@@ -23,6 +23,7 @@ CASES = (
     Case("bracket-unchanged", "bracket", "Body", (), 1.5, about="no change at all"),
     Case("cylinder", "block_and_cylinder", "Body", ("Cylinder.Placement.Base.x=35",), 1.5, about="the cylinder moved by 10 mm"),
     Case("stiffener", "tool", "Body", (), 1.2, after="tool_with_stiffener", about="a stiffener added"),
+    Case("flange", "csg_flange", "Flange", ("Bolt.Radius=5.5",), 3.0, about="the six bolt holes wider"),
     Case("plate-625", "plate_625", "Plate", ("Hole312.Radius=3.5",), 1.46, about="one of 625 holes changed"),
     *(Case(f"bosses-{count}", f"bosses_{count}", "Plate", ("Boss1.Radius=6",), 2.0, about=f"one of {count} bosses changed")
       for count in (1, 4, 16, 64)),

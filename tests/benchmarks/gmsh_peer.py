@@ -9,7 +9,7 @@ import numpy as np
 sys.path.append(str(Path(__file__).resolve().parents[2] / "Mod" / "FeatureMesh" / "freecad" / "featuremesh"))
 
 from measured_process import run_measured  # noqa: E402
-from pictures import tet_quality  # noqa: E402
+from quality import tet_quality  # noqa: E402
 
 ALGORITHMS = {"gmsh-delaunay": "del3d", "gmsh-hxt": "hxt"}
 TET, NODES_OF = 4, {1: 2, 2: 3, 4: 4, 15: 1}

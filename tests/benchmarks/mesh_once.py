@@ -9,7 +9,7 @@ from raw_files import read_raw
 
 def main(raw, size, threads, out):
     import featuremesh_engine as engine
-    _, report = engine.mesh_part(read_raw(Path(raw)), {"size": float(size), "threads": int(threads)})
+    _, report = engine.mesh_part(read_raw(Path(raw)), {"size": float(size), "order": 1, "threads": int(threads)})
     Path(out).write_text(json.dumps({"tets": report["tets"]}), encoding="utf-8")
 
 

@@ -22,6 +22,7 @@ import numpy
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(Path(__file__).parent), str(ROOT / "resources" / "launcher"), str(ROOT / "build" / "release" / "bindings")]
 
+import bench_statics  # noqa: E402
 import cases  # noqa: E402
 from closed_pipe import run_until_unread  # noqa: E402
 from freecad_task import run_script  # noqa: E402
@@ -29,11 +30,12 @@ from gmsh_peer import ALGORITHMS, mesh_with_gmsh, quality_of  # noqa: E402
 from measured_process import run_measured  # noqa: E402
 from netgen_peer import mesh_with_netgen  # noqa: E402
 from raw_files import read_raw  # noqa: E402
-from timing import shortest  # noqa: E402
+from timing import seconds_of, shortest  # noqa: E402
 
 RESULTS = ROOT / "build" / "benchmarks.jsonl"
 OURS = ("full mesh", "update")
 TWO_THREADS = "on two threads"
+MESHING = ("surface", "volume", "optimise")   # the steps that make elements
 SLOW_PEER = 20  # seconds; a peer that takes longer is measured in one round only
 HEADER = (f"  {'':14s} {'tets':>9s} {'seconds':>8s} {'spread':>13s} {'tets/s':>9s} {'min deg':>8s} {'max deg':>8s} {'ratio':>6s} {'<25 deg':>8s} "
           f"{'GB/Mtets':>8s}")
@@ -42,13 +44,15 @@ HEADER = (f"  {'':14s} {'tets':>9s} {'seconds':>8s} {'spread':>13s} {'tets/s':>9
 def main():
     given = parse_arguments()
     if given.list:
-        for case in cases.CASES:
+        for case in (*cases.CASES, *bench_statics.CASES):
             print(f"{case.name:20s} {case.about}, size {case.size:g} mm")
         return 0
     if given.history:
         return show_history(given.case)
-    chosen = [cases.named(name) for name in given.case] if given.case else cases.CASES
-    if None in chosen:
+    names = given.case or [case.name for case in (*cases.CASES, *bench_statics.CASES)]
+    statics = [case for case in map(bench_statics.named, names) if case]
+    chosen = [case for case in map(cases.named, names) if case]
+    if len(statics) + len(chosen) < len(names):
         print("featuremesh bench: no such case; see featuremesh bench --list", file=sys.stderr)
         return 2
     failed, updates, cells, per_tet = 0, {}, {}, {}
@@ -58,13 +62,19 @@ def main():
         except Exception as error:
             failed += 1
             print(f"  {case.name} failed: {error}", file=sys.stderr, flush=True)
+    for case in statics:
+        try:
+            measure_statics(case)
+        except Exception as error:
+            failed += 1
+            print(f"  {case.name} failed: {error}", file=sys.stderr, flush=True)
     if "bracket" in per_tet and "bracket-finest" in per_tet:
         print(f"growth: a tet of the finest bracket takes {per_tet['bracket-finest'] / per_tet['bracket']:.2f} times the time of one at size 1.5")
     if "bosses-1" in updates and "bosses-64" in updates:
         print(f"growth: the update with 64 bosses takes {updates['bosses-64'] / updates['bosses-1']:.2f} times that with 1")
     if "features-150" in cells and "features-600" in cells:
         print(f"growth: the cells of 600 features take {cells['features-600'] / cells['features-150']:.1f} times those of 150 (n log n: 5.1)")
-    print(f"{len(chosen) - failed} of {len(chosen)} cases measured; appended to {RESULTS}")
+    print(f"{len(chosen) + len(statics) - failed} of {len(chosen) + len(statics)} cases measured; appended to {RESULTS}")
     return 1 if failed else 0
 
 
@@ -90,13 +100,14 @@ def measure(case, given):
         rows = run_rounds(case, folder, given)
         reading = reading_of(folder)
         query = seconds_of_a_query(case, folder)
+        cells = seconds_of_cells(folder, reading)
     for who, row in rows.items():
         print(row_in_words(who, row), flush=True)
-    summary = compare_rows(rows) | {"sizing_query": query}
+    summary = compare_rows(rows) | {"sizing_query": query, "cells": cells}
     for line in summary_in_words(summary):
         print("  " + line, flush=True)
-    print(f"  cells {summary['cells']:.3f} s from nothing, {summary['cells_after_edit']:.3f} s after the edit ({summary['cells_after_edit'] / summary['cells']:.0%}); "
-          f"difference {summary['difference']:.3f} s", flush=True)
+    print(f"  first mesh / meshing alone {summary['first_over_meshing']:.3f}; difference {summary['difference']:.3f} s; cells, which only tree and diff make, "
+          f"{summary['cells']:.3f} s", flush=True)
     print(f"  surface {summary['surface_triangles_per_second']:,.0f} triangles/s; graded sizing field {1e6 * query:.3f} us a query", flush=True)
     print(f"  reading the tree {reading['read']:.4f} s in FreeCAD + {reading['interpret']:.4f} s in the engine, {reading['share']:.1%} of "
           f"FreeCAD's recompute ({reading['recompute']:.3f} s); after the edit + {reading['interpret_again']:.4f} s, {reading['share_again']:.1%}\n", flush=True)
@@ -106,6 +117,12 @@ def measure(case, given):
         results.write(json.dumps(record) + "\n")
     full = rows["full mesh"]
     return statistics.median(rows["update"]["seconds"]), summary["cells"], statistics.median(full["seconds"]) / full["tets"]
+
+
+def measure_statics(case):
+    found = bench_statics.measure(case)
+    with open(RESULTS, "a", encoding="utf-8") as results:
+        results.write(json.dumps({"case": case.name, "size": case.size, "threads": 2, "machine": machine(), "statics": found}) + "\n")
 
 
 def prepare(case, folder):
@@ -118,7 +135,7 @@ def prepare(case, folder):
 def run_rounds(case, folder, given):
     """By mesher: the seconds of every round, and the figures of its mesh."""
     import featuremesh_engine as engine
-    options = {"size": case.size, "threads": given.threads}
+    options = {"size": case.size, "order": 1, "threads": given.threads}
     old_raw, new_raw = (read_raw(folder / name) for name in ("old.json", "new.json"))
     old, _ = engine.mesh_part(old_raw, options)
     rows = {}
@@ -151,7 +168,7 @@ def memory_of_a_full_mesh(folder, size, threads):
 def seconds_of_a_query(case, folder, count=1_000_000):
     """Of a graded sizing field: the median of five times over random points of the part's box."""
     import featuremesh_engine as engine
-    part_mesh, _ = engine.mesh_part(read_raw(folder / "old.json"), {"size": 4 * case.size, "elements_per_circle": 24})
+    part_mesh, _ = engine.mesh_part(read_raw(folder / "old.json"), {"size": 4 * case.size, "order": 1, "elements_per_circle": 24})
     points = part_mesh.arrays()["points"]
     places = numpy.random.default_rng(1).uniform(points.min(axis=0), points.max(axis=0), (count, 3))
     seconds = []
@@ -174,6 +191,13 @@ def reading_of(folder):
     return {**seconds, **share}
 
 
+def seconds_of_cells(folder, reading):
+    """To fuse the volumes of the edited part's features: reading its tree without interpreting it; the shortest of several rounds."""
+    import featuremesh_engine as engine
+    new = read_raw(folder / "new.json")
+    return shortest(lambda: seconds_of(lambda: engine.read_tree(new))) - reading["interpret"]
+
+
 def add_peer_round(rows, peer, mesh_once):
     try:
         seconds, megabytes, points, tets = mesh_once()
@@ -189,6 +213,8 @@ def add_round(rows, who, seconds, figures):
     row["seconds"].append(seconds)
     for step, value in figures.get("steps", {}).items():
         row.setdefault("all_steps", {}).setdefault(step, []).append(value)
+    if "steps" in figures:
+        row.setdefault("first_over_meshing", []).append(seconds / sum(figures["steps"][step] for step in MESHING))
     row.update(figures)
 
 
@@ -208,8 +234,8 @@ def compare_rows(rows):
                "update_over_full": statistics.median(a / b for a, b in zip(update, full)), "fallback": rows["update"]["fallback"],
                "mean_radius_ratio_less": rows["full mesh"]["mean_radius_ratio"] - rows["update"]["mean_radius_ratio"],
                "min_dihedral_less": rows["full mesh"]["min_dihedral"] - rows["update"]["min_dihedral"]}
-    for name, who, step in (("cells", "full mesh", "cells"), ("cells_after_edit", "update", "cells"), ("difference", "update", "difference")):
-        summary[name] = statistics.median(rows[who]["all_steps"][step])
+    summary["difference"] = statistics.median(rows["update"]["all_steps"]["difference"])
+    summary["first_over_meshing"] = statistics.median(rows["full mesh"]["first_over_meshing"])
     summary["surface_triangles_per_second"] = rows["full mesh"]["new_triangles"] / statistics.median(rows["full mesh"]["all_steps"]["surface"])
     for peer in ALGORITHMS:
         if peer in rows:
@@ -247,7 +273,7 @@ def show_history(names):
     records = [json.loads(line) for line in RESULTS.read_text(encoding="utf-8").splitlines()] if RESULTS.is_file() else []
     print(f"{'case':18s} {'time':16s} {'commit':8s} {'threads':>7s} {'full s':>8s} {'update s':>8s} {'spread':>13s} {'of full':>8s} {'of gmsh':>8s} {'kept':>7s}")
     for record in sorted(records, key=lambda r: (r["case"], r["machine"]["time"])):
-        if names and record["case"] not in names:
+        if names and record["case"] not in names or "rows" not in record:
             continue
         full, update = (statistics.median(record["rows"][who]["seconds"]) for who in OURS)
         runs, summary = record["rows"]["update"]["seconds"], record["summary"]

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Conjugate gradients with algebraic multigrid for stiffness matrices. PETSc does it, in a library that is loaded when
+// it is needed.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/run_context.h"
+#include "statics/stiffness.h"
+
+namespace featuremesh {
+
+class LinearSolver {
+  public:
+    virtual ~LinearSolver() = default;
+
+    /// How many threads products with the matrix are made on; the solution has the same bytes for any number.
+    virtual void use_threads(int threads) = 0;
+
+    /// Takes the matrix and sets its preconditioner up anew; `points` are its nodes, mm.
+    virtual void set_up(BlockMatrix matrix, std::span<const Vec3> points) = 0;
+
+    /// Takes another matrix and keeps the preconditioner: `origin` is by node the node at the last set-up, -1 for those
+    /// that were not there or are held otherwise now. The new nodes' own block is factored.
+    virtual void carry_over(BlockMatrix matrix, std::vector<std::int32_t> origin) = 0;
+
+    /// sqrt(r B r) with B the preconditioner: about the energy norm of the error that leaves the residual r.
+    virtual double energy_norm(std::span<const double> residual) = 0;
+
+    /// Adds to `solution` what solves the matrix for `residual`, until the energy norm of what is left is below
+    /// `target`. Returns the iterations, or -1 when that takes more than `most_iterations`. Throws Cancelled.
+    virtual int solve(std::span<const double> residual, std::span<double> solution, double target, int most_iterations,
+                      const RunContext& context) = 0;
+};
+
+/// Throws InputError with the package to install where there is no PETSc.
+std::unique_ptr<LinearSolver> make_linear_solver();
+
+/// Whether make_linear_solver would succeed, and if not why.
+bool has_linear_solver(std::string* reason = nullptr);
+
+}  // namespace featuremesh

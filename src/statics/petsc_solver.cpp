@@ -1,0 +1,439 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The only file that knows PETSc, in a library of its own.
+#include <petscksp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "core/errors.h"
+#include "statics/linear_solver.h"
+
+namespace featuremesh {
+
+namespace {
+
+constexpr const char* prefix = "featuremesh_";
+
+void check(PetscErrorCode code) {
+    if (!code) return;
+    const char* text = nullptr;
+    char* particular = nullptr;
+    PetscErrorMessage(code, &text, &particular);
+    throw KernelError(std::string("PETSc could not solve: ") + (text ? text : "unknown error") +
+                      (particular && *particular ? std::string(", ") + particular : ""));
+}
+
+/// An object of PETSc that is destroyed with this one.
+template <class Object, PetscErrorCode (*destroy)(Object*)>
+class Owned {
+  public:
+    Owned() = default;
+    Owned(const Owned&) = delete;
+    Owned& operator=(const Owned&) = delete;
+    ~Owned() { reset(); }
+    void reset() {
+        if (object_) destroy(&object_);
+        object_ = nullptr;
+    }
+    Object* fresh() {
+        reset();
+        return &object_;
+    }
+    operator Object() const { return object_; }
+
+  private:
+    Object object_ = nullptr;
+};
+using Matrix = Owned<Mat, MatDestroy>;
+using Vector = Owned<Vec, VecDestroy>;
+using Preconditioner = Owned<PC, PCDestroy>;
+
+/// MPI for this process alone: nothing is started beside it and nothing left on the disk. Neither the environment nor a
+/// file of the user changes how is solved, and signals stay FreeCAD's.
+void start_petsc() {
+    PetscBool is_running = PETSC_FALSE;
+    PetscInitialized(&is_running);
+    if (is_running) return;
+    int has_mpi = 0;
+    MPI_Initialized(&has_mpi);
+    if (!has_mpi) {
+        setenv("OMPI_MCA_ess_singleton_isolated", "1", 1);
+        setenv("OMPI_MCA_orte_create_session_dirs", "0", 1);
+        setenv("OMPI_MCA_btl", "self", 1);
+    }
+    unsetenv("PETSC_OPTIONS");
+    check(PetscOptionsSetValue(nullptr, "-skip_petscrc", nullptr));
+    check(PetscOptionsSetValue(nullptr, "-no_signal_handler", nullptr));
+    check(PetscInitializeNoArguments());
+    check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
+    for (const auto& [name, value] : {std::pair{"pc_gamg_type", "agg"},
+                                      {"pc_gamg_agg_nsmooths", "1"},
+                                      {"pc_gamg_threshold", "0.02"},
+                                      {"mg_levels_ksp_type", "chebyshev"},
+                                      {"mg_levels_ksp_max_it", "2"},
+                                      {"mg_levels_pc_type", "jacobi"}})
+        check(PetscOptionsSetValue(nullptr, (std::string("-") + prefix + name).c_str(), value));
+}
+
+/// A matrix as PETSc reads it, whose values it shares.
+struct System {
+    BlockMatrix blocks;
+    std::vector<PetscInt> starts, columns;
+    Matrix matrix;
+
+    RunContext threads;  // on which products are made
+
+    PetscInt size() const { return PetscInt(3 * blocks.node_count()); }
+
+    void take(BlockMatrix taken) {
+        matrix.reset();
+        blocks = std::move(taken);
+        if (blocks.values.size() > std::size_t(std::numeric_limits<PetscInt>::max()))
+            throw InputError(
+                "The mesh is too fine for the live solver, whose matrix would have more than 2 billion entries.");
+        starts.assign(std::size_t(size()) + 1, 0);
+        columns.resize(blocks.values.size());
+        for (std::size_t node = 0; node < blocks.node_count(); ++node) {
+            const auto begin = std::size_t(blocks.starts[node]), end = std::size_t(blocks.starts[node + 1]);
+            const std::size_t width = 3 * (end - begin);
+            for (std::size_t r = 0; r < 3; ++r) {
+                const std::size_t at = 9 * begin + r * width;
+                starts[3 * node + r + 1] = PetscInt(at + width);
+                for (std::size_t k = 0; k < width; ++k)
+                    columns[at + k] = 3 * blocks.neighbours[begin + k / 3] + PetscInt(k % 3);
+            }
+        }
+        check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, size(), size(), starts.data(), columns.data(),
+                                        blocks.values.data(), matrix.fresh()));
+        check(MatSetBlockSize(matrix, 3));
+        check(MatSetOption(matrix, MAT_SPD, PETSC_TRUE));
+        multiply_by_blocks();
+    }
+
+  private:
+    /// Products on several threads, each row by itself, with one index for nine values; PETSc's own are on one.
+    void multiply_by_blocks() {
+        Owned<PetscContainer, PetscContainerDestroy> self;
+        check(PetscContainerCreate(PETSC_COMM_SELF, self.fresh()));
+        check(PetscContainerSetPointer(self, this));
+        check(PetscObjectCompose((PetscObject)(Mat)matrix, owner, (PetscObject)(PetscContainer)self));
+        const auto multiply = [](Mat of, Vec in, Vec out) -> PetscErrorCode {
+            PetscObject found = nullptr;
+            void* system = nullptr;
+            const PetscScalar* x = nullptr;
+            PetscScalar* y = nullptr;
+            PetscCall(PetscObjectQuery((PetscObject)of, owner, &found));
+            PetscCall(PetscContainerGetPointer((PetscContainer)found, &system));
+            PetscCall(VecGetArrayRead(in, &x));
+            PetscCall(VecGetArrayWrite(out, &y));
+            static_cast<System*>(system)->multiply(x, y);
+            PetscCall(VecRestoreArrayRead(in, &x));
+            PetscCall(VecRestoreArrayWrite(out, &y));
+            return PetscErrorCode(0);
+        };
+        check(MatSetOperation(matrix, MATOP_MULT,
+                              (void (*)(void))(static_cast<PetscErrorCode (*)(Mat, Vec, Vec)>(multiply))));
+    }
+
+    void multiply(const PetscScalar* x, PetscScalar* y) {
+        parallel_for(threads, blocks.node_count(), 4096, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t node = begin; node < end; ++node) {
+                const auto first = std::size_t(blocks.starts[node]), last = std::size_t(blocks.starts[node + 1]);
+                const std::size_t width = 3 * (last - first);
+                const double* row = blocks.values.data() + 9 * first;
+                double sums[3] = {0, 0, 0};
+                for (std::size_t k = first; k < last; ++k, row += 3) {
+                    const double* u = x + 3 * std::size_t(blocks.neighbours[k]);
+                    for (std::size_t r = 0; r < 3; ++r)
+                        sums[r] += row[r * width] * u[0] + row[r * width + 1] * u[1] + row[r * width + 2] * u[2];
+                }
+                for (std::size_t r = 0; r < 3; ++r) y[3 * node + r] = sums[r];
+            }
+        });
+    }
+
+    static constexpr const char* owner = "featuremesh_system";
+};
+
+void name_rigid_motions(const System& system, std::span<const Vec3> points) {
+    Vector places;
+    check(VecCreateSeq(PETSC_COMM_SELF, system.size(), places.fresh()));
+    check(VecSetBlockSize(places, 3));
+    PetscScalar* values = nullptr;
+    check(VecGetArrayWrite(places, &values));
+    for (std::size_t node = 0; node < points.size(); ++node)
+        for (int c = 0; c < 3; ++c) values[3 * node + std::size_t(c)] = points[node][c];
+    check(VecRestoreArrayWrite(places, &values));
+    MatNullSpace motions = nullptr;
+    check(MatNullSpaceCreateRigidBody(places, &motions));
+    const PetscErrorCode code = MatSetNearNullSpace(system.matrix, motions);
+    MatNullSpaceDestroy(&motions);
+    check(code);
+}
+
+/// The preconditioner of an earlier matrix under a later one of which most nodes are the same. With n the new nodes and
+/// k the kept ones it is [I -K_kn K_nn^-1; 0 I]^T diag(B_kk, K_nn^-1) [..]: exact where B_kk, the earlier one's part of
+/// the kept nodes, is the inverse of K_kk - K_kn K_nn^-1 K_nk.
+class Carried {
+  public:
+    void set_up(const System& system, std::vector<std::int32_t> origin, PetscInt old_size) {
+        system_ = &system;
+        origin_ = std::move(origin);
+        new_nodes_.clear();
+        rank_.assign(origin_.size(), -1);
+        for (std::size_t node = 0; node < origin_.size(); ++node)
+            if (origin_[node] < 0)
+                rank_[node] = std::int32_t(new_nodes_.size()), new_nodes_.push_back(std::int32_t(node));
+        check(VecCreateSeq(PETSC_COMM_SELF, old_size, old_in_.fresh()));
+        check(VecDuplicate(old_in_, old_out_.fresh()));
+        if (!new_nodes_.empty()) factor_new_block();
+    }
+
+    void apply(PC earlier, Vec in, Vec out) {
+        const PetscScalar* r = nullptr;
+        PetscScalar* y = nullptr;
+        check(VecGetArrayRead(in, &r));
+        check(VecGetArrayWrite(out, &y));
+        std::vector<double> at_new(3 * new_nodes_.size()), push(3 * origin_.size(), 0.0);
+        for (std::size_t i = 0; i < at_new.size(); ++i) at_new[i] = r[at(i)];
+        solve_new(at_new);
+        couple([&](std::size_t row, std::size_t column, double value) { push[column] += value * at_new[row]; });
+        apply_earlier(earlier, r, push, y);
+        std::vector<double> pull(at_new.size(), 0.0);
+        couple([&](std::size_t row, std::size_t column, double value) { pull[row] += value * y[column]; });
+        solve_new(pull);
+        for (std::size_t i = 0; i < at_new.size(); ++i) y[at(i)] = at_new[i] - pull[i];
+        check(VecRestoreArrayRead(in, &r));
+        check(VecRestoreArrayWrite(out, &y));
+    }
+
+  private:
+    /// The component of the whole system that is the i-th of the new nodes.
+    std::size_t at(std::size_t i) const { return 3 * std::size_t(new_nodes_[i / 3]) + i % 3; }
+
+    /// Visits the entries between new rows and kept columns.
+    template <class Visit>
+    void couple(Visit visit) const {
+        const BlockMatrix& blocks = system_->blocks;
+        for (std::size_t i = 0; i < new_nodes_.size(); ++i) {
+            const auto node = std::size_t(new_nodes_[i]);
+            const auto begin = std::size_t(blocks.starts[node]), end = std::size_t(blocks.starts[node + 1]);
+            for (std::size_t k = begin; k < end; ++k) {
+                const auto other = std::size_t(blocks.neighbours[k]);
+                if (origin_[other] < 0) continue;
+                for (std::size_t r = 0; r < 3; ++r)
+                    for (std::size_t c = 0; c < 3; ++c)
+                        visit(3 * i + r, 3 * other + c,
+                              blocks.values[9 * begin + r * 3 * (end - begin) + 3 * (k - begin) + c]);
+            }
+        }
+    }
+
+    void factor_new_block() {
+        const BlockMatrix& blocks = system_->blocks;
+        const auto size = PetscInt(3 * new_nodes_.size());
+        starts_.assign(std::size_t(size) + 1, 0);
+        columns_.clear(), values_.clear();
+        for (std::size_t i = 0; i < std::size_t(size); ++i) {
+            const auto node = std::size_t(new_nodes_[i / 3]);
+            const auto begin = std::size_t(blocks.starts[node]), end = std::size_t(blocks.starts[node + 1]);
+            for (std::size_t k = begin; k < end; ++k) {
+                const std::int32_t rank = rank_[std::size_t(blocks.neighbours[k])];
+                if (rank < 0) continue;
+                for (std::size_t c = 0; c < 3; ++c) {
+                    columns_.push_back(3 * rank + PetscInt(c));
+                    values_.push_back(blocks.values[9 * begin + (i % 3) * 3 * (end - begin) + 3 * (k - begin) + c]);
+                }
+            }
+            starts_[i + 1] = PetscInt(columns_.size());
+        }
+        check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, size, size, starts_.data(), columns_.data(), values_.data(),
+                                        new_block_.fresh()));
+        check(MatSetOption(new_block_, MAT_SPD, PETSC_TRUE));
+        check(PCCreate(PETSC_COMM_SELF, factor_.fresh()));
+        check(PCSetOperators(factor_, new_block_, new_block_));
+        check(PCSetType(factor_, PCCHOLESKY));
+        check(PCFactorSetMatOrderingType(factor_, MATORDERINGND));
+        check(PCSetUp(factor_));
+        check(VecCreateSeq(PETSC_COMM_SELF, size, new_in_.fresh()));
+        check(VecDuplicate(new_in_, new_out_.fresh()));
+    }
+
+    void solve_new(std::vector<double>& values) {
+        if (values.empty()) return;
+        PetscScalar* in = nullptr;
+        const PetscScalar* out = nullptr;
+        check(VecGetArrayWrite(new_in_, &in));
+        std::copy(values.begin(), values.end(), in);
+        check(VecRestoreArrayWrite(new_in_, &in));
+        check(PCApply(factor_, new_in_, new_out_));
+        check(VecGetArrayRead(new_out_, &out));
+        std::copy(out, out + values.size(), values.begin());
+        check(VecRestoreArrayRead(new_out_, &out));
+    }
+
+    void apply_earlier(PC earlier, const PetscScalar* r, const std::vector<double>& push, PetscScalar* y) {
+        PetscScalar* in = nullptr;
+        const PetscScalar* out = nullptr;
+        check(VecSet(old_in_, 0));
+        check(VecGetArray(old_in_, &in));
+        for (std::size_t node = 0; node < origin_.size(); ++node)
+            if (origin_[node] >= 0)
+                for (std::size_t c = 0; c < 3; ++c)
+                    in[3 * std::size_t(origin_[node]) + c] = r[3 * node + c] - push[3 * node + c];
+        check(VecRestoreArray(old_in_, &in));
+        check(PCApply(earlier, old_in_, old_out_));
+        check(VecGetArrayRead(old_out_, &out));
+        for (std::size_t node = 0; node < origin_.size(); ++node)
+            if (origin_[node] >= 0)
+                for (std::size_t c = 0; c < 3; ++c) y[3 * node + c] = out[3 * std::size_t(origin_[node]) + c];
+        check(VecRestoreArrayRead(old_out_, &out));
+    }
+
+    const System* system_ = nullptr;
+    std::vector<std::int32_t> origin_, new_nodes_, rank_;
+    std::vector<PetscInt> starts_, columns_;
+    std::vector<double> values_;
+    Matrix new_block_;
+    Preconditioner factor_;
+    Vector new_in_, new_out_, old_in_, old_out_;
+};
+
+/// When conjugate gradients stop.
+struct Stop {
+    double target;
+    int most_iterations;
+    const RunContext* context;
+    bool is_cancelled = false;
+};
+
+PetscErrorCode look_whether_to_stop(KSP, PetscInt iteration, PetscReal norm, KSPConvergedReason* reason, void* data) {
+    Stop& stop = *static_cast<Stop*>(data);
+    *reason = KSP_CONVERGED_ITERATING;
+    if (PetscIsInfOrNanReal(norm))
+        *reason = KSP_DIVERGED_NANORINF;
+    else if (norm <= stop.target)
+        *reason = KSP_CONVERGED_ATOL;
+    else if (iteration >= stop.most_iterations)
+        *reason = KSP_DIVERGED_ITS;
+    try {
+        stop.context->check_cancelled();
+    } catch (const Cancelled&) {
+        stop.is_cancelled = true;
+        *reason = KSP_DIVERGED_ITS;
+    }
+    return PetscErrorCode(0);
+}
+
+class PetscSolver final : public LinearSolver {
+  public:
+    PetscSolver() { start_petsc(); }
+
+    void set_up(BlockMatrix matrix, std::span<const Vec3> points) override {
+        present_.matrix.reset();
+        multigrid_.reset();
+        is_carried_ = false;
+        earlier_.take(std::move(matrix));
+        name_rigid_motions(earlier_, points);
+        check(PCCreate(PETSC_COMM_SELF, multigrid_.fresh()));
+        check(PCSetOptionsPrefix(multigrid_, prefix));
+        check(PCSetType(multigrid_, PCGAMG));
+        check(PCSetOperators(multigrid_, earlier_.matrix, earlier_.matrix));
+        check(PCSetFromOptions(multigrid_));
+        check(PCSetUp(multigrid_));
+    }
+
+    void carry_over(BlockMatrix matrix, std::vector<std::int32_t> origin) override {
+        present_.take(std::move(matrix));
+        carried_.set_up(present_, std::move(origin), earlier_.size());
+        is_carried_ = true;
+    }
+
+    void use_threads(int threads) override { earlier_.threads.threads = present_.threads.threads = threads; }
+
+    double energy_norm(std::span<const double> residual) override {
+        Vector r, z;
+        fill(r, residual);
+        check(VecDuplicate(r, z.fresh()));
+        precondition(r, z);
+        PetscScalar product = 0;
+        check(VecDot(r, z, &product));
+        return std::sqrt(std::max(0.0, double(product)));
+    }
+
+    int solve(std::span<const double> residual, std::span<double> solution, double target, int most_iterations,
+              const RunContext& context) override {
+        Vector b, x;
+        fill(b, residual);
+        check(VecDuplicate(b, x.fresh()));
+        Owned<KSP, KSPDestroy> cg;
+        Preconditioner shell;
+        Stop stop{target, most_iterations, &context};
+        make_shell(shell);
+        check(KSPCreate(PETSC_COMM_SELF, cg.fresh()));
+        check(KSPSetType(cg, KSPCG));
+        check(KSPSetNormType(cg, KSP_NORM_NATURAL));
+        check(KSPSetPC(cg, shell));
+        check(KSPSetOperators(cg, system().matrix, system().matrix));
+        check(KSPSetConvergenceTest(cg, look_whether_to_stop, &stop, nullptr));
+        check(KSPSolve(cg, b, x));
+        if (stop.is_cancelled) throw Cancelled();
+        KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+        check(KSPGetConvergedReason(cg, &reason));
+        if (reason == KSP_DIVERGED_NANORINF) throw KernelError("PETSc could not solve: numbers are out of range.");
+        const PetscScalar* values = nullptr;
+        check(VecGetArrayRead(x, &values));
+        for (std::size_t i = 0; i < solution.size(); ++i) solution[i] += values[i];
+        check(VecRestoreArrayRead(x, &values));
+        PetscInt iterations = 0;
+        check(KSPGetIterationNumber(cg, &iterations));
+        return reason > 0 ? int(iterations) : -1;
+    }
+
+  private:
+    const System& system() const { return is_carried_ ? present_ : earlier_; }
+
+    void precondition(Vec in, Vec out) {
+        if (is_carried_)
+            carried_.apply(multigrid_, in, out);
+        else
+            check(PCApply(multigrid_, in, out));
+    }
+
+    void make_shell(Preconditioner& shell) {
+        check(PCCreate(PETSC_COMM_SELF, shell.fresh()));
+        check(PCSetType(shell, PCSHELL));
+        check(PCShellSetContext(shell, this));
+        check(PCShellSetApply(shell, [](PC pc, Vec in, Vec out) -> PetscErrorCode {
+            void* self = nullptr;
+            PCShellGetContext(pc, &self);
+            try {
+                static_cast<PetscSolver*>(self)->precondition(in, out);
+            } catch (const Error&) {  // C code lies between here and the caller
+                return PetscErrorCode(PETSC_ERR_LIB);
+            }
+            return PetscErrorCode(0);
+        }));
+    }
+
+    void fill(Vector& vector, std::span<const double> values) {
+        check(VecCreateSeq(PETSC_COMM_SELF, system().size(), vector.fresh()));
+        PetscScalar* to = nullptr;
+        check(VecGetArrayWrite(vector, &to));
+        std::copy(values.begin(), values.end(), to);
+        check(VecRestoreArrayWrite(vector, &to));
+    }
+
+    System earlier_, present_;  // that of the last set-up, and the one carried over to
+    Preconditioner multigrid_;
+    Carried carried_;
+    bool is_carried_ = false;
+};
+
+}  // namespace
+
+}  // namespace featuremesh
+
+extern "C" featuremesh::LinearSolver* featuremesh_make_petsc_solver() { return new featuremesh::PetscSolver; }

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "statics/solve_statics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/errors.h"
+
+namespace featuremesh {
+
+namespace {
+
+/// More new nodes than this are not factored by themselves: a new preconditioner is cheaper.
+constexpr double most_new_nodes = 0.08;
+/// A kept preconditioner may take this many times the iterations of its own matrix, and then some.
+constexpr int patience = 3, more_iterations = 10;
+
+char held_bits(const StaticsModel& model, std::size_t node) {
+    char bits = 0;
+    for (std::size_t c = 0; c < 3; ++c) bits = char(bits | (model.is_held[3 * node + c] ? 1 << c : 0));
+    return bits;
+}
+
+bool are_same(const std::vector<Material>& a, const std::vector<Material>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Material& x, const Material& y) {
+        return x.young == y.young && x.poisson == y.poisson;
+    });
+}
+
+double norm(std::span<const double> values) {
+    double sum = 0;
+    for (const double value : values) sum += value * value;
+    return std::sqrt(sum);
+}
+
+/// Forces out of balance, zero on held components.
+std::vector<double> residual_of(const StaticsModel& model, std::span<const double> displacements,
+                                const TetsOfNodes& around, RunContext& context) {
+    std::vector<double> residual = resisting_forces(model, displacements, around, context);
+    for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = model.is_held[i] ? 0 : model.loads[i] - residual[i];
+    return residual;
+}
+
+const auto by_number = [](const auto& state, Number number) { return state.number < number; };
+
+}  // namespace
+
+void check(const StaticsModel& model) {
+    const std::size_t n = 3 * model.mesh.node_count();
+    if (model.mesh.tets.empty()) throw InputError("The mesh has no elements.");
+    if (model.loads.size() != n || model.is_held.size() != n || model.given.size() != n ||
+        model.tet_materials.size() != model.mesh.tets.size())
+        throw InputError("Loads, supports and materials do not fit the mesh.");
+    for (const std::int32_t material : model.tet_materials)
+        if (material < 0 || std::size_t(material) >= model.materials.size())
+            throw InputError("A part of the mesh has no material.");
+    for (const Material& material : model.materials)
+        if (!(material.young > 0) || !(material.poisson > -1) || !(material.poisson < 0.5) ||
+            !std::isfinite(material.young) || !std::isfinite(material.density))
+            throw InputError(
+                "A material needs Young's modulus above 0 and Poisson's ratio from above -1 to below 0.5.");
+    const auto is_finite = [](double value) { return std::isfinite(value); };
+    if (!std::all_of(model.loads.begin(), model.loads.end(), is_finite) ||
+        !std::all_of(model.given.begin(), model.given.end(), is_finite))
+        throw InputError("Loads and displacements have to be finite numbers.");
+}
+
+StaticsSolution StaticsSolver::solve(const StaticsModel& model, RunContext& context) {
+    check(model);
+    if (!solver_) solver_ = make_linear_solver();
+    solver_->use_threads(context.threads);
+    const TetsOfNodes around = tets_of_nodes(model.mesh);
+    StaticsSolution solution;
+    solution.kept_preconditioner = prepare(model, around, context);
+    {
+        RunContext::Step step(context, "solve");
+        solution.displacements = model.given;
+        std::vector<double> residual = residual_of(model, solution.displacements, around, context);
+        const double to_balance = norm(residual), whole = solver_->energy_norm(residual);
+        if (whole > 0) start_from_last(model, solution);
+        for (int round = 0; whole > 0; ++round) {
+            residual = residual_of(model, solution.displacements, around, context);
+            const double left = solver_->energy_norm(residual);
+            solution.residual = norm(residual) / to_balance;
+            solution.energy_error = left / whole;
+            if (solution.energy_error <= tolerance) break;
+            const bool is_last_try = !solution.kept_preconditioner;
+            const int most = is_last_try ? most_iterations : patience * setup_.iterations + more_iterations;
+            const int done =
+                round < 4 ? solver_->solve(residual, solution.displacements, tolerance / 2 * whole, most, context) : -1;
+            solution.iterations += done < 0 ? most : done;
+            if (done >= 0) continue;
+            if (is_last_try)
+                throw KernelError(
+                    "The live solver does not converge on this mesh; solve with CalculiX, and look for "
+                    "very flat elements or materials of very different stiffness.");
+            setup_ = {};
+            solution.kept_preconditioner = prepare(model, around, context);
+        }
+    }
+    RunContext::Step step(context, "stresses");
+    const auto resisting = resisting_forces(model, solution.displacements, around, context);
+    solution.reactions.assign(resisting.size(), 0.0);
+    for (std::size_t i = 0; i < resisting.size(); ++i) {
+        if (model.is_held[i]) solution.reactions[i] = resisting[i] - model.loads[i];
+        solution.strain_energy += resisting[i] * solution.displacements[i] / 2;
+    }
+    solution.stresses = nodal_stresses(model, solution.displacements, around, context);
+    solution.discretisation_error = discretisation_error(model, solution.displacements, solution.stresses, context);
+    remember(model, solution);
+    return solution;
+}
+
+/// Gives the solver the model's matrix. Returns whether the earlier preconditioner serves it.
+bool StaticsSolver::prepare(const StaticsModel& model, const TetsOfNodes& around, RunContext& context) {
+    BlockMatrix matrix;
+    {
+        RunContext::Step step(context, "assemble");
+        matrix = assemble_stiffness(model, around, context);
+    }
+    RunContext::Step step(context, "setup");
+    std::vector<std::int32_t> origin = origins(model);
+    const auto fresh = std::count(origin.begin(), origin.end(), -1);
+    if (double(fresh) <= most_new_nodes * double(origin.size())) {
+        solver_->carry_over(std::move(matrix), std::move(origin));
+        return true;
+    }
+    solver_->set_up(std::move(matrix), model.mesh.points);
+    setup_ = {};
+    setup_.materials = model.materials;
+    for (std::size_t node = 0; node < model.mesh.node_count(); ++node)
+        setup_.nodes.push_back({model.mesh.node_numbers[node], std::int32_t(node), {}, held_bits(model, node)});
+    std::sort(setup_.nodes.begin(), setup_.nodes.end(),
+              [](const NodeState& a, const NodeState& b) { return a.number < b.number; });
+    return false;
+}
+
+/// By node that of the last set-up, -1 where it was not there or was held otherwise; all -1 when nothing can be kept.
+std::vector<std::int32_t> StaticsSolver::origins(const StaticsModel& model) const {
+    std::vector<std::int32_t> origin(model.mesh.node_count(), -1);
+    if (!are_same(setup_.materials, model.materials)) return origin;
+    for (std::size_t node = 0; node < origin.size(); ++node) {
+        const Number number = model.mesh.node_numbers[node];
+        const auto at = std::lower_bound(setup_.nodes.begin(), setup_.nodes.end(), number, by_number);
+        if (at != setup_.nodes.end() && at->number == number && at->held == held_bits(model, node))
+            origin[node] = at->node;
+    }
+    return origin;
+}
+
+void StaticsSolver::start_from_last(const StaticsModel& model, StaticsSolution& solution) const {
+    std::size_t known = 0;
+    for (std::size_t node = 0; node < model.mesh.node_count(); ++node) {
+        const Number number = model.mesh.node_numbers[node];
+        const auto at = std::lower_bound(last_.begin(), last_.end(), number, by_number);
+        if (at == last_.end() || at->number != number) continue;
+        ++known;
+        for (std::size_t c = 0; c < 3; ++c)
+            if (!model.is_held[3 * node + c]) solution.displacements[3 * node + c] = at->displacement[int(c)];
+    }
+    solution.kept_start_share = double(known) / double(model.mesh.node_count());
+}
+
+void StaticsSolver::remember(const StaticsModel& model, const StaticsSolution& solution) {
+    if (!solution.kept_preconditioner) setup_.iterations = solution.iterations;
+    last_.clear();
+    for (std::size_t node = 0; node < model.mesh.node_count(); ++node) {
+        const double* u = solution.displacements.data() + 3 * node;
+        last_.push_back({model.mesh.node_numbers[node], std::int32_t(node), {u[0], u[1], u[2]}, 0});
+    }
+    std::sort(last_.begin(), last_.end(), [](const NodeState& a, const NodeState& b) { return a.number < b.number; });
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Linear statics of one mesh after another, each solved from what the last one left.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/run_context.h"
+#include "statics/linear_solver.h"
+#include "statics/model.h"
+#include "statics/stresses.h"
+
+namespace featuremesh {
+
+struct StaticsSolution {
+    std::vector<double> displacements;  ///< (n,3) mm
+    std::vector<Stress> stresses;       ///< by node, MPa
+    std::vector<double> reactions;      ///< (n,3) N, on held components; 0 elsewhere
+    double strain_energy = 0;           ///< N mm
+    int iterations = 0;
+    /// Of the forces out of balance where nothing is held over those that the displacements were to balance; from the
+    /// elements, without the matrix that was solved.
+    double residual = 0;
+    double energy_error = 0;          ///< estimate of the energy norm of the solution's error, relative
+    double discretisation_error = 0;  ///< estimate of what the mesh is off, of the energy norm (see stresses.h)
+    bool kept_preconditioner = false;
+    double kept_start_share = 0;  ///< of the nodes that started from their last displacement
+};
+
+/// Keeps what the next solution can start from: the preconditioner, and the displacements by node number.
+class StaticsSolver {
+  public:
+    static constexpr double tolerance = 1e-7;  ///< of the energy norm
+    static constexpr int most_iterations = 500;
+
+    /// Throws InputError for a model that cannot be solved and KernelError where the solver does not converge.
+    /// Steps: "assemble", "setup", "solve", "stresses". What is kept changes the time, never more of the answer than
+    /// the tolerance.
+    StaticsSolution solve(const StaticsModel& model, RunContext& context);
+
+    /// Forgets what was kept.
+    void forget() { *this = StaticsSolver(); }
+
+  private:
+    struct NodeState {
+        Number number = -1;
+        std::int32_t node = -1;
+        Vec3 displacement;
+        char held = 0;  ///< a bit per component
+    };
+    struct Setup {
+        std::vector<NodeState> nodes;  ///< by ascending number
+        std::vector<Material> materials;
+        int iterations = 20;  ///< of the first solution with it; until one is found a guess
+    };
+
+    std::vector<std::int32_t> origins(const StaticsModel& model) const;
+    bool prepare(const StaticsModel& model, const TetsOfNodes& around, RunContext& context);
+    void start_from_last(const StaticsModel& model, StaticsSolution& solution) const;
+    void remember(const StaticsModel& model, const StaticsSolution& solution);
+
+    std::unique_ptr<LinearSolver> solver_;
+    Setup setup_;                  ///< where the preconditioner is from
+    std::vector<NodeState> last_;  ///< the last solution, by ascending number
+};
+
+}  // namespace featuremesh

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "statics/stiffness.h"
+
+#include <algorithm>
+#include <span>
+
+#include "statics/elements.h"
+
+namespace featuremesh {
+
+namespace {
+
+constexpr std::size_t grain = 1024;
+
+template <class Visit>
+void for_each_node(const Mesh& mesh, std::size_t tet, Visit visit) {
+    for (const NodeId node : mesh.tets[tet]) visit(node);
+    if (mesh.order == 2)
+        for (const NodeId node : mesh.tet_mids[tet]) visit(node);
+}
+
+void gather_neighbours(const Mesh& mesh, const TetsOfNodes& around, std::size_t node,
+                       std::vector<std::int32_t>& found) {
+    const std::size_t first = found.size();
+    for (auto t = around.starts[node]; t < around.starts[node + 1]; ++t)
+        for_each_node(mesh, std::size_t(around.tets[std::size_t(t)]),
+                      [&](NodeId other) { found.push_back(other.value); });
+    if (found.size() == first) found.push_back(std::int32_t(node));  // no tet has it; its row is still there
+    const auto begin = found.begin() + std::ptrdiff_t(first);
+    std::sort(begin, found.end());
+    found.erase(std::unique(begin, found.end()), found.end());
+}
+
+BlockMatrix pattern_of(const Mesh& mesh, const TetsOfNodes& around, RunContext& context) {
+    const std::size_t n = mesh.node_count();
+    BlockMatrix matrix;
+    matrix.starts.assign(n + 1, 0);
+    std::vector<std::vector<std::int32_t>> of_chunk(n / grain + 1);
+    parallel_for(context, n, grain, [&](std::size_t begin, std::size_t end) {
+        auto& found = of_chunk[begin / grain];
+        for (std::size_t node = begin; node < end; ++node) {
+            const std::size_t before = found.size();
+            gather_neighbours(mesh, around, node, found);
+            matrix.starts[node + 1] = std::int64_t(found.size() - before);
+        }
+    });
+    for (std::size_t node = 0; node < n; ++node) matrix.starts[node + 1] += matrix.starts[node];
+    matrix.neighbours.reserve(std::size_t(matrix.starts[n]));
+    for (auto& found : of_chunk) {
+        matrix.neighbours.insert(matrix.neighbours.end(), found.begin(), found.end());
+        std::vector<std::int32_t>().swap(found);
+    }
+    return matrix;
+}
+
+/// One node's three rows of the matrix while they are summed.
+class Rows {
+  public:
+    Rows(BlockMatrix& matrix, std::size_t node)
+        : neighbours_(matrix.neighbours.data() + matrix.starts[node],
+                      std::size_t(matrix.starts[node + 1] - matrix.starts[node])),
+          values_(matrix.values.data() + 9 * matrix.starts[node]) {}
+
+    /// Adds the block of the row's shape function and another one's at one point: the part of div(stress) that
+    /// depends on it. `first` and `shear` are Lame's constants times the point's volume.
+    void add(NodeId other, const Vec3& ga, const Vec3& gb, double first, double shear) {
+        const auto at = std::lower_bound(neighbours_.begin(), neighbours_.end(), other.value) - neighbours_.begin();
+        const double along = shear * dot(ga, gb);
+        for (int r = 0; r < 3; ++r) {
+            double* row = this->row(r) + 3 * at;
+            for (int c = 0; c < 3; ++c) row[c] += first * ga[r] * gb[c] + shear * ga[c] * gb[r];
+            row[r] += along;
+        }
+    }
+
+    void hold(std::size_t node, const std::vector<char>& is_held) {
+        for (int r = 0; r < 3; ++r)
+            for (std::size_t k = 0; k < neighbours_.size(); ++k)
+                for (int c = 0; c < 3; ++c) {
+                    const auto other = std::size_t(neighbours_[k]);
+                    const bool is_diagonal = other == node && r == c;
+                    if (!is_diagonal && (is_held[3 * node + std::size_t(r)] || is_held[3 * other + std::size_t(c)]))
+                        row(r)[3 * k + std::size_t(c)] = 0;
+                }
+    }
+
+  private:
+    double* row(int r) { return values_ + std::size_t(r) * 3 * neighbours_.size(); }
+
+    std::span<const std::int32_t> neighbours_;
+    double* values_;
+};
+
+void fill_rows(const StaticsModel& model, const TetsOfNodes& around, std::size_t node, BlockMatrix& matrix) {
+    Rows rows(matrix, node);
+    for (auto t = around.starts[node]; t < around.starts[node + 1]; ++t) {
+        const auto tet = std::size_t(around.tets[std::size_t(t)]);
+        const Element element = element_at(model.mesh, tet);
+        const Material& material = model.material(tet);
+        const auto own =
+            std::size_t(std::find(element.nodes.begin(), element.nodes.end(), NodeId(node)) - element.nodes.begin());
+        for (int p = 0; p < element.point_count; ++p) {
+            const IntegrationPoint& point = element.points[std::size_t(p)];
+            const double first = material.lame_first() * point.volume, shear = material.shear_modulus() * point.volume;
+            for (std::size_t b = 0; b < std::size_t(element.node_count); ++b)
+                rows.add(element.nodes[b], point.gradients[own], point.gradients[b], first, shear);
+        }
+    }
+    rows.hold(node, model.is_held);
+}
+
+}  // namespace
+
+TetsOfNodes tets_of_nodes(const Mesh& mesh) {
+    TetsOfNodes around;
+    around.starts.assign(mesh.node_count() + 1, 0);
+    for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet)
+        for_each_node(mesh, tet, [&](NodeId node) { ++around.starts[node.index() + 1]; });
+    for (std::size_t node = 0; node < mesh.node_count(); ++node) around.starts[node + 1] += around.starts[node];
+    around.tets.resize(std::size_t(around.starts.back()));
+    std::vector<std::int64_t> next(around.starts.begin(), around.starts.end() - 1);
+    for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet)
+        for_each_node(mesh, tet,
+                      [&](NodeId node) { around.tets[std::size_t(next[node.index()]++)] = std::int32_t(tet); });
+    return around;
+}
+
+BlockMatrix assemble_stiffness(const StaticsModel& model, const TetsOfNodes& around, RunContext& context) {
+    BlockMatrix matrix = pattern_of(model.mesh, around, context);
+    matrix.values.assign(9 * matrix.neighbours.size(), 0.0);
+    parallel_for(context, model.mesh.node_count(), grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t node = begin; node < end; ++node) fill_rows(model, around, node, matrix);
+    });
+    return matrix;
+}
+
+}  // namespace featuremesh

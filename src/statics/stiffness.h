@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stiffness matrix of a model, in blocks of three by three.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/run_context.h"
+#include "statics/model.h"
+
+namespace featuremesh {
+
+/// Which tets have a node, by node: `tets[starts[i]]` to `tets[starts[i + 1]]`, ascending; mid-side nodes count.
+struct TetsOfNodes {
+    std::vector<std::int64_t> starts;
+    std::vector<std::int32_t> tets;
+};
+TetsOfNodes tets_of_nodes(const Mesh& mesh);
+
+/// A sparse symmetric matrix of 3 x 3 blocks. The neighbours of node i, itself included, are `neighbours[starts[i]]` to
+/// `neighbours[starts[i + 1]]`, ascending. Its values begin at `values[9 * starts[i]]`: three rows, one after the
+/// other, each with three values per neighbour.
+struct BlockMatrix {
+    std::vector<std::int64_t> starts;
+    std::vector<std::int32_t> neighbours;
+    std::vector<double> values;
+
+    std::size_t node_count() const { return starts.empty() ? 0 : starts.size() - 1; }
+};
+
+/// The stiffness matrix; rows and columns of held components are zero but for their diagonal value. The same bytes for
+/// any number of threads: each row is summed by itself, over its tets in ascending order.
+BlockMatrix assemble_stiffness(const StaticsModel& model, const TetsOfNodes& around, RunContext& context);
+
+}  // namespace featuremesh

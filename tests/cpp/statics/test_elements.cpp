@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstring>
+
+#include "catch.h"
+#include "held_box.h"
+#include "statics/bodies.h"
+#include "statics/elements.h"
+#include "statics/stiffness.h"
+#include "statics/stresses.h"
+
+using namespace featuremesh;
+
+namespace {
+
+std::vector<double> field(const Mesh& mesh, const std::function<Vec3(const Vec3&)>& displacement) {
+    std::vector<double> values;
+    for (const Vec3& p : mesh.points) {
+        const Vec3 u = displacement(p);
+        values.insert(values.end(), {u.x, u.y, u.z});
+    }
+    return values;
+}
+
+std::vector<double> times(const BlockMatrix& matrix, const std::vector<double>& x) {
+    std::vector<double> y(x.size(), 0.0);
+    for (std::size_t node = 0; node < matrix.node_count(); ++node) {
+        const auto begin = std::size_t(matrix.starts[node]), end = std::size_t(matrix.starts[node + 1]);
+        for (std::size_t r = 0; r < 3; ++r)
+            for (std::size_t k = 0; k < 3 * (end - begin); ++k)
+                y[3 * node + r] += matrix.values[9 * begin + r * 3 * (end - begin) + k] *
+                                   x[3 * std::size_t(matrix.neighbours[begin + k / 3]) + k % 3];
+    }
+    return y;
+}
+
+}  // namespace
+
+TEST_CASE("shape functions sum to one and their gradients to nothing") {
+    for (const int order : {1, 2}) {
+        const Mesh mesh = solved_box(2, order);
+        double volume = 0;
+        for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet) {
+            const Element element = element_at(mesh, tet);
+            for (int p = 0; p < element.point_count; ++p) {
+                const auto values = shape_values(element.node_count, p);
+                Vec3 gradients;
+                double sum = 0;
+                for (std::size_t i = 0; i < std::size_t(element.node_count); ++i)
+                    sum += values[i], gradients += element.points[std::size_t(p)].gradients[i];
+                CHECK(sum == Approx(1));
+                CHECK(length(gradients) < 1e-12);
+                volume += element.points[std::size_t(p)].volume;
+            }
+        }
+        CHECK(volume == Approx(1));
+    }
+}
+
+TEST_CASE("rigid motions give neither stress nor forces") {
+    const Vec3 turn{0.3, -0.2, 0.5};
+    for (const int order : {1, 2}) {
+        const Mesh mesh = solved_box(3, order);
+        const StaticsModel model = free_model(mesh);
+        const TetsOfNodes around = tets_of_nodes(mesh);
+        RunContext context;
+        const auto moved = field(mesh, [&](const Vec3& p) { return Vec3{0.1, 0.2, -0.4} + cross(turn, p); });
+        for (const Stress& stress : nodal_stresses(model, moved, around, context))
+            CHECK(von_mises(stress) < 1e-9 * steel.young);
+        CHECK(largest(resisting_forces(model, moved, around, context)) < 1e-10 * steel.young);
+        CHECK(largest(times(assemble_stiffness(model, around, context), moved)) < 1e-10 * steel.young);
+    }
+}
+
+TEST_CASE("the matrix does what the elements do, and is symmetric") {
+    for (const int order : {1, 2}) {
+        const Mesh mesh = solved_box(3, order);
+        const StaticsModel model = free_model(mesh);
+        const TetsOfNodes around = tets_of_nodes(mesh);
+        RunContext context;
+        const auto u = field(mesh, [](const Vec3& p) { return Vec3{p.x * p.y, std::sin(3 * p.z), p.x - p.y * p.y}; });
+        const auto v = field(mesh, [](const Vec3& p) { return Vec3{p.z, p.x * p.x, std::cos(2 * p.y)}; });
+        const BlockMatrix matrix = assemble_stiffness(model, around, context);
+        const auto by_matrix = times(matrix, u), by_elements = resisting_forces(model, u, around, context);
+        for (std::size_t i = 0; i < u.size(); ++i)
+            CHECK(std::abs(by_matrix[i] - by_elements[i]) < 1e-10 * largest(by_elements));
+        const auto other = times(matrix, v);
+        double vKu = 0, uKv = 0;
+        for (std::size_t i = 0; i < u.size(); ++i) vKu += v[i] * by_matrix[i], uKv += u[i] * other[i];
+        CHECK(vKu == Approx(uKv));
+    }
+}
+
+TEST_CASE("the matrix has the same bytes for any number of threads") {
+    for (const int order : {1, 2}) {
+        const Mesh mesh = solved_box(14, order);
+        StaticsModel model = free_model(mesh);
+        hold(model, [](const Vec3& p) { return p.x == 0; });
+        const TetsOfNodes around = tets_of_nodes(mesh);
+        RunContext one;
+        const BlockMatrix expected = assemble_stiffness(model, around, one);
+        for (const int threads : {2, 4}) {
+            RunContext context;
+            context.threads = threads;
+            const BlockMatrix matrix = assemble_stiffness(model, around, context);
+            CHECK(matrix.neighbours == expected.neighbours);
+            REQUIRE(matrix.values.size() == expected.values.size());
+            CHECK(std::memcmp(matrix.values.data(), expected.values.data(), 8 * matrix.values.size()) == 0);
+        }
+    }
+}
+
+TEST_CASE("boxes that touch along an edge only are two bodies") {
+    Mesh mesh = box_mesh(1);
+    const std::size_t tets = mesh.tets.size(), nodes = mesh.points.size();
+    CHECK(bodies_of_tets(mesh) == std::vector<std::int32_t>(tets, 0));
+    // The second box is the first one beyond its edge x = y = 1.
+    std::vector<NodeId> twin;
+    for (std::size_t i = 0; i < nodes; ++i) {
+        const Vec3 p = mesh.points[i];
+        NodeId same;
+        for (std::size_t k = 0; k < nodes; ++k)
+            if (mesh.points[k] == p + Vec3{1, 1, 0}) same = NodeId(k);
+        twin.push_back(same.is_valid() ? same : mesh.add_node(p + Vec3{1, 1, 0}, {3, 1}));
+    }
+    for (std::size_t t = 0; t < tets; ++t) {
+        auto tet = mesh.tets[t];
+        for (NodeId& node : tet) node = twin[node.index()];
+        mesh.add_tet(tet, SolidId(1));
+    }
+    std::vector<std::int32_t> expected(tets, 0);
+    expected.resize(2 * tets, 1);
+    CHECK(bodies_of_tets(mesh) == expected);
+}

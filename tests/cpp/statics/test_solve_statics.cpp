@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstring>
+
+#include "catch.h"
+#include "held_box.h"
+#include "statics/loads.h"
+#include "statics/solve_statics.h"
+
+using namespace featuremesh;
+
+namespace {
+
+/// Tests that solve end here where the build has no PETSc; that it then says so is a test by itself.
+#define NEEDS_SOLVER() \
+    if (!has_linear_solver()) return
+
+bool is_on_boundary(const Vec3& p) { return p.x == 0 || p.x == 1 || p.y == 0 || p.y == 1 || p.z == 0 || p.z == 1; }
+
+StaticsSolution solved(const StaticsModel& model, int threads = 1) {
+    RunContext context;
+    context.threads = threads;
+    return StaticsSolver().solve(model, context);
+}
+
+/// A bar along x, held at x = 0 and pulled down at its far end.
+StaticsModel cantilever(const Mesh& mesh, double length, double force, double poisson = 0) {
+    StaticsModel model = free_model(mesh, {210000, poisson, 0});
+    hold(model, [](const Vec3& p) { return p.x == 0; });
+    const auto shares = area_shares(mesh, triangles_of(mesh, 1));
+    double area = 0;
+    for (const double share : shares) area += share;
+    for (std::size_t i = 0; i < shares.size(); ++i) model.loads[3 * i + 2] = -force * shares[i] / area;
+    CHECK(length > 0);
+    return model;
+}
+
+double deepest(const StaticsSolution& solution) {
+    double most = 0;
+    for (std::size_t i = 2; i < solution.displacements.size(); i += 3)
+        most = std::max(most, -solution.displacements[i]);
+    return most;
+}
+
+}  // namespace
+
+TEST_CASE("without PETSc the message names the package") {
+    if (has_linear_solver()) return;
+    const Mesh mesh = solved_box(1, 1);
+    REQUIRE_THROWS_AS(solved(free_model(mesh)), InputError);
+}
+
+TEST_CASE("patch test: a linear displacement of the boundary gives the same stress everywhere") {
+    NEEDS_SOLVER();
+    const auto linear = [](const Vec3& p) {
+        return Vec3{1e-3 * p.x + 2e-4 * p.y, -3e-4 * p.y + 1e-4 * p.z, 5e-4 * p.z + 4e-4 * p.x};
+    };
+    const double shear = steel.shear_modulus(), mean = steel.lame_first() * (1e-3 - 3e-4 + 5e-4);
+    const Stress expected{mean + 2 * shear * 1e-3,
+                          mean - 2 * shear * 3e-4,
+                          mean + 2 * shear * 5e-4,
+                          shear * 2e-4,
+                          shear * 1e-4,
+                          shear * 4e-4};
+    for (const int order : {1, 2}) {
+        const Mesh mesh = solved_box(4, order);
+        StaticsModel model = free_model(mesh);
+        hold(model, is_on_boundary, linear);
+        const StaticsSolution solution = solved(model);
+        for (std::size_t i = 0; i < mesh.node_count(); ++i) {
+            const double* u = solution.displacements.data() + 3 * i;
+            CHECK(distance({u[0], u[1], u[2]}, linear(mesh.points[i])) < 1e-9);
+            for (std::size_t k = 0; k < 6; ++k) CHECK(std::abs(solution.stresses[i][k] - expected[k]) < 1e-3);
+        }
+    }
+}
+
+TEST_CASE("a bar in tension: stress, reactions and strain energy are those of the textbook") {
+    NEEDS_SOLVER();
+    for (const int order : {1, 2}) {
+        const Mesh mesh = solved_box(3, order, {100, 10, 10});
+        StaticsModel model = free_model(mesh, {210000, 0.3, 0});
+        for (std::size_t i = 0; i < mesh.node_count(); ++i)  // held so that it may grow thinner
+            for (int c = 0; c < 3; ++c) model.is_held[3 * i + std::size_t(c)] = mesh.points[i][c] == 0;
+        add_pressure(mesh, triangles_of(mesh, 1), -50, model.loads);
+        const StaticsSolution solution = solved(model);
+        for (const Stress& stress : solution.stresses) {
+            CHECK(stress[0] == Approx(50).epsilon(1e-6));
+            CHECK(std::abs(stress[1]) + std::abs(stress[3]) < 1e-3);
+        }
+        CHECK(distance(sum_of(solution.reactions), {-5000, 0, 0}) < 1e-3);
+        CHECK(solution.strain_energy == Approx(0.5 * 50 * 50 / 210000.0 * 10000).epsilon(1e-6));
+        CHECK(solution.energy_error <= StaticsSolver::tolerance);
+        CHECK(solution.residual < 1e-6);
+    }
+}
+
+TEST_CASE("a cantilever comes to the deflection of a beam with shear, and reactions balance its load") {
+    NEEDS_SOLVER();
+    const double length = 100, side = 10, force = 1000;
+    const double beam = force * length * length * length / (3 * 210000 * side * side * side * side / 12) +
+                        force * length / (5.0 / 6 * 105000 * side * side);
+    double error_before = 1;
+    for (const int n : {2, 4, 6}) {
+        const Mesh mesh = solved_box(n, 2, {length, side, side});
+        const StaticsSolution solution = solved(cantilever(mesh, length, force));
+        const double error = std::abs(deepest(solution) / beam - 1);
+        CHECK(error < error_before);
+        error_before = error;
+        CHECK(distance(sum_of(solution.reactions), {0, 0, force}) < 1e-6 * force);
+    }
+    CHECK(error_before < 0.01);
+}
+
+TEST_CASE("self weight stretches a hanging bar by its own formula") {
+    NEEDS_SOLVER();
+    const double density = 7.85e-9, gravity = 9806, height = 100;
+    const Mesh mesh = solved_box(4, 2, {10, 10, height});
+    StaticsModel model = free_model(mesh, {210000, 0, density});
+    hold(model, [&](const Vec3& p) { return p.z == height; });
+    add_weight(mesh, model.materials, model.tet_materials, {0, 0, -gravity}, model.loads);
+    CHECK(deepest(solved(model)) == Approx(density * gravity * height * height / (2 * 210000)).epsilon(1e-6));
+}
+
+TEST_CASE("solutions have the same bytes for any number of threads") {
+    NEEDS_SOLVER();
+    const Mesh mesh = solved_box(12, 1, {30, 10, 10});
+    const StaticsModel model = cantilever(mesh, 30, 100, 0.3);
+    const StaticsSolution expected = solved(model);
+    for (const int threads : {2, 4}) {
+        const StaticsSolution solution = solved(model, threads);
+        REQUIRE(solution.displacements.size() == expected.displacements.size());
+        CHECK(std::memcmp(solution.displacements.data(), expected.displacements.data(),
+                          8 * expected.displacements.size()) == 0);
+        CHECK(solution.stresses == expected.stresses);
+    }
+}
+
+TEST_CASE("what was kept changes the work, not the answer") {
+    NEEDS_SOLVER();
+    const Mesh mesh = solved_box(10, 1, {30, 10, 10});
+    RunContext context;
+    StaticsSolver solver;
+    const StaticsSolution first = solver.solve(cantilever(mesh, 30, 100, 0.3), context);
+    CHECK_FALSE(first.kept_preconditioner);
+
+    Mesh edited = mesh;  // some nodes of the middle are others now, at other places
+    for (std::size_t i = 0; i < edited.points.size(); ++i)
+        if (edited.entities[i].dim == 3 && distance(edited.points[i], {15, 5, 5}) < 4) {
+            edited.points[i] += Vec3{0.2, -0.1, 0.1};
+            edited.node_numbers[i] = edited.next_node_number++;
+        }
+    CHECK(edited.next_node_number > mesh.next_node_number);
+    const StaticsModel model = cantilever(edited, 30, 100, 0.3);
+    const StaticsSolution kept = solver.solve(model, context), fresh = solved(model);
+    CHECK(kept.kept_preconditioner);
+    CHECK(kept.kept_start_share > 0.8);
+    CHECK(kept.energy_error <= StaticsSolver::tolerance);
+    CHECK(kept.strain_energy == Approx(fresh.strain_energy).epsilon(1e-7));
+    for (std::size_t i = 0; i < kept.displacements.size(); ++i)
+        CHECK(std::abs(kept.displacements[i] - fresh.displacements[i]) < 1e-6 * largest(fresh.displacements));
+
+    const StaticsSolution again = solver.solve(model, context);
+    CHECK(again.iterations == 0);  // it starts from its own solution
+
+    StaticsModel softer = cantilever(edited, 30, 100, 0.3);
+    softer.materials[0].young /= 100;
+    CHECK_FALSE(solver.solve(softer, context).kept_preconditioner);
+}
+
+TEST_CASE("impossible materials and numbers are refused") {
+    const Mesh mesh = solved_box(1, 1);
+    StaticsModel model = free_model(mesh, {210000, 0.5, 0});
+    REQUIRE_THROWS_AS(check(model), InputError);
+    model.materials[0] = {-1, 0.3, 0};
+    REQUIRE_THROWS_AS(check(model), InputError);
+    model.materials[0] = steel;
+    model.loads[0] = std::nan("");
+    REQUIRE_THROWS_AS(check(model), InputError);
+}
