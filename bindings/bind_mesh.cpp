@@ -3,6 +3,7 @@
 
 #include "bindings.h"
 #include "core/errors.h"
+#include "difference/face_owners.h"
 #include "update/feature_groups.h"
 
 namespace featuremesh {
@@ -69,9 +70,10 @@ py::array_t<double> wanted_sizes(const PartMesh& part,
     return sizes;
 }
 
-py::list owners_of_faces(const PartMesh& part) {
+py::list owners_of_each_face(const PartMesh& part) {
     py::list faces;
-    for (const auto& owners : part.part.cells.owners_of_final_face) {
+    const auto found = run_released({}, 1, [&](RunContext&) { return owners_of_faces(part.part); });
+    for (const auto& owners : found) {
         std::vector<std::string> names;
         for (const Owner& owner : owners) {
             const std::string& name = part.part.tree[owner.feature].name;
@@ -201,7 +203,7 @@ void define_mesh(py::module_& module) {
             "(k,3) mm: inner nodes that survived the update as start positions only.")
         .def("wanted_sizes", &wanted_sizes, py::arg("points"),
              "(n,) mm: the edge length that the mesh was to have at each of the points, (n,3) mm.")
-        .def("owners_of_faces", &owners_of_faces, "By face of the final shape: names of the features that own it.")
+        .def("owners_of_faces", &owners_of_each_face, "By face of the final shape: names of the features that own it.")
         .def("owners_of_tets", &tets_of_each_feature,
              "(feature name, numbers of the tets that have their middle in one of its volumes).");
 }

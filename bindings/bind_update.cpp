@@ -52,7 +52,7 @@ Asked asked_from(const py::dict& options) {
         for (const auto& [name, size] : options["local"].cast<std::vector<std::pair<std::string, double>>>())
             sizing.local.push_back({entity_from_name(name), size});
     if (asked.options.order != 1 && asked.options.order != 2)
-        throw InputError("The element order is 1 (4-node tets) or 2 (10-node tets).");
+        throw InputError("The element order is 1 (4-node tetrahedra) or 2 (10-node tetrahedra).");
     if (asked.threads < 1) throw InputError("The number of threads is at least 1.");
     return asked;
 }
@@ -140,6 +140,11 @@ py::dict to_dict(const Report& report) {
     out["surface"] = py::dict(py::arg("new_nodes") = report.surface.new_nodes,
                               py::arg("new_triangles") = report.surface.new_triangles,
                               py::arg("min_angle") = report.surface.min_angle_deg);
+    py::list rounds;
+    for (const Round& round : report.rounds)
+        rounds.append(py::dict(py::arg("reason") = round.reason, py::arg("place") = round.place,
+                               py::arg("change") = round.change, py::arg("refusal") = round.refusal));
+    out["rounds"] = rounds;
     out["fallback"] = joined(report.fallbacks);
     out["warnings"] = report.warnings;
     return out;

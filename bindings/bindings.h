@@ -15,6 +15,7 @@ namespace featuremesh {
 
 namespace py = pybind11;
 
+void define_about(py::module_& module);
 void define_errors(py::module_& module);
 void define_features(py::module_& module);
 void define_difference(py::module_& module);

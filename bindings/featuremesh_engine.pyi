@@ -11,6 +11,8 @@
         shape, own_volume: int              index into the shapes (both already in the final shape's frame), -1 for none
         suppressed: bool
         error: str                          FreeCAD's message when the feature is in error, else ""
+        elements: list of (id, 9 or 12 floats)  of a sketch, if given: three points of each line and curve, the second in its middle, and the
+                                            centre of a circle or arc, in the sketch's own frame; the id stays as long as the document is open
     shapes: bytes                           `Part.Compound([...]).exportBinary` of all shapes, an empty compound for a null shape
 
 `options` is a dict with at least size (mm); further min_size, elements_per_circle, elements_across_gap, growth, order (1, 2), threads,
@@ -18,8 +20,14 @@ target_dihedral_deg, keep_margin (in edge lengths; 0 is as the sizes need), loca
 
 `progress(step: str, share: float) -> bool`: return False to cancel (raises Cancelled).
 """
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Optional, overload
 import numpy as np
+
+__version__: str
+protocol: int   # of this interface; an addon says which numbers it can speak
+
+def about() -> dict[str, Any]:
+    """version, protocol, and the versions of the engine's libraries: occt, cgal, tbb."""
 
 class Error(RuntimeError): ...
 class InputError(Error): ...      # the user's fault
@@ -66,8 +74,28 @@ def read_tree(raw: dict) -> dict[str, Any]:
 def seconds_to_interpret(raw: dict, before: dict | None = None) -> float: """From a document's records to its feature tree, from nothing or after the state `before`."""
 def compare(old: dict, new: dict, resolution: float = 0.0, fuse: bool = True) -> dict[str, Any]:
     """The feature difference: {"features": [{"name", "label", "verdict", "motion", "old_volume", "new_volume", "old_faces", "new_faces", "detail"}],
-    "faces": [{"verdict", "old_face", "new_face", "old_area", "new_area", "inner"}],
+    "faces": [{"verdict", "old_face", "new_face", "old_area", "new_area", "inner", "new_faces" (all that overlap the old one)}],
     "edges": [{"verdict", "old_edge", "new_edge", "old_length", "new_length", "inner"}], "notes", "changed_boundary": (k,3,3) array}; areas, mm^2, of faces that changed"""
+@overload
+def followed_faces(old: PartMesh, old_raw: dict, new: PartMesh, new_raw: dict) -> list[dict[str, Any]]: ...
+@overload
+def followed_faces(old_raw: dict, new_raw: dict) -> list[dict[str, Any]]:
+    """For every face of the old final shape {"old_face", "new_faces" (several where it was split, none where it is gone or cannot be told),
+    "by": "origin" (what made it), "place", "neighbours" or ""}."""
+def trace_sub_elements(raw: dict, object: str) -> dict[str, list[str]]:
+    """By name of every face, edge and vertex of an object that the part is made of: the names of what lies there on the final shape."""
 def estimate_tets(raw: dict, options: dict) -> float: ...
+def statics_missing() -> str: """Why linear statics cannot be solved here (PETSc is not there); empty when it can."""
+def statics_weight(arrays: dict, materials: np.ndarray, tet_materials: np.ndarray, gravity: list[float]) -> np.ndarray:
+    """(n,3) N. `materials` are rows of Young's modulus (MPa), Poisson's ratio, density (t/mm^3), `gravity` in mm/s^2."""
+def statics_pressure(arrays: dict, triangles: np.ndarray, pressure: float) -> np.ndarray: """(n,3) N: a pressure (MPa) against those triangles."""
+def statics_area_shares(arrays: dict, triangles: np.ndarray) -> np.ndarray: """(n,) mm^2: each node's part where a force is spread over the triangles."""
+def statics_length_shares(arrays: dict, segments: np.ndarray) -> np.ndarray: """(n,) mm, likewise over segments."""
+def statics_bodies(arrays: dict) -> np.ndarray: """(m,) by tet the body that it belongs to; tets of a body hang together by their sides."""
+def solve_statics(arrays: dict, model: dict, keep: str = "", threads: int = 1, progress: Progress = None) -> dict[str, Any]:
+    """Linear statics. `model`: materials (k,3), tet_materials (m,), loads (n,3) N, held (n,3) bool, given (n,3) mm. The answer: displacements (n,3) mm,
+    stresses (n,6) MPa (xx, yy, zz, xy, yz, zx), von_mises (n,), reactions (n,3) N, strain_energy (N mm), iterations, residual, energy_error,
+    discretisation_error (an estimate, of the energy norm), kept_preconditioner, kept_start_share, seconds by step. What is kept under the name `keep` makes the next solution of that name faster."""
+def forget_statics(keep: str) -> None: ...
 def write_activity_of_crash_to(descriptor: int) -> None:
     """From now on a crash of the process first writes what its thread was working on ("surface, Face12") to the file descriptor."""

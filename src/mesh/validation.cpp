@@ -23,7 +23,7 @@ std::string describe(const Mesh& mesh, NodeId n) {
     return "node " + std::to_string(mesh.node_numbers[n.index()]) + " at " + in_words(mesh.point(n));
 }
 std::string tet_name(const Mesh& mesh, std::size_t t) {
-    return "tet " + std::to_string(mesh.tet_numbers[t]) + " with " + describe(mesh, mesh.tets[t][0]);
+    return "element " + std::to_string(mesh.tet_numbers[t]) + " with " + describe(mesh, mesh.tets[t][0]);
 }
 std::string triangle_name(const Mesh& mesh, std::size_t t) {
     return "triangle " + std::to_string(mesh.triangle_numbers[t]) + " on Face" +
@@ -166,7 +166,7 @@ void check_volumes(const std::vector<double>& volumes, const Expectation& expect
         const double wanted = expected.solid_volumes[s];
         if (std::abs(volumes[s] - wanted) > expected.volume_tolerance * std::abs(wanted))
             findings.add("volume is wrong", solid_name(SolidId(s)) + " has " + std::to_string(volumes[s]) +
-                                                " mm^3 of tets, not " + std::to_string(wanted));
+                                                " mm^3 of elements, not " + std::to_string(wanted));
     }
 }
 
@@ -178,7 +178,7 @@ void check_tets(const Mesh& mesh, const Expectation& expected, RunContext& conte
         for (std::size_t t = begin; t < end; ++t) {
             double six_volume = 0;
             if (is_flat(mesh, mesh.tets[t], six_volume))
-                parts[begin / grain].add("tet without positive volume", tet_name(mesh, t));
+                parts[begin / grain].add("element without positive volume", tet_name(mesh, t));
             if (solids > 0)
                 by_chunk[begin / grain * solids + mesh.tet_solids[t].index()] += volume_of(mesh, t, six_volume / 6);
         }
@@ -225,7 +225,7 @@ void check_unproven_tets(const Mesh& mesh, const Expectation& expected, std::spa
         double six_volume = 0;
         for (const TetId t : near.subspan(begin, end - begin))
             if (is_flat(mesh, mesh.tets[t.index()], six_volume))
-                parts[begin / grain].add("tet without positive volume", tet_name(mesh, t.index()));
+                parts[begin / grain].add("element without positive volume", tet_name(mesh, t.index()));
     });
     for (const Findings& part : parts) findings.add(part);
     if (expected.solid_volumes.empty() || expected.face_sides.empty()) return;
@@ -259,18 +259,18 @@ void check_triangle(const Mesh& mesh, const Expectation& expected, std::span<con
     const auto first_triangle =
         std::find_if(uses.begin(), uses.end(), [](const TriangleUse& use) { return !use.is_tet(); });
     const std::span<const TriangleUse> tets(uses.begin(), first_triangle), triangles(first_triangle, uses.end());
-    if (tets.size() > 2) findings.add("triangle shared by more than two tets", tet_name(mesh, tets[0].element()));
+    if (tets.size() > 2) findings.add("triangle shared by more than two elements", tet_name(mesh, tets[0].element()));
     if (tets.size() == 2 && tets[0].is_forward() == tets[1].is_forward())
-        findings.add("two tets on the same side of a triangle",
+        findings.add("two elements on the same side of a triangle",
                      tet_name(mesh, tets[0].element()) + " and " + tet_name(mesh, tets[1].element()));
     if (triangles.size() > 1) findings.add("the same triangle twice", triangle_name(mesh, triangles[0].element()));
     if (triangles.empty()) {
         if (tets.size() == 1)
-            findings.add("boundary of the tets without a triangle", tet_name(mesh, tets[0].element()));
+            findings.add("boundary of the elements without a triangle", tet_name(mesh, tets[0].element()));
         else if (mesh.tet_solids[tets[0].element()] != mesh.tet_solids[tets[1].element()])
             findings.add("border of two solids without a triangle", tet_name(mesh, tets[0].element()));
     } else if (tets.empty()) {
-        findings.add("triangle without a tet", triangle_name(mesh, triangles[0].element()));
+        findings.add("triangle without an element", triangle_name(mesh, triangles[0].element()));
     } else if (!expected.face_sides.empty() && tets.size() <= 2) {
         check_sides(mesh, expected, tets, triangles[0], findings);
     }
@@ -384,7 +384,7 @@ void check_jacobians(const Mesh& mesh, std::span<const TetId> near, RunContext& 
             const auto coefficients = jacobian_coefficients(nodes);
             if (*std::min_element(coefficients.begin(), coefficients.end()) > 0) continue;
             if (!(min_scaled_jacobian(nodes) > 0))
-                parts[begin / grain].add("10-node tet with a non-positive Jacobian", tet_name(mesh, t.index()));
+                parts[begin / grain].add("10-node tetrahedron with a non-positive Jacobian", tet_name(mesh, t.index()));
         }
     });
     for (const Findings& part : parts) findings.add(part);

@@ -17,7 +17,7 @@ std::vector<std::string> lost_sizes(const Brep& brep, const SizingOptions& optio
         if (is_there) continue;
         const std::string line =
             "The local size at " + name_of(local.entity) +
-            " is left out: the part has no such entity any more. Refer the refinement to another one.";
+            " is left out: the part has no such face, edge or vertex any more. Refer the refinement to another one.";
         if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
     }
     return lines;

@@ -6,7 +6,7 @@
 namespace featuremesh {
 namespace {
 
-constexpr std::size_t most_tets = 2700;
+constexpr std::size_t most_tets = 900;
 constexpr int sides[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
 }  // namespace

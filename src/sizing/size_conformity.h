@@ -17,7 +17,7 @@ struct SizeConformity {
     std::array<std::int64_t, 20> histogram{};  ///< ratios in bins of 0.1; the last one has all from 1.9
 };
 
-/// The sides of at most about 2700 tets, taken evenly from the mesh's order; an edge counts once for each of these tets
+/// The sides of at most about 900 tets, taken evenly from the mesh's order; an edge counts once for each of these tets
 /// it is a side of.
 SizeConformity measure_size_conformity(const Mesh& mesh, const SizingField& sizing);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <queue>
 #include <string>
 #include <tuple>
 
@@ -86,7 +87,7 @@ namespace {
 /// of the field's business.
 constexpr double scatter_of_edge_lengths = 1.4;
 /// Tets per cube of the edge length, as the volume step makes them (measured on parts with 5 000 to 350 000 tets).
-constexpr double tets_per_cube = 7.1;
+constexpr double tets_per_cube = 7.1, most_tets_per_cube = 10;
 
 constexpr double least_extent = 1e-3;  // mm: ten thousand times the kernel's own tolerance
 
@@ -183,6 +184,13 @@ struct Cell {
     double extra;
 };
 
+Box octant_of(const Box& box, int octant) {
+    const Vec3 half = box.size() * 0.5;
+    const Vec3 low{box.low.x + (octant & 1 ? half.x : 0), box.low.y + (octant & 2 ? half.y : 0),
+                   box.low.z + (octant & 4 ? half.z : 0)};
+    return {low, low + half};
+}
+
 /// Halves cells until the field hardly changes within one; cells at the global size have nothing extra.
 void collect_cells(const SizingField& sizing, double slope, const Box& box, int depth, std::vector<Cell>& cells,
                    RoundWatch& watch) {
@@ -190,12 +198,8 @@ void collect_cells(const SizingField& sizing, double slope, const Box& box, int 
     const Vec3 center = box.center();
     const double h = sizing.at(center), reach = slope * 0.5 * box.diagonal(), size = sizing.largest();
     if (depth < 9 && reach > 0.3 * h && h - reach < size) {
-        const Vec3 half = box.size() * 0.5;
-        for (int octant = 0; octant < 8; ++octant) {
-            const Vec3 low{box.low.x + (octant & 1 ? half.x : 0), box.low.y + (octant & 2 ? half.y : 0),
-                           box.low.z + (octant & 4 ? half.z : 0)};
-            collect_cells(sizing, slope, {low, low + half}, depth + 1, cells, watch);
-        }
+        for (int octant = 0; octant < 8; ++octant)
+            collect_cells(sizing, slope, octant_of(box, octant), depth + 1, cells, watch);
         return;
     }
     const Vec3 s = box.size();
@@ -230,7 +234,39 @@ double share_inside(const Brep& brep, const std::vector<Cell>& cells, double tot
     return drawn > 0 ? double(inside) / drawn : 1.0;
 }
 
+/// A box of space with no more tets than `most_tets` in it.
+struct Bounded {
+    Box box;
+    double most_tets;
+    bool operator<(const Bounded& other) const { return most_tets < other.most_tets; }
+};
+
+Bounded bounded(const Box& box, const SizingField& sizing) {
+    const double reach = (sizing.growth() - 1) * 0.5 * box.diagonal();
+    const double h = std::max(sizing.smallest(), sizing.at(box.center()) - reach);
+    const Vec3 s = box.size();
+    return {box, most_tets_per_cube * s.x * s.y * s.z / (h * h * h)};
+}
+
 }  // namespace
+
+bool may_ask_for_more_tets(const Brep& brep, const SizingField& sizing, double most) {
+    constexpr int most_looks = 4096;
+    std::priority_queue<Bounded> boxes;  // the worst is halved in all directions
+    boxes.push(bounded(brep.box(), sizing));
+    double sum = boxes.top().most_tets;
+    for (int looks = 0; sum > most && looks < most_looks; looks += 8) {
+        const Bounded worst = boxes.top();
+        boxes.pop();
+        sum -= worst.most_tets;
+        for (int octant = 0; octant < 8; ++octant) {
+            const Bounded part = bounded(octant_of(worst.box, octant), sizing);
+            sum += part.most_tets;
+            boxes.push(part);
+        }
+    }
+    return sum > most;
+}
 
 double estimate_tets(const Brep& brep, const SizingField& sizing, const RunContext& context) {
     const double size = sizing.largest();

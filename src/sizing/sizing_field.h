@@ -68,6 +68,8 @@ SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::spa
 /// with it is another one.
 SizeSource shorter_than_asked(const SizingField& field, SizeSource source);
 
+/// False where the field asks for at most `most` tets in all of the part's box, which few looks at it mostly tell.
+bool may_ask_for_more_tets(const Brep& brep, const SizingField& sizing, double most);
 /// About how many tets the field asks for in the part (used to refuse more than 50 million, and by the task panel).
 double estimate_tets(const Brep& brep, const SizingField& sizing, const RunContext& context = {});
 

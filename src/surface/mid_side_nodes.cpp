@@ -241,7 +241,7 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
         }
         if (!is_split && best) return result_of(std::move(*best), counts);
         if (!is_split) return failed;
-        context.log(std::to_string(trouble.size()) + " tets are refined near " + place +
+        context.log(std::to_string(trouble.size()) + " elements are refined near " + place +
                     " so that their curved sides do not fold them.");
     }
 }
@@ -250,8 +250,8 @@ Mesh curve_to_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunCon
     SecondOrder result = try_second_order(brep, std::move(mesh), kept, context);
     if (!result.is_valid())
         throw MeshError(
-            std::to_string(result.shorter.size()) + " 10-node tets would be folded near " + result.place +
-            ": the face bends too much within one element. Ask for a smaller size there, or for 4-node tets.");
+            std::to_string(result.shorter.size()) + " 10-node tetrahedra would be folded near " + result.place +
+            ": the face bends too much within one element. Ask for a smaller size there, or for 4-node tetrahedra.");
     return std::move(result.mesh);
 }
 

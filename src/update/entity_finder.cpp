@@ -44,7 +44,7 @@ EntityFinder::EntityFinder(const Brep& brep, double tolerance)
       edge_boxes_(brep.edge_count()),
       face_boxes_(brep.face_count()) {
     for (std::size_t f = 0; f < brep.face_count(); ++f)
-        if (is_used(brep, FaceId(f))) face_boxes_[f] = box_of(brep.face(FaceId(f))).grown(tolerance);
+        if (is_used(brep, FaceId(f))) face_boxes_[f] = brep.box_of(FaceId(f)).grown(tolerance);
     for (std::size_t e = 0; e < brep.edge_count(); ++e)
         if (!brep.is_degenerated(EdgeId(e)) && !faces_at(brep, entity_of(EdgeId(e))).empty())
             edge_boxes_[e] = box_of(brep.edge(EdgeId(e))).grown(tolerance);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "update/fill_part.h"
 
+#include <Standard_Failure.hxx>
+#include <new>
 #include <optional>
 #include <set>
 #include <utility>
@@ -9,11 +11,19 @@
 #include "mesh/tets_at_nodes.h"
 #include "surface/mid_side_nodes.h"
 #include "surface/turned_triangles.h"
-#include "update/too_coarse.h"
 
 namespace featuremesh {
 
 namespace {
+
+/// What came of one filling: a mesh, or why there is none. A mesh, too, may ask for other lengths, to get better.
+struct Attempt {
+    std::optional<Filled> filled;
+    double smallest_jacobian = 1;  ///< scaled, of 10-node tetrahedra
+    std::string refusal;
+    SizeRequest request;
+    bool has_narrow_faces = false;  ///< whose edges may be divided in another way
+};
 
 /// Marks the nodes around which something is new or gone; none when nothing was kept. The tets at them are those at the
 /// rim and the new ones, as long as none at the rim was released.
@@ -32,20 +42,25 @@ void mark_unproven(const Mesh& mesh, Kept kept, std::size_t first_new_tet,
     for (std::size_t t = first_new_tet; t < mesh.tets.size(); ++t) expected.unproven_tets.emplace_back(t);
 }
 
+/// Asks for other lengths where that may help; says what is wrong where the mesh is not valid.
 void validate(const Mesh& mesh, const Brep& brep, Kept kept, std::size_t first_new_tet,
-              const std::vector<std::array<NodeId, 4>>& released, RunContext& context) {
+              const std::vector<std::array<NodeId, 4>>& released, Attempt& attempt, RunContext& context) {
     RunContext::Step step(context, "validate");
     Expectation expected = expectation_of(brep);
     mark_unproven(mesh, std::move(kept), first_new_tet, released, expected);
     const std::vector<std::string> broken = broken_invariants(mesh, expected, context);
     if (broken.size() == 1)
         if (const std::vector<SolidId> off = solids_off_volume(mesh, brep, expected.volume_tolerance); !off.empty())
-            throw off_volume(mesh, brep, off.front(), broken.front());
-    if (!broken.empty())
-        throw MeshError("The mesh is not valid: " + broken.front() +
-                        (broken.size() > 1 ? " (and " + std::to_string(broken.size() - 1) + " more)" : "") + ".");
+            attempt.request = for_volume_of(mesh, brep, off.front());
+    if (!broken.empty()) {
+        attempt.refusal = "The mesh is not valid: " + broken.front() +
+                          (broken.size() > 1 ? " (and " + std::to_string(broken.size() - 1) + " more)" : "") + ".";
+        return;
+    }
     const std::vector<TriangleId> turned = turned_triangles(brep, mesh, expected.is_unproven, context);
-    if (!turned.empty()) throw turned_over(mesh, turned);
+    if (turned.empty()) return;
+    attempt.request = for_turned_triangles(mesh, turned);
+    attempt.refusal = turned_over(mesh, turned);
 }
 
 /// Nodes of new triangles belong to it, too.
@@ -62,85 +77,238 @@ void widen_rim(const Mesh& mesh, std::size_t kept_triangles, Kept& kept) {
     if (is_wider) kept.rim_tets = tets_at_nodes(mesh, kept.is_rim);
 }
 
-/// `second.shorter` tells where 10-node tets need shorter edges; without a valid mesh the result is empty.
-Filled fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult surface, Kept kept,
-                   const MeshOptions& options, SecondOrder& second, RunContext& context) {
+/// Where 10-node tetrahedra stay folded there is no mesh, and shorter edges are asked for there.
+void fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult surface, Kept kept,
+                 const MeshOptions& options, Attempt& attempt, RunContext& context) {
     const std::size_t kept_tets = surface.mesh.tets.size();
     if (!kept.is_rim.empty()) widen_rim(surface.mesh, surface.kept.triangles, kept);
     VolumeOptions volume_options = options.volume;
     volume_options.is_for_curved_tets = options.order == 2;
     volume_options.splits_wall_tets |= options.sizing.elements_across_gap >= elements_that_bend;
-    VolumeResult volume = fill_solids(brep, sizing, std::move(surface.mesh), kept.active, volume_options, context,
-                                      {kept.is_rim, kept.rim_tets, surface.kept.nodes});
+    auto tried = try_fill_solids(brep, sizing, std::move(surface.mesh), kept.active, volume_options, context,
+                                 {kept.is_rim, kept.rim_tets, surface.kept.nodes});
+    if (auto* obstacle = std::get_if<Obstacle>(&tried)) {
+        attempt.refusal = std::move(obstacle->message);
+        attempt.request = {SizeReason::boundary, std::move(obstacle->place), std::move(obstacle->shorter)};
+        return;
+    }
+    VolumeResult volume = std::get<VolumeResult>(std::move(tried));
     Mesh mesh = std::move(volume.mesh);
     if (options.order == 2) {
-        second = try_second_order(brep, std::move(mesh), kept.curved.get(), context);
-        if (!second.is_valid()) return {};
+        SecondOrder second = try_second_order(brep, std::move(mesh), kept.curved.get(), context);
+        attempt.smallest_jacobian = second.smallest;
+        attempt.request = {SizeReason::folded, std::move(second.place), std::move(second.shorter)};
+        if (!second.is_valid()) {
+            attempt.refusal = std::to_string(attempt.request.lengths.size()) +
+                              " 10-node tetrahedra would be folded near " + attempt.request.place +
+                              ": the face bends too much within one element. Ask for a smaller size there, or for "
+                              "4-node tetrahedra.";
+            return;
+        }
         mesh = std::move(second.mesh);
     }
-    validate(mesh, brep, std::move(kept), kept_tets - volume.released.size(), volume.released_nodes, context);
-    return {std::move(mesh),         std::move(surface.report),    std::move(volume.report), std::move(volume.released),
-            std::move(volume.moved), std::move(volume.used_active)};
+    validate(mesh, brep, std::move(kept), kept_tets - volume.released.size(), volume.released_nodes, attempt, context);
+    if (!attempt.refusal.empty()) return;
+    attempt.filled = Filled{.mesh = std::move(mesh),
+                            .surface = std::move(surface.report),
+                            .volume = std::move(volume.report),
+                            .released = std::move(volume.released),
+                            .moved = std::move(volume.moved),
+                            .used_active = std::move(volume.used_active)};
 }
 
-/// Where tets cannot be made to meet a narrow face whose edges have their nodes opposite one another, other chains may
-/// do.
-Filled fill_once(const Brep& brep, const SizingField& sizing, Kept kept, const MeshOptions& options,
-                 SecondOrder& second, RunContext& context) {
-    context.check_cancelled();
-    SurfaceOptions surface_options{.known = kept.merged.get()};
-    SurfaceResult surface = fill_surface(brep, sizing, std::move(kept.mesh), context, surface_options);
-    for (const NarrowFaces next : {NarrowFaces::shorter, NarrowFaces::own_chains}) {
-        if (!surface.report.has_opposite_nodes) break;
-        try {
-            return fill_volume(brep, sizing, surface, kept, options, second, context);
-        } catch (const MeshError&) {
-            context.check_cancelled();
-        }
-        surface_options.narrow = next;
-        surface = fill_surface(brep, sizing, taken_back(std::move(surface)), context, surface_options);
+/// The only place where what stages throw becomes a value: each says what, where and what to try.
+template <class Function>
+void note_refusal(Attempt& attempt, Function work) {
+    const std::string advice = ". Try another size, or check the shape (Part: Check geometry).";
+    const auto first_line = [](const char* text) { return std::string(text).substr(0, std::string(text).find('\n')); };
+    try {
+        work();
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const InputError&) {
+        throw;
+    } catch (const Error& failure) {
+        attempt.refusal = failure.what();
+    } catch (const Standard_Failure& failure) {
+        attempt.refusal =
+            "The geometry kernel failed while meshing: " + first_line(failure.GetMessageString()) + advice;
+    } catch (const std::bad_alloc&) {
+        throw MeshError("There is not enough memory for this mesh. Choose a larger size.");
+    } catch (const std::exception& failure) {
+        attempt.refusal = "The part could not be filled: " + first_line(failure.what()) + advice;
     }
-    return fill_volume(brep, sizing, std::move(surface), std::move(kept), options, second, context);
 }
 
-/// A whole mesh that is too coarse to follow the part is made again with shorter edges there. What an update keeps is
-/// not worth a copy for that: it keeps less, and in the end nothing.
-Filled fill_following(const Brep& brep, SizingField sizing, std::vector<SizeSource> shorter, Kept kept,
-                      const MeshOptions& options, SecondOrder& second, RunContext& context) {
-    constexpr int attempts = 4;
-    std::set<std::string> places;
-    for (int attempt = 1; kept.mesh.points.empty(); ++attempt) {
-        try {
-            Filled filled = fill_once(brep, sizing, kept, options, second, context);
-            for (const std::string& place : places)
-                filled.surface.warnings.push_back("The mesh is finer than asked at " + place +
-                                                  ", because elements of that size cannot follow the part there.");
-            return filled;
-        } catch (const TooCoarse& coarse) {
-            context.check_cancelled();
-            if (attempt == attempts) throw;
-            for (const SizeSource& source : coarse.shorter) shorter.push_back(shorter_than_asked(sizing, source));
-            places.insert(coarse.place);
-            sizing = make_sizing(brep, options.sizing, shorter, context);
+/// Fills again with other lengths as long as that may help.
+class SizeLoop {
+  public:
+    SizeLoop(const Brep& brep, const SizingField& sizing, Kept kept, MeshOptions options,
+             std::span<const SizeSource> sources, std::vector<Round>& rounds, RunContext& context)
+        : brep_(brep),
+          plain_(sizing),
+          field_(sizing),
+          kept_(std::move(kept)),
+          options_(std::move(options)),
+          sources_(sources.begin(), sources.end()),
+          rounds_(rounds),
+          context_(context) {
+        options_.volume.smallest_asked = sizing.smallest();
+    }
+
+    std::variant<Filled, std::string> run() {
+        for (;;) {
+            Attempt attempt = try_once();
+            if (attempt.filled) offer(attempt);
+            if (is_good_enough(attempt) || !may_go_on() || !change_something(attempt)) return outcome(attempt);
         }
     }
-    return fill_once(brep, sizing, std::move(kept), options, second, context);
-}
 
-/// The better of the fillings whose 10-node tets are valid.
-struct BestFilling {
-    std::optional<Filled> filled;
-    double smallest = 0;  ///< scaled Jacobian
+  private:
+    bool may_go_on() const {
+        const std::size_t own = rounds_.size() - first_round_;
+        return !is_spent_ && rounds_.size() < most_rounds && (!keeps_ || own < most_rounds_that_keep);
+    }
 
-    void offer(Filled&& next, double its_smallest, const std::set<std::string>& places) {
-        if (filled && its_smallest <= smallest) return;
-        filled = std::move(next);
-        smallest = its_smallest;
-        for (const std::string& place : places)
-            filled->surface.warnings.push_back(
+    Attempt try_once() {
+        context_.check_cancelled();
+        Attempt attempt;
+        note_refusal(attempt, [&] {
+            // what an update keeps is not worth a copy where nothing will be filled again
+            const bool may_be_last = is_spent_ = keeps_ && options_.order == 1;
+            SurfaceResult surface = fill_surface(brep_, field_, may_be_last ? std::move(kept_.mesh) : kept_.mesh,
+                                                 context_, {.known = kept_.merged.get(), .narrow = narrow_});
+            attempt.has_narrow_faces = surface.report.has_opposite_nodes;
+            is_spent_ = may_be_last && !may_divide_otherwise(attempt);
+            if (may_be_last && !is_spent_) kept_.mesh = taken_back(surface);
+            fill_volume(brep_, field_, std::move(surface), is_spent_ ? std::move(kept_) : kept_, options_, attempt,
+                        context_);
+        });
+        return attempt;
+    }
+
+    /// Of the fillings whose 10-node tetrahedra are valid the better one counts.
+    void offer(Attempt& attempt) {
+        ++valid_;
+        if (best_ && attempt.smallest_jacobian <= best_jacobian_) return;
+        best_ = std::move(attempt.filled);
+        best_jacobian_ = attempt.smallest_jacobian;
+        for (const std::string& place : places_)
+            best_->surface.warnings.push_back("The mesh is finer than asked at " + place +
+                                              ", because elements of that size cannot follow the part there.");
+        for (const std::string& place : folded_places_)
+            best_->surface.warnings.push_back(
                 "The mesh is finer than asked at " + place +
-                ", because 10-node tets of that size would be folded, or nearly so, by the curved face.");
+                ", because 10-node tetrahedra of that size would be folded, or nearly so, by the curved face.");
+        if (!why_plain_.empty()) best_->surface.warnings.push_back(in_words_of_plain_size(why_plain_));
     }
+
+    bool is_good_enough(const Attempt& attempt) const {
+        constexpr int most_valid = 3;
+        return best_ && (valid_ == most_valid || (attempt.refusal.empty() && attempt.request.is_empty()));
+    }
+
+    /// What to do about it, the first that can be done; false when nothing is left.
+    bool change_something(const Attempt& attempt) {
+        const bool is_refused = !attempt.refusal.empty();
+        return (is_refused && divide_narrow_faces_otherwise(attempt)) || ask_for_shorter(attempt) ||
+               (is_refused && !best_ && (change_last_lengths(attempt) || leave_narrow_faces_coarse(attempt)));
+    }
+
+    void note(const Attempt& attempt, std::string reason, const std::string& place, std::string change) {
+        rounds_.push_back({std::move(reason), place, std::move(change), attempt.refusal});
+    }
+
+    /// Where tets cannot be made to meet a narrow face whose edges have their nodes opposite one another, other chains
+    /// may do.
+    bool may_divide_otherwise(const Attempt& attempt) const {
+        return attempt.has_narrow_faces && narrow_ != NarrowFaces::own_chains;
+    }
+    bool divide_narrow_faces_otherwise(const Attempt& attempt) {
+        if (!may_divide_otherwise(attempt)) return false;
+        const bool were_long = narrow_ == NarrowFaces::opposite_nodes;
+        narrow_ = were_long ? NarrowFaces::shorter : NarrowFaces::own_chains;
+        note(attempt, "narrow faces", {}, were_long ? "half the length along them" : "edges divided each by itself");
+        return true;
+    }
+
+    /// A mesh that is too coarse is made again with shorter edges there. What an update keeps is not worth that where
+    /// the whole could not follow the part: it keeps less, and in the end nothing.
+    bool ask_for_shorter(const Attempt& attempt) {
+        const SizeRequest& request = attempt.request;
+        const bool is_folded = request.reason == SizeReason::folded;
+        if (request.is_empty() || (keeps_ && !is_folded)) return false;
+        first_of_last_ = shorter_.size();
+        for (const SizeSource& source : request.lengths) shorter_.push_back(shorter_than_asked(field_, source));
+        (is_folded ? folded_places_ : places_).insert(request.place);
+        // what is best for straight tets may leave curved ones no room
+        if (is_folded) options_.volume.moves_surface_nodes = !best_;
+        note(attempt,
+             is_folded                                ? "folded"
+             : request.reason == SizeReason::boundary ? "boundary"
+                                                      : "cannot follow",
+             request.place, "shorter edges there");
+        make_field();
+        return true;
+    }
+
+    /// With the lengths of the last round it failed in another way.
+    bool change_last_lengths(const Attempt& attempt) {
+        if (shorter_.empty() || folded_places_.empty()) return false;
+        const double factor = ++failures_ % 2 == 1 ? 1.5 : 0.4;  // milder first, then stronger
+        for (std::size_t i = first_of_last_; i < shorter_.size(); ++i) shorter_[i].size *= factor;
+        note(attempt, "folded", *folded_places_.rbegin(),
+             factor > 1 ? "less short edges there" : "still shorter edges there");
+        make_field();
+        return true;
+    }
+
+    /// What cannot be meshed with shorter pieces along narrow faces is meshed without them.
+    bool leave_narrow_faces_coarse(const Attempt& attempt) {
+        if (keeps_ || !options_.sizing.refines_narrow_faces) return false;
+        options_.sizing.refines_narrow_faces = false;
+        const SizingField coarse = make_sizing(brep_, options_.sizing, sources_, context_);
+        if (where_different(coarse, plain_).empty()) return false;
+        plain_ = coarse;
+        shorter_.clear(), places_.clear(), folded_places_.clear();
+        narrow_ = NarrowFaces::opposite_nodes;
+        why_plain_ = attempt.refusal;
+        note(attempt, "narrow faces", {}, "the plain size along them");
+        field_ = plain_;
+        options_.volume.smallest_asked = plain_.smallest();
+        return true;
+    }
+
+    void make_field() {
+        std::vector<SizeSource> all = sources_;
+        all.insert(all.end(), shorter_.begin(), shorter_.end());
+        field_ = make_sizing(brep_, options_.sizing, all, context_);
+    }
+
+    std::variant<Filled, std::string> outcome(const Attempt& attempt) {
+        if (!best_) return attempt.refusal;
+        best_->sizing = plain_;
+        best_->refines_narrow_faces = options_.sizing.refines_narrow_faces;
+        return std::move(*best_);
+    }
+
+    const Brep& brep_;
+    SizingField plain_, field_;  ///< as asked, and with what was asked for since
+    Kept kept_;
+    const bool keeps_ = !kept_.mesh.points.empty();
+    bool is_spent_ = false;  ///< what is kept went into the last filling
+    MeshOptions options_;
+    std::vector<SizeSource> sources_, shorter_;
+    std::vector<Round>& rounds_;
+    RunContext& context_;
+    const std::size_t first_round_ = rounds_.size();
+    NarrowFaces narrow_ = NarrowFaces::opposite_nodes;
+    std::set<std::string> places_, folded_places_;
+    std::string why_plain_;
+    std::size_t first_of_last_ = 0;
+    int failures_ = 0, valid_ = 0;
+    std::optional<Filled> best_;
+    double best_jacobian_ = 0;
 };
 
 }  // namespace
@@ -154,6 +322,10 @@ Expectation expectation_of(const Brep& brep) {
     return expected;
 }
 
+std::string in_words_of_plain_size(const std::string& why) {
+    return "Faces far narrower than the size are meshed at the plain size, since shorter edges failed: " + why;
+}
+
 Kept nothing_kept(NextNumbers next) {
     Kept nothing;
     nothing.mesh.next_node_number = next.node;
@@ -161,46 +333,10 @@ Kept nothing_kept(NextNumbers next) {
     return nothing;
 }
 
-/// Where 10-node tets would be folded whatever is done to them, everything that is not kept is filled again with
-/// shorter edges there; when that fails in turn, with other lengths. Twice at most where they are valid, but miss the
-/// aim: the best filling counts.
-Filled fill_part(const Brep& brep, const SizingField& sizing, Kept kept, MeshOptions options, RunContext& context) {
-    constexpr int attempts = 6, most_valid = 3;
-    SecondOrder second;
-    options.volume.smallest_asked = sizing.smallest();
-    if (options.order == 1) return fill_following(brep, sizing, {}, std::move(kept), options, second, context);
-    std::vector<SizeSource> shorter;
-    std::size_t first_of_last = 0;
-    int failures = 0, valid = 0;
-    std::set<std::string> places;
-    SizingField field = sizing;
-    BestFilling best;
-    for (int attempt = 1;; ++attempt) {
-        try {
-            Filled filled = fill_following(brep, field, shorter, kept, options, second, context);
-            if (!filled.mesh.tets.empty()) ++valid, best.offer(std::move(filled), second.smallest, places);
-            if (best.filled && (valid == most_valid || second.shorter.empty() || attempt == attempts))
-                return std::move(*best.filled);
-            first_of_last = shorter.size();
-            for (const SizeSource& source : second.shorter) shorter.push_back(shorter_than_asked(field, source));
-            places.insert(second.place);
-            // what is best for straight tets may leave curved ones no room
-            options.volume.moves_surface_nodes = !best.filled;
-        } catch (const MeshError&) {
-            context.check_cancelled();
-            if (attempt == 1) throw;
-            if (best.filled) return std::move(*best.filled);
-            const double factor = ++failures % 2 == 1 ? 1.5 : 0.4;  // milder first, then stronger
-            for (std::size_t i = first_of_last; i < shorter.size(); ++i) shorter[i].size *= factor;
-        }
-        if (attempt == attempts)
-            throw MeshError(
-                "10-node tets would be folded near " + *places.begin() + ", with shorter edges there, too, in " +
-                std::to_string(attempts - 1) +
-                " attempts: the face bends too much within one element. Ask for a smaller size there, or for "
-                "4-node tets.");
-        field = make_sizing(brep, options.sizing, shorter, context);
-    }
+std::variant<Filled, std::string> fill_part(const Brep& brep, const SizingField& sizing, Kept kept,
+                                            const MeshOptions& options, std::span<const SizeSource> sources,
+                                            std::vector<Round>& rounds, RunContext& context) {
+    return SizeLoop(brep, sizing, std::move(kept), options, sources, rounds, context).run();
 }
 
 }  // namespace featuremesh

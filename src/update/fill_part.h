@@ -2,6 +2,10 @@
 // The one operation of full meshes and updates alike: fills whatever of a part is not meshed yet.
 #pragma once
 
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "core/run_context.h"
@@ -12,6 +16,7 @@
 #include "surface/fill_surface.h"
 #include "update/keep.h"
 #include "update/options.h"
+#include "update/size_request.h"
 #include "volume/fill_solids.h"
 
 namespace featuremesh {
@@ -28,13 +33,21 @@ struct Filled {
     std::vector<TetId> released;
     std::vector<NodeId> moved;
     std::vector<Vec3> used_active;
+    std::optional<SizingField> sizing = {};  ///< as asked; what the mesher itself made shorter is not in it
+    bool refines_narrow_faces = false;       ///< the sizing does
 };
+
+/// The warning where narrow faces are not refined.
+std::string in_words_of_plain_size(const std::string& why);
 
 /// What to fill a full mesh from.
 Kept nothing_kept(NextNumbers next);
 
-/// Surface, volume, mid-side nodes and validation of all that is not kept. Where elements cannot follow the part, or
-/// 10-node tets would be folded, with shorter edges there. Throws MeshError when no valid mesh can be made.
-Filled fill_part(const Brep& brep, const SizingField& sizing, Kept kept, MeshOptions options, RunContext& context);
+/// Surface, volume, mid-side nodes and validation of all that is not kept. Whatever finds that a place needs other
+/// lengths asks for them, and all is filled again with these, as often as `rounds` leaves room for; each is noted
+/// there. `sources` are the field's own. The refusal of the last where no valid mesh can be made.
+std::variant<Filled, std::string> fill_part(const Brep& brep, const SizingField& sizing, Kept kept,
+                                            const MeshOptions& options, std::span<const SizeSource> sources,
+                                            std::vector<Round>& rounds, RunContext& context);
 
 }  // namespace featuremesh

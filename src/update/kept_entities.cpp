@@ -19,7 +19,6 @@ KeptEntities::KeptEntities(const CarriedNodes& nodes)
       entities_(in_.old_mesh.entities),
       parameters_(in_.old_mesh.parameters),
       is_untouched_(in_.old_brep.face_count(), 0),
-      face_boxes_(in_.new_brep.face_count()),
       edge_ranges_(in_.new_brep.edge_count()) {
     for (const FaceChange& change : in_.difference.faces)
         if (change.verdict == BoundaryVerdict::kept) is_untouched_[change.old_face.index()] = 1;
@@ -98,10 +97,8 @@ bool KeptEntities::place_on_faces(Place& place, std::size_t old_face, const Vec3
     return std::any_of(near.begin(), near.end(), [&](FaceId face) { return place_on_face(place, face, p, is_clear); });
 }
 
-bool KeptEntities::may_hold(FaceId face, const Vec3& p) {
-    Box& box = face_boxes_[face.index()];
-    if (box.is_empty()) box = box_of(in_.new_brep.face(face)).grown(tolerance());
-    return box.contains(p);
+bool KeptEntities::may_hold(FaceId face, const Vec3& p) const {
+    return in_.new_brep.box_of(face).grown(tolerance()).contains(p);
 }
 
 bool KeptEntities::place_on_face(Place& place, FaceId face, const Vec3& p, bool is_untouched) const {
@@ -138,6 +135,11 @@ FaceId KeptEntities::face_of(std::size_t triangle) const {
     for (const FaceId face : candidates)
         if (projector_.is_inside_trim(face, projector_.nearest(face, middle).uv)) return face;
     return FaceId();
+}
+
+bool KeptEntities::has_node_inside(std::size_t triangle, FaceId face) const {
+    const auto& nodes = in_.old_mesh.triangles[triangle];
+    return std::any_of(nodes.begin(), nodes.end(), [&](NodeId n) { return entities_[n.index()] == entity_of(face); });
 }
 
 bool KeptEntities::is_flipped(std::size_t triangle, FaceId face) const {

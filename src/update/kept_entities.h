@@ -28,6 +28,8 @@ class KeptEntities {
 
     /// The piece of its face that an old triangle is on; none.
     FaceId face_of(std::size_t triangle) const;
+    /// The triangle has a node inside the face.
+    bool has_node_inside(std::size_t triangle, FaceId face) const;
     /// The triangle's normal is against that of the new face.
     bool is_flipped(std::size_t triangle, FaceId face) const;
     /// The piece of its edge that an old segment is on, as both its nodes are; none.
@@ -54,7 +56,7 @@ class KeptEntities {
     bool place_on_face(Place& place, FaceId face, const Vec3& p, bool is_untouched) const;
     bool is_untouched(const Place& place, std::size_t old_face, const Vec3& p) const;
     bool is_far_from_changes(const Place& place, const Vec3& p) const;
-    bool may_hold(FaceId face, const Vec3& p);
+    bool may_hold(FaceId face, const Vec3& p) const;
     bool is_at(EdgeId edge, NodeId node) const;
     double tolerance() const { return 5 * in_.new_brep.tolerances().on_entity(); }
 
@@ -65,8 +67,7 @@ class KeptEntities {
     std::vector<Entity> entities_;  // by old node, likewise:
     std::vector<std::array<double, 2>> parameters_;
     std::vector<char> is_untouched_;      // by old face: kept in place with all its edges
-    std::vector<Box> face_boxes_;         // by new face, empty until asked for
-    std::vector<EdgeRange> edge_ranges_;  // by new edge, likewise
+    std::vector<EdgeRange> edge_ranges_;  // by new edge, empty until asked for
 };
 
 }  // namespace featuremesh

@@ -133,6 +133,17 @@ class Assembler {
         return true;
     }
 
+    // Where a node lies inside the face its parameters are known; elsewhere they would be searched for in all of it.
+    std::size_t best_told(std::size_t first, FaceId face, const std::vector<std::int32_t>& new_index) const {
+        const Mesh& old = in_.old_mesh;
+        const std::size_t r = nodes_.motion_of(old.triangles[first][0]);
+        for (std::size_t t = first; t < old.triangles.size() && old.triangle_faces[t] == old.triangle_faces[first]; ++t)
+            if (survives(old.triangles[t], new_index) && nodes_.motion_of(old.triangles[t][0]) == r &&
+                entities_.has_node_inside(t, face))
+                return t;
+        return first;
+    }
+
     void take_triangles(Kept& kept, const std::vector<std::int32_t>& new_index) const {
         const Mesh& old = in_.old_mesh;
         const std::vector<char> backed = backed_by_kept_tets(new_index);
@@ -151,7 +162,7 @@ class Assembler {
                 flip->first != std::tuple{r, old_face, face}) {  // most triangles are on the face of the one before
                 bool is_new = false;
                 std::tie(flip, is_new) = flipped.try_emplace({r, old_face, face}, false);
-                if (is_new) flip->second = entities_.is_flipped(t, face);
+                if (is_new) flip->second = entities_.is_flipped(best_told(t, face, new_index), face);
             }
             std::array<NodeId, 3> triangle;
             for (int k = 0; k < 3; ++k) triangle[k] = NodeId(new_index[nodes[k].index()]);

@@ -37,13 +37,8 @@ struct PartMeshResult {
 /// The feature tree, the final shape and the cells of a document. What features did as in `known`, the tree of another
 /// state, is not looked into again. Throws InputError when there is no solid.
 PartState read_part(const RawDocument& document, RunContext& context, const FeatureTree* known = nullptr);
-/// The same where a mesh is waited for, which does not need cells. Where the state before an edit is given they are a
-/// summary if they can be (see cells_after_edit). When `seconds` of the processor are not enough there are none, owners
-/// of faces are found by points, and that is reported as a fallback.
-PartState read_part_to_mesh(const RawDocument& document, RunContext& context, const PartState* before = nullptr,
-                            double seconds = 5);
-/// Without cells from the start.
-PartState read_part_unfused(const RawDocument& document, RunContext& context, const FeatureTree* known = nullptr);
+/// The same without cells, which a mesh does not need (see cells_without_fuse). `before`: the state before an edit.
+PartState read_part_to_mesh(const RawDocument& document, RunContext& context, const PartState* before = nullptr);
 
 /// Meshes the part from scratch, with numbers from `next` on.
 PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context, NextNumbers next = {});

@@ -10,6 +10,7 @@
 #include "mesh/quality.h"
 #include "sizing/size_conformity.h"
 #include "surface/fill_surface.h"
+#include "update/size_request.h"
 #include "volume/fill_solids.h"
 
 namespace featuremesh {
@@ -24,8 +25,8 @@ struct Report {
     std::size_t nodes = 0, tets = 0;
     int order = 1;
     double size = 0;                        ///< mm
-    std::map<std::string, double> seconds;  ///< read, cells, difference, keep, surface, volume, optimise, validate,
-                                            ///< measure (quality, after engine_total), engine_total
+    std::map<std::string, double> seconds;  ///< read, difference, keep, surface, volume, optimise, validate, measure
+                                            ///< (quality), engine_total: all that was waited for
     double peak_memory_mb = 0;
     QualityReport quality;
     SizeConformity lengths;
@@ -35,6 +36,7 @@ struct Report {
     FeatureDifference difference;
     SurfaceReport surface;
     VolumeReport volume;
+    std::vector<Round> rounds;           ///< fillings that were repeated, and why; empty is the normal case
     std::vector<std::string> fallbacks;  ///< what could not be kept or done, and why; empty is the normal case
     std::vector<std::string> warnings;
 };

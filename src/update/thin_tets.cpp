@@ -80,12 +80,12 @@ std::vector<std::string> warnings_of_thin_tets(const Mesh& mesh, const QualityRe
     const ForcingDetails details(mesh);
     if (details.tet_count() > 0)
         lines.push_back("Details of the part far smaller than the elements force an angle below 2 degrees on " +
-                        std::to_string(details.tet_count()) + " tets: " + details.listed() +
+                        std::to_string(details.tet_count()) + " elements: " + details.listed() +
                         ". Results there are poor. Take them out of the features that make them (points of a sketch "
                         "that nearly coincide, a step as "
                         "shallow), or mesh finer there.");
     if (!details.force(quality.worst))
-        lines.push_back("The smallest angle of a tet is " + in_words(quality.min_dihedral, 2) + " degrees, " +
+        lines.push_back("The smallest angle of an element is " + in_words(quality.min_dihedral, 2) + " degrees, " +
                         place_of(mesh, quality.worst) +
                         ": results there are poor. Take details out that are much smaller than the edge length, or "
                         "mesh finer there.");

@@ -76,30 +76,30 @@ TEST_CASE("a good mesh breaks no invariant, for any number of threads") {
 
 TEST_CASE("tets: volume, overlap, gaps") {
     CHECK(has(messages_after([](Mesh& m, Expectation&) { std::swap(m.tets[3][0], m.tets[3][1]); }),
-              "tet without positive volume: tet "));
+              "element without positive volume: element "));
     CHECK(has(messages_after([](Mesh& m, Expectation&) { std::swap(m.tets[3][0], m.tets[3][1]); }),
-              "two tets on the same side"));
+              "two elements on the same side"));
     CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_tet(m.tets[5], SolidId(0)); }),
-              "triangle shared by more than two tets"));
+              "triangle shared by more than two elements"));
     CHECK(has(messages_after([](Mesh& m, Expectation&) { remove_tet(m, 7); }),
-              "boundary of the tets without a triangle"));
+              "boundary of the elements without a triangle"));
     CHECK(has(messages_after([](Mesh&, Expectation& e) { e.solid_volumes = {1.1}; }), "volume is wrong: Solid1"));
     // moving the inner node onto the boundary makes tets flat
     CHECK(has(messages_after([](Mesh& m, Expectation&) {
                   m.points[13] = {0.5, 0.5, 0};
               }),
-              "tet without positive volume"));
+              "element without positive volume"));
 }
 
 TEST_CASE("triangles: missing, twice, loose, on the wrong side") {
     CHECK(has(messages_after([](Mesh& m, Expectation&) { remove_triangle(m, 2); }),
-              "boundary of the tets without a triangle"));
+              "boundary of the elements without a triangle"));
     CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_triangle(m.triangles[2], FaceId(0)); }),
               "the same triangle twice"));
     CHECK(has(messages_after([](Mesh& m, Expectation&) {
                   m.add_triangle({NodeId(0), NodeId(1), NodeId(26)}, FaceId(0));
               }),
-              "triangle without a tet"));
+              "triangle without an element"));
     const auto flipped = messages_after([](Mesh& m, Expectation&) { std::swap(m.triangles[4][0], m.triangles[4][1]); });
     CHECK(has(flipped, "wrong solid at a triangle"));
     CHECK(has(flipped, "Face"));
@@ -160,7 +160,7 @@ TEST_CASE("10-node tets: shared mid-side nodes and positive Jacobians") {
                       m.points[m.tet_mids[0][0].index()] += {0.4, 0.3, -0.3};
                   },
                   2),
-              "non-positive Jacobian: tet "));
+              "non-positive Jacobian: element "));
     CHECK(messages_after(
               [](Mesh& m, Expectation&) {
                   m.points[m.tet_mids[0][0].index()] += {0.02, 0.01, -0.01};

@@ -40,6 +40,6 @@ TEST_CASE("a mesh half as coarse as wanted obeys nowhere") {
 TEST_CASE("no more tets than its limit are looked at") {
     std::int64_t count = 0;
     for (const std::int64_t n : conformity_of(box_mesh(12), 0.1).histogram) count += n;
-    CHECK(count <= 6 * 2700);
-    CHECK(count > 6 * 1300);
+    CHECK(count <= 6 * 900);
+    CHECK(count > 6 * 430);
 }

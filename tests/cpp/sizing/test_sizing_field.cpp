@@ -295,6 +295,18 @@ TEST_CASE("the estimate follows the volume and the field") {
     CHECK(estimate_tets(brep, graded) == Approx(brute).epsilon(0.15));
 }
 
+TEST_CASE("few looks tell that a field does not ask for too much") {
+    const Brep brep = block();
+    SizingOptions options = of_size(4);
+    options.min_size = 1e-4;
+    options.local = {{entity_of(VertexId(0)), 1e-3}};  // one tiny place, which a bound by the smallest size overrates
+    const SizingField graded = sizing_of(brep, options);
+    const double tets = estimate_tets(brep, graded);
+    CHECK_FALSE(may_ask_for_more_tets(brep, graded, 20 * tets));
+    CHECK(may_ask_for_more_tets(brep, graded, tets));
+    CHECK(may_ask_for_more_tets(brep, sizing_of(brep, of_size(0.01)), 5e7));
+}
+
 TEST_CASE("two fields differ only where it is said") {
     const auto drilled = [](std::initializer_list<double> places) {
         TopoDS_Shape shape = BRepPrimAPI_MakeBox(60, 40, 20).Shape();

@@ -73,7 +73,7 @@ TEST_CASE(
     const auto& fallbacks = result.report.fallbacks;
     CHECK(fallbacks.size() == 3);
     CHECK(has(fallbacks, 0, "further than 1.2"));
-    CHECK(has(fallbacks, 0, "the kept tets overlap"));
+    CHECK(has(fallbacks, 0, "the kept elements overlap"));
     CHECK(has(fallbacks, 1, "further than 2.4"));
     CHECK(has(fallbacks, 2, "full mesh: nothing could be kept"));
     CHECK(result.report.kept_nodes_share == 0);

@@ -346,6 +346,10 @@ TEST_CASE("where 10-node tets would stay folded, the part is meshed finer, and t
     const auto& warnings = result.report.warnings;
     CHECK(std::any_of(warnings.begin(), warnings.end(),
                       [](const std::string& w) { return w.find("finer than asked at Face1") != std::string::npos; }));
+    REQUIRE_FALSE(result.report.rounds.empty());
+    CHECK(result.report.rounds.size() <= most_rounds);
+    CHECK(result.report.rounds.front().reason == "folded");
+    CHECK(result.report.rounds.front().place == "Face1");
 }
 
 TEST_CASE("edges that 10-node tets need shorter make no tets without a volume to speak of") {
@@ -380,6 +384,9 @@ TEST_CASE("a solid whose volume a coarse mesh misses is meshed finer, and the re
     const auto& warnings = result.report.warnings;
     CHECK(std::any_of(warnings.begin(), warnings.end(),
                       [](const std::string& w) { return w.find("finer than asked at Solid1") != std::string::npos; }));
+    REQUIRE_FALSE(result.report.rounds.empty());
+    CHECK(result.report.rounds.front().reason == "cannot follow");
+    CHECK(result.report.rounds.front().refusal.find("The mesh is not valid") == 0);
 }
 
 bool is_finer_than_asked(const PartMeshResult& result) {

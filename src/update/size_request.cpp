@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "update/too_coarse.h"
+#include "update/size_request.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,16 +18,18 @@ SizeSource half_length_at(const Mesh& mesh, std::size_t triangle) {
 
 }  // namespace
 
-TooCoarse turned_over(const Mesh& mesh, const std::vector<TriangleId>& turned) {
+SizeRequest for_turned_triangles(const Mesh& mesh, const std::vector<TriangleId>& turned) {
+    SizeRequest request{SizeReason::cannot_follow, name_of(entity_of(mesh.triangle_faces[turned.front().index()]))};
+    for (const TriangleId t : turned) request.lengths.push_back(half_length_at(mesh, t.index()));
+    return request;
+}
+
+std::string turned_over(const Mesh& mesh, const std::vector<TriangleId>& turned) {
     const std::size_t first = turned.front().index();
-    const std::string face = name_of(entity_of(mesh.triangle_faces[first]));
-    std::vector<SizeSource> shorter;
-    for (const TriangleId t : turned) shorter.push_back(half_length_at(mesh, t.index()));
-    return {"The mesh is not valid: " + std::to_string(turned.size()) +
-                " surface triangles are turned over, the first on " + face + " at " +
-                in_words(mesh.point(mesh.triangles[first][0])) +
-                ". The face bends too much there for this size; ask for a smaller size on it.",
-            face, std::move(shorter)};
+    return "The mesh is not valid: " + std::to_string(turned.size()) +
+           " surface triangles are turned over, the first on " + name_of(entity_of(mesh.triangle_faces[first])) +
+           " at " + in_words(mesh.point(mesh.triangles[first][0])) +
+           ". The face bends too much there for this size; ask for a smaller size on it.";
 }
 
 std::vector<SolidId> solids_off_volume(const Mesh& mesh, const Brep& brep, double tolerance) {
@@ -45,13 +47,14 @@ std::vector<SolidId> solids_off_volume(const Mesh& mesh, const Brep& brep, doubl
     return off;
 }
 
-TooCoarse off_volume(const Mesh& mesh, const Brep& brep, SolidId solid, const std::string& finding) {
-    std::vector<SizeSource> shorter;
+SizeRequest for_volume_of(const Mesh& mesh, const Brep& brep, SolidId solid) {
+    SizeRequest request{SizeReason::cannot_follow, name_of(entity_of(solid))};
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto sides = brep.sides_of(mesh.triangle_faces[t]);
-        if (std::find(sides.begin(), sides.end(), solid) != sides.end()) shorter.push_back(half_length_at(mesh, t));
+        if (std::find(sides.begin(), sides.end(), solid) != sides.end())
+            request.lengths.push_back(half_length_at(mesh, t));
     }
-    return {"The mesh is not valid: " + finding + ".", "Solid" + std::to_string(solid.index() + 1), std::move(shorter)};
+    return request;
 }
 
 }  // namespace featuremesh

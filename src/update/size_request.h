@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Places that need other lengths than asked.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/ids.h"
+#include "features/brep.h"
+#include "mesh/mesh.h"
+#include "sizing/sizing_field.h"
+
+namespace featuremesh {
+
+enum class SizeReason {
+    none,
+    cannot_follow,  ///< elements are too long to follow the part
+    boundary,       ///< tets cannot be made to meet the triangles there
+    folded          ///< 10-node tets would be folded, or nearly so
+};
+
+/// What found a place that needs other lengths asks for. Without lengths, nothing.
+struct SizeRequest {
+    SizeReason reason = SizeReason::none;
+    std::string place;                     ///< names of faces, or of a solid
+    std::vector<SizeSource> lengths = {};  ///< with which it may work, or get better
+    bool is_empty() const { return lengths.empty(); }
+};
+
+/// Why all that is not kept was filled again, and with what.
+struct Round {
+    std::string reason;   ///< a word or two: narrow faces, cannot follow, boundary, folded, kept elements
+    std::string place;    ///< names of faces, or of a solid; may be empty
+    std::string change;   ///< what was done about it
+    std::string refusal;  ///< why there was no mesh, in the words of an error; empty where one was only to get better
+};
+
+/// A filling is repeated so often at most, whatever the reasons.
+constexpr std::size_t most_rounds = 6, most_rounds_that_keep = 3;
+
+/// For triangles that lie the wrong way round on their faces; at least one.
+SizeRequest for_turned_triangles(const Mesh& mesh, const std::vector<TriangleId>& turned);
+/// In words.
+std::string turned_over(const Mesh& mesh, const std::vector<TriangleId>& turned);
+
+/// The solids whose tets have a volume that is off by more than the share `tolerance`.
+std::vector<SolidId> solids_off_volume(const Mesh& mesh, const Brep& brep, double tolerance);
+/// For all surface triangles of one of them.
+SizeRequest for_volume_of(const Mesh& mesh, const Brep& brep, SolidId solid);
+
+}  // namespace featuremesh
