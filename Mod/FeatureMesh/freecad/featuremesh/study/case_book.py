@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What every runner of a study does with cases: hands them out, keeps what they gave, sees that they stay cases of the same document."""
+
+import time
+
+from ..errors import UserError
+from .database import WAITING, DiskFull
+from .folder import DocumentWatch, made_of
+
+MOST_ATTEMPTS = 2
+
+
+class Stopped(UserError):
+    """The study ended before all cases were run; what was finished is kept."""
+
+
+class CaseBook:
+    """The cases of one folder during one run; `seconds` are those of each case that was finished."""
+
+    def __init__(self, folder, show=None, keep_base=False):
+        """`show(counts, running_for, seconds, jobs)` is called now and then. With `keep_base` the document may be another one by now."""
+        self.folder, self.study, self.facts, self.database = folder, folder.study(), folder.facts(), folder.database
+        self._show, self.seconds = show or (lambda *_: None), []
+        self._document_hash = self.database.value("document_hash")
+        self._watch = None if keep_base else DocumentWatch(self.study.document, self._document_hash)
+
+    def waiting(self, case_ids=None):
+        """The cases to run, or those of `case_ids`; what a killed runner left is among them."""
+        self.folder.refuse_damaged_base()
+        self.database.forget_running()
+        return [case for case in self.database.cases(WAITING) if case_ids is None or case.id in case_ids]
+
+    def refuse_changed_document(self):
+        if self._watch and self._watch.has_changed():
+            raise Stopped("%s was changed since the study began; its cases are of the document as it was then (base.FCStd in its folder). "
+                          "`study resume %s --keep-base` goes on with that" % (self.study.document, self.folder.path))
+
+    def start(self, case):
+        """What a worker needs to know of the case, which runs from now on."""
+        self.database.start(case.id)
+        case.attempts += 1
+        return {"id": case.id, "parameters": case.parameters, "folder": self.folder.clear_case(case.id),
+                "set": [parameter.assignment(case.parameters[parameter.name]) for parameter in self.study.parameters]}
+
+    def keep(self, case, result, seconds):
+        """Keeps what a case gave. Returns whether it is to be run again. Throws DiskFull."""
+        if result["state"] == "disk full":
+            raise DiskFull("the disk of %s is full (%s); every finished case is safe. Make room, then go on with `study resume`"
+                           % (self.folder.path, result["message"]))
+        if result["state"] == "killed" and case.attempts < MOST_ATTEMPTS:
+            self.database.wait_again(case.id)
+            return True
+        self.database.finish(case.id, self._final(case, result))
+        self.seconds.append(seconds)
+        return False
+
+    def _final(self, case, result):
+        """The case's row: a case that was killed too often has failed."""
+        if result["state"] == "killed":
+            result = {**result, "state": "failed", "message": "case %d was ended %d times: %s" % (case.id, case.attempts, result["message"])}
+        if result["state"] == "failed" and not result["message"].startswith("case "):
+            result = {**result, "message": "case %d: %s" % (case.id, result["message"])}
+        seconds = {**result.get("seconds", {}), **({"total": result["elapsed"]} if "elapsed" in result else {})}
+        made = made_of(self.study, self.facts, self._document_hash, case.parameters)
+        return {**result, "seconds": seconds, "hashes": {**result.get("hashes", {}), "made_of": made}}
+
+    def give_back(self, cases):
+        """These were not finished and wait again, as if they had not been started."""
+        try:
+            for case in cases:
+                self.database.wait_again(case.id, counts=False)
+        except DiskFull:
+            pass   # the next run does it
+
+    def show_progress(self, started, jobs):
+        """`started` are the times at which the running cases began, by time.monotonic."""
+        now = time.monotonic()
+        self._show(self.database.counts(), [now - start for start in started], self.seconds, jobs)
+
+    def worker_settings(self):
+        """What a worker has to know of the study."""
+        limit = self.study.memory_limit_gb
+        return {"base": self.folder.base_path, "study": self.study.to_plain(), "solver": self.facts["solver"],
+                "seconds_limit": self.study.seconds_limit, "memory_limit": limit * 1e9 if limit else None}

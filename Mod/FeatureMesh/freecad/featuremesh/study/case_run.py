@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One case: a function of the base document and the case's parameters. Runs in a copy of the process that opened the base."""
+
+import errno
+import hashlib
+import json
+import os
+import shutil
+import time
+import traceback
+
+from .. import api, documents, engine, reading, versions
+from ..errors import UserError
+from ..mesh_object import one_line
+from . import case_solver, places, responses
+from .database import DONE, FAILED, INFEASIBLE
+from .design import from_plain
+
+KILLED, DISK_FULL = "killed", "disk full"   # states that only a worker and a runner know
+_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+
+
+class Infeasible(Exception):
+    """FreeCAD cannot make the part that the parameters ask for."""
+
+
+class Base:
+    """The base document, opened once; what it holds is never changed by the process that opened it."""
+
+    def __init__(self, path, plain_study, solver):
+        self.study = from_plain(plain_study)
+        self.solver = solver                        # "live" or "ccx"
+        self.document = documents.open_document(path)
+        self.mesh = api.find_mesh(self.document, self.study.object)
+        self.part = versions.part_of(self.mesh)
+        self.mesh.Automatic, self.mesh.Threads = False, self.study.threads
+        self.analysis = api.find_analysis(self.document, self.study.analysis) if responses.needs_solution(self.study.responses) or \
+            self.study.analysis or any(response.kind == "mass" for response in self.study.responses) else None
+        self.mesh.Proxy.last_part_mesh(self.mesh)   # into memory, for all cases
+        if solver == "ccx":
+            import feminout.importCcxFrdResults  # noqa: F401  what FreeCAD's writer loads, loaded once
+
+
+def run(base, case):
+    """The result of a case: {"state", "responses", "message", "seconds", "mesh", "hashes"}; never throws."""
+    seconds = {}
+    try:
+        return _run(base, case, seconds)
+    except Infeasible as error:
+        return {"state": INFEASIBLE, "message": one_line(error), "seconds": seconds}
+    except case_solver.Killed as error:
+        return {"state": KILLED, "message": one_line(error)}
+    except OSError as error:
+        state = DISK_FULL if error.errno in _FULL else FAILED
+        return {"state": state, "message": one_line(error), "seconds": seconds}
+    except MemoryError:
+        return {"state": FAILED, "message": "case %d: the memory was not enough" % case["id"], "seconds": seconds}
+    except Exception as error:
+        if not isinstance(error, (UserError, engine.load().Error)):
+            traceback.print_exc()
+        message = one_line(error)
+        return {"state": FAILED, "seconds": seconds, "message": message if message.startswith("case ") else "case %d: %s" % (case["id"], message)}
+
+
+def _run(base, case, seconds):
+    start = time.perf_counter()
+    _edit(base, case)
+    seconds["recompute"] = time.perf_counter() - start
+    report = _mesh(base, seconds)
+    part_mesh = base.mesh.Proxy.last_part_mesh(base.mesh)
+    arrays = part_mesh.arrays()
+    fields = _solve(base, arrays, case["folder"], seconds)
+    start = time.perf_counter()
+    solved = responses.SolvedCase(case["id"], case["parameters"], base.part, base.analysis, arrays, fields,
+                                  places.Places(base.mesh, base.part, arrays, part_mesh, base.study.responses))
+    values = responses.evaluate(base.study.responses, solved)
+    if "mesh" in base.study.keep:
+        api.export_mesh(base.mesh, os.path.join(case["folder"], "case.vtu"))
+    seconds["responses"] = time.perf_counter() - start
+    return {"state": DONE, "responses": values, "seconds": seconds, "message": "; ".join(report["warnings"]),
+            "mesh": {"nodes": report["nodes"], "tets": report["tets"], "kept_share": (report.get("kept") or {}).get("nodes_share", 0.0),
+                     "fallback": report["fallback"]},
+            "hashes": {"mesh": hash_of(arrays), "result": _hash_of_values(hash_of(arrays), values)}}
+
+
+def _edit(base, case):
+    """Gives the part the case's parameters. Throws Infeasible with FreeCAD's word."""
+    try:
+        api.set_parameters(base.document, case["set"])
+        api.recompute(base.document)
+        reading.refuse_errors(base.part)
+        reading.refuse_unmeshable(base.part)
+    except UserError as error:
+        raise Infeasible(one_line(error)) from error
+    if not base.part.Shape.isValid():
+        raise Infeasible("FreeCAD made a shape of %s that is not valid" % reading.describe(base.part))
+
+
+def _mesh(base, seconds):
+    start = time.perf_counter()
+    job = base.mesh.Proxy.prepare(base.mesh)
+    try:
+        job.run()
+    except engine.load().InputError as error:
+        raise Infeasible(one_line(error)) from error
+    seconds["mesh"] = time.perf_counter() - start
+    start = time.perf_counter()
+    needs_freecad = base.solver == "ccx" or "mesh" in base.study.keep
+    report = base.mesh.Proxy.take_over(base.mesh, job, needs_freecad)
+    seconds["hand_over"] = time.perf_counter() - start
+    report.setdefault("fallback", None)
+    return report
+
+
+def _solve(base, arrays, folder, seconds):
+    if not responses.needs_solution(base.study.responses):
+        return None
+    start = time.perf_counter()
+    if base.solver == "live":
+        fields = case_solver.solve_live(base.analysis, base.study.threads)
+    else:
+        work = os.path.join(folder, "calculix")
+        shutil.rmtree(work, ignore_errors=True)   # of an attempt that was killed
+        os.makedirs(work)
+        fields = case_solver.solve_ccx(base.analysis, arrays, work, base.study.threads)
+        case_solver.keep_files(work, folder, [name for name in base.study.keep if name != "mesh"])
+    seconds["solve"] = time.perf_counter() - start
+    return fields
+
+
+def hash_of(arrays):
+    """Of every bit of a mesh: nodes, elements, numbers, CAD entities."""
+    digest = hashlib.sha256()
+    for name in sorted(arrays):
+        digest.update(("%s %s %s\n" % (name, arrays[name].dtype.str, arrays[name].shape)).encode())
+        digest.update(arrays[name].tobytes())
+    return digest.hexdigest()
+
+
+def _hash_of_values(mesh, values):
+    return hashlib.sha256(json.dumps([mesh, values], sort_keys=True).encode()).hexdigest()

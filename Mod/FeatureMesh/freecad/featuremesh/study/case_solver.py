@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Solves the analysis of one case, live or with CalculiX, and gives its fields by the rows of the mesh's arrays."""
+
+import ctypes
+import glob
+import os
+import shutil
+import signal
+import subprocess
+from dataclasses import dataclass, field
+
+import numpy as np
+from femtools import ccxtools
+
+from .. import calculix, frd, statics
+from ..errors import UserError
+from ..reading import describe
+from . import modes
+
+_DIE_WITH_PARENT = 1   # PR_SET_PDEATHSIG
+
+
+class Killed(RuntimeError):
+    """Somebody ended the solver; the case may be tried again."""
+
+
+@dataclass
+class Fields:
+    """A solution; rows as in the mesh's arrays. None or empty: the analysis gives no such thing."""
+    displacements: np.ndarray = None   # (n,3) mm
+    stresses: np.ndarray = None        # (n,6) MPa: xx, yy, zz, xy, yz, zx
+    temperatures: np.ndarray = None    # (n,) K
+    reactions: dict = field(default_factory=dict)   # name of a support -> [x, y, z] N
+    strain_energy: float = None        # mJ
+    frequencies: list = field(default_factory=list)      # Hz
+    buckling_factors: list = field(default_factory=list)
+    residual: float = None
+
+
+def solve_live(analysis, threads):
+    """Linear statics by our own solver, from nothing, so that the order of cases does not matter."""
+    fields, report = statics.solve(analysis, "", threads)
+    return Fields(fields["displacements"], fields["stresses"], reactions=report["responses"]["reactions_n"],
+                  strain_energy=report["responses"]["strain_energy_mj"], residual=report["residual"])
+
+
+def solve_ccx(analysis, arrays, folder, threads):
+    """CalculiX, in `folder`. Throws UserError when it cannot be solved, Killed when CalculiX was ended from outside."""
+    solver, known = calculix.solver_of(analysis), calculix.as_arrays(analysis)
+    tools = ccxtools.FemToolsCcx(analysis, solver, test_mode=False)
+    calculix.write_input(tools, folder, analysis)
+    calculix.amend(tools.inp_file_name, solver, known)
+    base = os.path.splitext(tools.inp_file_name)[0]
+    _run(base, threads)
+    kind = solver.AnalysisType
+    try:
+        with open(base + ".dat", encoding="utf-8") as stream:
+            printed = stream.read()
+        if kind in modes.TABLES:
+            found = modes.read(printed, kind)
+            return Fields(frequencies=found if kind == "frequency" else [], buckling_factors=found if kind == "buckling" else [])
+        found = frd.read(base + ".frd", {"DISP": 3, "STRESS": 6, "FORC": 3, "NDTEMP": 1})
+    except (OSError, ValueError) as error:
+        raise UserError("CalculiX left no readable result: %s" % error) from error
+    if "DISP" not in found:
+        raise UserError("CalculiX gave no displacements for %s" % describe(analysis))
+    return _fields(found, printed, analysis, arrays, known)
+
+
+def _fields(found, printed, analysis, arrays, known):
+    """What was read, by the rows of the mesh. Reactions are sums over the nodes where the analysis is known as arrays, else those that were printed."""
+    rows = {name: _by_row(numbers, values, arrays) for name, (numbers, values) in found.items()}
+    if known is not None and "FORC" in rows:
+        reactions = statics.reactions(known, rows["FORC"] - known.add_up().loads)
+    else:
+        reactions = calculix.printed_reactions(printed, analysis)
+    temperatures = rows["NDTEMP"][:, 0] if "NDTEMP" in rows else None
+    return Fields(rows["DISP"], rows.get("STRESS"), temperatures, reactions, calculix.printed_strain_energy(printed))
+
+
+def _run(base, threads):
+    program = calculix.program()
+    log = base + ".log"
+    environment = {**os.environ, "OMP_NUM_THREADS": str(threads)}
+    with open(log, "wb") as stream:
+        code = subprocess.run([program, "-i", os.path.basename(base)], cwd=os.path.dirname(base), env=environment, stdin=subprocess.DEVNULL,
+                              stdout=stream, stderr=subprocess.STDOUT, preexec_fn=_die_with_parent).returncode
+    if code in (-signal.SIGKILL, -signal.SIGTERM):
+        raise Killed("CalculiX was ended from outside (%s)" % signal.Signals(-code).name)
+    if code:
+        raise UserError("CalculiX failed (exit code %d): %s" % (code, _complaint(log)))
+
+
+def _die_with_parent():
+    ctypes.CDLL(None).prctl(_DIE_WITH_PARENT, signal.SIGKILL)
+
+
+def _complaint(log):
+    with open(log, encoding="utf-8", errors="replace") as stream:
+        lines = stream.read().splitlines()
+    for number, line in enumerate(lines):
+        if "*ERROR" in line:
+            return " ".join(" ".join(lines[number:number + 3]).split())
+    return " ".join(" ".join(lines[-3:]).split()) or "it says nothing of why"
+
+
+def _by_row(numbers, values, arrays):
+    """A field with a row for each node of the mesh; no number where CalculiX gave none."""
+    result = np.full((len(arrays["node_numbers"]), values.shape[1]), np.nan)
+    order = np.argsort(arrays["node_numbers"])
+    place = np.minimum(np.searchsorted(arrays["node_numbers"], numbers, sorter=order), len(order) - 1)
+    ours = arrays["node_numbers"][order[place]] == numbers
+    result[order[place[ours]]] = values[ours]
+    return result
+
+
+def keep_files(folder, target, kept):
+    """Moves what is to be kept of CalculiX's files out of its folder, and removes the rest."""
+    for ending in kept:
+        for path in glob.glob(os.path.join(folder, "*." + ending)):
+            os.replace(path, os.path.join(target, "case." + ending))
+    shutil.rmtree(folder, ignore_errors=True)

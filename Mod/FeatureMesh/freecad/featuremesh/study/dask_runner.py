@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs the waiting cases of a study on the workers of a Dask scheduler: one task for each case, only rows travel back."""
+
+import hashlib
+import json
+import os
+import time
+from dataclasses import dataclass
+
+from ..errors import UserError
+from . import memory
+from .case_book import CaseBook, Stopped
+
+_TASKS_PER_THREAD = 2   # handed out at once, so that a worker has the next one at hand
+_LOOK_EVERY = 0.5       # s between two lines of progress
+_PAUSE = 0.02           # s between two looks at the tasks
+_WORKER_FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "dask_worker.py")
+_PATIENCE = 30          # s for the scheduler to answer
+
+
+@dataclass
+class Cluster:
+    """Where the cases run, and what its workers find where the runner's machine and theirs share a file system."""
+    scheduler: str     # tcp://HOST:PORT
+    workbench: str     # folders and program; environment variables of a worker count more
+    engine: str
+    freecad: str
+
+
+class DaskRunner:
+    """To be used in a `with` statement, at whose end no task of the study is left. Options as for CaseBook."""
+
+    def __init__(self, folder, cluster, show=None, keep_base=False):
+        self._book, self._cluster = CaseBook(folder, show, keep_base), cluster
+        self._running = {}   # future -> (case, start)
+        self._client = self._connect(cluster.scheduler)
+
+    def run(self, case_ids=None):
+        """Runs all waiting cases, or those of `case_ids`. Throws Stopped, DiskFull."""
+        try:
+            self._run(self._book.waiting(case_ids))
+        except (OSError, TimeoutError) as error:
+            raise Stopped("the Dask scheduler %s is gone (%s); go on with `study resume`" % (self._cluster.scheduler, error)) from error
+
+    def _run(self, waiting):
+        self._client.upload_file(_WORKER_FILE)
+        study, base = self._study(), self._scattered_base()
+        while waiting or self._running:
+            self._book.refuse_changed_document()
+            threads = self._threads()
+            while waiting and len(self._running) < max(1, _TASKS_PER_THREAD * threads):
+                self._submit(study, base, waiting.pop(0))
+            self._book.show_progress([start for _, start in self._running.values()], threads)
+            for future in self._finished():
+                waiting += self._take(future)
+        self._book.show_progress([], 1)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        unfinished = list(self._running)
+        self._book.give_back([case for case, _ in self._running.values()])
+        self._running = {}
+        try:
+            if unfinished:
+                self._client.cancel(unfinished, force=True)
+                self._client.run(_end_all)
+            self._client.close()
+        except (OSError, TimeoutError):
+            pass   # the scheduler is gone, and its workers with it
+
+    def _connect(self, address):
+        try:
+            from distributed import Client
+        except ImportError as error:
+            raise UserError("--scheduler needs Dask: install Debian's package python3-distributed") from error
+        try:
+            return Client(address, timeout=_PATIENCE, set_as_default=False)
+        except (OSError, TimeoutError, ValueError) as error:
+            raise UserError("no Dask scheduler answers at %s (%s)" % (address, error)) from error
+
+    def _threads(self):
+        return sum(worker["nthreads"] for worker in self._client.scheduler_info()["workers"].values())
+
+    def _study(self):
+        settings, base_hash = self._book.worker_settings(), self._book.database.value("base_hash")
+        key = hashlib.sha256(json.dumps([settings, base_hash], sort_keys=True).encode()).hexdigest()
+        return {"key": key, "settings": settings, "base_hash": base_hash, "folder": self._book.folder.path, "workbench": self._cluster.workbench,
+                "engine": self._cluster.engine, "freecad": self._cluster.freecad}
+
+    def _scattered_base(self):
+        """The base document's bytes; Dask brings them to each worker once, by their hash."""
+        with open(self._book.folder.base_path, "rb") as stream:
+            return self._client.scatter(stream.read(), hash=True)
+
+    def _submit(self, study, base, case):
+        import dask_worker   # what upload_file brought to the workers; pickled by its name
+        request = self._book.start(case)
+        future = self._client.submit(dask_worker.run_case, study, base, request, pure=False, resources=self._resources())
+        self._running[future] = (case, time.monotonic())
+
+    def _resources(self):
+        """What a case needs of `cores` and `GB`, where the workers say what they have of them."""
+        said = [worker.get("resources", {}) for worker in self._client.scheduler_info()["workers"].values()]
+        needed = {"cores": self._book.study.threads, "GB": memory.estimated_bytes(self._book.facts["nodes"], self._book.facts["solver"]) / 1e9}
+        return {name: amount for name, amount in needed.items() if said and all(name in resources for resources in said)}
+
+    def _finished(self):
+        """The futures that have ended, looked for until there is one or a moment is over."""
+        end = time.monotonic() + _LOOK_EVERY
+        while True:
+            done = [future for future in self._running if future.done()]
+            if done or time.monotonic() > end:
+                return done
+            time.sleep(_PAUSE)
+
+    def _take(self, future):
+        case, start = self._running[future]
+        if future.status == "finished":
+            result = future.result()
+        else:   # Dask's own word when the worker died as often as Dask allows, or when a task raised
+            result = {"state": "failed", "message": "Dask: %r" % (future.exception() if future.status == "error" else future.status)}
+        again = self._book.keep(case, result, time.monotonic() - start)
+        del self._running[future]
+        return [case] if again else []
+
+
+def _end_all():
+    import dask_worker
+    dask_worker.end_all()

@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a study is: the document, what is varied and how, what is asked for. Read from study.toml or from a command line."""
+
+import os
+import re
+import tomllib
+from dataclasses import asdict, dataclass, field
+
+from ..errors import UserError
+from .expressions import Expression
+from .response_words import Response, parse_response
+
+SAMPLINGS = ("grid", "one_at_a_time", "lhs", "sobol", "halton", "box_behnken", "central_composite", "csv")
+COUNTED = ("lhs", "sobol", "halton")   # those that take any number of cases
+SOLVERS = ("live", "ccx")
+KEPT_FILES = ("mesh", "inp", "frd")
+_KEYS = {"document", "object", "analysis", "solver", "threads", "keep", "seed", "sampling", "cases", "rows", "constraints", "responses", "mesh",
+         "limits", "parameters"}
+_PARAMETER_KEYS = {"set", "name", "range", "values", "unit", "levels", "integer"}
+
+
+@dataclass
+class Parameter:
+    """One thing that is varied: between two bounds, or over a list of values."""
+    target: str                                  # OBJECT.PROPERTY, as `--set` takes it
+    name: str                                    # its column
+    bounds: tuple = ()                           # (lowest, highest), in `unit`
+    values: list = field(default_factory=list)   # numbers or words, instead of bounds
+    unit: str = ""                               # mm and degrees when empty
+    levels: int = 3                              # of a grid, between the bounds
+    integer: bool = False                        # whole numbers only; known for a property that is one
+
+    def assignment(self, value):
+        """The edit that gives it a value."""
+        text = value if isinstance(value, str) else repr(value)
+        return "%s=%s%s" % (self.target, text, " " + self.unit if self.unit else "")
+
+
+@dataclass
+class Study:
+    """Everything that decides what the cases are and what comes out of them."""
+    document: str                                 # path
+    parameters: list
+    responses: list
+    object: str = None
+    analysis: str = None
+    solver: str = None                            # "live" or "ccx"; None: live where that knows all that the analysis holds
+    sampling: str = "lhs"
+    cases: int = 0
+    rows: str = None                              # CSV of one's own, for sampling "csv"
+    seed: int = 1
+    constraints: list = field(default_factory=list)
+    mesh_size: float = None                       # mm; None: as the document's mesh has it
+    mesh_order: int = None
+    threads: int = 1                              # of each case; the bits of a result may depend on it, never on the number of jobs
+    keep: list = field(default_factory=list)      # of KEPT_FILES
+    seconds_limit: float = 3600.0                 # of one case
+    memory_limit_gb: float = None                 # of one case; None: what the machine has
+
+    def to_plain(self):
+        """As JSON takes it."""
+        return asdict(self)
+
+    def constraint_not_kept(self, values):
+        """The first constraint that the parameters' values break, or None. Throws UserError for one that cannot be evaluated."""
+        for text in self.constraints:
+            if not Expression(text, "the constraint").value(values):
+                return text
+        return None
+
+
+def from_plain(plain):
+    """The study that to_plain gave."""
+    return Study(**{**plain, "parameters": [Parameter(**{**entry, "bounds": tuple(entry["bounds"])}) for entry in plain["parameters"]],
+                    "responses": [Response(**entry) for entry in plain["responses"]]})
+
+
+def read_toml(path):
+    """The study in a file; paths in it are relative to the file. Throws UserError."""
+    try:
+        with open(path, "rb") as stream:
+            said = tomllib.load(stream)
+    except tomllib.TOMLDecodeError as error:
+        raise UserError("%s cannot be read: %s" % (path, error)) from error
+    refuse_unknown(said, _KEYS, path)
+    folder = os.path.dirname(os.path.abspath(path))
+    for key in ("document", "parameters", "responses"):
+        if not said.get(key):
+            raise UserError("%s has no %s" % (path, key))
+    mesh, limits = said.get("mesh", {}), said.get("limits", {})
+    refuse_unknown(mesh, {"size", "order"}, path + ", [mesh]")
+    refuse_unknown(limits, {"seconds", "memory_gb"}, path + ", [limits]")
+    study = Study(
+        document=os.path.join(folder, said["document"]), parameters=[_parameter(entry, path) for entry in said["parameters"]],
+        responses=[parse_response(entry) for entry in said["responses"]], object=said.get("object"), analysis=said.get("analysis"),
+        solver=said.get("solver"), sampling=said.get("sampling", "lhs"), cases=said.get("cases", 0),
+        rows=os.path.join(folder, said["rows"]) if said.get("rows") else None, seed=said.get("seed", 1),
+        constraints=said.get("constraints", []), mesh_size=mesh.get("size"), mesh_order=mesh.get("order"), threads=said.get("threads", 1),
+        keep=said.get("keep", []), seconds_limit=limits.get("seconds", 3600.0), memory_limit_gb=limits.get("memory_gb"))
+    for response in study.responses:
+        if response.file:
+            response.file = os.path.join(folder, response.file)
+    check(study)
+    return study
+
+
+def parse_parameter(text):
+    """A parameter from `OBJECT.PROPERTY=LOW:HIGH`, `=LOW:HIGH:LEVELS` or `=A,B,C`, with a unit at the end if need be. Throws UserError."""
+    target, separator, rest = text.partition("=")
+    target, rest = target.strip(), rest.strip()
+    if not (separator and "." in target and rest):
+        raise _unreadable(text)
+    numbers, unit = re.fullmatch(r"(.*?)\s*([A-Za-z]*)", rest).groups() if ":" in rest else (rest, "")
+    if ":" not in rest:
+        return Parameter(target, target, values=[_value(entry.strip()) for entry in rest.split(",")])
+    parts = numbers.split(":")
+    try:
+        low, high = float(parts[0]), float(parts[1])
+        levels = int(parts[2]) if len(parts) == 3 else 3
+    except ValueError:
+        raise _unreadable(text) from None
+    if len(parts) > 3:
+        raise _unreadable(text)
+    return Parameter(target, target, bounds=(low, high), unit=unit, levels=levels)
+
+
+def check(study):
+    """Throws UserError for what makes no sense, before anything is started."""
+    if study.sampling not in SAMPLINGS:
+        raise UserError("the sampling is one of %s, not %s" % (", ".join(SAMPLINGS), study.sampling))
+    if study.sampling in COUNTED and not study.cases > 0:
+        raise UserError("the sampling %s needs a number of cases" % study.sampling)
+    if study.sampling == "csv" and not study.rows:
+        raise UserError("the sampling csv needs a file of rows")
+    if study.solver not in (None, *SOLVERS):
+        raise UserError("the solver is live or ccx, not %s" % study.solver)
+    if study.threads < 1 or not study.seconds_limit > 0:
+        raise UserError("a case needs at least one thread and some seconds")
+    for name in study.keep:
+        if name not in KEPT_FILES:
+            raise UserError("of a case can be kept: %s, not %s" % (", ".join(KEPT_FILES), name))
+    for parameter in study.parameters:
+        _check_parameter(parameter)
+    names = [entry.name for entry in study.parameters + study.responses]
+    for name in names:
+        if names.count(name) > 1:
+            raise UserError("two columns are named %s; give one of them another name" % name)
+    for text in study.constraints:
+        Expression(text, "the constraint")
+
+
+def refuse_unknown(said, known, where):
+    """Throws UserError for a key that means nothing."""
+    for key in said:
+        if key not in known:
+            raise UserError("%s: there is no %s; known are %s" % (where, key, ", ".join(sorted(known))))
+
+
+def _check_parameter(parameter):
+    if bool(parameter.bounds) == bool(parameter.values):
+        raise UserError("the parameter %s needs a range of two numbers or a list of values" % parameter.name)
+    if parameter.bounds and not parameter.bounds[0] < parameter.bounds[1]:
+        raise UserError("the range of %s has to rise, not %g:%g" % (parameter.name, *parameter.bounds))
+    if parameter.levels < 2:
+        raise UserError("%s needs at least two levels" % parameter.name)
+
+
+def _parameter(said, path):
+    refuse_unknown(said, _PARAMETER_KEYS, "%s, [[parameters]]" % path)
+    if not said.get("set"):
+        raise UserError("%s: a parameter has no set = \"OBJECT.PROPERTY\"" % path)
+    bounds = said.get("range", [])
+    if bounds and (len(bounds) != 2 or not all(isinstance(entry, (int, float)) for entry in bounds)):
+        raise UserError("%s: the range of %s is two numbers" % (path, said["set"]))
+    return Parameter(said["set"], said.get("name", said["set"]), tuple(map(float, bounds)), list(said.get("values", [])), said.get("unit", ""),
+                     said.get("levels", 3), said.get("integer", False))
+
+
+def _value(text):
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def _unreadable(text):
+    return UserError("cannot read '%s'; a parameter is OBJECT.PROPERTY=LOW:HIGH, with :LEVELS for a grid, or OBJECT.PROPERTY=A,B,C" % text)

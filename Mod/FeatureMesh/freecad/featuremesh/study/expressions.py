@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Python expressions over parameters and responses, whose names may have dots: `HoleSketch.Hole6X > 2 * Fillet.Radius`."""
+
+import ast
+import math
+from types import SimpleNamespace
+
+from ..errors import UserError
+
+_FUNCTIONS = {name: getattr(math, name) for name in dir(math) if not name.startswith("_")}
+_FUNCTIONS.update({function.__name__: function for function in (abs, min, max, sum, round)})
+
+
+class Expression:
+    """An expression of a study's file or of a command line, which is its owner's own program."""
+
+    def __init__(self, text, what):
+        """`what` says in messages what it is. Throws UserError for what is no expression."""
+        self.text, self._what = text, what
+        try:
+            self._code = compile(text, "<%s>" % what, "eval")
+        except (SyntaxError, ValueError) as error:
+            raise UserError("%s %s cannot be read: %s" % (what, text, getattr(error, "msg", error))) from error
+
+    def value(self, values):
+        """Its value where each name in `values` has that value. Throws UserError."""
+        try:
+            return eval(self._code, {"__builtins__": {}, **_FUNCTIONS, **_by_dots(values)})
+        except Exception as error:
+            raise UserError("%s %s cannot be evaluated: %s; it may use %s" % (self._what, self.text, error, ", ".join(values))) from error
+
+
+class Limit:
+    """A comparison such as `max_mises <= 120`, with a measure of how far it is from being kept."""
+
+    def __init__(self, text):
+        """Throws UserError for what is no comparison of two things."""
+        self.text, self._whole = text, Expression(text, "the limit")
+        node = ast.parse(text.strip(), mode="eval").body
+        if not isinstance(node, ast.Compare) or len(node.ops) != 1 or not isinstance(node.ops[0], (ast.LtE, ast.Lt, ast.GtE, ast.Gt)):
+            raise UserError("the limit %s has to compare two things by <=, <, >= or >" % text)
+        self._sign = 1 if isinstance(node.ops[0], (ast.LtE, ast.Lt)) else -1
+        self._left, self._right = (Expression(ast.unparse(side), "the limit") for side in (node.left, node.comparators[0]))
+
+    def is_kept(self, values):
+        return bool(self._whole.value(values))
+
+    def excess(self, values):
+        """By which share of its right side the limit is broken; negative where it is kept."""
+        right = self._right.value(values)
+        return self._sign * (self._left.value(values) - right) / (abs(right) or 1.0)
+
+
+def _by_dots(values):
+    """The values as names and, where names have dots, as attributes of objects."""
+    top = {}
+    for name, value in values.items():
+        first, *rest = name.split(".")
+        if not rest:
+            top[first] = value
+            continue
+        holder = top.setdefault(first, SimpleNamespace())
+        for step in rest[:-1]:
+            if not hasattr(holder, step):
+                setattr(holder, step, SimpleNamespace())
+            holder = getattr(holder, step)
+        setattr(holder, rest[-1], value)
+    return top

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The folder of a study: `study.sqlite` with every case, `base.FCStd` that all cases start from, `cases/0001` ... with their files."""
+
+import fcntl
+import hashlib
+import json
+import os
+import shutil
+
+from ..errors import UserError
+from .database import Database
+from .design import from_plain
+
+_CHUNK = 1 << 20
+
+
+class StudyFolder:
+    """An existing study, or one that is being made."""
+
+    def __init__(self, path, new=False):
+        """Throws UserError: no study there, or (for a new one) one there already."""
+        self.path = os.path.abspath(path)
+        self.database_path = os.path.join(self.path, "study.sqlite")
+        self.base_path = os.path.join(self.path, "base.FCStd")
+        there = os.path.isfile(self.database_path)
+        if new and there:
+            raise UserError("%s holds a study already: go on with `study resume`, extend it with `study add`, or name another --folder" % path)
+        if not new and not there:
+            raise UserError("%s holds no study" % path)
+        if new:
+            os.makedirs(os.path.join(self.path, "cases"), exist_ok=True)
+        self._lock = None
+        self.database = None if new else Database(self.database_path)
+
+    def create(self, study, facts):
+        """Makes the database, once the base document is there. `facts` are what base.make gave."""
+        temporary = self.database_path + ".new"
+        if os.path.exists(temporary):
+            os.unlink(temporary)
+        database = Database(temporary, new=True)
+        for key, value in (("study", study.to_plain()), ("facts", facts), ("document_hash", hash_of_file(study.document)),
+                           ("base_hash", hash_of_file(self.base_path))):
+            database.set_value(key, value)
+        database.close()
+        os.replace(temporary, self.database_path)
+        self.database = Database(self.database_path)
+
+    def study(self):
+        return from_plain(self.database.value("study"))
+
+    def facts(self):
+        return self.database.value("facts")
+
+    def case_folder(self, case_id):
+        """The folder of one case, made if need be."""
+        folder = os.path.join(self.path, "cases", "%04d" % case_id)
+        os.makedirs(folder, exist_ok=True)
+        return folder
+
+    def clear_case(self, case_id):
+        """Removes what an earlier attempt left."""
+        shutil.rmtree(os.path.join(self.path, "cases", "%04d" % case_id), ignore_errors=True)
+        return self.case_folder(case_id)
+
+    def lock(self):
+        """Throws UserError while another process runs the study; the lock ends with this process, however it ends."""
+        path = os.path.join(self.path, "running.lock")
+        stream = open(path, "a+", encoding="utf-8")
+        try:
+            fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            stream.seek(0)
+            owner = stream.read().strip() or "unknown"
+            stream.close()
+            raise UserError("the study in %s is being run already, by process %s" % (self.path, owner)) from None
+        stream.truncate(0)
+        stream.write("%d\n" % os.getpid())
+        stream.flush()
+        self._lock = stream
+
+    def unlock(self):
+        if self._lock is not None:
+            self._lock.close()
+            self._lock = None
+
+    def refuse_damaged_base(self):
+        """Throws UserError when the base document is not the one that the cases before were made from."""
+        if not os.path.isfile(self.base_path) or hash_of_file(self.base_path) != self.database.value("base_hash"):
+            raise UserError("%s is not as the study made it; start the study anew in another folder" % self.base_path)
+
+
+class DocumentWatch:
+    """Tells when a study's document is no longer what it was when the study began."""
+
+    def __init__(self, path, known_hash):
+        self._path, self._known_hash = path, known_hash
+        self._seen = None   # the stamp of the file that was found unchanged last
+
+    def has_changed(self):
+        """Is the file another one, or gone? It is read only when its size or time changed."""
+        try:
+            status = os.stat(self._path)
+            stamp = (status.st_size, status.st_mtime_ns, status.st_ino)
+            if stamp != self._seen:
+                if hash_of_file(self._path) != self._known_hash:
+                    return True
+                self._seen = stamp
+        except FileNotFoundError:
+            return True
+        return False
+
+
+def hash_of_file(path):
+    """SHA-256, as a hex string."""
+    digest = hashlib.sha256()
+    with open(path, "rb") as stream:
+        while chunk := stream.read(_CHUNK):
+            digest.update(chunk)
+    return digest.hexdigest()
+
+
+def made_of(study, facts, document_hash, parameters):
+    """The hash of all that decides what a case gives: the document, the parameters, the settings, the programs."""
+    plain = study.to_plain()
+    settings = {key: plain[key] for key in ("object", "analysis", "mesh_size", "mesh_order", "threads", "responses")}
+    said = [document_hash, parameters, settings, facts["solver"], facts["engine"], facts["freecad"]]
+    return hashlib.sha256(json.dumps(said, sort_keys=True).encode()).hexdigest()

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Looks for the best case: surfaces through all finished cases are minimised, the point found becomes a case, and so on.
+
+The cases of the study before count, too, and every evaluation is a case of the study; so an optimisation that was ended goes on where it was.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import answers, planning, surface
+from .database import DONE
+from .expressions import Expression, Limit
+
+_SAME_POINT = 2e-3     # of a parameter's range: a point as near to a case is that case
+_DIGITS = 4            # of the range that a proposed value is rounded to
+_PENALTY = 1e3         # times the objective's spread, for a limit that is broken by all of its right side
+_MARGIN = 1e-3         # by which surfaces have to keep a limit, so that cases do
+_ROUNDS_WITHOUT_GAIN = 4
+
+
+@dataclass
+class Found:
+    """What came out: the best case that keeps all limits (None where none does), the solutions spent, why it ended."""
+    case: object
+    solves: int
+    reason: str
+
+
+class Optimiser:
+    """Minimises the expression `goal` of parameters and responses under `limits`."""
+
+    def __init__(self, folder, goal, limits=(), seed=1):
+        """Throws UserError for expressions that cannot be read or that use what the study has not."""
+        self._folder, self._study = folder, folder.study()
+        self._goal, self._limits, self._seed = Expression(goal, "the goal"), [Limit(text) for text in limits], seed
+        integers = folder.facts()["integers"]
+        for parameter in self._study.parameters:
+            parameter.integer = parameter.integer or parameter.name in integers
+        self._refuse_unknown_names(folder)
+
+    def run(self, solve, most_solves, tell=lambda *_: None):
+        """Spends at most `most_solves` cases; `solve(case_id)` runs one, `tell(case, best)` is called after each. Returns Found."""
+        spent = self._first_cases(solve, most_solves, tell)
+        without_gain = 0
+        while spent < most_solves:
+            point = self._proposal(self._seed + spent)
+            if point is None:
+                return Found(self.best(), spent, "the surfaces have their best point at a case that is known")
+            before = self._best_value()
+            self._solved(self._decoded(point), solve, tell)
+            spent += 1
+            gained = before is None or self._best_value() < before - 1e-4 * abs(before)
+            without_gain = 0 if gained else without_gain + 1
+            if without_gain == _ROUNDS_WITHOUT_GAIN:
+                return Found(self.best(), spent, "the last %d cases brought nothing" % without_gain)
+        return Found(self.best(), spent, "all %d solutions were spent" % most_solves)
+
+    def best(self):
+        """The best finished case that keeps all limits, or None."""
+        found = [case for case in self._folder.database.cases(DONE) if all(limit.is_kept(answers.all_values(case)) for limit in self._limits)]
+        return min(found, key=lambda case: self._goal.value(answers.all_values(case)), default=None)
+
+    def _best_value(self):
+        best = self.best()
+        return None if best is None else self._goal.value(answers.all_values(best))
+
+    def _refuse_unknown_names(self, folder):
+        names = {entry.name: 1.0 for entry in self._study.parameters + self._study.responses}
+        for expression in (self._goal, *self._limits):
+            (expression.value if expression is self._goal else expression.is_kept)(names)
+
+    def _first_cases(self, solve, most, tell):
+        """Points of the Sobol' sequence until surfaces can be made. Returns how many were solved."""
+        from scipy.stats import qmc   # takes a second to load
+        count, spent = len(self._study.parameters), 0
+        sequence = qmc.Sobol(count, scramble=True, seed=self._seed)
+        while len(self._folder.database.cases(DONE)) < 2 * count + 3 and spent < most:
+            self._solved(self._decoded(2 * sequence.random(1)[0] - 1), solve, tell)
+            spent += 1
+        return spent
+
+    def _solved(self, values, solve, tell):
+        """The case with these values, solved."""
+        case_id = planning.add_point(self._folder, values, "optimise")
+        solve(case_id)
+        case = self._folder.database.case(case_id)
+        tell(case, self.best())
+        return case
+
+    def _proposal(self, seed):
+        """The coded point where the surfaces have their minimum, or None where a case is already."""
+        from scipy.optimize import differential_evolution
+        cases = self._folder.database.cases(DONE)
+        known = np.array([self._coded(case.parameters) for case in self._folder.database.cases()])
+        points = np.array([self._coded(case.parameters) for case in cases])
+        names = [response.name for response in self._study.responses]
+        surfaces = {name: surface.through(points, np.array([case.responses[name] for case in cases])) for name in names}
+        goals = [self._goal.value(answers.all_values(case)) for case in cases]
+        scale = _PENALTY * (max(goals) - min(goals) or 1.0)
+
+        def cost(point):
+            values = self._decoded(point)
+            if self._study.constraint_not_kept(values):
+                return max(goals) + scale
+            there = self._coded(values)[None, :]
+            values.update((name, float(found(there)[0])) for name, found in surfaces.items())
+            return self._goal.value(values) + scale * sum(max(0.0, limit.excess(values) + _MARGIN) for limit in self._limits)
+
+        found = differential_evolution(cost, [(-1, 1)] * len(self._study.parameters), seed=seed, popsize=8, maxiter=60, tol=1e-6, polish=False,
+                                       init="sobol").x
+        there = self._coded(self._decoded(found))
+        return None if np.abs(known - there).max(axis=1).min() < 2 * _SAME_POINT else there
+
+    def _ends(self, parameter):
+        """What -1 and 1 mean: the bounds, or the first and the last place in the list of values."""
+        return parameter.bounds or (0, max(1, len(parameter.values) - 1))
+
+    def _coded(self, values):
+        """(k,) in [-1, 1]."""
+        point = []
+        for parameter in self._study.parameters:
+            low, high = self._ends(parameter)
+            value = parameter.values.index(values[parameter.name]) if parameter.values else values[parameter.name]
+            point.append(2 * (value - low) / (high - low) - 1)
+        return np.array(point)
+
+    def _decoded(self, point):
+        """{name: value}, with few digits."""
+        values = {}
+        for parameter, share in zip(self._study.parameters, point):
+            low, high = self._ends(parameter)
+            value = low + (share + 1) / 2 * (high - low)
+            if parameter.values:
+                values[parameter.name] = parameter.values[min(int(round(value)), len(parameter.values) - 1)]
+            elif parameter.integer:
+                values[parameter.name] = int(round(value))
+            else:
+                digits = _DIGITS - int(np.floor(np.log10(high - low)))
+                values[parameter.name] = float(min(max(round(float(value), digits), low), high))
+        return values

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where a response is taken: faces, edges and vertices of the base part are followed through edits, as loads and supports are.
+
+Each such place is a mesh group of the base document, which the mesh object moves along with its faces.
+"""
+
+import re
+
+import numpy as np
+import ObjectsFem
+
+from .. import resolving
+from ..errors import UserError
+from ..hand_over import EntityGroups
+
+_ELEMENT = re.compile(r"(Face|Edge|Vertex|Solid)\d+$")
+_GROUP = "StudyPlace%d"
+# Corners that the mid-side nodes of a tet lie between, in the order of tet_mids.
+_MIDS = ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))
+_OUTSIDE = -0.05   # barycentric coordinate of a point that is taken to lie on a curved boundary still
+
+
+def of_nodes(responses):
+    """The places of the responses that are sub-elements of the part, sorted: number n is kept by the group named for n + 1."""
+    return sorted({response.at for response in responses if response.at and _ELEMENT.match(response.at)})
+
+
+def add_groups(mesh, part, responses):
+    """Puts every such place on record in the base document. Throws UserError for one that the part has not."""
+    groups = []
+    for number, place in enumerate(of_nodes(responses), 1):
+        resolver = resolving.Resolver(part)
+        if not _has(part.Shape, place):
+            raise UserError("the part has no %s, where a response is asked for" % place)
+        group = ObjectsFem.makeMeshGroup(part.Document, mesh, False, _GROUP % number)
+        group.Label = "Place of a response: " + place
+        group.References = [(resolver.bearer or part, place)]
+        groups.append(group)
+    return groups
+
+
+def _has(shape, place):
+    kind = re.sub(r"\d+$", "", place)
+    return 1 <= int(place[len(kind):]) <= shape.countElement(kind)
+
+
+class Places:
+    """Rows of nodes by place, on one mesh."""
+
+    def __init__(self, mesh, part, arrays, part_mesh, responses):
+        self._mesh, self._part, self._arrays, self._part_mesh = mesh, part, arrays, part_mesh
+        self._elements = of_nodes(responses)
+        self._entities = EntityGroups(arrays)
+        self._row_of = np.full(int(arrays["node_numbers"].max(initial=0)) + 1, -1)
+        self._row_of[arrays["node_numbers"]] = np.arange(len(arrays["node_numbers"]))
+
+    def values(self, at, values):
+        """Those of a field, (n,k), that a place has: (m,k), with a single row for a point. Throws UserError for a place that is gone."""
+        if not at:
+            return values[self._rows_of_tets(self._arrays["tet_numbers"])]   # a node without a tet has no solution
+        point = point_of(at)
+        if point is not None:
+            return _interpolated(self._arrays, values, point)[None, :]
+        rows = self._of_element(at) if at in self._elements else self._of_feature(at)
+        return values[rows]
+
+    def _of_element(self, at):
+        group = self._part.Document.getObject(_GROUP % (self._elements.index(at) + 1))
+        names, _ = resolving.Resolver(self._part).of_object(group)
+        rows = self._rows_of_names(names)
+        if not len(rows):
+            raise UserError("%s, where a response is asked for, is gone" % at)
+        return rows
+
+    def _of_feature(self, at):
+        obj = feature(self._part, at)
+        faces = ["Face%d" % number for number, owners in enumerate(self._part_mesh.owners_of_faces(), 1) if obj.Name in owners]
+        tets = [self._rows_of_tets(numbers) for name, numbers in self._part_mesh.owners_of_tets() if name == obj.Name]
+        rows = np.unique(np.concatenate([self._rows_of_names(faces), *tets]))
+        if not len(rows):
+            raise UserError("%s, where a response is asked for, has no face and no element of the part" % at)
+        return rows
+
+    def _rows_of_names(self, names):
+        numbers = [self._entities.nodes(name) for name in names]
+        return np.unique(self._row_of[np.concatenate(numbers)]) if numbers else np.empty(0, dtype=np.int64)
+
+    def _rows_of_tets(self, numbers):
+        tets = np.isin(self._arrays["tet_numbers"], numbers)
+        mids = self._arrays["tet_mids"]
+        return np.unique(np.concatenate([self._arrays["tets"][tets].ravel(), mids[tets].ravel() if len(mids) else []]).astype(np.int64))
+
+
+def feature(part, name):
+    """The feature of that name or label. Throws UserError."""
+    obj = part.Document.getObject(name) or next(iter(part.Document.getObjectsByLabel(name)), None)
+    if obj is None:
+        raise UserError("there is no face, edge, vertex, point or feature %s, where a response is asked for" % name)
+    return obj
+
+
+def point_of(at):
+    """The (3,) mm of "x,y,z", None for another place."""
+    words = at.replace(" ", "").split(",")
+    try:
+        return np.array([float(word) for word in words]) if len(words) == 3 else None
+    except ValueError:
+        return None
+
+
+def _interpolated(arrays, values, point):
+    """(k,) at a point, by the shape functions of the tet it lies in. Throws UserError for a point outside of the part."""
+    corners = arrays["points"][arrays["tets"]]
+    matrix = np.moveaxis(corners[:, 1:] - corners[:, :1], 1, 2)
+    inner = np.linalg.solve(matrix, (point - corners[:, 0])[..., None])[..., 0]
+    shares = np.column_stack([1 - inner.sum(axis=1), inner])
+    tet = int(shares.min(axis=1).argmax())
+    if shares[tet].min() < _OUTSIDE:
+        raise UserError("the point %g,%g,%g mm, where a response is asked for, is not in the part" % tuple(point))
+    share = shares[tet]
+    if not len(arrays["tet_mids"]):
+        return share @ values[arrays["tets"][tet]]
+    weights = np.concatenate([share * (2 * share - 1), [4 * share[a] * share[b] for a, b in _MIDS]])
+    return weights @ values[np.concatenate([arrays["tets"][tet], arrays["tet_mids"][tet]])]

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How far a study is, and how long it will take: from the cases that were run, not from a guess."""
+
+_WIDTH = 20
+
+
+def line(counts, running_for, seconds, jobs):
+    """One line: a bar, the counts, the time left.
+
+    `counts` by state, `running_for` the seconds that each running case has taken so far, `seconds` those of each case finished in this run.
+    """
+    total = sum(counts.values())
+    finished = counts["done"] + counts["infeasible"] + counts["failed"]
+    filled = _WIDTH * finished // total if total else 0
+    words = ["%d of %d done" % (counts["done"], total), "%d running" % counts["running"]]
+    words += ["%d %s" % (counts[state], state) for state in ("infeasible", "failed") if counts[state]]
+    return "[%s%s] %s, %s" % ("#" * filled, "." * (_WIDTH - filled), ", ".join(words), in_words(seconds_left(counts, running_for, seconds, jobs)))
+
+
+def seconds_left(counts, running_for, seconds, jobs):
+    """None while no case has been finished. A case that runs longer than the mean is taken to be nearly done."""
+    if not seconds:
+        return None
+    mean = sum(seconds) / len(seconds)
+    left = counts["waiting"] * mean + sum(max(mean - elapsed, 0.0) for elapsed in running_for)
+    return left / max(1, jobs)
+
+
+def in_words(seconds):
+    if seconds is None:
+        return "time left not known yet"
+    if seconds < 90:
+        return "about %d s left" % round(seconds)
+    if seconds < 5400:
+        return "about %d min left" % round(seconds / 60)
+    return "about %.1f h left" % (seconds / 3600)

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How a response is written: KIND, KIND@PLACE, KIND:pNN for a percentile; or a table with name, kind, at, percentile, expression, file."""
+
+import re
+from dataclasses import dataclass
+
+from ..errors import UserError
+from .expressions import Expression
+
+# Kind -> what it is and its unit.
+KINDS = {
+    "mass": "kg", "volume": "mm^3", "max_mises": "MPa", "max_principal": "MPa", "min_principal": "MPa", "max_displacement": "mm",
+    "displacement_x": "mm", "displacement_y": "mm", "displacement_z": "mm", "reaction": "N", "reaction_x": "N", "reaction_y": "N",
+    "reaction_z": "N", "strain_energy": "mJ", "buckling_factor": "", "frequency": "Hz", "max_temperature": "K", "min_temperature": "K",
+}
+_OF_NODES = ("max_mises", "max_principal", "min_principal", "max_displacement", "displacement_x", "displacement_y", "displacement_z",
+             "max_temperature", "min_temperature")
+_BY_MODE = ("buckling_factor", "frequency")
+_KEYS = {"name", "kind", "at", "percentile", "mode", "expression", "file"}
+
+
+@dataclass
+class Response:
+    """One number asked of every case."""
+    name: str
+    kind: str = None           # of KINDS; None: an expression or a file of one's own
+    at: str = None             # Face3, Edge2, Vertex1, a feature's name, "x,y,z" in mm; of a reaction the support; None: the part
+    percentile: float = None   # of the nodes' values there, instead of the largest
+    mode: int = 1              # of buckling factors and frequencies, from 1
+    expression: str = None     # of parameters and of the responses before it
+    file: str = None           # a Python file with a function `response(case)`
+
+    @property
+    def unit(self):
+        return KINDS.get(self.kind, "")
+
+
+def parse_response(said):
+    """A response from its text or table. Throws UserError."""
+    response = _from_table(said) if isinstance(said, dict) else _from_text(said)
+    if response.kind is None and bool(response.expression) == bool(response.file):
+        raise UserError("the response %s needs a kind, an expression or a file" % response.name)
+    if response.kind is not None and response.kind not in KINDS:
+        raise UserError("there is no response %s; there are %s" % (response.kind, ", ".join(KINDS)))
+    if response.percentile is not None and (response.kind not in _OF_NODES or not 0 <= response.percentile <= 100):
+        raise UserError("the response %s cannot have a percentile, or one outside of 0 to 100" % response.name)
+    if response.at and response.kind not in _OF_NODES and not (response.kind or "").startswith("reaction"):
+        raise UserError("the response %s is of the whole part, not at %s" % (response.name, response.at))
+    if response.expression:
+        Expression(response.expression, "the response")
+    return response
+
+
+def _from_table(said):
+    for key in said:
+        if key not in _KEYS:
+            raise UserError("a response has no %s; known are %s" % (key, ", ".join(sorted(_KEYS))))
+    name = said.get("name") or said.get("kind") or said.get("file")
+    if not name:
+        raise UserError("a response has no name: %s" % said)
+    return Response(**{"name": name, **said})
+
+
+def _from_text(text):
+    own_name, equals, rest = text.partition("=")
+    words = rest if equals else text
+    found = re.fullmatch(r"\s*([a-z_]+?)(?:_?(\d+))?(?:@(.+?))?(?::p([\d.]+))?\s*", words)
+    if not found or (found.group(2) and found.group(1) not in _BY_MODE):
+        raise UserError("cannot read the response '%s'; it is KIND, KIND@PLACE or KIND:p95" % text)
+    kind, mode, place, percentile = found.groups()
+    return Response(own_name.strip() if equals else words.strip(), kind, place, float(percentile) if percentile else None, int(mode or 1))
+
+
+def parse_list(text):
+    """The responses of a command line, separated by commas; the commas of a point belong to it."""
+    entries = re.split(r",(?=\s*[A-Za-z_])", text)
+    return [parse_response(entry.strip()) for entry in entries]

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One number for each response of one case. What is no number is an error."""
+
+import math
+import runpy
+from dataclasses import dataclass, field
+
+import FreeCAD
+import numpy as np
+from femtools import femutils
+
+from .. import materials, statics, statics_model
+from ..errors import UserError
+from ..hand_over import EntityGroups
+from ..reading import describe
+from ..resolving import Resolver
+from ..statics_result import principal, von_mises
+from .expressions import Expression
+
+# What an analysis of one kind gives; FreeCAD's names of the kinds.
+_OF_STATICS = ("static", "thermomech")
+_NEEDS = {"buckling_factor": ("buckling",), "frequency": ("frequency",), "max_temperature": ("thermomech",), "min_temperature": ("thermomech",)}
+_FROM_PART = ("mass", "volume")
+_ONLY_CCX = ("buckling_factor", "frequency", "max_temperature", "min_temperature")
+
+
+@dataclass
+class SolvedCase:
+    """What a response may be made of; a file's `response(case)` gets it."""
+    id: int
+    parameters: dict       # name -> value
+    part: object           # FreeCAD's
+    analysis: object       # FreeCAD's, or None
+    arrays: dict           # of the mesh
+    fields: object         # case_solver.Fields, None where no response needs any
+    places: object         # places.Places
+    responses: dict = field(default_factory=dict)   # those before
+
+
+def needs_solution(responses):
+    """Must the analysis be solved for these?"""
+    return any(response.kind not in _FROM_PART and not response.expression for response in responses)
+
+
+def refuse_unfit(responses, kind, live):
+    """Throws UserError for a response that an analysis of that kind, or the live solver, does not give."""
+    for response in responses:
+        if response.kind is None or response.kind in _FROM_PART:
+            continue
+        needed = _NEEDS.get(response.kind, _OF_STATICS)
+        if kind not in needed:
+            raise UserError("the response %s needs an analysis of the kind %s, not %s" % (response.name, " or ".join(needed), kind))
+        if live and response.kind in _ONLY_CCX:
+            raise UserError("the response %s needs CalculiX; take solver = \"ccx\"" % response.name)
+
+
+def evaluate(responses, case):
+    """{name: number}. Throws UserError that names the case and the response."""
+    for response in responses:
+        try:
+            value = _value(response, case)
+        except UserError as error:
+            raise UserError("case %d, response %s: %s" % (case.id, response.name, error)) from error
+        if isinstance(value, bool) or not isinstance(value, (int, float, np.number)) or not math.isfinite(value):
+            raise UserError("case %d, response %s is not a number: %s" % (case.id, response.name, value))
+        case.responses[response.name] = float(value)
+    return case.responses
+
+
+def _value(response, case):
+    if response.expression:
+        return Expression(response.expression, "the response").value({**case.parameters, **case.responses})
+    if response.file:
+        return _of_file(response.file, case)
+    if response.kind == "volume":
+        return case.part.Shape.Volume
+    if response.kind == "mass":
+        return mass(case.part, case.analysis, case.arrays)
+    if response.kind.startswith("reaction"):
+        return _reaction(response, case.fields)
+    if response.kind == "strain_energy":
+        return _given(case.fields.strain_energy, "strain energy")
+    if response.kind in ("frequency", "buckling_factor"):
+        return _mode(response, case.fields)
+    return _of_nodes(response, case)
+
+
+def _of_nodes(response, case):
+    fields, at = case.fields, response.at
+    if response.kind.endswith("temperature"):
+        values, sign = case.places.values(at, _given(fields.temperatures, "temperature")[:, None])[:, 0], -1 if response.kind[:3] == "min" else 1
+    elif "displacement" in response.kind:
+        values, sign = _displacements(response.kind, case.places.values(at, _given(fields.displacements, "displacement"))), 1
+    else:
+        values, sign = _stresses(response.kind, case.places.values(at, _given(fields.stresses, "stress"))), -1 if response.kind[:3] == "min" else 1
+    if response.percentile is not None:
+        return float(np.percentile(values, response.percentile))
+    return float(values[np.argmax(np.abs(values))] if response.kind.startswith("displacement_") else sign * (sign * values).max())
+
+
+def _displacements(kind, vectors):
+    """(m,) lengths, or one component."""
+    return vectors[:, "xyz".index(kind[-1])] if kind.startswith("displacement_") else np.linalg.norm(vectors, axis=1)
+
+
+def _stresses(kind, stresses):
+    """(m,) MPa."""
+    if not np.isfinite(stresses).all():
+        return np.array([np.nan])
+    if kind == "max_mises":
+        return von_mises(stresses)
+    return principal(stresses)[:, 2 if kind == "max_principal" else 0]
+
+
+def _reaction(response, fields):
+    """Of the support, or of all supports together: the length of the force, or one component."""
+    if response.at and response.at not in fields.reactions:
+        raise UserError("no support %s has a reaction; there are %s" % (response.at, ", ".join(fields.reactions) or "none"))
+    found = [fields.reactions[response.at]] if response.at else list(fields.reactions.values())
+    if not found:
+        raise UserError("no support has a reaction")
+    total = np.sum(found, axis=0)
+    return float(np.linalg.norm(total) if response.kind == "reaction" else total["xyz".index(response.kind[-1])])
+
+
+def _mode(response, fields):
+    found = fields.frequencies if response.kind == "frequency" else fields.buckling_factors
+    if response.mode > len(found):
+        raise UserError("CalculiX found %d modes; ask its solver for more" % len(found))
+    return found[response.mode - 1]
+
+
+def _given(value, what):
+    if value is None:
+        raise UserError("the analysis gives no %s" % what)
+    return value
+
+
+def _of_file(path, case):
+    try:
+        return runpy.run_path(path)["response"](case)
+    except (UserError, OSError):
+        raise
+    except Exception as error:
+        raise UserError("%s: %s: %s" % (path, type(error).__name__, error)) from error
+
+
+def mass(part, analysis, arrays):
+    """kg: the part's volume, shared among materials as the mesh shares it, times their densities. Throws UserError."""
+    found = [member for member in statics_model.members_of(analysis) if femutils.is_of_type(member, "Fem::MaterialCommon")] if analysis else []
+    if not found:
+        raise UserError("the mass needs an analysis with a material")
+    if len(found) == 1:
+        return part.Shape.Volume * _density(found[0]) * statics.TONNE
+    groups = {name: numbers for name, _, numbers in materials.material_groups(found, Resolver(part), EntityGroups(arrays))}
+    volumes = statics.tet_volumes(arrays)
+    meshed = sum(volumes[np.isin(arrays["tet_numbers"], groups[member.Name + "_Volumes"])].sum() * _density(member) for member in found)
+    return meshed * part.Shape.Volume / volumes.sum() * statics.TONNE
+
+
+def _density(material):
+    """t/mm^3."""
+    text = material.Material.get("Density")
+    if text is None:
+        raise UserError("the material %s has no density" % describe(material))
+    return float(FreeCAD.Units.Quantity(text).getValueAs("t/mm^3").Value)

@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Studies as a user runs them, with real meshes and real solutions. Runs in plain Python."""
+import contextlib
+import csv
+import importlib.util
+import io
+import json
+import math
+import shutil
+import unittest
+
+from study_tests import VARIED, StudyTest
+
+import commands
+
+
+def volume(radius, height):
+    return (60 * 40 - math.pi * radius ** 2) * height
+
+
+@unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+class Studies(StudyTest):
+
+    def table(self, folder, name="rows.csv"):
+        self.study("export", folder, name)
+        with open(self.folder / name, newline="", encoding="utf-8") as stream:
+            return list(csv.DictReader(stream))
+
+    def test_from_the_command_line_alone(self):
+        before = self.part.read_bytes()
+        out, err = self.study("run", "part.FCStd", *VARIED, "--sampling", "sobol", "--cases", "3", "--solver", "ccx", "--folder", "mine",
+                              "--responses", "mass,max_mises,max_displacement@%s,reaction_x@Fixed,strain_energy" % self.pulled_face)
+        self.assertIn("3 of 3 cases done", out)
+        self.assertIn("[####################] 3 of 3 done, 0 running", err)
+        rows = self.table("mine")
+        self.assertEqual(list(rows[0])[:9], ["case", "state", "HoleSketch.Radius", "Plate.Length", "mass", "max_mises",
+                                             "max_displacement@" + self.pulled_face, "reaction_x@Fixed", "strain_energy"])
+        for row in rows:
+            radius, height = float(row["HoleSketch.Radius"]), float(row["Plate.Length"])
+            self.assertAlmostEqual(float(row["mass"]), 7850e-9 * volume(radius, height), places=9)
+            nominal, at_hole = 6000 / (40 * height), 6000 / ((40 - 2 * radius) * height)
+            self.assertGreater(float(row["max_mises"]), 2 * nominal)
+            self.assertLess(float(row["max_mises"]), 3.5 * at_hole)
+            self.assertAlmostEqual(abs(float(row["reaction_x@Fixed"])), 6000, delta=1)
+            stretched = nominal / 210000 * 60
+            self.assertGreater(float(row["max_displacement@" + self.pulled_face]), stretched)
+            self.assertLess(float(row["max_displacement@" + self.pulled_face]), 1.5 * stretched)
+            work = 6000 * float(row["max_displacement@" + self.pulled_face]) / 2
+            self.assertAlmostEqual(float(row["strain_energy"]), work, delta=0.1 * work)
+        self.assertEqual(self.part.read_bytes(), before)
+        self.assertIn("0 waiting, 0 running, 3 done, 0 infeasible, 0 failed", self.study("status", "mine")[0])
+        self.assertIn("added 2 cases", self.study("add", "mine", "--cases", "2")[0])
+        self.study("run", "part.FCStd", *VARIED, "--sampling", "sobol", "--cases", "5", "--responses", "volume", "--folder", "longer")
+        self.assertEqual(list(self.results("mine")), list(self.results("longer")))   # the sequence went on where it had stopped
+        self.assert_nothing_left_behind()
+
+    def test_a_file_with_constraints_places_and_own_responses(self):
+        self.response_file("return case.fields.displacements[:, 0].max() + 0 * case.part.Shape.Volume")
+        self.toml('solver = "ccx"', 'keep = ["mesh", "inp", "frd"]', 'constraints = ["radius * 2 < 12 or Plate.Length > 10"]',
+                  'responses = ["volume", "max_mises@Hole", "max_mises:p90", {name = "middle", kind = "displacement_x", at = "30,5,4"},',
+                  '  "max_principal", "min_principal", {name = "own", file = "own.py"}, {name = "ratio", expression = "own / middle"}]')
+        self.study("run", "study.toml")
+        rows = self.rows()
+        self.assertEqual([row["state"] for row in rows], ["done", "done", "infeasible", "done"])
+        self.assertIn("the constraint radius * 2 < 12 or Plate.Length > 10 is not kept", rows[2]["message"])
+        for row in (rows[0], rows[1], rows[3]):
+            found = row["responses"]
+            self.assertGreater(found["max_mises@Hole"], 1.3 * found["max_mises:p90"])
+            self.assertGreater(found["max_principal"], 0)
+            self.assertLess(found["min_principal"], found["max_principal"])
+            self.assertGreater(found["middle"], 0.3 * found["own"])
+            self.assertAlmostEqual(found["ratio"], found["own"] / found["middle"])
+            kept = {path.name for path in (self.folder / "study-study" / "cases" / ("%04d" % row["id"])).iterdir()}
+            self.assertEqual(kept, {"case.vtu", "case.inp", "case.frd", "freecad.log"})
+        self.study("export", "study-study", "all.json")
+        self.assertEqual(len(json.loads((self.folder / "all.json").read_text(encoding="utf-8"))["cases"]), 4)
+
+    def test_what_freecad_cannot_make_is_infeasible_and_no_failure(self):
+        out, _ = self.study("run", "part.FCStd", "--vary", "Plate.Length=10,0", "--vary", "HoleSketch.X=22", "--sampling", "grid", "--responses", "volume", "--folder", "s")
+        self.assertIn("1 of 2 cases done, 1 infeasible", out)
+        self.assertEqual(self.states("s"), ["done", "infeasible"])
+        self.assertGreater(self.rows("s")[0]["mesh"]["kept_share"], 0.1)   # a case starts from the base mesh
+        self.assertRegex(self.rows("s")[1]["message"], "Plate")
+        self.assertIn("infeasible: case 2: ", self.study("status", "s")[0])
+
+    def test_a_response_that_is_no_number_fails_its_case_by_name(self):
+        self.response_file("return float('nan') if case.id == 2 else 1.0")
+        out, err = self.study("run", "study.toml", code=1)
+        self.assertIn("3 of 4 cases done, 1 failed", out)
+        self.assertIn("warning: case 2, response own is not a number: nan", err)
+
+    def test_the_same_bits_by_one_process_by_two_and_in_another_order(self):
+        self.toml('responses = ["max_mises"]', 'solver = "ccx"')
+        self.study("run", "study.toml", "--folder", "one", "--jobs", "1")
+        self.study("run", "study.toml", "--folder", "two", "--jobs", "2")
+        backwards = [row["parameters"] for row in reversed(self.rows("one"))]
+        with open(self.folder / "rows.csv", "w", newline="", encoding="utf-8") as stream:
+            writer = csv.DictWriter(stream, ["radius", "Plate.Length"])
+            writer.writeheader()
+            writer.writerows(backwards)
+        self.toml('responses = ["max_mises"]', 'solver = "ccx"', 'rows = "rows.csv"')
+        text = (self.folder / "study.toml").read_text(encoding="utf-8").replace('"grid"', '"csv"')
+        (self.folder / "study.toml").write_text(text, encoding="utf-8")
+        self.study("run", "study.toml", "--folder", "backwards")
+        self.assertNotIn(None, self.results("one").values())
+        self.assertEqual(len(set(self.results("one").values())), 4)
+        self.assertEqual(self.results("one"), self.results("two"))
+        self.assertEqual(self.results("one"), self.results("backwards"))
+
+    def test_both_solvers_agree_and_live_has_the_same_bits_each_time(self):
+        if self.best_solver != "live":
+            self.skipTest("the engine has no live solver")
+        for solver, jobs, folder in (("live", 1, "live"), ("live", 2, "again"), ("ccx", 2, "ccx")):
+            self.toml('responses = ["max_displacement", "max_mises", "strain_energy", "reaction_x@Fixed", "displacement_x@59,20,5"]', 'solver = "%s"' % solver)
+            self.study("run", "study.toml", "--folder", folder, "--jobs", jobs)
+        self.assertEqual(self.results("live"), self.results("again"))
+        for live, ccx in zip(self.rows("live"), self.rows("ccx")):
+            for name, value in ccx["responses"].items():
+                self.assertAlmostEqual(live["responses"][name], value, delta=2e-3 * abs(value), msg=name)
+
+    def of_kind(self, kind, responses):
+        """The responses of the plate 8 and 12 mm thick, by an analysis of that kind."""
+        self.make_part(self.part, kind)
+        self.study("run", "part.FCStd", "--vary", "Plate.Length=8,12", "--sampling", "grid", "--solver", "ccx", "--responses", responses, "--folder", "s")
+        return [row["responses"] for row in self.rows("s")]
+
+    def test_frequencies_rise_with_the_thickness(self):
+        thin, thick = self.of_kind("frequency", "mass,frequency_1,frequency_2")
+        self.assertLess(thin["frequency_1"], thin["frequency_2"])
+        self.assertAlmostEqual(thick["frequency_1"] / thin["frequency_1"], 1.5, delta=0.1)   # of bending: in proportion
+        beam = 1.8751 ** 2 / (2 * math.pi * 60 ** 2) * math.sqrt(210e9 * 8e-3 ** 2 / 12 / 7850) * 1e6
+        self.assertAlmostEqual(thin["frequency_1"], beam, delta=0.15 * beam)
+
+    def test_buckling_factors_rise_with_the_cube_of_the_thickness(self):
+        thin, thick = self.of_kind("buckling", "buckling_factor_1")
+        self.assertAlmostEqual(thick["buckling_factor_1"] / thin["buckling_factor_1"], 1.5 ** 3, delta=0.5)
+        euler = math.pi ** 2 * 210000 * 40 * 8 ** 3 / 12 / (2 * 60) ** 2 / 6000
+        self.assertAlmostEqual(thin["buckling_factor_1"], euler, delta=0.25 * euler)
+
+    def test_temperatures(self):
+        for found in self.of_kind("thermomech", "max_temperature,min_temperature,middle=max_temperature@40,35,4,max_displacement"):
+            self.assertAlmostEqual(found["max_temperature"], 400, delta=0.1)
+            self.assertAlmostEqual(found["min_temperature"], 300, delta=0.1)
+            self.assertTrue(360 < found["middle"] < 372, found)
+            self.assertGreater(found["max_displacement"], 1.2e-5 * 50 * 60)
+
+    def test_optimising_finds_the_known_best_and_counts_every_evaluation_as_a_case(self):
+        """The thinnest plate of a volume of 20 000 mm^3 has the smallest hole: its height is 20 000 / (60 * 40 - pi r^2)."""
+        self.study("run", "part.FCStd", "--vary", "HoleSketch.Radius=4:8", "--vary", "Plate.Length=6:12", "--sampling", "central_composite",
+                   "--responses", "volume", "--folder", "s")
+        words = ("optimise", "s", "--minimise", "Plate.Length", "--limit", "volume >= 20000", "--solves", "12")
+        out, err = self.study(*words)
+        best = min((row for row in self.rows("s") if row["responses"]["volume"] >= 20000), key=lambda row: row["parameters"]["Plate.Length"])
+        self.assertAlmostEqual(best["parameters"]["Plate.Length"], 20000 / (2400 - math.pi * 16), delta=0.03)
+        self.assertIn("best: case %d: " % best["id"], out)
+        self.assertEqual(len(err.splitlines()), len(self.rows("s")) - 9)
+        if importlib.util.find_spec("optuna"):
+            by_optuna, _ = self.study(*words[:-1], "5", "--method", "optuna")
+            self.assertRegex(by_optuna, "best: case .*; 5 solutions")
+        again, _ = self.study(*words)
+        self.assertIn("best: case ", again)
+        self.assertIn("no case keeps", self.study("optimise", "s", "--minimise", "volume", "--limit", "volume < 1", "--solves", "1", code=1)[0])
+        self.assertIn("it may use", self.study("optimise", "s", "--minimise", "beauty", code=2)[1])
+
+    def test_the_demo_ends_with_a_study(self):
+        with contextlib.redirect_stdout(io.StringIO()) as said, contextlib.redirect_stderr(io.StringIO()):
+            commands.study_of_demo(str(self.folder))
+        self.assertIn("6 of 6 cases done", said.getvalue())
+        html = (self.folder / "study" / "report.html").read_text(encoding="utf-8")
+        self.assertEqual(html.count("data:image/png;base64,"), 4)
+
+    def test_wrong_use_is_told_in_one_line(self):
+        self.study("run", "part.FCStd", *VARIED, "--sampling", "grid", "--responses", "volume", "--folder", "there")
+        for words, message in (
+                (("run", "part.FCStd"), "say what to vary"),
+                (("run", "part.FCStd", *VARIED, "--responses", "beauty", "--cases", "2"), "there is no response beauty"),
+                (("run", "part.FCStd", *VARIED, "--responses", "mass"), "needs a number of cases"),
+                (("run", "part.FCStd", *VARIED, "--responses", "mass", "--cases", "2", "--folder", "there"), "holds a study already"),
+                (("run", "part.FCStd", "--vary", "Hole.Depht=1:2", "--responses", "mass", "--cases", "2", "--folder", "a"), "Hole has no property Depht"),
+                (("run", "part.FCStd", *VARIED, "--responses", "max_mises@Face99", "--cases", "2", "--folder", "b"), "the part has no Face99"),
+                (("run", "part.FCStd", *VARIED, "--responses", "frequency_1", "--cases", "2", "--folder", "c", "--solver", "ccx"), "needs an analysis of the kind"),
+                (("run", "part.FCStd", "--vary", "Plate.Length=2", "--vary", "Plate.Length=2:1", "--responses", "mass", "--cases", "2"), "has to rise"),
+                (("add", "there", "--cases", "2"), "the sampling grid is complete"), (("status", "nowhere"), "holds no study")):
+            with self.subTest(words=words):
+                _, err = self.study(*words, code=2)
+                self.assertIn(message, err)
+                self.assertEqual(len(err.splitlines()), 1, err)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What goes wrong while a study runs: nothing that was finished is lost, no process stays, and `resume` goes on. Runs in plain Python."""
+import os
+import resource
+import shutil
+import signal
+import unittest
+from pathlib import Path
+
+from study_tests import StudyTest
+
+SLOWLY = "time.sleep(0.4)"
+LONGEST_FILE = 30_000_000   # bytes, on the disk that is full: the base document fits
+
+
+@unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+class Faults(StudyTest):
+
+    def started_slowly(self, *words, done=1, **options):
+        """A study of four slow cases, once some of them are done."""
+        self.response_file(SLOWLY, "return 1.0")
+        process = self.start("run", "study.toml", "--jobs", "1", *words, **options)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        database = self.folder / "study-study" / "study.sqlite"
+        self.wait_for(lambda: database.exists() and self.states().count("done") >= done, "finished case")
+        return process
+
+    def workers(self):
+        """Ids of the FreeCADs that stay open, not of their copies."""
+        processes = self.processes()
+        return [number for number in processes if Path("/proc/%d/stat" % number).read_text(encoding="utf-8").rpartition(")")[2].split()[1]
+                not in map(str, processes) and "freecad" in processes[number].lower()]
+
+    def assert_resumed(self, *words):
+        """The study goes on and is then as one that was never disturbed."""
+        before = {key: value for key, value in self.results().items() if value}
+        self.study("resume", "study-study", *words)
+        self.assertEqual(self.states(), ["done"] * 4)
+        self.study("run", "study.toml", "--folder", "undisturbed")
+        self.assertEqual(self.results(), self.results("undisturbed"))
+        self.assertLessEqual(before.items(), self.results().items())
+        self.assert_nothing_left_behind()
+
+    def test_the_runner_is_killed(self):
+        process = self.started_slowly()
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        self.assert_nothing_left_behind()
+        self.assertIn("running", self.states())
+        self.assert_resumed()
+        self.assertEqual({row["attempts"] for row in self.rows()}, {1})
+
+    def test_ctrl_c_says_how_to_go_on(self):
+        process = self.started_slowly(start_new_session=True)
+        os.killpg(process.pid, signal.SIGINT)
+        _, err = process.communicate(timeout=30)
+        self.assertEqual(process.returncode, 1)
+        self.assertRegex(err, r"stopped: \d of 4 cases are done and kept; go on with: featuremesh study resume study-study")
+        self.assertNotIn("Traceback", err)
+        self.assert_nothing_left_behind()
+        self.assertNotIn("running", self.states())
+        self.assert_resumed()
+
+    def test_a_worker_is_killed_which_costs_a_retry(self):
+        process = self.started_slowly()
+        worker, = self.workers()
+        os.kill(worker, signal.SIGKILL)
+        process.communicate(timeout=120)
+        self.assertEqual(process.returncode, 0)
+        self.assertEqual(sorted(row["attempts"] for row in self.rows()), [1, 1, 1, 2])
+        self.assert_resumed()
+
+    def test_a_case_that_is_killed_each_time_fails_and_the_others_do_not(self):
+        self.response_file("os.kill(os.getpid(), 9) if case.id == 2 else None", "return 1.0")
+        out, err = self.study("run", "study.toml", code=1)
+        self.assertIn("3 of 4 cases done, 1 failed", out)
+        self.assertIn("case 2 was ended 2 times", err)
+
+    def test_calculix_is_killed(self):
+        """A program in CalculiX's place that is ended the first time, and CalculiX then."""
+        program, flag = self.folder / "bin" / "ccx", self.folder / "was-killed"
+        program.parent.mkdir()
+        program.write_text("#!/bin/sh\n[ -e %s ] || { touch %s; kill -9 $$; }\nexec %s \"$@\"\n" % (flag, flag, shutil.which("ccx")), encoding="utf-8")
+        program.chmod(0o755)
+        self.environment["PATH"] = "%s:%s" % (program.parent, os.environ["PATH"])
+        self.toml('responses = ["max_mises"]', 'solver = "ccx"')
+        self.study("run", "study.toml", "--jobs", "1")
+        self.assertEqual(sorted(row["attempts"] for row in self.rows()), [1, 1, 1, 2])
+        self.assertTrue(flag.exists())
+        self.assert_resumed()
+
+    def test_calculix_that_never_ends_goes_with_its_case(self):
+        program = self.folder / "bin" / "ccx"
+        program.parent.mkdir()
+        program.write_text("#!/bin/sh\nsleep 1000 &\nsleep 1000\n", encoding="utf-8")
+        program.chmod(0o755)
+        self.environment["PATH"] = "%s:%s" % (program.parent, os.environ["PATH"])
+        out, err = self.study("run", "part.FCStd", "--vary", "Plate.Length=9,10", "--sampling", "grid", "--solver", "ccx", "--responses", "max_mises",
+                              "--time-limit", "8", "--folder", "study-study", code=1)
+        self.assertIn("2 failed", out)
+        self.assertIn("case 1: it took longer than the limit of 8 s", err)
+        self.assert_nothing_left_behind()
+
+    def test_a_case_that_crashes_or_ends_freecad(self):
+        self.response_file("os.kill(os.getpid(), 11) if case.id == 1 else os._exit(7) if case.id == 2 else None", "return 1.0")
+        _, err = self.study("run", "study.toml", code=1)
+        self.assertEqual(self.states(), ["failed", "failed", "done", "done"])
+        self.assertRegex(err, r"case 1: FreeCAD (crashed \(SIGSEGV\)|ended with exit code)")
+        self.assertIn("case 2: FreeCAD ended with exit code 7", err)
+        self.assertEqual([row["attempts"] for row in self.rows()], [1, 1, 1, 1])
+
+    def test_a_case_that_takes_all_memory(self):
+        self.response_file("hog = b'x' * (3 << 30) if case.id == 1 else b''", "time.sleep(2)", "return len(hog)")
+        text = (self.folder / "study.toml").read_text(encoding="utf-8")
+        (self.folder / "study.toml").write_text(text + "[limits]\nmemory_gb = 2\n", encoding="utf-8")
+        _, err = self.study("run", "study.toml", code=1)
+        self.assertEqual(self.states(), ["failed", "done", "done", "done"])
+        self.assertIn("case 1: it took more memory than the limit of 2 GB", err)
+
+    def test_two_runners_on_one_folder(self):
+        process = self.started_slowly()
+        _, err = self.study("resume", "study-study", code=2)
+        self.assertRegex(err, r"is being run already, by process %d\n" % process.pid)
+        process.communicate(timeout=120)
+        self.assertEqual(self.states(), ["done"] * 4)
+
+    def test_the_document_is_changed(self):
+        before = self.part.read_bytes()
+        process = self.started_slowly()
+        self.part.write_bytes(before + b"\0")
+        _, err = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, 1)
+        self.assertRegex(err, "part.FCStd was changed since the study began")
+        self.assertNotIn("running", self.states())
+        self.assertIn("was changed", self.study("resume", "study-study", code=1)[1])
+        self.study("resume", "study-study", "--keep-base")
+        self.part.write_bytes(before)
+        self.assert_resumed()
+
+    def test_the_disk_is_full(self):
+        """No file may get longer than a size that all but one file keep to."""
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (LONGEST_FILE, LONGEST_FILE))
+
+        self.response_file("Path('big').write_bytes(bytes(%d)) if case.id > 1 else None" % (LONGEST_FILE + 1), "return 1.0")
+        _, err = self.study("run", "study.toml", "--jobs", "1", code=1, preexec_fn=limit)
+        self.assertRegex(err, "the disk of .* is full .*every finished case is safe. Make room, then go on with `study resume`")
+        self.assertEqual(self.states()[0], "done")
+        self.assert_nothing_left_behind()
+        self.assertEqual(self.states(), ["done", "waiting", "waiting", "waiting"])
+        self.response_file("return 1.0")
+        self.assert_resumed()
+
+
+if __name__ == "__main__":
+    unittest.main()

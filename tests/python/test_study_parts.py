@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The parts of studies that need no FreeCAD: what is read, sampled, kept, concluded. Runs in plain Python."""
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+from study_tests import ROOT
+
+from freecad.featuremesh.errors import UserError  # noqa: E402
+from freecad.featuremesh.study import answers, design, memory, modes, progress, sampling, surface  # noqa: E402
+from freecad.featuremesh.study.classic_designs import box_behnken, central_composite  # noqa: E402
+from freecad.featuremesh.study.database import Database  # noqa: E402
+from freecad.featuremesh.study.expressions import Expression  # noqa: E402
+from freecad.featuremesh.study.response_words import parse_list, parse_response  # noqa: E402
+
+FULL_DISK = """
+import resource, signal, sys
+sys.path.insert(0, {tests!r})
+import study_tests
+from freecad.featuremesh.study.database import Database, DiskFull
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+resource.setrlimit(resource.RLIMIT_FSIZE, (60000, 60000))
+database = Database({path!r}, new=True)
+try:
+    for number in range(10000):
+        database.add_cases([({{"x": number}}, None)], "test")
+except DiskFull as error:
+    print(number, error)
+"""
+
+
+def study(sampling_name, *parameters, **options):
+    return design.Study("part.FCStd", [design.parse_parameter(text) for text in parameters], parse_list("mass"), sampling=sampling_name, **options)
+
+
+class Words(unittest.TestCase):
+
+    def test_parameters(self):
+        found = design.parse_parameter("HoleSketch.Hole6X=95:115:5 mm")
+        self.assertEqual((found.name, found.bounds, found.levels, found.unit), ("HoleSketch.Hole6X", (95.0, 115.0), 5, "mm"))
+        self.assertEqual(found.assignment(95.5), "HoleSketch.Hole6X=95.5 mm")
+        self.assertEqual(design.parse_parameter("Pad.Midplane=true,false").values, ["true", "false"])
+        for text in ("Pad.Length", "Pad=1:2", "Pad.Length=1:2:3:4", "Pad.Length=a:b", "=1:2"):
+            with self.subTest(text=text), self.assertRaisesRegex(UserError, "cannot read"):
+                design.parse_parameter(text)
+
+    def test_responses(self):
+        one, two, three, four = parse_list("mass,top=max_mises@Face3:p95,displacement_z@1.5,2,-3,frequency_2")
+        self.assertEqual((one.name, one.kind), ("mass", "mass"))
+        self.assertEqual((two.name, two.kind, two.at, two.percentile), ("top", "max_mises", "Face3", 95.0))
+        self.assertEqual((three.kind, three.at), ("displacement_z", "1.5,2,-3"))
+        self.assertEqual((four.name, four.kind, four.mode), ("frequency_2", "frequency", 2))
+        for said in ("mass_2", "max mises", "mass@Face1", "mass:p90", "max_mises:p101", {"name": "x"}, {"kind": "mass", "where": "Face1"}):
+            with self.subTest(said=said), self.assertRaises(UserError):
+                parse_response(said)
+
+    def test_expressions_know_names_with_dots_and_nothing_of_python(self):
+        self.assertEqual(Expression("HoleSketch.X > 2 * sqrt(radius)", "it").value({"HoleSketch.X": 5.0, "radius": 4.0}), True)
+        for text, message in (("__import__('os')", "cannot be evaluated"), ("a +", "cannot be read"), ("b", "it may use a")):
+            with self.subTest(text=text), self.assertRaisesRegex(UserError, message):
+                Expression(text, "it").value({"a": 1})
+
+
+class Sampling(unittest.TestCase):
+
+    def test_grid_and_one_at_a_time(self):
+        asked = study("grid", "A.x=0:1", "A.y=1,2")
+        self.assertEqual(sampling.rows(asked, {}), [[0, 1], [0, 2], [0.5, 1], [0.5, 2], [1, 1], [1, 2]])
+        asked.sampling = "one_at_a_time"
+        self.assertEqual(sampling.rows(asked, {"A.x": 0.25, "A.y": 2.0}), [[0.25, 2], [0, 2], [0.5, 2], [1, 2], [0.25, 1]])
+
+    def test_a_latin_hypercube_has_a_case_in_each_slice(self):
+        rows = np.array(sampling.rows(study("lhs", "A.x=10:20", "A.y=-1:1", cases=16), {}))
+        for column, (low, high) in enumerate(((10, 20), (-1, 1))):
+            self.assertEqual(sorted(np.floor((rows[:, column] - low) / (high - low) * 16)), list(range(16)))
+
+    def test_sequences_continue_and_are_the_same_each_time(self):
+        for name in ("sobol", "halton"):
+            asked = study(name, "A.x=10:20", "A.y=-1:1", cases=12)
+            whole = sampling.rows(asked, {})
+            self.assertEqual(whole, sampling.rows(asked, {}, 5) + sampling.rows(asked, {}, 7, start=5))
+            self.assertNotEqual(whole, sampling.rows(study(name, "A.x=10:20", "A.y=-1:1", cases=12, seed=2), {}))
+
+    def test_whole_numbers_take_each_value_as_often(self):
+        asked = study("sobol", "A.n=2:5", cases=64)
+        asked.parameters[0].integer = True
+        values = [row[0] for row in sampling.rows(asked, {})]
+        self.assertEqual([values.count(n) for n in range(2, 6)], [16] * 4)
+        self.assertTrue(all(type(value) is int for value in values))
+
+    def test_classic_designs_can_fit_every_quadratic_term(self):
+        for make, count, size in ((box_behnken, 3, 13), (box_behnken, 4, 25), (central_composite, 2, 9), (central_composite, 4, 25)):
+            rows = make(count)
+            self.assertEqual(rows.shape, (size, count))
+            self.assertEqual(len(np.unique(rows, axis=0)), size)
+            self.assertLess(np.abs(rows.sum(axis=0)).max(), 1e-12)
+            self.assertEqual(np.linalg.matrix_rank(surface._quadratic_terms(rows)), (count + 1) * (count + 2) // 2)
+        with self.assertRaisesRegex(UserError, "at least three"):
+            box_behnken(2)
+
+
+class Answers(unittest.TestCase):
+
+    def test_sobol_indices_of_ishigamis_function(self):
+        """Ishigami and Homma (1990), a = 7, b = 0.1: known in closed form."""
+        def ishigami(points):
+            x = math.pi * points
+            return np.sin(x[:, 0]) + 7 * np.sin(x[:, 1]) ** 2 + 0.1 * x[:, 2] ** 4 * np.sin(x[:, 0])
+        first, total = answers.sobol_indices(ishigami, 3)
+        np.testing.assert_allclose(first, [0.3139, 0.4424, 0], atol=0.03)
+        np.testing.assert_allclose(total, [0.5576, 0.4424, 0.2437], atol=0.03)
+
+    def test_the_surface_is_the_kind_that_predicts_best(self):
+        points = np.random.default_rng(3).uniform(-1, 1, (40, 2))
+        x, y = points.T
+        for values, kind in ((3 + 2 * x - y, "linear"), (1 + x * y - 2 * y ** 2, "quadratic"), (np.sin(4 * x) * np.exp(y), "thin-plate spline")):
+            found = surface.fit(points, values)
+            self.assertTrue(found.kind == kind or found.relative_error < 1e-9, found)
+            self.assertLess(found.relative_error, 0.5)
+        noise = surface.fit(points, np.random.default_rng(4).normal(size=40))
+        self.assertGreater(noise.relative_error, 0.8)   # an honest word about what cannot be predicted
+        self.assertIsNone(surface.fit(points[:3], x[:3]))
+
+    def data(self):
+        with tempfile.TemporaryDirectory() as folder:
+            database = Database(os.path.join(folder, "study.sqlite"), new=True)
+            values = [(x, y) for x in (1.0, 2.0, 3.0) for y in (10.0, 20.0, 30.0)]
+            ids = database.add_cases([({"x": x, "y": y}, None) for x, y in values], "test")
+            for case_id, (x, y) in zip(ids, values):
+                database.finish(case_id, {"state": "done", "responses": {"mass": x, "stress": 100 / x + y}})
+            cases = database.cases("done")
+        points = np.array([(x - 2, (y - 20) / 10) for x, y in values])
+        return answers.Data(None, cases, ["x", "y"], points, [(1, 3), (10, 30)])
+
+    def test_pareto_front_and_best_case(self):
+        data = self.data()
+        self.assertEqual([case.parameters for case in answers.pareto(data, "mass", "stress")], [{"x": x, "y": 10.0} for x in (1.0, 2.0, 3.0)])
+        self.assertEqual(answers.best(data, "mass", ["stress <= 75", "y > 10"]).parameters, {"x": 2.0, "y": 20.0})
+        self.assertIsNone(answers.best(data, "mass", ["stress < 1"]))
+
+    def test_main_effects_have_the_sign_and_size_of_the_change(self):
+        found = answers.effects(self.data(), "mass")
+        np.testing.assert_allclose(found.main, [2, 0], atol=1e-9)
+        np.testing.assert_allclose(found.first, [1, 0], atol=0.01)
+
+
+class Keeping(unittest.TestCase):
+
+    def test_a_full_disk_is_told_and_what_was_written_is_there(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "study.sqlite")
+            done = subprocess.run([sys.executable, "-c", FULL_DISK.format(tests=str(ROOT / "tests" / "python"), path=path)],
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            self.assertIn("every finished case is safe", done.stdout, done.stderr)
+            self.assertEqual(sum(Database(path).counts().values()), int(done.stdout.split()[0]))
+
+    def test_the_same_parameters_are_one_case(self):
+        with tempfile.TemporaryDirectory() as folder:
+            database = Database(os.path.join(folder, "study.sqlite"), new=True)
+            self.assertEqual(database.add_cases([({"x": 1.5}, None), ({"x": 2.5}, "not kept"), ({"x": 1.5}, None)], "test"), [1, 2, 1])
+            self.assertEqual(database.counts()["infeasible"], 1)
+
+    def test_modes_of_calculix(self):
+        text = ("     E I G E N V A L U E   O U T P U T\n\n MODE NO    EIGENVALUE  FREQUENCY\n\n"
+                "      1   0.4E+08   0.6E+04   0.1E+04   0.0E+00\n      2   0.9E+08   0.9E+04   0.15E+04   0.0E+00\n\n"
+                "     P A R T I C I P A T I O N   F A C T O R S\n\n      1   0.5E+00   0.0E+00   0.0E+00   0.0E+00\n")
+        self.assertEqual(modes.read(text, "frequency"), [1000.0, 1500.0])
+        self.assertEqual(modes.read("     B U C K L I N G   F A C T O R   O U T P U T\n\n      1   0.5E+02\n      2   0.7E+02\n", "buckling"), [50.0, 70.0])
+
+    def test_time_left_is_that_of_what_was_measured(self):
+        counts = {"done": 2, "infeasible": 0, "failed": 0, "running": 2, "waiting": 6}
+        self.assertIsNone(progress.seconds_left(counts, [1, 1], [], 2))
+        self.assertEqual(progress.seconds_left(counts, [4.0, 12.0], [9.0, 11.0], 2), (6 * 10 + 6) / 2)
+        self.assertIn("2 of 10 done, 2 running, about 33 s left", progress.line(counts, [4.0, 12.0], [9.0, 11.0], 2))
+
+    def test_jobs_wait_for_memory(self):
+        self.assertEqual(memory.jobs_that_fit(4, 3e9, 7e9), 2)
+        self.assertEqual(memory.jobs_that_fit(4, 3e9, 2e9), 0)
+        for unknowns, measured in ((37_000, 0.19e9), (153_000, 1.04e9)):   # of CalculiX alone
+            self.assertTrue(measured < memory.estimated_bytes(unknowns / 3, "ccx") < 3 * measured + 0.25e9)
+
+
+if __name__ == "__main__":
+    unittest.main()
