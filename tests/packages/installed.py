@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A fresh home of a user with FreeCAD, into which the tests install what is in dist."""
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import zipfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+DIST = ROOT / "dist"
+EXAMPLE = ROOT / "resources" / "examples" / "bracket.FCStd"
+PYTHON = "python%d.%d" % sys.version_info[:2]
+IS_DEBIAN_12 = "bookworm" in Path("/etc/os-release").read_text(encoding="utf-8")   # with FreeCAD 0.20.2
+FREECADCMD = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
+
+
+def one_of(pattern):
+    """The only file of dist that fits."""
+    files = sorted(DIST.glob(pattern))
+    assert len(files) == 1, (pattern, files)
+    return files[0]
+
+
+class Home(unittest.TestCase):
+    """A home whose path has a space and umlauts."""
+
+    def setUp(self):
+        self.above = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.above, ignore_errors=True)
+        self.home = self.above / "Jürgen Größer"
+        self.home.mkdir()
+        self.environment = {"HOME": str(self.home), "PATH": os.environ["PATH"], "LC_ALL": "C.UTF-8", "PYTHONDONTWRITEBYTECODE": "1"}
+
+    def freecad(self, script, **variables):
+        """Runs a script in FreeCAD; gives what it wrote as JSON, with all that was printed as `printed`."""
+        result = self.above / "result.json"
+        result.unlink(missing_ok=True)
+        done = subprocess.run([FREECADCMD, str(script)], cwd=self.above, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              text=True, errors="replace", timeout=600,
+                              env={**self.environment, "FEATUREMESH_RESULT": str(result), "FEATUREMESH_EXAMPLE": str(EXAMPLE), **variables})
+        self.assertTrue(result.is_file(), done.stdout)
+        return {**json.loads(result.read_text(encoding="utf-8")), "printed": done.stdout}
+
+    def meshed(self, **variables):
+        return self.freecad(ROOT / "tests" / "packages" / "mesh_example.py", FEATUREMESH_STARTED=str(time.time()), **variables)
+
+    def user_folder(self):
+        """FreeCAD's folder of this user, which only FreeCAD knows."""
+        return Path(self.freecad(ROOT / "resources" / "launcher" / "find_user_folder.py")["user_folder"])
+
+    def packages(self):
+        """Where the Addon Manager of this FreeCAD lets pip install."""
+        folder = self.user_folder() / "AdditionalPythonPackages"
+        return folder if IS_DEBIAN_12 else folder / ("py%d%d" % sys.version_info[:2])
+
+    def pip(self, *words):
+        done = subprocess.run([PYTHON, "-m", "pip", *words], env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        return done.stdout
+
+    def install_wheel(self):
+        target = self.packages()
+        self.pip("install", "--no-index", "--find-links", str(DIST), "--target", str(target), "featuremesh-engine")
+        return target
+
+    def install_addon(self):
+        target = self.user_folder() / "Mod" / "FeatureMesh"
+        unpack(one_of("featuremesh-addon-*.zip"), target)
+        return target
+
+    def install_portable(self):
+        unpack(one_of("featuremesh-portable-*.zip"), self.user_folder() / "Mod")
+        return self.user_folder() / "Mod" / "FeatureMesh"
+
+
+def unpack(archive, target):
+    target.mkdir(parents=True, exist_ok=True)
+    with zipfile.ZipFile(archive) as opened:
+        opened.extractall(target)
