@@ -48,7 +48,7 @@ def meshed(document):
     mesh, = api.meshes_of(document)
     settings = panel("MeshPanel")
     settings.size.setProperty("rawValue", 4)
-    wait_for(lambda: "tets" in settings.estimate.text())
+    wait_for(lambda: "elements" in settings.estimate.text())
     settings.start(False)
     wait_for(lambda: settings.running is None)
     return mesh, settings
@@ -83,7 +83,25 @@ def draw():
     save("kept_panel")
     panel("KeptPanel").reject()
     spin()
+    draw_live(document, mesh)
     draw_difference(main, versions.part_of(mesh), mesh, compare.Command().show, path)
+
+
+def draw_live(document, mesh):
+    """The live result before an edit, and what the edit changed."""
+    from freecad.featuremesh import live_result
+    Gui.runCommand("FeatureMesh_LiveResult")
+    spin()
+    shown = panel("LivePanel")
+    wait_for(lambda: shown.live.Status == live_result.UP_TO_DATE)
+    save("live_result")
+    document.getObject("HoleSketch").setDatum("Hole6X", FreeCAD.Units.Quantity("102 mm"))
+    document.recompute()
+    wait_for(lambda: shown.live.Status == live_result.UP_TO_DATE)
+    shown.difference.setChecked(True)
+    save("live_change")
+    shown.reject()
+    shown.live.ViewObject.Visibility = False
 
 
 def draw_difference(main, part, mesh, compare, path):

@@ -22,7 +22,7 @@ class MeshedPlate(unittest.TestCase):
     def setUp(self):
         self.document = new_document()
         self.body = plate_with_hole(self.document)
-        self.mesh = api.add_mesh(self.body, SIZE)
+        self.mesh = api.add_mesh(self.body, SIZE, order=1)
         self.document.recompute()
         self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
 

@@ -17,9 +17,13 @@ PASSED = "every test of the module passed"
 def main():
     sys.path.insert(0, HERE)
     import freecad
+    installed = os.environ.get("FEATUREMESH_TESTED")   # a folder of an installed workbench, which FreeCAD finds by itself
     workbench = os.path.join(HERE, "..", "..", "Mod", "FeatureMesh", "freecad")
-    if workbench not in freecad.__path__:
+    if workbench not in freecad.__path__ and not installed:
         freecad.__path__.append(workbench)
+    from freecad import featuremesh
+    if installed and os.path.commonpath([os.path.realpath(featuremesh.__file__), os.path.realpath(installed)]) != os.path.realpath(installed):
+        raise RuntimeError("%s is tested instead of %s" % (featuremesh.__file__, installed))
     module = importlib.import_module(os.environ["FEATUREMESH_TESTS"])
     suite = unittest.defaultTestLoader.loadTestsFromModule(module)
     result = unittest.TextTestRunner(stream=sys.stderr, verbosity=2).run(suite)

@@ -128,7 +128,7 @@ class Adopt(unittest.TestCase):
             surface.addNode(*point, number)
         surface.addFace([1, 2, 3], 1)
         obj.FemMesh = surface
-        with self.assertRaisesRegex(UserError, "no tets"):
+        with self.assertRaisesRegex(UserError, "no tetrahedra"):
             adopt.arrays_of(obj)
 
 
@@ -139,7 +139,7 @@ class Transfer(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder)
         self.document = new_document()
         self.body = plate_with_hole(self.document)
-        self.mesh = api.add_mesh(self.body, SIZE)
+        self.mesh = api.add_mesh(self.body, SIZE, order=1)
         self.mesh.Automatic = False
         api.update_mesh(self.mesh)
 

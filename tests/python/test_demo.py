@@ -54,6 +54,16 @@ class Demo(unittest.TestCase):
         self.assertNotEqual(first["displacement"], second["displacement"])
         self.assertAlmostEqual(first["displacement"], second["displacement"], delta=0.1 * first["displacement"])
 
+    def test_the_live_solver_finds_the_same(self):
+        self.assertIn("\nLive ", "\n" + self.lines.getvalue())
+        for which in ("first", "second"):
+            live, theirs = self.numbers[which + "_live"], self.numbers[which + "_solution"]
+            if live is not None:   # where PETSc is installed
+                for name in ("displacement", "stress"):
+                    self.assertAlmostEqual(live[name] / theirs[name], 1, delta=1e-3)
+        if self.numbers["second_live"] is not None:
+            self.assertGreater(self.numbers["second_live"]["reused"]["start_share"], 0.9)
+
     def test_the_page_has_its_pictures(self):
         html = (self.out / "report.html").read_text(encoding="utf-8")
         self.assertEqual(html.count("data:image/png;base64,"), 4)

@@ -2,7 +2,6 @@
 """OBJECT.PROPERTY=VALUE: every kind of target, and every way to get it wrong."""
 import unittest
 
-import FreeCAD
 from freecad.featuremesh.edits import set_parameter
 from freecad.featuremesh.errors import UserError
 from parts import new_document, placement, plate_with_hole

@@ -123,7 +123,7 @@ class Files(unittest.TestCase):
             with zipfile.ZipFile(source, "a") as archive:
                 archive.writestr("GuiDocument.xml", view)
         if add_mesh:
-            api.add_mesh(body, 20.0)
+            api.add_mesh(body, 20.0, order=1)
         documents.save_document(document, target)
         FreeCAD.closeDocument(document.Name)
         with zipfile.ZipFile(target) as archive:

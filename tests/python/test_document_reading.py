@@ -4,7 +4,6 @@ import os
 import tempfile
 import unittest
 
-import FreeCAD
 import Part
 from freecad.featuremesh import reading
 from freecad.featuremesh.errors import UserError

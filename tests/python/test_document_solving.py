@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Analyses with our mesh: CalculiX solves them, the figures are right, and an edit needs no hand on the constraints."""
-import os
 import shutil
 import tempfile
 import unittest
 
-import FreeCAD
 import ObjectsFem
 from femtools import ccxtools
 from freecad.featuremesh import api, mesh_object, versions
@@ -114,7 +112,7 @@ class Solving(unittest.TestCase):
         """The input file with our groups and the one that FreeCAD makes by searching name the same nodes."""
         beam = self.beam()
         analysis = analysis_of(self.document, beam, [("Steel", STEEL, [])])
-        mesh = api.add_mesh(beam, 4.0)
+        mesh = api.add_mesh(beam, 4.0, order=1)
         self.document.recompute()
         with_groups, _ = self.solve(analysis)
         for group in mesh.FemMesh.Groups:
@@ -139,7 +137,7 @@ class Solving(unittest.TestCase):
         self.assertEqual(len(fragments.Shape.Solids), 2)
         analysis = analysis_of(self.document, fragments, [("Steel", STEEL, [(fragments, names[0])]),
                                                           ("Aluminium", ALUMINIUM, [(fragments, names[1])])])
-        mesh = api.add_mesh(fragments, 4.0)
+        mesh = api.add_mesh(fragments, 4.0, order=1)
         self.document.recompute()
         self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
         groups = {mesh.FemMesh.getGroupName(g): set(mesh.FemMesh.getGroupElements(g)) for g in mesh.FemMesh.Groups}
@@ -153,7 +151,7 @@ class Solving(unittest.TestCase):
         """As users of boolean fragments refer to them; only solids that lie wholly in one of theirs count."""
         left, right, fragments, names = self.two_boxes()
         analysis = analysis_of(self.document, fragments, [("Steel", STEEL, [(left, "Solid1")]), ("Aluminium", ALUMINIUM, [(right, "")])])
-        mesh = api.add_mesh(fragments, 4.0)
+        mesh = api.add_mesh(fragments, 4.0, order=1)
         self.document.recompute()
         groups = {mesh.FemMesh.getGroupName(g): set(mesh.FemMesh.getGroupElements(g)) for g in mesh.FemMesh.Groups}
         self.assertEqual(groups["Steel_Volumes"], groups[names[0]])

@@ -11,7 +11,6 @@ import sys
 import tempfile
 import time
 import unittest
-import zipfile
 
 import FreeCAD
 import numpy as np
@@ -42,7 +41,7 @@ class Faults(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder)
         self.document = new_document()
         self.body = plate_with_hole(self.document)
-        self.mesh = api.add_mesh(self.body, SIZE)
+        self.mesh = api.add_mesh(self.body, SIZE, order=1)
         self.document.recompute()
         self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
         self.path = os.path.join(self.folder, "part.FCStd")
@@ -112,7 +111,7 @@ class Faults(unittest.TestCase):
         saved = state.load(self.mesh.SavedState)
         box = self.document.addObject("Part::Box", "Box")
         self.document.recompute()
-        other = api.add_mesh(box, SIZE, name="Other")
+        other = api.add_mesh(box, SIZE, order=1, name="Other")
         api.update_mesh(other)
         saved.arrays = state.load(other.SavedState).arrays
         self.document.removeObject(other.Name)
@@ -243,7 +242,7 @@ class Faults(unittest.TestCase):
         path = os.path.join(self.folder, "bracket.FCStd")
         shutil.copyfile(os.path.join(EXAMPLES, "bracket.FCStd"), path)
         document = documents.open_document(path)
-        mesh = api.add_mesh(document.getObject("Body"), 4.0)
+        mesh = api.add_mesh(document.getObject("Body"), 4.0, order=1)
         mesh.Automatic = False
         api.update_mesh(mesh)
         for edit in range(20):

@@ -33,10 +33,11 @@ class Guide(unittest.TestCase):
             self.assertLessEqual(set(re.findall(r"api\.(\w+)\(", functions)), public, text)
 
     def test_every_picture_is_there_and_shown(self):
-        shown = set(re.findall(r"\(pictures/([\w.]+)\)", GUIDE))
+        shown = set(re.findall(r"\(pictures/([\w./]+)\)", GUIDE))
         for page in [ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]:
-            shown |= set(re.findall(r"pictures/([\w.]+)", page.read_text(encoding="utf-8")))
-        self.assertEqual(shown, {path.name for path in (ROOT / "docs" / "pictures").iterdir()})
+            shown |= set(re.findall(r"pictures/([\w./]+\.\w+)", page.read_text(encoding="utf-8")))
+        pictures = ROOT / "docs" / "pictures"
+        self.assertEqual(shown, {str(path.relative_to(pictures)) for path in pictures.rglob("*") if path.is_file()})
 
     def test_every_command_of_the_launcher_that_it_names_exists(self):
         arguments = (ROOT / "resources" / "launcher" / "arguments.py").read_text(encoding="utf-8")

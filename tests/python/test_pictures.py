@@ -12,6 +12,8 @@ sys.path.append(str(Path(__file__).resolve().parents[2] / "Mod" / "FeatureMesh" 
 
 import difference_picture  # noqa: E402
 import pictures  # noqa: E402
+import quality  # noqa: E402
+import section  # noqa: E402
 from report_page import Page  # noqa: E402
 
 REGULAR = np.array(((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)), dtype=float)
@@ -53,7 +55,7 @@ class Geometry(unittest.TestCase):
         self.cube = oriented(CORNERS, CUBE)
 
     def test_outer_triangles_of_a_cube_are_its_sides_seen_from_outside(self):
-        triangles, owner = pictures.outer_triangles(self.cube)
+        triangles, owner = section.outer_triangles(self.cube)
         self.assertEqual(len(triangles), 12)
         p = CORNERS[triangles]
         normals = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]) / 2
@@ -63,8 +65,8 @@ class Geometry(unittest.TestCase):
             self.assertLess(set(triangle), set(self.cube[tet]))
 
     def test_an_inner_side_becomes_outer_where_the_mesh_is_cut(self):
-        whole, _ = pictures.outer_triangles(self.cube)
-        half, _ = pictures.outer_triangles(self.cube[:3])
+        whole, _ = section.outer_triangles(self.cube)
+        half, _ = section.outer_triangles(self.cube[:3])
         self.assertEqual(len(half), 3 * 4 - 2 * 2)
         self.assertLess(len(half), len(whole))
 
@@ -80,14 +82,14 @@ class Geometry(unittest.TestCase):
         self.assertEqual(sum(pictures.inside_any(CORNERS, self.cube[i:i + 1], probes)[0] for i in range(6)), 1)
 
     def test_quality_of_a_regular_tet(self):
-        smallest, largest, ratios = pictures.tet_quality(REGULAR, oriented(REGULAR, np.array([[0, 1, 2, 3]])))
+        smallest, largest, ratios = quality.tet_quality(REGULAR, oriented(REGULAR, np.array([[0, 1, 2, 3]])))
         self.assertAlmostEqual(smallest[0], np.degrees(np.arccos(1 / 3)))
         self.assertAlmostEqual(largest[0], np.degrees(np.arccos(1 / 3)))
         self.assertAlmostEqual(ratios[0], 1)
 
     def test_quality_of_a_corner_of_a_cube(self):
         corner = CORNERS[[0, 1, 2, 4]]
-        smallest, largest, ratios = pictures.tet_quality(corner, np.array([[0, 1, 2, 3]]))
+        smallest, largest, ratios = quality.tet_quality(corner, np.array([[0, 1, 2, 3]]))
         self.assertAlmostEqual(smallest[0], np.degrees(np.arccos(1 / np.sqrt(3))))
         self.assertAlmostEqual(largest[0], 90)
         in_radius, circum_radius = 1 / (3 + np.sqrt(3)), np.sqrt(3) / 2

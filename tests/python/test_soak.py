@@ -166,7 +166,7 @@ class Soak(unittest.TestCase):
         shutil.copyfile(os.path.join(EXAMPLES, name + ".FCStd"), path)
         document = documents.open_document(path)
         part = document.getObject("Body") or document.getObject("Flange")
-        mesh = api.add_mesh(part, size=round(part.Shape.BoundBox.DiagonalLength / ELEMENTS, 1))
+        mesh = api.add_mesh(part, size=round(part.Shape.BoundBox.DiagonalLength / ELEMENTS, 1), order=1)
         mesh.Automatic = False
         api.update_mesh(mesh)
         editor, kept_shares, sizes, states = Editor(document, part, chance), [], [], [mesh.Proxy._raw]

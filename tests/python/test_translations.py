@@ -29,6 +29,10 @@ class German(unittest.TestCase):
         self.assertEqual(set(self.translations), texts, "run resources/translations/update_translations.py")
         self.assertEqual([key for key, text in self.translations.items() if not text], [])
 
+    def test_is_in_words_that_users_of_fem_know(self):
+        own = re.compile(r"\b(tets?|cells?|cavity|seam|entity|entities|interaction)\b|the other's material|mm3|mm³|mm²")
+        self.assertEqual([source for _, source in self.translations if own.search(source)], [])
+
     def test_has_the_same_placeholders(self):
         for (_, source), text in self.translations.items():
             self.assertEqual(PLACEHOLDER.findall(text), PLACEHOLDER.findall(source), text)

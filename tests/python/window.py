@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What scripts share that drive FreeCAD's real window: waiting, finding panels and dialogs, pictures, and how they end."""
+import faulthandler
 import gc
 import os
 import time
 import traceback
 
 import FreeCADGui as Gui
-from PySide import QtGui
+import numpy as np
+from PySide import QtCore, QtGui
 
 PICTURES = os.environ.get("FEATUREMESH_PICTURES")
+VIEW = slice(240, 740), slice(300, 1180)   # rows and columns of the screen without panels and the navigation cube
 messages = []
 figures = []   # what was measured on the way, told with the result
 
@@ -24,6 +27,15 @@ def picture(name):
     if PICTURES:
         spin(0.8)
         QtGui.QGuiApplication.primaryScreen().grabWindow(0).save(os.path.join(PICTURES, name + ".png"))
+
+
+def pixels():
+    """The 3D view as it is on the screen, (height, width, 3) of bytes."""
+    spin(0.3)
+    image = QtGui.QGuiApplication.primaryScreen().grabWindow(0).toImage().convertToFormat(QtGui.QImage.Format_RGB32)
+    buffer = image.constBits()
+    data = np.frombuffer(buffer if isinstance(buffer, (bytes, memoryview)) else buffer.asstring(image.sizeInBytes()), dtype=np.uint8)
+    return data.reshape(image.height(), image.width(), 4)[VIEW[0], VIEW[1], 2::-1].astype(int)
 
 
 def panel(kind):
@@ -46,6 +58,92 @@ def wait_for(condition, seconds=120):
         spin(0.05)
 
 
+def click(widget):
+    """The left button of the mouse, pressed and let go in the middle of a widget that can be seen."""
+    assert widget.isVisible() and widget.isEnabled(), widget.text()
+    send_mouse(widget, widget.rect().center(), QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease)
+
+
+def double_click(widget, place):
+    """At a place of the widget."""
+    send_mouse(widget, place, QtCore.QEvent.MouseMove, QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease,
+               QtCore.QEvent.MouseButtonDblClick, QtCore.QEvent.MouseButtonRelease)
+
+
+def send_mouse(widget, place, *kinds):
+    """What the mouse does at a place of a widget, with its left button."""
+    for kind in kinds:
+        moves = kind == QtCore.QEvent.MouseMove
+        pressed = kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonDblClick)
+        QtGui.QApplication.postEvent(widget, QtGui.QMouseEvent(
+            kind, QtCore.QPointF(place), QtCore.QPointF(widget.mapToGlobal(place)), QtCore.Qt.NoButton if moves else QtCore.Qt.LeftButton,
+            QtCore.Qt.LeftButton if pressed else QtCore.Qt.NoButton, QtCore.Qt.NoModifier))
+        spin(0.1)
+    spin()
+
+
+def type_into(widget, text):
+    """Types a text in place of the one that a widget has, and leaves it by the Tab key; Enter would press OK."""
+    send_key(widget, QtCore.Qt.Key_A, QtCore.Qt.ControlModifier)
+    for letter in text:
+        send_key(widget, 0, QtCore.Qt.NoModifier, letter)
+    send_key(widget, QtCore.Qt.Key_Tab)
+    spin()
+
+
+def send_key(widget, key, modifiers=QtCore.Qt.NoModifier, text=""):
+    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+        QtGui.QApplication.postEvent(widget, QtGui.QKeyEvent(kind, key, modifiers, text))
+    QtGui.QApplication.processEvents()
+
+
+def click_button_of(command):
+    """The button of a command, by its name, in its toolbar, which is opened at its end where it has no room for all."""
+    bar, action = next((bar, action) for bar in Gui.getMainWindow().findChildren(QtGui.QToolBar) if bar.isVisible()
+                       for action in bar.actions() if command in (action.objectName(), action.data()))
+    button = bar.widgetForAction(action)
+    if not button.isVisible():
+        click(bar.findChild(QtGui.QToolButton, "qt_toolbar_ext_button"))
+        wait_for(button.isVisible)
+    wait_for(button.isEnabled)   # FreeCAD looks now and then what is possible
+    click(button)
+
+
+def place_in_view(point):
+    """(the widget of the 3D view, where on it a point of the model is)."""
+    view = Gui.activeDocument().activeView()
+    widget, = [w.viewport() for w in Gui.getMainWindow().findChildren(QtGui.QGraphicsView)
+               if w.isVisible() and w.metaObject().className().endswith(("QuarterWidget", "View3DInventorViewer"))]
+    x, y = (getattr(view, "getPointOnViewport", None) or view.getPointOnScreen)(point)
+    width, height = view.getSize()   # in pixels of the screen, from the lower left
+    return widget, QtCore.QPoint(x * widget.width() // width, (height - y) * widget.height() // height)
+
+
+def click_in_view(point):
+    """The left button over a point of the model in the 3D view."""
+    send_mouse(*place_in_view(point), QtCore.QEvent.MouseMove, QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease)
+
+
+def click_in_panel(name):
+    """One of "Ok", "Apply", "Cancel" and "Close" over the open task panel."""
+    box, = [box for box in Gui.getMainWindow().findChildren(QtGui.QDialogButtonBox) if box.isVisible()]
+    click(box.button(getattr(QtGui.QDialogButtonBox, name)))
+
+
+def answer_with(text, seen):
+    """Clicks the button of that text in the next message box, and appends what the box says to `seen`. Keep what it returns until then."""
+    def look():
+        box = QtGui.QApplication.activeModalWidget()
+        if isinstance(box, QtGui.QMessageBox) and box.isVisible():
+            timer.stop()
+            seen.append(box.text())
+            click(next(button for button in box.buttons() if button.text().replace("&", "") == text))
+    timer = QtCore.QTimer()
+    timer.timeout.connect(look)
+    timer.start(50)
+    return timer
+
+
 def texts_of(action):
     """The texts in the menu of an action."""
     menu = action.menu()
@@ -59,13 +157,19 @@ def open_dialog():
 
 
 def run(drive):
-    """Ends FreeCAD after `drive`, with its result in the file FEATUREMESH_RESULT: "ok" and what was measured, or what went wrong."""
+    """Ends FreeCAD after `drive`, with its result in the file FEATUREMESH_RESULT: "ok" and what was measured, or what went wrong.
+
+    After FEATUREMESH_SECONDS it ends, too, and the file beside that one, with .stuck, says where it was.
+    """
+    result_file = os.environ["FEATUREMESH_RESULT"]
+    stuck = open(result_file + ".stuck", "w", encoding="utf-8")
+    faulthandler.dump_traceback_later(float(os.environ["FEATUREMESH_SECONDS"]), exit=True, file=stuck)
     QtGui.QMessageBox.warning = staticmethod(lambda *words: messages.append(words[2]))
     try:
         drive()
         result = "\n".join(["ok", *figures])
     except BaseException:
         result = traceback.format_exc() + "\nmessages: %s" % messages
-    with open(os.environ["FEATUREMESH_RESULT"], "w", encoding="utf-8") as stream:
+    with open(result_file, "w", encoding="utf-8") as stream:
         stream.write(result)
     os._exit(0)

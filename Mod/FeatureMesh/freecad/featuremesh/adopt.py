@@ -40,7 +40,7 @@ def arrays_of(obj):
     fem_mesh = obj.FemMesh
     tets = _elements(fem_mesh, fem_mesh.Volumes, obj, (4, 10), "tets")
     if not len(tets[0]):
-        raise UserError(translate("FeatureMesh", "%s has no tets; it has to be a volume mesh") % describe(obj))
+        raise UserError(translate("FeatureMesh", "%s has no tetrahedra; it has to be a volume mesh") % describe(obj))
     order = 2 if tets[1].shape[1] == 10 else 1
     triangles = _elements(fem_mesh, fem_mesh.Faces, obj, (3, 6), "triangles")
     segments = _elements(fem_mesh, fem_mesh.Edges, obj, (2, 3), "segments")
@@ -84,7 +84,7 @@ def _elements(fem_mesh, numbers, obj, counts, what):
     rows = [fem_mesh.getElementNodes(number) for number in numbers]
     lengths = {len(row) for row in rows}
     if len(lengths) > 1 or not lengths <= set(counts):
-        raise UserError(translate("FeatureMesh", "%s has other elements than 4-node or 10-node tets (%s with %s nodes); only tets can be adopted")
+        raise UserError(translate("FeatureMesh", "%s has other elements than 4-node or 10-node tetrahedra (%s with %s nodes); only tetrahedra can be adopted")
                         % (describe(obj), what, ", ".join(map(str, sorted(lengths)))))
     if not rows:
         return np.empty(0, dtype=np.int64), np.empty((0, counts[0]), dtype=np.int64)

@@ -10,33 +10,47 @@ import time
 import FreeCAD
 import ObjectsFem
 
-from . import adopt, difference_drawing, documents, edits, engine, export, overlays, reading, transfer, versions
+from . import (adopt, analyses, difference_drawing, documents, edits, engine, export, mesh_drawing, overlays, reading, resolving, section, solve_guard, solving,
+               statics, statics_result, transfer, versions)
+from . import live_result as live_results
+from .about import facts
 from .errors import StateError, UserError
-from .mesh_object import FeatureMesh, is_feature_mesh, options_of, plain
+from .mesh_object import FeatureMesh, is_feature_mesh, options_of
+from .reports import plain
 
 translate = FreeCAD.Qt.translate
 DEFAULT_ELEMENTS = 30
 
 
-def add_mesh(part, size=None, order=1, threads=0, name="FeatureMesh", automatic=True, elements=DEFAULT_ELEMENTS,
-             join_analysis=True):
+def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=True, elements=DEFAULT_ELEMENTS,
+             join_analysis=True, active_analysis=None):
     """Adds a mesh object for `part` to its document; recompute it, or call update_mesh, to mesh.
 
-    `size` in mm, by default the part's diagonal over `elements`. Throws UserError for sizes that make no sense.
+    `size` in mm, by default the part's diagonal over `elements`; `order` 2 for 10-node tetrahedra, 1 for 4-node ones, which are far too stiff
+    in bending. It joins the active analysis, where one is given, or the one that it is for, see analyses.for_new_mesh. Throws UserError for
+    sizes that make no sense.
     """
-    size = default_size(part, elements) if size is None else float(size)
+    reading.refuse_unmeshable(part)
+    if order not in (1, 2):
+        raise UserError(translate("FeatureMesh", "the order is 1 (4-node) or 2 (10-node), not %s") % order)
+    size = default_size(part, elements) if size is None else length_of(size)
     check_size(size, part)
     mesh = part.Document.addObject(versions.mesh_object_type(), name)
     FeatureMesh(mesh)
     setattr(mesh, versions.part_property(mesh), part)
     mesh.Size, mesh.Order, mesh.Threads, mesh.Automatic = size, "2nd" if order == 2 else "1st", threads, automatic
     if join_analysis:
-        _join_analysis(mesh, part.Document)
+        analysis, said = analyses.for_new_mesh(part, active_analysis)
+        if analysis is not None:
+            analysis.addObject(mesh)
+        if said:
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, said))
     return mesh
 
 
 def update_mesh(mesh, full=False, progress=None):
     """Brings the mesh up to date with its part, locally unless `full`. Returns the report (a dict)."""
+    reading.refuse_gone(mesh)
     report = mesh.Proxy.update(mesh, full, progress)
     mesh.purgeTouched()
     return report
@@ -171,38 +185,59 @@ def estimated_tets(raw, options):
 def add_local_size(mesh, references, size=None):
     """Adds an FEM mesh refinement: `size` (mm, by default half the mesh size) on faces, edges or vertices of the part.
 
-    `references` are (object, "Face3") pairs. Throws UserError when there are none, or when they are not on the part.
+    `references` are (object, "Face3") pairs as a script or a selection has them: of the part, of a feature of it, or through a link or
+    container; None for none yet. Throws UserError when there are none, or when they are not on the part.
     """
-    part = versions.part_of(mesh)
-    foreign = [obj for obj, _ in references if obj is not part]
-    if not references or foreign:
-        raise UserError(translate("FeatureMesh", "select faces, edges or vertices of %s%s")
-                        % (reading.describe(part), translate("FeatureMesh", ", not of %s") % foreign[0].Name if foreign else ""))
+    names = _names_on_part(mesh, references, translate("FeatureMesh", "select faces, edges or vertices of %s%s"))
+    if any(name.startswith("Solid") for name in names):
+        raise UserError(translate("FeatureMesh", "a local size is for faces, edges or vertices; the size of a whole part is the mesh's own"))
     region = ObjectsFem.makeMeshRegion(mesh.Document, mesh, mesh.Size.Value / 2 if size is None else size)
-    region.References = references
+    region.References = _references(mesh, names)
     return region
 
 
-def show_kept(mesh):
-    """Colours the elements in the window, if there is one: those the last update kept, and new ones. Returns {tet number: colour}.
+def add_group(mesh, references, name="MeshGroup"):
+    """Adds an FEM mesh group of solids, faces, edges or vertices of the part; after the next update the mesh has a group of their elements, named
+    as the object, and one of their nodes, with "_Nodes" behind.
 
-    Throws UserError when there was no update since the document was opened.
+    `references` as for add_local_size; a whole object stands for its solids. Throws UserError when there are none, or when they are not on the part.
     """
-    return _coloured(mesh, overlays.kept_colours(mesh))
+    names = _names_on_part(mesh, references, translate("FeatureMesh", "select solids, faces, edges or vertices of %s%s"))
+    group = ObjectsFem.makeMeshGroup(mesh.Document, mesh, name=name)
+    group.References = _references(mesh, names)
+    return group
 
 
-def show_quality(mesh):
-    """Colours the elements in the window, if there is one, by their smallest angle. Returns {tet number: colour}."""
-    return _coloured(mesh, overlays.quality_colours(mesh))
+def show_kept(mesh, cut=None):
+    """Colours the elements in the window, if there is one: those the last update kept, and new ones. Returns the overlays.Overlay.
+
+    `cut` opens the mesh: "z=5" (whole elements below z = 5 mm stay), "z>5" (those above). Throws UserError when there was no update
+    since the document was opened.
+    """
+    return _shown(mesh, overlays.kept(mesh), cut)
+
+
+def show_quality(mesh, measure="dihedral_angle", limits=None, cut=None):
+    """Colours the elements in the window, if there is one, by a measure of quality (see quality.MEASURES). Returns the overlays.Overlay.
+
+    `limits` are what is bad and what is good, by default the measure's own; `cut` as for show_kept. Throws UserError.
+    """
+    return _shown(mesh, overlays.quality(mesh, measure, limits), cut)
+
+
+def draw_quality(mesh, path, measure="dihedral_angle", limits=None, cut=None, filled=False):
+    """Writes a picture of the elements as show_quality colours them, cut open by whole elements or `filled`. Returns the overlays.Overlay."""
+    return mesh_drawing.draw(mesh, path, measure, limits, plane_of(cut), filled)
 
 
 def show_plain(mesh):
     """Takes colours away again."""
-    _coloured(mesh, {})
+    if mesh.ViewObject is not None:
+        mesh.ViewObject.Proxy.show(mesh, None)
 
 
 def export_mesh(mesh, path, file_format=None):
-    """Writes the mesh with its groups as vtu, inp, unv or med (by default what the file's name says)."""
+    """Writes the mesh with its groups as one of export.FORMATS (by default what the file's name says)."""
     export.write(mesh, path, file_format or os.path.splitext(path)[1].lstrip("."))
 
 
@@ -225,9 +260,78 @@ def transfer_result(result, mesh, name=None):
     return transfer.result(result, mesh, name)
 
 
+def solve(analysis):
+    """Solves an analysis with CalculiX. Returns a solving.Solution: the result object, and its figures by name.
+
+    Throws UserError when something is missing, a mesh is out of date, or CalculiX fails.
+    """
+    return solving.solve(analysis)
+
+
+def solve_analysis(analysis, which=None, threads=0, keep="", progress=None):
+    """Solves the analysis and leaves FreeCAD's own result object in it. Returns the report.
+
+    `which` is "live" (linear statics, from our mesh's arrays), "ccx" (CalculiX through FreeCAD), or None: live where that knows all
+    that the analysis holds, else CalculiX, and the report's warnings say why. Throws UserError.
+    """
+    solve_guard.refuse(analysis)
+    from . import calculix   # FreeCAD's tools for CalculiX take a while to load
+    if which == "ccx":
+        return calculix.solve(analysis)
+    try:
+        fields, report = statics.solve(analysis, keep, threads, progress)
+    except statics.NotUnderstood as error:
+        if which == "live":
+            raise
+        report = calculix.solve(analysis)
+        report["warnings"].append("solved with CalculiX: %s" % error)
+        return report
+    start = time.perf_counter()
+    result = statics_result.show(analysis, statics.arrays_of(analysis), fields)
+    report["result"] = result.Name
+    report["seconds"]["result"] = time.perf_counter() - start
+    report["seconds"]["total"] += report["seconds"]["result"]
+    return report
+
+
+def live_result(analysis):
+    """The live result of the analysis, added and solved where it has none: after each recompute its `Result` is FreeCAD's result object of the part as
+    it is. In the window it is solved beside FreeCAD's own thread, in a script at once. `Status` says whether it is up to date."""
+    reading.refuse_gone(analysis)
+    if not analysis.isDerivedFrom("Fem::FemAnalysis"):
+        raise UserError(translate("FeatureMesh", "%s is no analysis") % reading.describe(analysis))
+    live = live_results.add(analysis)
+    if live.Status != live_results.UP_TO_DATE:
+        solve_live(live)
+    return live
+
+
+def solve_live(live):
+    """Solves a live result now, whether it is Automatic or not: in the window beside FreeCAD's own thread, in a script at once. Throws UserError."""
+    if live_results.solve_later is not None:
+        live_results.solve_later(live)
+    else:
+        live.Proxy.solve(live)
+
+
+def find_analysis(document, name=None):
+    """The document's analysis, the one of that name where there are several. Throws UserError."""
+    found = [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemAnalysis") and (not name or name in (obj.Name, obj.Label))]
+    if not found:
+        raise UserError("the document %s has no analysis%s; add one in FreeCAD's FEM workbench" % (document.Label, " " + name if name else ""))
+    if len(found) > 1:
+        raise UserError("the document has several analyses, name one with --analysis: %s" % ", ".join(reading.describe(obj) for obj in found))
+    return found[0]
+
+
 def meshes_of(document):
     """All FeatureMesh objects of the document."""
     return [obj for obj in document.Objects if is_feature_mesh(obj)]
+
+
+def about():
+    """[(name, value)] of what a bug report needs to know: versions, where things are and how they were installed, where the log is."""
+    return facts()
 
 
 def find_mesh(document, part_name=None):
@@ -247,23 +351,59 @@ def find_mesh(document, part_name=None):
 
 def default_size(part, elements=DEFAULT_ELEMENTS):
     """A sensible edge length for a part: its diagonal over `elements`, rounded to two digits, mm."""
+    if not elements > 0:
+        raise UserError(translate("FeatureMesh", "the number of elements along the part has to be greater than 0, not %s") % elements)
     size = part.Shape.BoundBox.DiagonalLength / elements
     digits = 1 - int(math.floor(math.log10(size))) if size > 0 else 0
     return round(size, digits)
 
 
-def _coloured(mesh, colours):
+def length_of(value):
+    """A number, a quantity or a text such as "0.5 in" in mm. Throws UserError."""
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        pass
+    try:
+        quantity = FreeCAD.Units.Quantity(value)
+        if quantity.Unit == FreeCAD.Units.Length:
+            return quantity.Value
+    except (TypeError, ValueError, ArithmeticError, OSError):
+        pass
+    raise UserError(translate("FeatureMesh", "%s is no length") % value)
+
+
+def plane_of(cut):
+    """The section.Plane of a text such as "z=5", None for None. Throws UserError."""
+    try:
+        return None if cut is None else section.plane_from_text(cut)
+    except ValueError:
+        raise UserError(translate("FeatureMesh", "a cut is x, y or z with =, < or > and a number, such as z=5, not %s") % cut) from None
+
+
+def _names_on_part(mesh, references, request):
+    """Names of what (object, name) pairs mean on the part. Throws UserError with the request when there are none, or for what is not on the part."""
+    part = versions.part_of(mesh)
+    if references is None:
+        return []
+    resolver = resolving.Resolver(part)
+    meant = [(obj, sub, resolver.names(obj, sub)) for obj, sub in references]
+    foreign = [resolving.describe(obj, sub) for obj, sub, names in meant if not names]
+    if not references or foreign:
+        raise UserError(request % (reading.describe(part), translate("FeatureMesh", ", not of %s") % foreign[0] if foreign else ""))
+    return list(dict.fromkeys(name for _, _, names in meant for name in names))
+
+
+def _references(mesh, names):
+    return [(versions.part_of(mesh), name) for name in names]
+
+
+def _shown(mesh, overlay, cut):
+    plane = plane_of(cut)
     if mesh.ViewObject is not None:
-        mesh.ViewObject.Proxy.colour(mesh, colours)
+        mesh.ViewObject.Proxy.show(mesh, overlay, plane)
         mesh.ViewObject.Visibility = True
-    return colours
-
-
-def _join_analysis(mesh, document):
-    """A lone analysis without a mesh gets this one; an analysis works with exactly one."""
-    analyses = [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemAnalysis")]
-    if len(analyses) == 1 and not any(member.isDerivedFrom("Fem::FemMeshObject") for member in analyses[0].Group):
-        analyses[0].addObject(mesh)
+    return overlay
 
 
 def check_size(size, part):
@@ -274,4 +414,3 @@ def check_size(size, part):
     if size > diagonal:
         raise UserError(translate("FeatureMesh", "the size %g mm is larger than the part (%g mm across); try %g")
                         % (size, diagonal, default_size(part)))
-

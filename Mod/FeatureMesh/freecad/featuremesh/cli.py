@@ -25,7 +25,7 @@ def run_from_environment():
 
 def run(task):
     """The result of one task; never throws."""
-    from freecad.featuremesh import tasks
+    from freecad.featuremesh import log, tasks
     from freecad.featuremesh.errors import EngineMissing, UserError
     try:
         message, data = tasks.COMMANDS[task["command"]](task)
@@ -38,6 +38,7 @@ def run(task):
         if tasks.is_users_fault(error):
             return _failure(2, error)
         traceback.print_exc()
+        log.write_error(error)
         return _failure(1, error)
 
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sets parameters of a document as a user writes them: OBJECT.PROPERTY=VALUE."""
 
+import math
+
 import FreeCAD
 
 from .errors import UserError
@@ -31,6 +33,36 @@ def set_parameter(document, assignment):
         _set_cell(obj, path, value)
     else:
         raise _unknown(obj, first, obj.PropertiesList)
+
+
+def parameter_value(document, target):
+    """What a parameter is now: a number in mm or degrees where it has such a unit, a switch or a word. Throws UserError as set_parameter does."""
+    name, _, path = target.partition(".")
+    obj = find_object(document, name)
+    first, _, rest = path.partition(".")
+    if first in obj.PropertiesList and obj.TypeId != "Spreadsheet::Sheet":
+        return _value_of_property(obj, first, rest)
+    if obj.isDerivedFrom("Sketcher::SketchObject"):
+        constraint = obj.Constraints[_constraint_index(obj, path)]
+        return math.degrees(constraint.Value) if constraint.Type == "Angle" else constraint.Value
+    if obj.TypeId == "Spreadsheet::Sheet" and path in obj.PropertiesList:
+        value = obj.get(path)
+        return getattr(value, "Value", value)
+    raise _unknown(obj, first, obj.PropertiesList)
+
+
+def _value_of_property(obj, name, rest):
+    value = getattr(obj, name)
+    for step in rest.split(".") if rest else ():
+        if not hasattr(value, step):
+            raise _unknown(obj, "%s.%s" % (name, rest), obj.PropertiesList)
+        value = getattr(value, step)
+    if rest.endswith("Angle"):
+        return math.degrees(value)
+    value = getattr(value, "Value", value)
+    if not isinstance(value, (bool, int, float, str)):
+        raise UserError("%s.%s is no number, switch or choice" % (describe(obj), name))
+    return value
 
 
 def _set_property(obj, name, rest, text):

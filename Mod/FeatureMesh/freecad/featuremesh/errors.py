@@ -1,9 +1,38 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The errors of the FreeCAD side; the engine has its own (featuremesh_engine.Error)."""
 
+import sys
+
 
 class UserError(ValueError):
     """What was asked cannot be done; the message says what, where and what to try."""
+
+
+class _NamedAsTheMesh(type):
+
+    title = ""   # of the mesh whose update failed last
+
+    def __str__(cls):
+        return cls.title
+
+
+class FailedUpdate(UserError, metaclass=_NamedAsTheMesh):
+    """What a recompute of FreeCAD is told, which prints an exception's class, its text and the lines of code that led to it.
+
+    To a user the text is enough, so the lines are left out while FreeCAD prints this one, that is, as long as it exists; the log has them.
+    """
+
+    def __init__(self, title, message):
+        super().__init__(message)
+        type(self).title = title
+        self._limit = getattr(sys, "tracebacklimit", None)
+        sys.tracebacklimit = 0
+
+    def __del__(self):
+        if self._limit is not None:
+            sys.tracebacklimit = self._limit
+        elif hasattr(sys, "tracebacklimit"):
+            del sys.tracebacklimit
 
 
 class StateError(RuntimeError):

@@ -12,6 +12,7 @@ import Fem
 import numpy as np
 
 from .materials import material_groups
+from .resolving import Resolver
 from .waiting import let_the_window_live
 
 # SMESH wants tets oriented the other way round than Abaqus and VTK; the corners in the order its UNV reader gives them.
@@ -89,19 +90,21 @@ def reopened(fem_mesh, arrays):
     return build(arrays, groups)
 
 
-def groups_of(part_mesh, mesh, part):
-    """All groups of the mesh object `mesh`: per CAD entity, per feature, per group object and per analysis member."""
+def groups_of(part_mesh, mesh, part, raw=None):
+    """All groups of the mesh object `mesh`: per CAD entity, per feature, per group object and per analysis member. `raw` is the part as
+    it was read for the mesh."""
+    resolver = Resolver(part, raw)
     entities = EntityGroups(part_mesh.arrays())
     groups = entities.of_all_entities()
     groups += [("Feature_" + name, "Volume", numbers) for name, numbers in part_mesh.owners_of_tets() if len(numbers)]
     for group in getattr(mesh, "MeshGroupList", []):
         name = group.Label if getattr(group, "UseLabel", False) else group.Name
-        groups += _groups_of_references(name, group, part, entities)
-    groups += analysis_groups(mesh, part, entities)
+        groups += _groups_of_references(name, group, resolver, entities)
+    groups += analysis_groups(mesh, resolver, entities)
     return [group for group in groups if len(group[2])]
 
 
-def analysis_groups(mesh, part, entities):
+def analysis_groups(mesh, resolver, entities):
     """The groups by which the solver's writer finds the nodes of constraints and the elements of materials."""
     groups = []
     members = [member for analysis in mesh.InList if analysis.isDerivedFrom("Fem::FemAnalysis")
@@ -110,15 +113,15 @@ def analysis_groups(mesh, part, entities):
     for member in members:
         if member in materials or not hasattr(member, "References"):
             continue
-        nodes = _nodes_of_references(member, part, entities)
+        nodes = _nodes_of_references(member, resolver, entities)
         if nodes is not None:
             groups.append((member.Name + "_Nodes", "Node", nodes))
     if len(materials) > 1:
-        groups += material_groups(materials, part, entities)
+        groups += material_groups(materials, resolver, entities)
     return groups
 
 
-def renew_analysis_groups(mesh, part, arrays):
+def renew_analysis_groups(mesh, resolver, arrays):
     """Replaces the groups of analysis members in the mesh as it is."""
     fem_mesh = mesh.FemMesh
     members = [member.Name for analysis in mesh.InList if analysis.isDerivedFrom("Fem::FemAnalysis")
@@ -127,7 +130,7 @@ def renew_analysis_groups(mesh, part, arrays):
     for group in fem_mesh.Groups:
         if fem_mesh.getGroupName(group) in own:
             fem_mesh.removeGroup(group)
-    for name, kind, numbers in analysis_groups(mesh, part, EntityGroups(arrays)):
+    for name, kind, numbers in analysis_groups(mesh, resolver, EntityGroups(arrays)):
         if len(numbers):
             fem_mesh.addGroupElements(fem_mesh.addGroup(name, kind), [int(number) for number in numbers])
 
@@ -206,27 +209,16 @@ def _element_numbers(arrays):
     return np.concatenate([arrays[kind + "_numbers"] for kind in ("segment", "triangle", "tet")])
 
 
-def references_to(member, part):
-    """Names of the sub-elements of `part` that an FEM object refers to, and whether it refers to anything else."""
-    names, foreign = [], False
-    for target, subs in getattr(member, "References", None) or []:
-        if target is not part:
-            foreign = True
-            continue
-        names += [subs] if isinstance(subs, str) else list(subs)
-    return names, foreign
-
-
-def _nodes_of_references(member, part, entities):
-    """Sorted node numbers of what `member` refers to; None when that is not all on `part`."""
-    names, foreign = references_to(member, part)
+def _nodes_of_references(member, resolver, entities):
+    """Sorted node numbers of what `member` refers to; None when that is not all on the part."""
+    names, foreign = resolver.of_object(member)
     if foreign or not names:
         return None
     return _union([entities.nodes(name) for name in names])
 
 
-def _groups_of_references(name, group, part, entities):
-    names, _ = references_to(group, part)
+def _groups_of_references(name, group, resolver, entities):
+    names, _ = resolver.of_object(group)
     result = []
     for prefix in ("Solid", "Face", "Edge"):
         numbers = _union([entities.elements(sub) for sub in names if sub.startswith(prefix)])

@@ -7,7 +7,11 @@ groups by which a solver finds the nodes of constraints are renewed when the ref
 
 import FreeCAD
 
+from . import results
+
+_WATCHED = ("References", "Group", "MeshGroupList", "MeshRegionList")
 _observer = None
+_deleted = {}   # name of a document -> names of the objects deleted from it
 
 
 def watch():
@@ -16,6 +20,18 @@ def watch():
     if _observer is None:
         _observer = _Observer()
         FreeCAD.addDocumentObserver(_observer)
+
+
+def settle(obj):
+    """To be called when the task panel of an FEM object was closed: it may have been given other references."""
+    for mesh in obj.Document.Objects:
+        if _is_ours(mesh):
+            mesh.Proxy.references_changed(mesh, obj)
+
+
+def deleted_of(document):
+    """Names of objects that were deleted from the document while it was open."""
+    return _deleted.get(document.Name, set())
 
 
 class _Observer:
@@ -29,22 +45,44 @@ class _Observer:
     def slotAbortTransaction(self, document):
         _show_states(document)
 
+    def slotCreatedObject(self, obj):
+        _deleted.get(obj.Document.Name, set()).discard(obj.Name)
+
+    def slotDeletedObject(self, obj):
+        _deleted.setdefault(obj.Document.Name, set()).add(obj.Name)
+        for mesh in obj.Document.Objects:
+            if _is_ours(mesh) and mesh is not obj:
+                mesh.Proxy.forget_references(mesh, obj.Name)
+
+    def slotDeletedDocument(self, document):
+        _deleted.pop(document.Name, None)
+        results.forget(document)
+
     def slotChangedObject(self, obj, name):
-        if name not in ("References", "Group") or FreeCAD.isRestoring():
+        if name == "Data" and results.is_result(obj) and not (FreeCAD.isRestoring() or obj.Document.Recomputing or obj.Document.Transacting):
+            results.note_again(obj, from_input=True)   # since 1.1 a solver fills its pipeline anew
+        if name not in _WATCHED or FreeCAD.isRestoring() or obj.Document.Recomputing or obj.Document.Transacting:
             return
-        analyses = [obj] if obj.isDerivedFrom("Fem::FemAnalysis") else \
-            [parent for parent in obj.InList if parent.isDerivedFrom("Fem::FemAnalysis")]
-        for analysis in analyses:
-            for member in analysis.Group:
-                if _is_ours(member):
-                    member.Proxy.renew_analysis_groups(member)
+        if name == "Group" and obj.isDerivedFrom("Fem::FemAnalysis"):
+            results.note(obj)
+        for mesh in obj.Document.Objects:
+            if not _is_ours(mesh):
+                continue
+            if name == "References":
+                mesh.Proxy.references_changed(mesh, obj)
+            elif mesh is obj or obj in mesh.InList:
+                mesh.Proxy.members_changed(mesh)
+            if name == "References" or name == "Group" and obj in mesh.InList:
+                mesh.Proxy.renew_analysis_groups(mesh)
 
 
 def _show_states(document):
     for obj in document.Objects:
         if _is_ours(obj):
             obj.Proxy.show_state(obj)
+            obj.Proxy.members_changed(obj, after_undo=True)
+            results.mark(obj)
 
 
 def _is_ours(obj):
-    return getattr(getattr(obj, "Proxy", None), "Type", "") == "Fem::FeatureMesh"
+    return getattr(getattr(obj, "Proxy", None), "Type", "") == "Fem::FeatureMesh" and "ReferredTo" in obj.PropertiesList

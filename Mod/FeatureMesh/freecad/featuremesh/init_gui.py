@@ -1,16 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the workbench known when FreeCAD's window starts."""
 
+import importlib.util
 import os
 
 import FreeCADGui as Gui
 
+if importlib.util.find_spec("numpy") is None:
+    raise ImportError("FeatureMesh needs numpy, which this FreeCAD has not; install it (Debian: python3-numpy) and start FreeCAD anew")
+
 Gui.addLanguagePath(os.path.join(os.path.dirname(__file__), "translations"))
 Gui.updateLocale()
 
-from freecad.featuremesh import mesh_object, view_provider, waiting
+from freecad.featuremesh import live_result, live_view, mesh_object, view_provider, waiting
 from freecad.featuremesh.commands import COMMANDS, IN_FEM, register
-from freecad.featuremesh.gui import fem_toolbar, preferences_page, running
+from freecad.featuremesh.gui import fem_toolbar, live_runner, open_panels, preferences_page, running
 
 
 class FeatureMeshWorkbench(Gui.Workbench):
@@ -33,6 +37,9 @@ class FeatureMeshWorkbench(Gui.Workbench):
 
 
 mesh_object.on_ready.append(view_provider.attach)
+live_result.on_ready.append(live_view.attach)
+live_result.on_solution.append(live_view.show_solution)
+live_runner.install()
 mesh_object.run_job = running.run_with_escape
 waiting.repaint = running.repaint
 preferences_page.choose_place()
@@ -41,3 +48,4 @@ Gui.addPreferencePage(preferences_page.PreferencesPage, "FeatureMesh")
 register()
 Gui.addWorkbench(FeatureMeshWorkbench())
 fem_toolbar.install(IN_FEM)
+open_panels.install()

@@ -3,7 +3,7 @@
 
 import time
 
-from . import engine
+from . import engine, log
 from .worker import WorkerDied
 
 
@@ -21,6 +21,8 @@ class MeshJob:
         self.problem = problem    # why there is none although there should be, or None
         self.part_mesh = None
         self.report = None
+        self.shape = None         # the part's, as FreeCAD has it
+        self.settings = None      # the mesh object's when the job was made
         self.seconds = {}
         self.next_numbers = (1, 1)   # of nodes and elements, for a mesh from scratch
 
@@ -35,6 +37,7 @@ class MeshJob:
         else:
             self.part_mesh, self.report = engine.load().update_part(self.old, self.raw, self.options, progress)
         self.seconds["engine"] = time.perf_counter() - start
+        log.write("%s %s in %.1f s", "meshed" if self.old is None else "updated", self.raw["final_object"], self.seconds["engine"])
 
     def _restore(self, progress):
         """Makes the engine's mesh of the saved state, or leaves it to a mesh from scratch and says why."""

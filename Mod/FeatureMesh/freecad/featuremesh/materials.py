@@ -8,11 +8,12 @@ import FreeCAD
 import numpy as np
 
 from . import versions
+from .resolving import pairs_of, path_of
 
 _POINTS_PER_SOLID = 8
 
 
-def material_groups(materials, part, entities):
+def material_groups(materials, resolver, entities):
     """One volume group per material, but only if together they cover every tet once: else none, and FreeCAD searches itself."""
     claimed, groups, rest = [], [], None
     for material in materials:
@@ -21,7 +22,7 @@ def material_groups(materials, part, entities):
                 return []
             rest = material
             continue
-        names = _solids_of(material, part, entities)
+        names = _solids_of(material, resolver, entities)
         if names is None:
             return []
         numbers = _numbers(names, entities)
@@ -36,15 +37,17 @@ def material_groups(materials, part, entities):
     return groups if np.array_equal(covered, everything) else []
 
 
-def _solids_of(material, part, entities):
+def _solids_of(material, resolver, entities):
     """Names of the part's solids that a material refers to; None when it refers to something else, too."""
     names = set()
-    for target, subs in material.References:
-        for sub in ((subs,) if isinstance(subs, str) else subs) or ("",):
-            found = [sub] if target is part and sub.startswith("Solid") else _solids_within(target, sub, entities)
-            if not found:
-                return None
-            names.update(found)
+    for obj, sub in pairs_of(material):
+        path, element = path_of(obj, sub)
+        target = path[-1]
+        is_state_of_part = resolver.is_alike(target) or target.isDerivedFrom("PartDesign::Feature")
+        found = resolver.names(obj, sub) if is_state_of_part else _solids_within(target, element, entities)
+        if not found or not all(name.startswith("Solid") for name in found):
+            return None
+        names.update(found)
     return sorted(names)
 
 

@@ -10,60 +10,23 @@ import FreeCAD
 import Fem
 import numpy as np
 
-from . import adopt, engine, hand_over, history, messages, references, state, versions
-from .errors import EngineMissing, StateError, UserError
+from . import adopt, analyses, engine, hand_over, history, log, mesh_properties, messages, references, resolving, results, solve_guard, state, too_fine, versions
+from .errors import EngineMissing, FailedUpdate, StateError, UserError
 from .job import MeshJob
-from .reading import describe, read_document, shape_of_record
+from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, is_of_its_part,
+                              settings_of, status_in_words)
+from .numbering import Numbering
+from .reading import describe, elements_of_today, read_document, shape_of_record, with_elements
+from .reports import add_fallback, plain, remarks_of
+from .resolving import Resolver
 
 translate = FreeCAD.Qt.translate
-# Kept in documents as they are; shown in the user's language by status_in_words.
-QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
-NOT_MESHED = QT_TRANSLATE_NOOP("FeatureMesh", "not meshed yet")
-UP_TO_DATE = QT_TRANSLATE_NOOP("FeatureMesh", "up to date")
-OUT_OF_DATE = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: the part or a setting changed, update by hand or switch Automatic on")
-CANCELLED = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: the last update was cancelled")
-
-# (type, name, group, default, read-only, tooltip)
-PROPERTIES = [
-    ("App::PropertyLength", "Size", "Mesh size", 0.0, False, "Wanted edge length of the tets"),
-    ("App::PropertyLength", "MinSize", "Mesh size", 0.0, False,
-     "Smallest edge length that curvature, thin gaps and growth may ask for; 0: a tenth of Size"),
-    ("App::PropertyFloat", "ElementsPerCircle", "Mesh size", 12.0, False,
-     "Edges along a full circle of any curved face or edge; 0: sizes do not follow curvature"),
-    ("App::PropertyFloat", "ElementsAcrossGap", "Mesh size", 0.0, False,
-     "Elements across thin walls and slots; 0: sizes do not follow thickness"),
-    ("App::PropertyFloat", "Growth", "Mesh size", 1.3, False,
-     "By how much neighbouring elements may differ in size at most"),
-    ("App::PropertyFloat", "QualityTarget", "Mesh", 30.0, False,
-     "Smallest angle in degrees that new elements are improved towards; below 30 is faster, above 35 is rarely reached"),
-    ("App::PropertyEnumeration", "Order", "Mesh", ["1st", "2nd"], False,
-     "1st: 4-node tets; 2nd: 10-node tets with their mid-side nodes on the surface"),
-    ("App::PropertyInteger", "Threads", "Mesh", 0, False,
-     "Processor threads to use; 0: all. The mesh is the same for any number"),
-    ("App::PropertyBool", "Automatic", "Mesh", True, False, "Update the mesh whenever the document is recomputed"),
-    ("App::PropertyLinkList", "MeshRegionList", "Mesh", [], False, "Local sizes: FEM mesh refinements"),
-    ("App::PropertyLinkList", "MeshGroupList", "Mesh", [], False, "FEM mesh groups"),
-    ("App::PropertyString", "Status", "Result", NOT_MESHED, True, "Whether the mesh fits the part, and if not, why"),
-    ("App::PropertyInteger", "NodeCount", "Result", 0, True, "Nodes of the mesh"),
-    ("App::PropertyInteger", "TetCount", "Result", 0, True, "Tets of the mesh"),
-    ("App::PropertyPercent", "KeptNodes", "Result", 0, True, "Share of the nodes kept bit for bit by the last update"),
-    ("App::PropertyPercent", "KeptTets", "Result", 0, True, "Share of the tets kept by the last update"),
-    ("App::PropertyAngle", "MinDihedral", "Result", 0.0, True, "Smallest angle between two faces of a tet"),
-    ("App::PropertyFloat", "MeanRadiusRatio", "Result", 0.0, True,
-     "Mean of three times the inscribed over the circumscribed radius; 1 for regular tets"),
-    ("App::PropertyFloat", "Seconds", "Result", 0.0, True, "Time the last mesh or update took"),
-    ("App::PropertyString", "Report", "Result", "", True, "Everything about the last mesh or update, as JSON"),
-    ("App::PropertyFileIncluded", "SavedState", "Result", None, True, "What the next update needs"),
-]
 # Called with every mesh object that was made or opened; the window's side adds its view there.
 on_ready = []
 # Runs a MeshJob while FreeCAD recomputes, where the window's side wants to show progress; None: just run it.
 run_job = None
 
 _HIGHEST_TARGET = 45   # degrees; no mesh reaches more
-_OPTION_OF = {"Size": "size", "MinSize": "min_size", "ElementsPerCircle": "elements_per_circle",
-              "ElementsAcrossGap": "elements_across_gap", "Growth": "growth", "QualityTarget": "target_dihedral_deg",
-              "Threads": "threads"}
 
 
 class FeatureMesh:
@@ -86,9 +49,18 @@ class FeatureMesh:
             return
         try:
             self.update(mesh)
-        except (UserError, RuntimeError) as error:
+        except Exception as error:
             message = status_in_words(CANCELLED) if is_cancelled(error) else messages.in_words(one_line(error))
-            raise UserError(message) from None  # FreeCAD prints the way to it, which says nothing to a user
+            log.write_error(error)
+            raise FailedUpdate(mesh.Label, message) from None
+
+    def onChanged(self, mesh, name):
+        """Called by FreeCAD when a property was set: keeps Status true to the settings."""
+        if name in SETTINGS and getattr(mesh, "Status", "") in (UP_TO_DATE, SETTINGS_CHANGED) and not FreeCAD.isRestoring() \
+                and not mesh.Document.Transacting:
+            mesh.Status = SETTINGS_CHANGED if differ_from_mesh(mesh, settings_of(mesh)) else UP_TO_DATE
+        if name in ("Status", "SavedState") and not FreeCAD.isRestoring() and not mesh.Document.Transacting and "SavedState" in mesh.PropertiesList:
+            results.mark(mesh)
 
     def onDocumentRestored(self, mesh):
         self._forget()
@@ -96,7 +68,7 @@ class FeatureMesh:
         self._miss_the_engine(mesh)
         self._shown = state.checksum_of(mesh.SavedState)
         if self._shown:
-            self._restore_numbers(mesh)
+            self._restore(mesh)
 
     def dumps(self):
         return {"Type": self.Type}
@@ -135,7 +107,7 @@ class FeatureMesh:
         saved = state.load(mesh.SavedState)
         before = saved.arrays["counters"][2:4] - 1
         arrays = renumbered(part_mesh.arrays())
-        job = MeshJob(saved.raw, saved.options, None, None, [])
+        job = MeshJob(saved.raw if self._raw is None else self._raw, saved.options, None, None, [])
         job.part_mesh = engine.load().restore_part(saved.raw, saved.options, arrays)
         self._show(mesh, job.part_mesh)
         self._store(mesh, job)
@@ -147,6 +119,7 @@ class FeatureMesh:
             start = time.perf_counter()
             part = versions.part_of(mesh)
             job = adopt.AdoptJob(read_document(part), options_of(mesh, part), arrays)
+            job.shape, job.settings = part.Shape, settings_of(mesh)
             job.seconds = {"document": time.perf_counter() - start, "restore": 0.0}
             return job
 
@@ -160,13 +133,15 @@ class FeatureMesh:
             raise UserError(translate("FeatureMesh", "%s has no part to mesh, set its property %s")
                             % (describe(mesh), versions.part_property(mesh)))
         raw = read_document(part)
-        old, saved, problem = (None, None, None) if full else self._old(mesh)
+        old, saved, problem = self._old(mesh)
+        if full:
+            old = saved = problem = None   # but what it was made from is known now, so that references can be followed
         moved = []
-        if mesh.MeshRegionList and not (old is None and saved is None):
-            moved = self._follow(mesh.MeshRegionList, mesh,
-                                 lambda: engine.load().compare(self._raw, raw, fuse=False)["faces"])
-        job = MeshJob(raw, options_of(mesh, part), old, problem, moved)
-        job.saved = saved
+        if mesh.MeshRegionList and self._raw is not None:
+            moved = self._follow(mesh, mesh.MeshRegionList, raw, lambda: engine.load().followed_faces(self._raw, raw))
+            self.note_references(mesh, mesh.MeshRegionList, raw)
+        job = MeshJob(raw, options_of(mesh, part, raw), old, problem, moved)
+        job.saved, job.shape, job.settings = saved, part.Shape, settings_of(mesh)
         if old is None:
             job.next_numbers = _next_numbers(mesh, state_is_sound=problem is None and saved is None)
         job.seconds = {"document": time.perf_counter() - start, "restore": 0.0}
@@ -175,30 +150,63 @@ class FeatureMesh:
     def finish(self, mesh, job):
         """Hands a job's mesh over to FreeCAD and saves its state. Returns the report."""
         start = time.perf_counter()
-        report = plain(job.report)
-        if job.problem:
-            add_fallback(report, "meshed from scratch: " + job.problem)
-        moved = job.moved_references
-        if job.old is not None:
-            moved = moved + self._follow(self._dependents(mesh), mesh, lambda: report["difference"]["faces"])
-        report["warnings"] = report.get("warnings", []) + moved
+        report = self._report_with_references(mesh, job)
+        known = remarks_of(json.loads(mesh.Report or "{}"))
         for line in remarks_of(report):
-            FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, messages.in_words(line)))
-        fem_mesh = self._fem_mesh(mesh, job.part_mesh)
+            if line not in known:   # what the last mesh said, too, has been read
+                FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, messages.in_words(line)))
+        for analysis in analyses.holding(mesh):
+            results.note(analysis)   # of a document from before results were noted: on the mesh as it was
+        fem_mesh = self._fem_mesh(mesh, job.part_mesh, job.raw)
         handed_over = time.perf_counter()
         self._store(mesh, job)   # first, so that a full disk leaves the old mesh with its old state
         mesh.FemMesh = fem_mesh
+        self._later, self._shape = {}, job.shape
+        self.note_references(mesh, self._referring(mesh), job.raw, anew=True)
         job.seconds.update(hand_over=handed_over - start, state=time.perf_counter() - handed_over)
         job.seconds["total"] = sum(job.seconds.values())
         del job.seconds["engine"]
         report["seconds"] = {**report.get("seconds", {}), **job.seconds}
+        report["settings"] = job.settings
         _show_report(mesh, report)
+        mesh.Status = SETTINGS_CHANGED if differ_from_mesh(mesh, settings_of(mesh)) else UP_TO_DATE
+        return report
+
+    def take_over(self, mesh, job, for_freecad):
+        """Like finish, for a document that is never saved: no state is written, and FemMesh is made only `for_freecad`. Returns the report."""
+        report = self._report_with_references(mesh, job)
+        if for_freecad:
+            mesh.FemMesh = self._fem_mesh(mesh, job.part_mesh, job.raw)
+        self._part_mesh, self._raw = job.part_mesh, job.raw
         mesh.Status = UP_TO_DATE
+        return report
+
+    def _report_with_references(self, mesh, job):
+        """The job's report, after references were moved with their faces."""
+        report = plain(job.report)
+        if job.problem:
+            add_fallback(report, "meshed from scratch: " + job.problem)
+        moved = job.moved_references + self._follow(mesh, self._dependents(mesh), job.raw, lambda: self._followed_faces(job))
+        report["warnings"] = report.get("warnings", []) + moved
+        self.settle(mesh, self._referring(mesh), job.raw)
         return report
 
     def fail(self, mesh, error):
         """Says why there is no new mesh; the old one stays."""
         mesh.Status = CANCELLED if is_cancelled(error) else "failed: " + one_line(error)
+
+    def why_not_to_solve(self, mesh):
+        """Why no analysis must be solved on the mesh as it is, as a sentence; "" when it may."""
+        if mesh.Status == UP_TO_DATE:
+            return ""
+        if mesh.Status.startswith("failed: "):
+            return translate("FeatureMesh", "%s is not that of the part as it is, its last update failed: %s") % (
+                describe(mesh), messages.in_words(mesh.Status[len("failed: "):]))
+        return translate("FeatureMesh", "%s is %s; update it before solving") % (describe(mesh), status_in_words(mesh.Status))
+
+    def state_of_part(self, mesh):
+        """What tells the mesh from others when it is that of its part as it is, else ""."""
+        return state.checksum_of(mesh.SavedState) if is_of_its_part(mesh) and mesh.SavedState else ""
 
     def last_part_mesh(self, mesh):
         """The engine's mesh as it is now, from memory or from the saved state. Throws StateError."""
@@ -230,6 +238,62 @@ class FeatureMesh:
                 FreeCAD.Console.PrintError("%s: %s\n" % (mesh.Label, one_line(error)))
                 return
         self._shown = checksum
+        self._shape = versions.part_of(mesh).Shape if is_of_its_part(mesh) and versions.part_of(mesh) is not None else None
+
+    def settle(self, mesh, objects, raw=None):
+        """Lets those of `objects` that have to do with this mesh refer to its part, not to what the part is made of. `raw` is the part as it was
+        read, if it was."""
+        part, referring = versions.part_of(mesh), self._referring(mesh)
+        if part is None or self._following:
+            return
+        self._following = True
+        try:
+            references.settle([obj for obj in objects if obj in referring], Resolver(part, raw))
+        finally:
+            self._following = False
+
+    def references_changed(self, mesh, obj):
+        """To be called when an object was given other references."""
+        known = self._record(mesh).get(obj.Name)
+        if self._following or obj not in self._referring(mesh) or not mesh.SavedState:
+            return
+        deleted = history.deleted_of(mesh.Document)
+        if known and any(pair[0] in deleted for pair in known["pairs"]) and not references.was_changed_by_hand(obj, known, deleted):
+            return
+        references.mend(obj)
+        self.settle(mesh, [obj])
+        self.note_references(mesh, [obj])
+
+    def members_changed(self, mesh, after_undo=False):
+        """To be called when other objects belong to the mesh or its analysis, or when an undo or redo may have changed what they refer to."""
+        if self._following or not mesh.SavedState or versions.part_of(mesh) is None:
+            return
+        record, deleted = self._record(mesh), history.deleted_of(mesh.Document)
+        new = [obj for obj in self._referring(mesh) if obj.References and (
+            obj.Name not in record or (references.differs if after_undo else references.was_changed_by_hand)(obj, record[obj.Name], deleted))]
+        if new:
+            self.settle(mesh, new)
+            self.note_references(mesh, new)
+
+    def forget_references(self, mesh, name):
+        """To be called when the object of that name was deleted: another one may get its name."""
+        record = self._record(mesh)
+        if record.pop(name, None):
+            mesh.ReferredTo = json.dumps(record, sort_keys=True)
+
+    def note_references(self, mesh, objects, raw=None, anew=False):
+        """Puts on record what objects refer to now; `raw` is the part as it is now, if it was read. With `anew` nothing else stays on record."""
+        part = versions.part_of(mesh)
+        is_as_meshed = self._shape is not None and part.Shape.isPartner(self._shape)
+        if not is_as_meshed and raw is None:
+            raw = read_document(part)
+        found = references.record_of([obj for obj in objects if hasattr(obj, "References")], Resolver(part, raw or self._raw))
+        for obj in objects:
+            self._later.pop(obj.Name, None)
+            if obj.Name in found and not is_as_meshed:
+                self._later[obj.Name] = raw
+        record = {} if anew else {name: known for name, known in self._record(mesh).items() if name not in [obj.Name for obj in objects]}
+        mesh.ReferredTo = json.dumps({**record, **found}, sort_keys=True)
 
     def renew_analysis_groups(self, mesh):
         """Makes the groups of constraints and materials anew, without touching the mesh."""
@@ -241,7 +305,7 @@ class FeatureMesh:
         except StateError as error:
             FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, error))
             return
-        hand_over.renew_analysis_groups(mesh, part, arrays)
+        hand_over.renew_analysis_groups(mesh, Resolver(part, self._raw), arrays)
 
     def _old(self, mesh):
         """What to start from: (the engine's mesh, the saved state to make it from, the reason why there is neither).
@@ -266,7 +330,9 @@ class FeatureMesh:
         saved, part = state.load(mesh.SavedState), versions.part_of(mesh)
         if part is not None and saved.part_name != part.Name:
             raise StateError("the saved mesh state belongs to %s, not to %s" % (saved.part_name, part.Name))
-        self._raw, self._references = saved.raw, saved.references
+        if self._elements is not None:
+            saved.raw = with_elements(saved.raw, self._elements)
+        self._raw = saved.raw
         return saved
 
     def _miss_the_engine(self, mesh):
@@ -276,44 +342,77 @@ class FeatureMesh:
         except EngineMissing as error:
             FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, error))
 
-    def _restore_numbers(self, mesh):
-        """FreeCAD closes the gaps between numbers when it opens a document; the saved state knows the true ones."""
+    def _restore(self, mesh):
+        """FreeCAD closes the gaps between numbers when it opens a document; the saved state knows the true ones. Sketch elements have other ids."""
         try:
-            fem_mesh = hand_over.reopened(mesh.FemMesh, state.load(mesh.SavedState).arrays)
+            saved = state.load(mesh.SavedState)
         except StateError as error:
             FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, error))
             return
+        self._elements = elements_of_today(saved.raw, mesh.Document)
+        part = versions.part_of(mesh)
+        if is_of_its_part(mesh) and part is not None:
+            self._shape = part.Shape
+        if not mesh.ReferredTo:
+            mesh.ReferredTo = json.dumps(saved.references)
+        fem_mesh = hand_over.reopened(mesh.FemMesh, saved.arrays)
         if fem_mesh is not None:
             mesh.FemMesh = fem_mesh
-            mesh.purgeTouched()
+        mesh.purgeTouched()
 
     def _show(self, mesh, part_mesh):
         mesh.FemMesh = self._fem_mesh(mesh, part_mesh)
 
-    def _fem_mesh(self, mesh, part_mesh):
-        return hand_over.to_fem_mesh(part_mesh, hand_over.groups_of(part_mesh, mesh, versions.part_of(mesh)))
+    def _fem_mesh(self, mesh, part_mesh, raw=None):
+        return hand_over.to_fem_mesh(part_mesh, hand_over.groups_of(part_mesh, mesh, versions.part_of(mesh), raw))
 
     def _dependents(self, mesh):
         """Constraints and materials of the analyses with this mesh, and its group objects."""
-        members = [member for analysis in mesh.InList if analysis.isDerivedFrom("Fem::FemAnalysis")
-                   for member in analysis.Group]
+        members = [member for analysis in analyses.holding(mesh) for member in analysis.Group]
         return members + list(mesh.MeshGroupList)
 
-    def _follow(self, objects, mesh, faces):
-        """Moves references with their faces where FreeCAD does not or could not. Returns what was done."""
-        part, raw = versions.part_of(mesh), self._raw
-        if not (references.are_lost(objects, part) if versions.follows_faces() else self._references):
-            return []
+    def _referring(self, mesh):
+        """Everything whose references are of this mesh's part."""
+        return [obj for obj in self._dependents(mesh) + list(mesh.MeshRegionList) if hasattr(obj, "References")]
+
+    def _follow(self, mesh, objects, raw, faces):
+        """Moves references with their faces, which `faces()` follows from the last mesh to `raw`. Returns what was done."""
+        part, record, lines = versions.part_of(mesh), self._record(mesh), []
+        resolver, numberings = Resolver(part, raw), {}
         self._following = True
         try:
-            return references.follow(objects, part, self._references, faces(), lambda: shape_of_record(raw))
+            for obj in objects:
+                known = record.get(obj.Name)
+                if not known or references.was_changed_by_hand(obj, known, history.deleted_of(mesh.Document)):
+                    continue
+                then = self._later.get(obj.Name)
+                if id(then) not in numberings:
+                    old = then or self._raw
+                    if old is None:
+                        lines.append("%s could not be followed from the last mesh, whose state is gone; check what it refers to" % obj.Label)
+                        continue
+                    numberings[id(then)] = Numbering(engine.load().followed_faces(then, raw) if then else faces(),
+                                                     lambda old=old: shape_of_record(old), part.Shape)
+                lines += references.follow(obj, known, resolver, numberings[id(then)])
         finally:
             self._following = False
+        return lines
+
+    def _followed_faces(self, job):
+        """The engine's word for what became of each face since the last mesh."""
+        if job.old is None:
+            return engine.load().followed_faces(self._raw, job.raw)
+        return engine.load().followed_faces(job.old, self._raw, job.part_mesh, job.raw)
+
+    def _record(self, mesh):
+        """What references.record_of said at the last mesh, or when references changed since; older documents have names only."""
+        part = versions.part_of(mesh)
+        record = json.loads(mesh.ReferredTo or "{}")
+        return {name: known if isinstance(known, dict) else {"pairs": [[part.Name, sub] for sub in known], "names": known}
+                for name, known in record.items()}
 
     def _store(self, mesh, job):
-        objects = self._dependents(mesh) + list(mesh.MeshRegionList)
-        refers = references.references_of(objects, versions.part_of(mesh))
-        saved = state.State(job.raw, job.options, job.part_mesh.arrays(), refers)
+        saved = state.State(job.raw, job.options, job.part_mesh.arrays())
         try:
             with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
                 path = os.path.join(folder, mesh.Name + ".npz")
@@ -323,35 +422,26 @@ class FeatureMesh:
                 raise OSError("the copy in %s is not whole" % os.path.dirname(mesh.SavedState))
         except (OSError, RuntimeError) as error:
             raise UserError("the new mesh's state cannot be stored (%s), the old mesh stays; is the disk full?" % one_line(error)) from error
-        self._references = refers
         self._checksum = self._shown = checksum
         self._part_mesh, self._raw = job.part_mesh, job.raw
 
     def _forget(self):
         self._part_mesh = None   # the engine's mesh, while it is in memory
         self._raw = None         # what it was made from
-        self._references = {}    # what constraints referred to then
+        self._shape = None       # the part's shape then
+        self._elements = None    # sketch elements of a saved state, with today's ids
+        self._later = {}         # by name of an object: the part as it was when that was given other references, where that was after the last mesh
         self._following = False  # references are being moved just now
         self._checksum = ""      # of the saved state that it belongs to
         self._shown = ""         # of the saved state that FemMesh was made from
 
     def _get_ready(self, mesh):
-        self._add_properties(mesh)
+        mesh_properties.add(mesh)
         history.watch()
+        solve_guard.install()
         for hook in on_ready:
             hook(mesh)
 
-    def _add_properties(self, mesh):
-        """Adds what the object lacks: all of it when new, what came later when from an older document."""
-        if "Shape" not in mesh.PropertiesList and "Part" not in mesh.PropertiesList:
-            mesh.addProperty("App::PropertyLink", "Part", "Mesh", "The part to mesh")
-        for kind, name, group, default, read_only, tooltip in PROPERTIES:
-            if name not in mesh.PropertiesList:
-                mesh.addProperty(kind, name, group, tooltip)
-                if default is not None:
-                    setattr(mesh, name, default)
-            if read_only:
-                mesh.setEditorMode(name, 2 if name in ("Report", "SavedState") else 1)
 
 
 def _next_numbers(mesh, state_is_sound):
@@ -369,32 +459,39 @@ def is_feature_mesh(obj):
     return isinstance(getattr(obj, "Proxy", None), FeatureMesh)
 
 
-def options_of(mesh, part):
-    """The engine's options from the object's properties and its mesh refinements. Throws UserError."""
+def options_of(mesh, part, raw=None):
+    """The engine's options from the object's properties and its mesh refinements; `raw` is the part as it was read, if it was. Throws UserError."""
     options = {option: float(getattr(getattr(mesh, name), "Value", getattr(mesh, name)))
-               for name, option in _OPTION_OF.items()}
+               for name, option in OPTION_OF.items()}
     if not 0 <= mesh.QualityTarget <= _HIGHEST_TARGET:
         raise UserError(translate("FeatureMesh", "the property QualityTarget of %s has to lie between 0 and %g degrees, not %g")
                         % (describe(mesh), _HIGHEST_TARGET, mesh.QualityTarget))
     options["threads"] = int(options["threads"]) or os.cpu_count() or 1
     options["order"] = 2 if mesh.Order == "2nd" else 1
-    options["min_size"] = options["min_size"] or options["size"] / 10
-    options["local"] = local_sizes(mesh, part)
+    options["min_size"] = options["min_size"] or AUTOMATIC_SHARE * options["size"]
+    wishes = _local_wishes(mesh, part, raw)
+    too_fine.refuse_too_fine(part.Shape, options["size"], options["growth"], [(name, size, describe(region)) for name, size, region in wishes])
+    options["local"] = [(name, size) for name, size, _ in wishes]
     return options
 
 
-def local_sizes(mesh, part):
+def local_sizes(mesh, part, raw=None):
     """("Face12", size) for every reference of every mesh refinement. Throws UserError for one that is not on the part."""
-    sizes = []
+    return [(name, size) for name, size, _ in _local_wishes(mesh, part, raw)]
+
+
+def _local_wishes(mesh, part, raw):
+    """("Face12", size, refinement), likewise."""
+    wishes, resolver = [], Resolver(part, raw)
     for region in mesh.MeshRegionList:
         size = float(region.CharacteristicLength.Value)
-        names, foreign = hand_over.references_to(region, part)
+        names, foreign = resolver.of_object(region)
         if foreign:
-            raise UserError(translate("FeatureMesh", "the refinement %s refers to another object than %s; refer to faces of that one")
-                            % (describe(region), describe(part)))
+            raise UserError(translate("FeatureMesh", "the refinement %s refers to %s, which is not on %s; refer to faces of that one")
+                            % (describe(region), resolving.describe(*foreign[0]), describe(part)))
         if size > 0:
-            sizes += [(name, size) for name in names]
-    return sizes
+            wishes += [(name, size, region) for name in names]
+    return wishes
 
 
 def renumbered(arrays):
@@ -406,35 +503,6 @@ def renumbered(arrays):
         first += len(arrays[name])
     new["counters"] = np.array([*arrays["counters"][:2], len(new["node_numbers"]) + 1, first], dtype=np.int64)
     return new
-
-
-def add_fallback(report, text):
-    """Adds a line to the report's list of what could not be kept or done."""
-    report["fallback"] = "; ".join(part for part in (text, report.get("fallback")) if part)
-
-
-def remarks_of(report):
-    """What a report says that the user should know: the fallback, then the warnings."""
-    return ([report["fallback"]] if report.get("fallback") else []) + report.get("warnings", [])
-
-
-def plain(value):
-    """The same with lists in place of arrays, and triangles (of no use in a report) counted only."""
-    if isinstance(value, dict):
-        short = {key: plain(entry) for key, entry in value.items() if key != "changed_boundary"}
-        if "changed_boundary" in value:
-            short["changed_triangles"] = len(value["changed_boundary"])
-        return short
-    if isinstance(value, (list, tuple)):
-        return [plain(entry) for entry in value]
-    return value.tolist() if hasattr(value, "tolist") else value
-
-
-def status_in_words(status):
-    """The Status of a mesh object in the user's language."""
-    if status.startswith("failed: "):
-        return FreeCAD.Qt.translate("FeatureMesh", "failed: %s") % messages.in_words(status[len("failed: "):])
-    return FreeCAD.Qt.translate("FeatureMesh", status)
 
 
 def is_cancelled(error):

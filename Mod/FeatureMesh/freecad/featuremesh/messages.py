@@ -9,6 +9,8 @@ import re
 
 import FreeCAD
 
+from .unit_words import in_users_units
+
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -22,7 +24,7 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "The number of elements per circle is %s; it must not be negative (0 turns it off)."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The number of elements across gaps is %s; it must not be negative (0 turns it off)."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The local mesh size at %s is %s mm; it must be larger than zero."),
-    QT_TRANSLATE_NOOP("FeatureMesh", "A size of %s mm would make about %s million tets; at most %s million are made. Choose a larger size."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "A size of %s mm would make about %s million elements; at most %s million are made. Choose a larger size."),
     QT_TRANSLATE_NOOP("FeatureMesh", "There is not enough memory for this mesh. Choose a larger size."),
     # The part
     QT_TRANSLATE_NOOP("FeatureMesh", "The shape is empty. Recompute the document and mesh an object that has a solid."),
@@ -41,8 +43,8 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "%s and %s are in the same place but run differently. Check the feature that made them (Part: Check geometry)."),
     QT_TRANSLATE_NOOP("FeatureMesh", "These faces cross each other: %s. The shape intersects itself (Part: Check geometry), or is thinner there than "
                                      "any mesh of this size can follow; repair the feature, or ask for a smaller size on these faces."),
-    QT_TRANSLATE_NOOP("FeatureMesh", "%s 10-node tets would be folded near %s: the face bends too much within one element. Ask for a smaller size "
-                                     "there, or for 4-node tets."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s 10-node tetrahedra would be folded near %s: the face bends too much within one element. Ask for a smaller size "
+                                     "there, or for 4-node tetrahedra."),
     # The volume
     QT_TRANSLATE_NOOP("FeatureMesh", "The geometry kernel failed while meshing: %s. Try another size, or check the shape (Part: Check geometry)."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The part could not be filled: %s. Try another size, or check the shape (Part: Check geometry)."),
@@ -53,7 +55,7 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "triangles of %s cut one another; the shape may touch or cut itself there: repair it, or mesh finer there"),
     QT_TRANSLATE_NOOP("FeatureMesh", "the volume mesh cannot be made to meet the triangles of %s; mesh finer there, or check the shape for faces "
                                      "that cut or touch one another"),
-    QT_TRANSLATE_NOOP("FeatureMesh", "%s tets without a volume to speak of remain at %s; mesh finer there, or take out what is much smaller than "
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s elements without a volume to speak of remain at %s; mesh finer there, or take out what is much smaller than "
                                      "the rest of the part"),
     # The saved state
     QT_TRANSLATE_NOOP("FeatureMesh", "the saved mesh state belongs to %s, not to %s"),
@@ -64,17 +66,17 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "The saved mesh does not fit the part: %s."),
     QT_TRANSLATE_NOOP("FeatureMesh", "No element of the mesh fits the part: %s. Choose the object it was made of, or mesh the part anew."),
     # The report's warnings and fallbacks
-    QT_TRANSLATE_NOOP("FeatureMesh", "The smallest angle of a tet is %s degrees, at %s: results there are poor. Take details out that are much "
+    QT_TRANSLATE_NOOP("FeatureMesh", "The smallest angle of an element is %s degrees, at %s: results there are poor. Take details out that are much "
                                      "smaller than the edge length, or mesh finer there."),
-    QT_TRANSLATE_NOOP("FeatureMesh", "Details of the part far smaller than the elements force an angle below 2 degrees on %s tets: %s. Results "
+    QT_TRANSLATE_NOOP("FeatureMesh", "Details of the part far smaller than the elements force an angle below 2 degrees on %s elements: %s. Results "
                                      "there are poor. Take them out of the features that make them (points of a sketch that nearly coincide, a "
                                      "step as shallow), or mesh finer there."),
     QT_TRANSLATE_NOOP("FeatureMesh", "Meshed finer than asked, because a face beside it would cross itself: %s."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked where these faces are near each other: %s."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked at %s, because elements of that size cannot follow the part there."),
     QT_TRANSLATE_NOOP("FeatureMesh", "Faces far narrower than the size are meshed at the plain size, since shorter edges failed: %s"),
-    QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked at %s, because 10-node tets of that size would be folded, or nearly so, by the curved face."),
-    QT_TRANSLATE_NOOP("FeatureMesh", "The local size at %s is left out: the part has no such entity any more. Refer the refinement to another one."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked at %s, because 10-node tetrahedra of that size would be folded, or nearly so, by the curved face."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The local size at %s is left out: the part has no such face, edge or vertex any more. Refer the refinement to another one."),
     QT_TRANSLATE_NOOP("FeatureMesh", "These solids touch or overlap without sharing faces: %s (%s). Each has a mesh of its own: no load passes "
                                      "between them, and where they overlap the material counts twice. If that is not meant, fuse them or join "
                                      "them (Part: Boolean Fragments)."),
@@ -92,10 +94,14 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "%s of %s elements do not fit the part and were made anew: %s"),
     QT_TRANSLATE_NOOP("FeatureMesh", "%s mid-side nodes were off the surface and are new, on it"),
     QT_TRANSLATE_NOOP("FeatureMesh", "%s: %s is now %s, its reference was changed"),
-    QT_TRANSLATE_NOOP("FeatureMesh", "%s refers to %s, which is gone; choose another face"),
-    QT_TRANSLATE_NOOP("FeatureMesh", "%s refers to %s, which is gone; choose another edge"),
-    QT_TRANSLATE_NOOP("FeatureMesh", "%s refers to %s, which is gone; choose another vertex"),
-    QT_TRANSLATE_NOOP("FeatureMesh", "%s refers to %s, which is gone; choose another solid"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s: %s was split into %s, it is on all of them now"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s: %s has become one with %s, it is on all of that now"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s could not be followed from the last mesh, whose state is gone; check what it refers to"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s refers to %s, which is gone; it was taken out of the references"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s refers to %s, which is gone; choose another face, the analysis cannot be solved without"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s refers to %s, which is gone; choose another edge, the analysis cannot be solved without"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s refers to %s, which is gone; choose another vertex, the analysis cannot be solved without"),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s refers to %s, which is gone; choose another solid, the analysis cannot be solved without"),
     # The feature difference
     QT_TRANSLATE_NOOP("FeatureMesh", "the two parts look unrelated: they have no feature name in common"),
     QT_TRANSLATE_NOOP("FeatureMesh", "its own volume is the same, but other features now meet %s of its faces differently"),
@@ -108,9 +114,13 @@ _PATTERNS = [(sentence, re.compile("(.+?)".join(map(re.escape, sentence.split("%
 
 
 def in_words(message):
-    """A message in the user's language, with the messages inside it; as it is when it is not known."""
+    """A message in the user's language and units, with the messages inside it; in English when it is not known."""
+    return in_users_units(_translated(message))
+
+
+def _translated(message):
     for sentence, pattern in _PATTERNS:
         found = pattern.fullmatch(message)
         if found:
-            return translate("FeatureMesh", sentence) % tuple(in_words(words) for words in found.groups())
+            return translate("FeatureMesh", sentence) % tuple(_translated(words) for words in found.groups())
     return message

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the faces, edges, vertices and solids of a part are called after an edit.
 
-Faces come from the feature difference. An edge is known by the faces that meet in it, a vertex likewise, a solid by the faces around
+Faces are followed by the engine. An edge is known by the faces that meet in it, a vertex likewise, a solid by the faces around
 it; where these leave a choice, the one that has not moved is meant.
 """
 
@@ -10,17 +10,19 @@ from collections import defaultdict
 
 _MEMBERS = {"Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
 _SAME_PLACE = 1e-6  # of the part's diagonal
+_NEAR = 0.2         # of a sub-element's own diagonal: how far one may have gone that nothing but FreeCAD knows
 
 
 class Numbering:
-    """Names before the edit and after it; `faces` is the face changes of the feature difference."""
+    """Names before the edit and after it; `faces` is what engine.followed_faces gives."""
 
     def __init__(self, faces, old_shape, new_shape):
         """`old_shape` is a function: it costs time, and is called only for a name that is not a face's."""
-        self._became = defaultdict(set)
-        for change in faces:
-            if change["old_face"] and change["new_face"]:
-                self._became[change["old_face"]].add(change["new_face"])
+        self._became, self._was = defaultdict(set), defaultdict(list)
+        for face in faces:
+            for name in face["new_faces"]:
+                self._became[face["old_face"]].add(name)
+                self._was[name].append(face["old_face"])
         self._old_shape, self._new_shape = old_shape, new_shape
         self._around = {}  # kind -> (members before, their faces, members after, their faces)
 
@@ -41,11 +43,25 @@ class Numbering:
             found = [i for i in found or range(len(news)) if _same_place(olds[index], news[i], tolerance)]
         return ["%s%d" % (kind, found[0] + 1)] if len(found) == 1 else []
 
-    def _both(self, kind):
+    def was(self, name):
+        """Names of the faces before that are in the face `name` now; empty for anything but a face."""
+        return self._was.get(name, [])
+
+    def may_be(self, old, new):
+        """Can the sub-element before be the one now, as far as place and size tell? Faces must be of one kind, too."""
+        was, now = self._shape_before().getElement(old), self._new_shape.getElement(new)
+        size = was.BoundBox.DiagonalLength
+        return (was.ShapeType == now.ShapeType and (was.ShapeType != "Face" or was.Surface.TypeId == now.Surface.TypeId)
+                and (was.BoundBox.Center - now.BoundBox.Center).Length <= _NEAR * size and abs(now.BoundBox.DiagonalLength - size) <= _NEAR * size)
+
+    def _shape_before(self):
         if callable(self._old_shape):
             self._old_shape = self._old_shape()
+        return self._old_shape
+
+    def _both(self, kind):
         if kind not in self._around:
-            self._around[kind] = _around(self._old_shape, _MEMBERS[kind]) + _around(self._new_shape, _MEMBERS[kind])
+            self._around[kind] = _around(self._shape_before(), _MEMBERS[kind]) + _around(self._new_shape, _MEMBERS[kind])
         return self._around[kind]
 
 

@@ -1,33 +1,56 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Colours for the elements of a mesh: what the last update kept, and how good the elements are."""
 
+from dataclasses import dataclass, field
+
 import FreeCAD
 import numpy as np
 
 from . import preferences
 from .errors import UserError
-from .pictures import tet_quality
+from .formats import connectivity
+from .quality import MEASURES, mean_edge_length
+from .section import SeenMesh
 
 translate = FreeCAD.Qt.translate
-# Colour from the smallest dihedral angle on (degrees): red is bad, green is good.
-QUALITY_STEPS = ((0, (0.75, 0.10, 0.10)), (10, (0.88, 0.35, 0.13)), (20, (0.97, 0.65, 0.20)), (30, (0.95, 0.85, 0.35)),
-                 (40, (0.60, 0.80, 0.40)), (50, (0.25, 0.62, 0.30)))
 
 
-def smallest_angles(arrays):
-    """Smallest dihedral angle of each tet, degrees, (m,)."""
-    return tet_quality(arrays["points"], arrays["tets"])[0]
+@dataclass
+class Overlay:
+    """A colour for each element of a mesh, as it is now."""
+    numbers: np.ndarray            # (m,) of the elements
+    colours: np.ndarray            # (m,3) shares of red, green and blue
+    points: np.ndarray             # (n,3) mm
+    tets: np.ndarray               # (m,4) corners
+    on_surface: np.ndarray         # (n,) bool
+    values: np.ndarray = None      # (m,) of the measure
+    kept: np.ndarray = None        # (m,) bool
+    has_edges = True   # drawn with the edges of the elements
+    _seen = None
+    active: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))   # (k,3) mm: where nodes were that served as start positions only
+
+    def drawn(self, plane=None, is_filled=False):
+        """(k,3,3) corners of the triangles to draw, mm, and (k,3) their colours; cut open by a section.Plane: whole elements, or with the cut filled."""
+        if self._seen is None:
+            self._seen = SeenMesh(self.points, self.tets)
+        corners, owners = self._seen.cut_open(self.on_surface, plane, is_filled)
+        return corners, self.colours[owners]
+
+    def rows_of(self, numbers):
+        """The rows of those elements that are still there."""
+        return np.flatnonzero(np.isin(self.numbers, numbers))
 
 
-def kept_colours(mesh):
-    """{tet number: colour} after an update in this session. Throws UserError when there was none."""
+def kept(mesh):
+    """The elements that the last update kept, and new ones. Throws UserError when there was no update since the document was opened."""
     part_mesh = mesh.Proxy.last_part_mesh(mesh)
     origin = np.asarray(part_mesh.tet_origin())
     if not len(origin) or not (origin >= 0).any():
         raise UserError(translate("FeatureMesh", "%s was not updated since the document was opened, all its elements are as they were") % mesh.Label)
-    numbers = part_mesh.arrays()["tet_numbers"].tolist()
     kept_colour, new_colour, _ = kept_legend()
-    return {number: kept_colour if kept else new_colour for number, kept in zip(numbers, (origin >= 0).tolist())}
+    is_kept = origin >= 0
+    return Overlay(colours=np.where(is_kept[:, None], [kept_colour], [new_colour]), kept=is_kept,
+                   active=np.asarray(part_mesh.active_points()).reshape(-1, 3), **_mesh_of(part_mesh.arrays()))
 
 
 def kept_legend():
@@ -35,24 +58,39 @@ def kept_legend():
     return tuple(preferences.colour(name) for name in ("KeptColour", "NewColour", "ActiveColour"))
 
 
-def active_points(mesh):
-    """(k,3) mm: where the nodes were that the last update took as start positions without keeping them."""
-    return np.asarray(mesh.Proxy.last_part_mesh(mesh).active_points())
-
-
-def quality_colours(mesh):
-    """{tet number: colour} by the smallest dihedral angle."""
+def quality(mesh, measure="dihedral_angle", limits=None):
+    """The elements by one of quality.MEASURES; `limits` (what is bad, what is good) are by default the measure's own. Throws UserError."""
+    if measure not in MEASURES:
+        raise UserError(translate("FeatureMesh", "there is no measure %s, only %s") % (measure, ", ".join(MEASURES)))
+    if limits is not None and (not np.isfinite(limits).all() or limits[0] == limits[1]):
+        raise UserError(translate("FeatureMesh", "the two limits of %s have to differ") % measure)
     arrays = mesh.Proxy.arrays(mesh)
-    limits = np.array([limit for limit, _ in QUALITY_STEPS[1:]])
-    steps = np.searchsorted(limits, smallest_angles(arrays), side="right")
-    return {number: QUALITY_STEPS[step][1] for number, step in zip(arrays["tet_numbers"].tolist(), steps.tolist())}
+    values = values_of(mesh, measure, arrays)
+    return Overlay(colours=MEASURES[measure].colours(values, limits), values=values, **_mesh_of(arrays))
 
 
-def worst_tets(mesh, count=10):
-    """(number, smallest dihedral angle in degrees, centre) of the worst tets, worst first."""
-    arrays = mesh.Proxy.arrays(mesh)
-    angles = smallest_angles(arrays)
-    rows = np.argsort(angles, kind="stable")[:count]
-    centres = arrays["points"][arrays["tets"][rows]].mean(axis=1)
-    return [(int(arrays["tet_numbers"][row]), float(angles[row]), tuple(centre))
-            for row, centre in zip(rows, centres.tolist())]
+def worst_tets(mesh, count=10, measure="dihedral_angle"):
+    """(number, value) of the worst tets by a measure, worst first."""
+    overlay = quality(mesh, measure)
+    rows = MEASURES[measure].worst(overlay.values, count)
+    return list(zip(overlay.numbers[rows].tolist(), overlay.values[rows].tolist()))
+
+
+def values_of(mesh, measure, arrays):
+    """(m,) the measure of each tet."""
+    tets = connectivity(arrays, "tets", "tet_mids")
+    if MEASURES[measure].values is not None:
+        return MEASURES[measure].values(arrays["points"], tets)
+    return size_ratio(mesh, arrays["points"], arrays["tets"])
+
+
+def size_ratio(mesh, points, tets):
+    """(m,) mean edge length over the length that is wanted in the middle of each tet."""
+    wanted = mesh.Proxy.last_part_mesh(mesh).wanted_sizes(points[tets].mean(axis=1))
+    return mean_edge_length(points, tets) / np.maximum(wanted, np.finfo(float).tiny)
+
+
+def _mesh_of(arrays):
+    on_surface = np.zeros(len(arrays["points"]), dtype=bool)
+    on_surface[arrays["triangles"]] = True
+    return {"numbers": arrays["tet_numbers"], "points": arrays["points"], "tets": arrays["tets"], "on_surface": on_surface}

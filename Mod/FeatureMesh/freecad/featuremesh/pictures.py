@@ -11,6 +11,8 @@ import subprocess
 
 import numpy as np
 
+from section import outer_triangles
+
 KEPT, NEW, RELEASED, CARRIED = 0, 1, 2, 3
 COLOURS = {KEPT: "#a9bfd1", NEW: "#f2994a", RELEASED: "#d9605a", CARRIED: "#6fb59a"}
 ACTIVE_COLOUR = "#14532d"
@@ -18,8 +20,6 @@ LABELS = {KEPT: "kept", NEW: "new", RELEASED: "released", CARRIED: "carried alon
 EDGE_COLOUR, OUTLINE_COLOUR, BACKGROUND = "#5a6875", "#20262d", "#ffffff"
 SIZE = (1300, 800)
 _MARGIN = 1.04   # of the picture over what is drawn
-# The corners of each side of a tet, seen from outside in the order of the clock's opposite.
-SIDES = np.array(((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)))
 
 
 @contextlib.contextmanager
@@ -46,22 +46,6 @@ def off_screen():
         server.wait()
 
 
-def outer_triangles(tets):
-    """(k,3) triangles that belong to one tet only, seen from outside, and (k,) their tets."""
-    sides = tets[:, SIDES].reshape(-1, 3)
-    owner = np.repeat(np.arange(len(tets)), 4)
-    ordered = np.sort(sides, axis=1).astype(np.int64)
-    count = int(tets.max()) + 1 if len(tets) else 1
-    key = (ordered[:, 0] * count + ordered[:, 1]) * count + ordered[:, 2]
-    by_key = np.argsort(key, kind="stable")
-    key = key[by_key]
-    single = np.ones(len(key), dtype=bool)
-    single[1:] &= key[1:] != key[:-1]
-    single[:-1] &= key[:-1] != key[1:]
-    chosen = np.sort(by_key[single])
-    return sides[chosen], owner[chosen]
-
-
 def behind_plane(points, tets, origin, normal):
     """(m,) bool: the tets whose centre lies behind the plane; drawn alone they show the inside."""
     centres = points[tets].mean(axis=1)
@@ -77,26 +61,6 @@ def inside_any(points, tets, probes):
         local = np.einsum("mij,mj->mi", to_local, probe - corner)
         found[row] = np.any((local >= 0).all(axis=1) & (local.sum(axis=1) <= 1))
     return found
-
-
-def tet_quality(points, tets):
-    """(m,) smallest and (m,) largest dihedral angle, degrees, and (m,) radius ratio 3 r / R of each tet."""
-    p = points[tets]
-    a, b, c = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0], p[:, 3] - p[:, 0]
-    normals = [np.cross(p[:, j] - p[:, i], p[:, k] - p[:, i]) for i, j, k in SIDES]
-    lengths = [np.linalg.norm(normal, axis=1) for normal in normals]
-    smallest, largest = np.full(len(tets), 180.0), np.zeros(len(tets))
-    for i in range(4):
-        for j in range(i + 1, 4):
-            cosine = -np.einsum("ij,ij->i", normals[i], normals[j]) / (lengths[i] * lengths[j])
-            angle = np.degrees(np.arccos(np.clip(cosine, -1, 1)))
-            smallest, largest = np.minimum(smallest, angle), np.maximum(largest, angle)
-    six_volumes = np.einsum("ij,ij->i", a, np.cross(b, c))
-    squares = [np.einsum("ij,ij->i", edge, edge)[:, None] for edge in (a, b, c)]
-    circum = squares[0] * np.cross(b, c) + squares[1] * np.cross(c, a) + squares[2] * np.cross(a, b)
-    circum_radius = np.linalg.norm(circum, axis=1) / (2 * six_volumes)
-    in_radius = six_volumes / sum(lengths)
-    return smallest, largest, 3 * in_radius / circum_radius
 
 
 class Scene:
@@ -308,9 +272,9 @@ def write_panels(path, panels, kinds=(), bar=None, active=False, width=13.0, leg
         axis.set_title(title, fontsize=12, color="#20262d", loc="left")
         axis.set_axis_off()
     figure.subplots_adjust(left=0.005, right=0.995, top=1 - 0.36 / (height + 0.8), bottom=0.42 / (height + 0.8), wspace=0.01)
-    entries = [(COLOURS[kind], LABELS[kind] + " tets") for kind in kinds] + list(legend)
+    entries = [(COLOURS[kind], LABELS[kind] + " elements") for kind in kinds] + list(legend)
     if entries:
-        figure.legend(handles=_legend(pyplot, entries, active), loc="lower center", ncol=5, frameon=False, fontsize=11)
+        figure.legend(handles=_legend(pyplot, entries, active), loc="lower center", ncol=6, frameon=False, fontsize=11)
     if bar:
         label, low, high = bar
         colours = pyplot.cm.ScalarMappable(pyplot.Normalize(low, high), "turbo")
@@ -330,10 +294,10 @@ def write_quality(path, series):
         for axis, values, bins in ((left, angles, np.linspace(0, 75, 76)), (right, ratios, np.linspace(0, 1, 81))):
             weights = np.full(len(values), 100.0 / max(len(values), 1))
             axis.hist(values, bins, weights=weights, histtype="step", color=colour, linewidth=1.7, label=name)
-    left.set_xlabel("smallest dihedral angle of a tet, degrees")
-    right.set_xlabel("radius ratio 3 r / R of a tet (1 is regular)")
+    left.set_xlabel("smallest dihedral angle of an element, degrees")
+    right.set_xlabel("radius ratio 3 r / R of an element (1 is regular)")
     for axis in (left, right):
-        axis.set_ylabel("share of tets, %")
+        axis.set_ylabel("share of elements, %")
         axis.spines[["top", "right"]].set_visible(False)
         axis.grid(axis="y", color="#e3e7eb")
         axis.set_axisbelow(True)

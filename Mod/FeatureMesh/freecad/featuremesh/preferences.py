@@ -10,7 +10,7 @@ GROUP = "User parameter:BaseApp/Preferences/Mod/FeatureMesh"
 # Name -> default; the type of the default is the type of the preference. Colours are 0xRRGGBBAA as FreeCAD keeps them.
 DEFAULTS = {
     "ElementsAlongDiagonal": 30,
-    "SecondOrder": False,
+    "SecondOrder": True,
     "Threads": 0,
     "Automatic": True,
     "InWorker": True,

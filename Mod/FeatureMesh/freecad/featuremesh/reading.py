@@ -14,6 +14,7 @@ from collections import deque
 import FreeCAD
 import numpy
 import Part
+import Sketcher
 
 from . import versions
 from .errors import UserError
@@ -152,6 +153,27 @@ def refuse_errors(part):
     """Throws UserError when the part itself is in error, with FreeCAD's message."""
     if error_of(part):
         raise UserError(translate("FeatureMesh", "FreeCAD could not compute %s: %s") % (describe(part), error_of(part)))
+
+
+def refuse_gone(obj):
+    """Throws UserError for what is no object of an open document."""
+    if not isinstance(obj, FreeCAD.DocumentObject):
+        raise UserError(translate("FeatureMesh", "%s is no object of a document; give a body, or a Part object with a solid") % (obj,))
+    try:
+        obj.Name
+    except ReferenceError:
+        raise UserError(translate("FeatureMesh", "the object is gone: it was deleted, or its document was closed")) from None
+
+
+def refuse_unmeshable(part):
+    """Throws UserError for what cannot be meshed as it is: gone, in error, without a shape (yet)."""
+    refuse_gone(part)
+    refuse_errors(part)
+    if has_shape(part):
+        return
+    if _shape_of(part) is None and "Touched" in part.State:
+        raise UserError(translate("FeatureMesh", "%s has no shape yet; recompute the document first") % describe(part))
+    raise UserError(translate("FeatureMesh", "%s has no shape to mesh") % describe(part) + _what_leaves_nothing(part))
 
 
 def dependencies(part):
@@ -295,7 +317,7 @@ def _record(obj, walk, shapes, keys, home):
     numbers, texts = properties.parameters(obj)
     whole = own if frame.isIdentity() else frame.multiply(own)
     place = matrix_entries(own)
-    return {
+    record = {
         "name": keys[obj],
         "label": property_of(obj, "Label"),
         "type": kind,
@@ -310,6 +332,46 @@ def _record(obj, walk, shapes, keys, home):
         "suppressed": bool(properties.value(obj, "Suppressed")),
         "error": error_of(obj),
     }
+    if kind.startswith("Sketcher::"):
+        record["elements"] = elements_of(obj)
+    return record
+
+
+def elements_of(sketch):
+    """(id, numbers) of the lines and curves that a sketch is swept along, in its own frame: three points each, and a centre if it has one."""
+    elements = []
+    for geometry in sketch.Geometry:
+        facade = Sketcher.GeometryFacade(geometry)
+        if facade.Construction or isinstance(geometry, Part.Point):
+            continue
+        first, last = geometry.FirstParameter, geometry.LastParameter
+        points = [geometry.value(first + share * (last - first)) for share in (0.25, 0.5, 0.75)]
+        if isinstance(geometry, (Part.Circle, Part.ArcOfCircle)):
+            points.append(geometry.Center)
+        elements.append((facade.Id, [coordinate for point in points for coordinate in point]))
+    return elements
+
+
+def elements_of_today(raw, document):
+    """{name of each sketch of a saved part: its elements}, with the ids that they have now: FreeCAD 0.20 gives new ones whenever it opens a document.
+    What is not where it was saved is left out."""
+    found = {}
+    for record in raw["records"]:
+        sketch = document.getObject(record["name"]) if "elements" in record else None
+        if sketch is not None:
+            today = {_rounded(numbers): number for number, numbers in elements_of(sketch)}
+            found[record["name"]] = [(today[_rounded(numbers)], numbers) for _, numbers in record["elements"] if _rounded(numbers) in today]
+    return found
+
+
+def with_elements(raw, elements):
+    """The part as it was read, with other sketch elements."""
+    return {**raw, "records": [{**record, "elements": elements.get(record["name"], [])} if "elements" in record else record
+                               for record in raw["records"]]}
+
+
+def _rounded(numbers):
+    return tuple(round(number, 6) for number in numbers)
 
 
 def _is_shown_by_body(obj, volume, walk):

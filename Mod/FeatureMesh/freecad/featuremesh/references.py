@@ -1,82 +1,131 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Keeps loads, supports, materials and refinements where they were when an edit gives faces, edges and solids other numbers.
+"""Keeps loads, supports, materials, groups and refinements where they were when an edit gives faces, edges and solids other numbers.
 
 FreeCAD 0.20 knows them by number only: a constraint on Face11 stays on Face11 when that number comes to mean another face. Since 1.0
-FreeCAD follows them itself, and marks with a question mark ("?Face11") what it lost. The feature difference knows which face became
-which: references that are still as they were at the last mesh are put right, and every change and every loss is reported.
+FreeCAD follows them itself, and marks with a question mark ("?Face11") what it lost; its verdict is held against ours. What each object
+referred to at the last mesh is on record. What it became is known by the features that made the faces; what is gone is taken out of the
+references, for a load must never act on a face that nobody chose, and an object that has nothing left is marked until it is mended.
 """
 
-import re
-
 from . import versions
-from .numbering import Numbering
+from .resolving import LOST, pairs_of
 
-_LOST = "?"
-_SUB_ELEMENT = re.compile(r"(Face|Edge|Vertex|Solid)\d+$")
-
-
-def references_of(objects, part):
-    """{object name: sub-elements of `part` that it refers to}, to be compared later."""
-    return {obj.Name: names for obj, names in ((obj, _names(obj, part)) for obj in objects) if names}
+# Is a task panel of the object open? It keeps its own list of references, so nobody else may change them. Set by the window's side.
+is_in_edit = None
+# A property of objects that have nothing left to refer to: the names of what they have lost.
+MARK = "LostReferences"
 
 
-def are_lost(objects, part):
-    """Has FreeCAD itself lost what one of the objects refers to?"""
-    return any(name.startswith(_LOST) for obj in objects for name in _names(obj, part))
-
-
-def follow(objects, part, before, faces, old_shape):
-    """Moves the references of `objects` to what theirs became. Returns a line for each thing to know.
-
-    `before` is what references_of said at the last mesh, `faces` the face changes of the feature difference since then, `old_shape` a
-    function that gives the part's shape at the last mesh.
-    """
-    numbering = Numbering(faces, old_shape, part.Shape)
-    lines = []
+def record_of(objects, resolver):
+    """{object name: {"pairs": what it refers to, "names": the sub-elements of the part that this means}}, to be followed later."""
+    record = {}
     for obj in objects:
-        names = _names(obj, part)
-        if not names or not versions.follows_faces() and names != before.get(obj.Name):
+        names, foreign = resolver.of_object(obj)
+        if names and not foreign:
+            record[obj.Name] = {"pairs": plain_pairs(obj), "names": names}
+    return record
+
+
+def plain_pairs(obj):
+    """What an object refers to as [[object name, sub-element], ...]."""
+    return [[target.Name, sub] for target, sub in pairs_of(obj)]
+
+
+def settle(objects, resolver):
+    """Lets `objects` refer to the meshed part itself: what was clicked names the tip of a body, which may be deleted, or a step before it."""
+    for obj in objects:
+        pairs = pairs_of(obj)
+        if all(target is resolver.bearer for target, _ in pairs) or not may_change(obj, resolver) or "" in (sub for _, sub in pairs):
             continue
-        moved = {}
-        for name in names:
-            if not _is_to_be_followed(name):
-                continue
-            now = numbering.now(name.lstrip(_LOST))
-            if not now:
-                lines.append(_what_was_lost(obj, name.lstrip(_LOST)))
-            elif now != [name]:
-                moved[name] = now
-        if moved:
-            obj.References = [(target, tuple(_moved(subs, moved) if target is part else subs))
-                              for target, subs in _pairs(obj)]
-            lines += ["%s: %s is now %s, its reference was changed" % (obj.Label, old.lstrip(_LOST), ", ".join(new))
-                      for old, new in moved.items()]
+        meant = [resolver.names(target, sub) for target, sub in pairs]
+        if all(meant):
+            obj.References = [(resolver.bearer, tuple(dict.fromkeys(name for names in meant for name in names)))]
+
+
+def may_change(obj, resolver):
+    """May the references of the object be written?"""
+    return not (is_in_edit is not None and is_in_edit(obj)) and resolver.bearer is not None
+
+
+def differs(obj, known, deleted):
+    """Does the object refer to something else than the record knows, beside what was deleted since?"""
+    return plain_pairs(obj) not in (known["pairs"], [pair for pair in known["pairs"] if pair[0] not in deleted])
+
+
+def was_changed_by_hand(obj, known, deleted):
+    """The same where FreeCAD does not follow references itself, which changes them, too."""
+    return not versions.follows_faces() and differs(obj, known, deleted)
+
+
+def follow(obj, known, resolver, numbering):
+    """Moves the references of one object to what theirs became. Returns a line for each thing to know.
+
+    `known` is what record_of said of it, `numbering` the Numbering from then to now.
+    """
+    now, lost, lines = [], [], []
+    chosen = _chosen_by_freecad(obj, resolver) if versions.follows_faces() else []
+    for name in known["names"]:
+        found = numbering.now(name) or _not_a_stranger(name, chosen, numbering)
+        lines += _what_happened(obj, name, found, numbering, known["names"])
+        now += [new for new in found if new not in now]
+        if not found:
+            lost.append(name)
+    if may_change(obj, resolver) and (lost or now != known["names"] or plain_pairs(obj) != known["pairs"]):
+        _refer(obj, resolver.bearer, now)
+        if lost and not now:
+            _mark(obj, lost)
+    return lines + _what_was_lost(obj, lost, now)
+
+
+def unmended(analysis):
+    """(object, sentence) for every member of the analysis that has lost all it referred to: the analysis must not be solved until each has
+    been given new references."""
+    return [(member, "%s refers to %s, which is gone; choose another face, edge or solid for it" % (member.Label, ", ".join(getattr(member, MARK))))
+            for member in analysis.Group if getattr(member, MARK, None) and not getattr(member, "References", None)]
+
+
+def mend(obj):
+    """Takes the mark away from an object that refers to something again."""
+    if getattr(obj, MARK, None) and getattr(obj, "References", None):
+        setattr(obj, MARK, [])
+
+
+def _refer(obj, bearer, names):
+    if plain_pairs(obj) != [[bearer.Name, name] for name in names]:
+        obj.References = [(bearer, tuple(names))] if names else []
+
+
+def _mark(obj, lost):
+    if MARK not in obj.PropertiesList:
+        obj.addProperty("App::PropertyStringList", MARK, "FeatureMesh", "What it referred to and is gone; it needs new references")
+    setattr(obj, MARK, lost)
+
+
+def _chosen_by_freecad(obj, resolver):
+    """What FreeCAD, which follows references itself, says that the object refers to now."""
+    return [name for target, sub in pairs_of(obj) if LOST not in sub for name in resolver.names(target, sub) or []]
+
+
+def _not_a_stranger(name, chosen, numbering):
+    """Of what cannot be told by its features: FreeCAD's own choice, where it is nothing that was something else or somewhere else before."""
+    return [found for found in chosen if not name.startswith("Solid") and found.rstrip("0123456789") == name.rstrip("0123456789")
+            and not numbering.was(found) and numbering.may_be(name, found)][:1]
+
+
+def _what_happened(obj, name, found, numbering, chosen):
+    if len(found) > 1:
+        return ["%s: %s was split into %s, it is on all of them now" % (obj.Label, name, " and ".join(found))]
+    lines = []
+    if found and found != [name]:
+        lines.append("%s: %s is now %s, its reference was changed" % (obj.Label, name, found[0]))
+    others = [other for other in (numbering.was(found[0]) if found else []) if other not in chosen]
+    if others:
+        lines.append("%s: %s has become one with %s, it is on all of that now" % (obj.Label, name, " and ".join(others)))
     return lines
 
 
-def _is_to_be_followed(name):
-    """On 0.20 every number may have got another meaning, since 1.0 only what FreeCAD lost."""
-    if versions.follows_faces() and not name.startswith(_LOST):
-        return False
-    return bool(_SUB_ELEMENT.match(name.lstrip(_LOST)))
-
-
-def _what_was_lost(obj, name):
-    kind = name.rstrip("0123456789").lower()
-    return "%s refers to %s, which is gone; choose another %s" % (obj.Label, name, kind)
-
-
-def _names(obj, part):
-    return [name for target, subs in _pairs(obj) if target is part for name in subs]
-
-
-def _pairs(obj):
-    return [(target, (subs,) if isinstance(subs, str) else tuple(subs))
-            for target, subs in getattr(obj, "References", None) or []]
-
-
-def _moved(subs, moved):
-    result = []
-    for name in subs:
-        result += [new for new in moved.get(name, [name]) if new not in result]
-    return result
+def _what_was_lost(obj, lost, now):
+    if now:
+        return ["%s refers to %s, which is gone; it was taken out of the references" % (obj.Label, name) for name in lost]
+    return ["%s refers to %s, which is gone; choose another %s, the analysis cannot be solved without"
+            % (obj.Label, name, name.rstrip("0123456789").lower()) for name in lost]

@@ -27,7 +27,7 @@ class State:
     raw: dict                                       # as reading.read_document gives it
     options: dict                                   # as the engine takes them
     arrays: dict = field(default_factory=dict)      # as PartMesh.arrays gives them
-    references: dict = field(default_factory=dict)  # what constraints referred to, see references.references_of
+    references: dict = field(default_factory=dict)  # what constraints referred to, in states from before mesh objects knew it themselves
 
     @property
     def part_name(self):

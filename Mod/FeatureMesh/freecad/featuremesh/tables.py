@@ -4,6 +4,7 @@
 import FreeCAD
 
 from .messages import in_words
+from .unit_words import in_users_units
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -22,7 +23,7 @@ def rows_of_difference(found):
     for feature in found["features"]:
         old, new = _volume(feature["old_volume"]), _volume(feature["new_volume"])
         volumes = old if old == new else "%s -> %s" % (old, new)
-        rows.append((feature_name(feature), feature["verdict"].replace("_", " "), feature["detail"], volumes,
+        rows.append((feature_name(feature), verdict_in_words(feature["verdict"]), feature["detail"], volumes,
                      _faces(feature["old_faces"]), _faces(feature["new_faces"])))
     return ("feature", "what happened", "by how much", "volume mm^3", "old faces", "new faces"), rows
 
@@ -34,7 +35,7 @@ _VERDICTS = {
     "added": QT_TRANSLATE_NOOP("FeatureMesh", "added"),
     "removed": QT_TRANSLATE_NOOP("FeatureMesh", "removed"),
     "suppressed": QT_TRANSLATE_NOOP("FeatureMesh", "suppressed"),
-    "interaction changed": QT_TRANSLATE_NOOP("FeatureMesh", "interaction changed"),
+    "interaction changed": QT_TRANSLATE_NOOP("FeatureMesh", "cut differently"),
     "kept": QT_TRANSLATE_NOOP("FeatureMesh", "kept"),
     "vanished": QT_TRANSLATE_NOOP("FeatureMesh", "vanished"),
     "appeared": QT_TRANSLATE_NOOP("FeatureMesh", "appeared"),
@@ -46,6 +47,13 @@ _VERDICTS = {
 _INNER_VERDICTS = {
     "vanished": QT_TRANSLATE_NOOP("FeatureMesh", "became inner"),
     "appeared": QT_TRANSLATE_NOOP("FeatureMesh", "became boundary"),
+}
+
+
+# How many of the faces and edges with a verdict do.
+_INNER_COUNTS = {
+    "vanished": QT_TRANSLATE_NOOP("FeatureMesh", " (%d now inside the part)"),
+    "appeared": QT_TRANSLATE_NOOP("FeatureMesh", " (%d inside the part before)"),
 }
 
 
@@ -66,13 +74,13 @@ def difference_note(found):
 
 
 def _counts(changes):
-    """"2 appeared (1 inside the other's material), 17 kept" of faces or edges."""
+    """"2 appeared (1 inside the part before), 17 kept" of faces or edges."""
     counts, inner = {}, {}
     for change in changes:
         counts[change["verdict"]] = counts.get(change["verdict"], 0) + 1
         inner[change["verdict"]] = inner.get(change["verdict"], 0) + bool(change.get("inner"))
     return ", ".join("%d %s" % (counts[verdict], verdict_in_words(verdict))
-                     + (translate("FeatureMesh", " (%d inside the other's material)") % inner[verdict] if inner[verdict] else "")
+                     + (translate("FeatureMesh", _INNER_COUNTS.get(verdict, " (%d)")) % inner[verdict] if inner[verdict] else "")
                      for verdict in sorted(counts)) or translate("FeatureMesh", "none")
 
 
@@ -94,9 +102,9 @@ def rows_of_tree(found):
 
 def tree_note(found):
     """The books: cells and material against FreeCAD's volume, and the engine's notes."""
-    line = translate("FeatureMesh", "%s: %d features, %d cells, %.10g mm^3 of material (FreeCAD: %.10g)") % (
+    line = translate("FeatureMesh", "%s: %d features in %d pieces, volume %.10g mm^3 (FreeCAD: %.10g mm^3)") % (
         found["object"], len(found["features"]), found["cells"], found["material_volume"], found["final_volume"])
-    return "\n".join([line] + [translate("FeatureMesh", "note: ") + in_words(note) for note in found.get("notes", [])])
+    return "\n".join([in_users_units(line)] + [translate("FeatureMesh", "note: ") + in_words(note) for note in found.get("notes", [])])
 
 
 def face_names(faces):

@@ -3,12 +3,16 @@
 
 import json
 import os
+import runpy
 import sys
+import traceback
 
-from . import api, documents, engine, reading, tables, versions
+from . import about, api, documents, engine, reading, tables, versions
 from .errors import UserError
 from .transfer import find_result
-from .mesh_object import add_fallback, one_line, plain
+from .mesh_object import one_line
+from .reports import add_fallback, plain
+from .quality import MEASURES
 
 
 def mesh(task):
@@ -26,7 +30,7 @@ def mesh(task):
         if task.get("order"):
             obj.Order = "2nd" if task["order"] == 2 else "1st"
     else:
-        obj = api.add_mesh(part, size, task.get("order") or 1)
+        obj = api.add_mesh(part, size, task.get("order") or 2)
     obj.Threads = task.get("threads") or 0
     report = api.update_mesh(obj, full=True, progress=_progress)
     report["seconds"]["recompute"] = 0.0
@@ -61,10 +65,24 @@ def update(task):
     if task.get("full"):
         add_fallback(report, "meshed from scratch, as asked with --full")
     report["seconds"]["recompute"] = seconds
+    solved = ""
+    if task.get("solve"):
+        report["solution"] = api.solve_analysis(api.find_analysis(document), threads=task.get("threads") or 0, progress=_progress)
+        solved = "; " + _solution_in_words(report["solution"])
     out = _save(document, task, report)
     kept = report.get("kept") or {}
-    return ("%s has %s, %.1f %% of the nodes kept%s; saved as %s"
-            % (obj.Name, _size_in_words(report), 100 * kept.get("nodes_share", 0.0), _fallback_in_words(report), out)), report
+    return ("%s has %s, %.1f %% of the nodes kept%s%s; saved as %s"
+            % (obj.Name, _size_in_words(report), 100 * kept.get("nodes_share", 0.0), _fallback_in_words(report), solved, out)), report
+
+
+def solve(task):
+    """Solves an analysis and saves the result with the document."""
+    document = documents.open_document(task["part"])
+    analysis = api.find_analysis(document, task.get("analysis"))
+    which = "live" if task.get("live") else "ccx" if task.get("ccx") else None
+    report = api.solve_analysis(analysis, which, threads=task.get("threads") or 0, progress=_progress)
+    out = _save(document, task, report)
+    return "%s; saved as %s" % (_solution_in_words(report), out), report
 
 
 def diff(task):
@@ -92,7 +110,64 @@ def export(task):
     obj = api.find_mesh(document, task.get("object"))
     api.export_mesh(obj, task["out"], task.get("format"))
     data = {"nodes": obj.FemMesh.NodeCount, "tets": obj.FemMesh.VolumeCount, "groups": obj.FemMesh.GroupCount}
-    return "wrote %s (%d nodes, %d tets, %d groups)" % (task["out"], data["nodes"], data["tets"], data["groups"]), data
+    return "wrote %s (%d nodes, %d elements, %d groups)" % (task["out"], data["nodes"], data["tets"], data["groups"]), data
+
+
+def about_all(task):
+    """Versions, where things are and how they were installed."""
+    return about.text(), dict(about.facts())
+
+
+def picture(task):
+    """A picture of a document's mesh."""
+    document = documents.open_document(task["part"])
+    obj = api.find_mesh(document, task.get("object"))
+    limits = tuple(task["limits"]) if task.get("limits") else None
+    overlay = api.draw_quality(obj, task["out"], task["quality"], limits, task.get("cut"), bool(task.get("filled")))
+    kind = MEASURES[task["quality"]]
+    data = {"least": float(overlay.values.min()), "mean": float(overlay.values.mean()), "greatest": float(overlay.values.max()),
+            "beyond": kind.count_bad(overlay.values, limits), "tets": len(overlay.values)}
+    return "wrote %s (%s from %s to %s, mean %s; %d of %d elements beyond the limit)" % (
+        task["out"], kind.title, *(kind.in_words(data[name]) for name in ("least", "greatest", "mean")), data["beyond"], data["tets"]), data
+
+
+def run(task):
+    """Runs a script of the user's, with `api` and, when one is named, the open `document`; what it prints goes where the user reads."""
+    names = {"api": api, "document": documents.open_document(task["part"]) if task.get("part") else None}
+    sys.argv = [task["script"], *([task["part"]] if task.get("part") else [])]
+    sys.path.insert(0, os.path.dirname(task["script"]))
+    said = sys.stdout
+    if task.get("output") is not None:
+        sys.stdout = open(task["output"], "w", encoding="utf-8", buffering=1)
+    try:
+        runpy.run_path(task["script"], names, "__main__")
+    except UserError:
+        raise
+    except SystemExit as end:
+        if end.code not in (None, 0):
+            raise UserError("%s ended with %s" % (os.path.basename(task["script"]), end.code)) from None
+    except Exception as error:
+        if is_users_fault(error):
+            raise
+        raise UserError("%s: %s: %s" % (_place_in(task["script"], error), type(error).__name__, one_line(error))) from error
+    finally:
+        sys.stdout.flush()
+        sys.stdout = said
+    return "", {}
+
+
+def _place_in(script, error):
+    """The script's line that was at work when the error came."""
+    lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == script]
+    if isinstance(error, SyntaxError) and error.filename == script:
+        lines.append(error.lineno)
+    return "%s, line %d" % (os.path.basename(script), lines[-1]) if lines else os.path.basename(script)
+
+
+def study_base(task):
+    """The document that all cases of a study start from."""
+    from .study import base
+    return "", base.make(task["study"], task["out"])
 
 
 def renumber(task):
@@ -123,7 +198,9 @@ def transfer(task):
                              next(n for n, f in report["fields"].items() if f is figures), out)), report
 
 
-COMMANDS = {"renumber": renumber, "transfer": transfer, "mesh": mesh, "adopt": adopt, "update": update, "diff": diff, "tree": tree, "export": export}
+COMMANDS = {"renumber": renumber, "transfer": transfer, "mesh": mesh, "adopt": adopt, "update": update, "solve": solve, "diff": diff, "tree": tree,
+            "export": export, "about": about_all, "picture": picture, "run": run,
+            "study_base": study_base}
 
 
 def is_users_fault(error):
@@ -152,8 +229,16 @@ def _progress(step, share):
 def _size_in_words(report):
     quality = report["quality"]
     forced = "" if not quality["forced_by_cad"] else ", %.1f deg where the part's own details do not force less" % quality["min_dihedral_unforced"]
-    return "%d nodes and %d tets (smallest angle %.1f deg%s) in %.2f s" % (
+    return "%d nodes and %d elements (smallest angle %.1f deg%s) in %.2f s" % (
         report["nodes"], report["tets"], quality["min_dihedral"], forced, report["seconds"]["total"])
+
+
+def _solution_in_words(report):
+    found, how = report["responses"], ", %d iterations" % report["iterations"] if report["iterations"] is not None else ""
+    where = found["max_mises_at"]
+    return "%s: largest von Mises stress %.4g MPa%s, largest displacement %.4g mm, in %.2f s%s" % (
+        "live" if report["solver"] == "live" else report["solver"], found["max_mises_mpa"], " on %s" % where["on"] if where else "",
+        found["max_displacement_mm"], report["seconds"]["total"], how)
 
 
 def _fallback_in_words(report):

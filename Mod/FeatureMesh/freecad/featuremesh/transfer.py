@@ -6,7 +6,7 @@ import FreeCAD
 import numpy as np
 import ObjectsFem
 
-from . import adopt, engine
+from . import adopt, engine, results
 from .errors import UserError
 from .reading import describe
 
@@ -123,5 +123,6 @@ def _add_result(mesh, name):
     for analysis in mesh.InList:
         if analysis.isDerivedFrom("Fem::FemAnalysis"):
             analysis.addObject(new)
+            results.note_again(new)
             break
     return new

@@ -2,6 +2,8 @@
 """What differs between FreeCAD 0.20, 1.0 and 1.1, in one place."""
 
 import functools
+import os
+import sys
 
 import FreeCAD
 
@@ -10,6 +12,17 @@ import FreeCAD
 def version():
     """(major, minor) of the running FreeCAD."""
     return tuple(int(part) for part in FreeCAD.Version()[:2])
+
+
+def text():
+    """The version of the running FreeCAD as it says it."""
+    return ".".join(FreeCAD.Version()[:3])
+
+
+def packages_folder():
+    """The folder into which this FreeCAD's Addon Manager installs Python packages."""
+    folder = os.path.join(FreeCAD.getUserAppDataDir(), "AdditionalPythonPackages")
+    return folder if version() < (0, 21) else os.path.join(folder, "py%d%d" % sys.version_info[:2])
 
 
 def mesh_object_type():
@@ -38,13 +51,6 @@ def parent_frame(part):
         return part.getGlobalPlacement().multiply(part.Placement.inverse())
     parent = part.getParentGeoFeatureGroup()  # a link, whose global placement 1.0 does not tell
     return parent.getGlobalPlacement() if parent is not None else FreeCAD.Placement()
-
-
-def colour_elements(view, colours):
-    """Colours the elements {number: (red, green, blue)} of a mesh's view; none: as usual. Since 1.0 a view has a mode for that."""
-    view.ElementColor = colours
-    if "ColorMode" in view.PropertiesList:
-        view.ColorMode = "ByElement" if colours else "Overall"
 
 
 def number_of(enumerator):

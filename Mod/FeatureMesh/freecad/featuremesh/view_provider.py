@@ -5,9 +5,10 @@ import os
 
 import FreeCADGui as Gui
 
-from . import mesh_object, versions
+from . import commands, mesh_object
 
-_MARKED = "FeatureMeshMarkedPoints"
+# Called as (mesh, property) when a property of a mesh object has changed.
+followers = []
 ICONS = os.path.join(os.path.dirname(__file__), "icons")
 
 
@@ -46,53 +47,46 @@ class ViewFeatureMesh:
     def updateData(self, mesh, name):
         if name == "Status":
             mesh.ViewObject.signalChangeIcon()
+        if name == "FemMesh" and getattr(self, "_elements", None) is not None:
+            self._elements.end()   # colours and points of a mesh that is no more
+        for follow in list(followers):
+            follow(mesh, name)
 
-    def colour(self, mesh, colours):
-        """Colours elements {number: (red, green, blue)}; none: as usual."""
-        versions.colour_elements(mesh.ViewObject, colours)
+    def elements(self, mesh):
+        """The drawing of elements in colours, see element_view."""
+        from .element_view import ElementView
+        if getattr(self, "_elements", None) is None:
+            self._elements = ElementView(mesh.ViewObject.RootNode)
+        return self._elements
+
+    def show(self, mesh, overlay, plane=None, is_filled=False):
+        """Draws the elements of an overlays.Overlay in place of FreeCAD's drawing; None: as usual."""
+        if overlay is None:
+            self.elements(mesh).end()
+        else:
+            self.elements(mesh).show(overlay, plane, is_filled)
 
     def mark_points(self, mesh, points, colour):
         """Draws points over everything else; none: takes them away."""
-        self._mark(mesh, [tuple(point) for point in points], colour, ())
+        self.elements(mesh).mark(points, (), colour)
 
-    def mark_tets(self, mesh, numbers, colour):
-        """Draws the edges of tets over everything else; none: takes them away."""
-        points, lines = [], []
-        for number in numbers:
-            start = len(points)
-            points += [tuple(mesh.FemMesh.getNodeById(node)) for node in mesh.FemMesh.getElementNodes(number)[:4]]
+    def mark_tets(self, mesh, overlay, rows, colour):
+        """Draws the edges of tets of an overlay over everything else; none: takes them away."""
+        corners = overlay.points[overlay.tets[rows]].reshape(-1, 3) if len(rows) else ()
+        lines = []
+        for start in range(0, 4 * len(rows), 4):
             for first, second in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)):
                 lines += [start + first, start + second, -1]
-        self._mark(mesh, points, colour, lines)
-
-    def _mark(self, mesh, points, colour, lines):
-        from pivy import coin
-        root = mesh.ViewObject.RootNode
-        for index in range(root.getNumChildren() - 1, -1, -1):
-            if root.getChild(index).getName() == _MARKED:
-                root.removeChild(index)
-        if not points:
-            return
-        node = coin.SoAnnotation()   # drawn last and not hidden by what is in front
-        node.setName(_MARKED)
-        light, binding, style, base = coin.SoLightModel(), coin.SoMaterialBinding(), coin.SoDrawStyle(), coin.SoBaseColor()
-        light.model = coin.SoLightModel.BASE_COLOR
-        binding.value = coin.SoMaterialBinding.OVERALL   # the mesh's own drawing leaves one colour per element behind
-        style.pointSize, style.lineWidth = 5, 3
-        base.rgb = colour
-        places = coin.SoCoordinate3()
-        places.point.setValues(0, len(points), points)
-        drawn = coin.SoPointSet()
-        if lines:
-            drawn = coin.SoIndexedLineSet()
-            drawn.coordIndex.setValues(0, len(lines), lines)
-        for child in (light, binding, style, base, places, drawn):
-            node.addChild(child)
-        root.addChild(node)
+        self.elements(mesh).mark(corners, lines, colour)
 
     def claimChildren(self):
         mesh = getattr(self, "Object", None)
         return list(mesh.MeshRegionList) + list(mesh.MeshGroupList) if mesh is not None else []
+
+    def setupContextMenu(self, view, menu):
+        """Puts commands that work on the mesh into its menu in the tree, where it is selected."""
+        for name in commands.OF_A_MESH:
+            menu.addAction(drawn_icon(name), commands.made(name).title).triggered.connect(lambda *_, name=name: Gui.runCommand(name))
 
     def setEdit(self, view, mode=0):
         from .gui.task_panel import MeshPanel

@@ -9,24 +9,31 @@ import builtins
 import io
 import os
 import pickle
+import queue
 import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import weakref
-from multiprocessing import connection as connections
 
 import FreeCAD
 
+from . import log
 from .waiting import let_the_window_live
+from .worker_main import read_message, write_message
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 _PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worker_main.py")
 _POLL, GRACE, _START_SECONDS = 0.03, 0.3, 60
+_GRACE_OF_SOLVING = 3   # nobody waits for a cancelled solution, and what its process knows makes the next one fast
+_KILLED = -getattr(signal, "SIGKILL", 9)
+_WINDOWS_EXCEPTION = 0xC0000000   # exit codes from here on are crashes there
+_EXECUTABLE = ".exe" if os.name == "nt" else ""
 # FreeCAD 1.1 starts Python without its signal handlers: to write to a process that has died must be an error, not FreeCAD's end.
 if hasattr(signal, "SIGPIPE") and threading.current_thread() is threading.main_thread() \
         and signal.getsignal(signal.SIGPIPE) == signal.SIG_DFL:
@@ -74,15 +81,26 @@ _DOING = {
     "compare": QT_TRANSLATE_NOOP("FeatureMesh", "comparing two states of %s"),
     "read_tree": QT_TRANSLATE_NOOP("FeatureMesh", "reading the features of %s"),
     "estimate_tets": QT_TRANSLATE_NOOP("FeatureMesh", "estimating the mesh of %s"),
+    "solve_statics": QT_TRANSLATE_NOOP("FeatureMesh", "solving the statics of %s"),
     "": QT_TRANSLATE_NOOP("FeatureMesh", "working on %s"),
+}
+# The engine's names of the arguments that may be given without one.
+_PARAMETERS = {
+    "mesh_part": ("raw", "options"),
+    "update_part": ("old", "raw", "options"),
+    "adopt_part": ("raw", "options", "arrays"),
+    "restore_part": ("raw", "options", "arrays"),
+    "compare": ("old", "new"),
+    "read_tree": ("raw",),
+    "estimate_tets": ("raw", "options"),
 }
 
 
 class WorkerMesh:
-    """A mesh whose engine object lives in a worker; what can be asked of it is here."""
+    """A mesh whose engine object lives in a worker; what can be asked of it is here, or asked there."""
 
-    def __init__(self, contents):
-        self._contents = contents
+    def __init__(self, contents, engine):
+        self._contents, self._engine = contents, engine
         self._process = self._key = None   # where the engine's object is
         self._recipe = None                # (raw, options) it was made from, to make it anew in another process
         self.order, self.corner_count = contents["order"], contents["corner_count"]
@@ -100,23 +118,26 @@ class WorkerMesh:
         return self._contents["active_points"]
 
     def owners_of_faces(self):
-        return self._contents["owners_of_faces"]
+        return self._engine.call("PartMesh.owners_of_faces", self)
 
     def owners_of_tets(self):
-        return self._contents["owners_of_tets"]
+        return self._engine.call("PartMesh.owners_of_tets", self)
+
+    def wanted_sizes(self, points):
+        return self._engine.call("PartMesh.wanted_sizes", self, points)
 
 
 class WorkerEngine:
-    """The engine's functions. Those that mesh run in one process, quick looks in another, so neither waits for the other."""
+    """The engine's functions. Those that mesh run in one process, quick looks in another, solving in a third, so none waits for another."""
 
     PartMesh = WorkerMesh
     Error, InputError, KernelError = Error, InputError, KernelError
     MeshError, StateError, Cancelled = MeshError, StateError, Cancelled
-    _LOOKS = ("estimate_tets", "compare", "read_tree")
+    _LOOKS = ("estimate_tets", "compare", "read_tree", "trace_sub_elements")
 
     def __init__(self, folder=None):
         self.folder = folder   # of the compiled engine; None: on the Python path
-        self._lanes = {False: _Lane(), True: _Lane()}
+        self._lanes = {"meshing": _Lane(self), "looks": _Lane(self), "statics": _Lane(self, _GRACE_OF_SOLVING)}
 
     def __getattr__(self, name):
         if name.startswith("_"):
@@ -124,13 +145,13 @@ class WorkerEngine:
         return lambda *args, **kwargs: self.call(name, *args, **kwargs)
 
     def start(self):
-        """Starts the process that meshes, if it does not run. Throws CannotStart."""
-        lane = self._lanes[False]
+        """Starts the process that meshes, if it does not run; gives what its engine says about itself. Throws CannotStart."""
+        lane = self._lanes["meshing"]
         process = lane.process
         if process is not None and process.is_alive():
-            return   # without waiting for what it does
+            return process.about   # without waiting for what it does
         with lane.lock:
-            lane.running(self.folder)
+            return lane.running(self.folder).about
 
     def stop(self):
         """Ends the processes; a later call starts them again."""
@@ -140,14 +161,14 @@ class WorkerEngine:
     @property
     def process_id(self):
         """Of the process that meshes; None when it does not run."""
-        process = self._lanes[False].process
+        process = self._lanes["meshing"].process
         return process.program.pid if process is not None else None
 
     def call(self, name, *args, progress=None, **kwargs):
         """Calls a function of the engine in a worker and waits for its answer. `progress` may be the last of `args`, too."""
         if args and callable(args[-1]):
             *args, progress = args
-        lane = self._lanes[name in self._LOOKS]
+        lane = self._lanes["statics" if "statics" in name else "looks" if name in self._LOOKS else "meshing"]
         while not lane.lock.acquire(timeout=_POLL):
             if progress is not None and not progress("waiting", 0.0):
                 raise Cancelled("cancelled")
@@ -174,30 +195,33 @@ class WorkerEngine:
 
     def _ask(self, lane, name, args, kwargs, progress):
         process = lane.running(self.folder)
-        raws = [value for value in args if isinstance(value, dict) and "records" in value]
-        what = translate("FeatureMesh", _DOING.get(name, _DOING[""])) % (raws[-1]["final_object"] if raws else "a mesh")
+        given = {**dict(zip(_PARAMETERS.get(name, ()), args)), **kwargs}
+        raw = given.get("raw") or given.get("new")
+        what = translate("FeatureMesh", _DOING.get(name, _DOING[""])) % (raw["final_object"] if raw else "a mesh")
         try:
             answer, made = process.ask((name, args, kwargs), what, progress)
         except (WorkerDied, Cancelled):
             if not process.is_alive():
                 lane.process = None
             raise
-        options = [value for value in args if isinstance(value, dict)]
         for mesh in made:
-            mesh._recipe = raws[-1], options[options.index(raws[-1]) + 1]
+            mesh._recipe = given["raw"], given["options"]
         return answer
 
 
 class _Lane:
     """A process that is there whenever it is needed, for one caller at a time."""
 
-    def __init__(self):
+    def __init__(self, engine, grace=None):
         self.lock = threading.RLock()
+        self.engine = engine
+        self.grace = grace   # seconds that cancelled work has to end by itself; None: GRACE
         self.process = None
 
     def running(self, folder):
         if self.process is None or not self.process.is_alive():
             self.process = start_process(folder)
+            self.process.engine, self.process.grace = self.engine, self.grace
         return self.process
 
     def end(self):
@@ -221,43 +245,68 @@ def interpreters():
     """Programs that may be the interpreter inside FreeCAD, the likeliest first."""
     version = "python%d.%d" % sys.version_info[:2]
     beside = os.path.dirname(os.path.realpath(sys.executable or ""))
-    places = [os.environ.get("FEATUREMESH_PYTHON"), os.path.join(sys.exec_prefix, "bin", version), os.path.join(beside, version),
-              os.path.join(beside, "python"), "/usr/bin/" + version, "/usr/bin/python3", shutil.which(version)]
-    return [place for place in dict.fromkeys(places) if place and os.access(place, os.X_OK)]
+    folders = [os.path.join(sys.exec_prefix, "bin"), beside, sys.exec_prefix]
+    places = [os.environ.get("FEATUREMESH_PYTHON"), *(os.path.join(folder, name + _EXECUTABLE) for folder in folders for name in (version, "python")),
+              "/usr/bin/" + version, "/usr/bin/python3", shutil.which(version)]
+    return [place for place in dict.fromkeys(places) if place and os.path.isfile(place) and os.access(place, os.X_OK)]
 
 
 class _Process:
     """One worker process and the line to it."""
 
     def __init__(self, python, folder):
-        ours, theirs = connections.Pipe()
-        self._last_words, writable = os.pipe()
-        arguments = [python, _PROGRAM, str(theirs.fileno()), str(writable)] + ([folder] if folder else [])
+        self._last_words = None
         try:
-            self.program = subprocess.Popen(arguments, pass_fds=(theirs.fileno(), writable), stdin=subprocess.DEVNULL,
-                                            stdout=subprocess.DEVNULL)
+            self._last_words, self._last_words_path = tempfile.mkstemp(prefix="featuremesh-")
+            self.program = subprocess.Popen(
+                [python, _PROGRAM, self._last_words_path] + ([folder] if folder else []), bufsize=0, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0))
         except OSError as error:
-            os.close(self._last_words)
+            self._close_last_words()
             raise CannotStart(str(error)) from error
-        finally:
-            theirs.close()
-            os.close(writable)
-        self._connection = ours
+        self._messages = queue.SimpleQueue()
+        self.engine = None   # whose meshes it makes
+        self.grace = None
         self._forgotten = []
+        self.about = {}   # what the engine says about itself
+        threading.Thread(target=self._listen, args=(self.program.stdout,), daemon=True).start()
         self._await_ready()
+
+    def _listen(self, stream):
+        """Puts what arrives into the queue; at the end of all, None."""
+        try:
+            while True:
+                self._messages.put(read_message(stream))
+        except (EOFError, OSError, ValueError):
+            self._messages.put(None)
+
+    def _next_message(self, seconds):
+        """The next message, or None when there is none in that time. Throws EOFError when the process is gone."""
+        try:
+            data = self._messages.get(timeout=seconds)
+        except queue.Empty:
+            return None
+        if data is None:
+            self._messages.put(None)
+            raise EOFError
+        return data
 
     def _await_ready(self):
         try:
-            if self._connection.poll(_START_SECONDS):
-                kind, *reason = pickle.loads(self._connection.recv_bytes())
-                if kind == "ready":
-                    return
+            data = self._next_message(_START_SECONDS)
+            if data is None:
+                reason = "it does not answer"
             else:
-                reason = ["it does not answer"]
-        except (EOFError, OSError):
-            reason = ["it ended at once"]
+                kind, words = pickle.loads(data)
+                if kind == "ready":
+                    self.about = words
+                    self._unlink_last_words()
+                    return
+                reason = words
+        except (EOFError, OSError, pickle.UnpicklingError):
+            reason = "it ended at once"
         self.kill()
-        raise CannotStart("".join(reason))
+        raise CannotStart(reason)
 
     def is_alive(self):
         return self.program.poll() is None
@@ -267,7 +316,7 @@ class _Process:
         if self.program.poll() is None:
             self.program.kill()
         self.program.wait()
-        self._connection.close()
+        self.program.stdin.close()
         self._close_last_words()
 
     def forget(self, key):
@@ -283,9 +332,12 @@ class _Process:
                 self._send(("forget", gone))
             self._send(("call", *call))
             while True:
-                if self._connection.poll(_POLL):
-                    (kind, *words), made = self._receive()
+                data = self._next_message(_POLL)
+                if data is not None:
+                    (kind, *words), made = self._received(data)
                     if kind == "done":
+                        if cancelled_at is not None:
+                            raise Cancelled("cancelled")   # done before it heard of that
                         return words[0], made
                     if kind == "error":
                         raise _error(*words)
@@ -293,8 +345,8 @@ class _Process:
                 let_the_window_live()
                 if cancelled_at is None and progress is not None and not progress(step, share):
                     cancelled_at = time.monotonic()
-                    self._connection.send_bytes(b"cancel")
-                if cancelled_at is not None and time.monotonic() - cancelled_at > GRACE:
+                    write_message(self.program.stdin, b"cancel")
+                if cancelled_at is not None and time.monotonic() - cancelled_at > (self.grace or GRACE):
                     self.kill()
                     raise Cancelled("cancelled")
         except (EOFError, OSError, pickle.UnpicklingError) as error:
@@ -308,20 +360,20 @@ class _Process:
         pickler = pickle.Pickler(stream, pickle.HIGHEST_PROTOCOL)
         pickler.persistent_id = lambda value: value._key if isinstance(value, WorkerMesh) else None
         pickler.dump(message)
-        self._connection.send_bytes(stream.getbuffer())
+        write_message(self.program.stdin, stream.getbuffer())
 
-    def _receive(self):
+    def _received(self, data):
         made = []
 
         def mesh_of(identity):
             key, contents = identity
-            mesh = WorkerMesh(contents)
+            mesh = WorkerMesh(contents, self.engine)
             mesh._process, mesh._key = self, key
             mesh._finalizer = weakref.finalize(mesh, self.forget, key)
             made.append(mesh)
             return mesh
 
-        unpickler = pickle.Unpickler(io.BytesIO(self._connection.recv_bytes()))
+        unpickler = pickle.Unpickler(io.BytesIO(data))
         unpickler.persistent_load = mesh_of
         return unpickler.load(), made
 
@@ -338,24 +390,35 @@ class _Process:
         self.kill()
         text = translate("FeatureMesh", "FeatureMesh's worker process %s while %s%s. FreeCAD and the document are as they were. %s") % (
             _how_it_ended(code), what, " (%s)" % where if where else "",
-            translate("FeatureMesh", "Perhaps memory ran out: try a larger size.") if code == -signal.SIGKILL else
+            translate("FeatureMesh", "Perhaps memory ran out: try a larger size.") if code == _KILLED else
             translate("FeatureMesh", "Check the shape there (Part: Check geometry), mesh from scratch, or try another size."))
+        log.write("%s", text)
         return WorkerDied(text)
 
     def _close_last_words(self):
         if self._last_words is not None:
             os.close(self._last_words)
             self._last_words = None
+            self._unlink_last_words()
+
+    def _unlink_last_words(self):
+        """Removes the file's name, where it may be removed while the file is open; whoever ends without a word leaves none then."""
+        try:
+            os.unlink(self._last_words_path)
+        except OSError:
+            pass
 
 
 def _how_it_ended(code):
-    if code is None or code >= 0:
+    if code is None or 0 <= code < _WINDOWS_EXCEPTION:
         return translate("FeatureMesh", "ended")
+    if code >= _WINDOWS_EXCEPTION:
+        return translate("FeatureMesh", "crashed (%s)") % ("0x%X" % code)
     try:
         name = signal.Signals(-code).name
     except ValueError:
         name = "signal %d" % -code
-    if code == -signal.SIGKILL:
+    if code == _KILLED:
         return translate("FeatureMesh", "was ended from outside (%s)") % name
     return translate("FeatureMesh", "crashed (%s)") % name
 

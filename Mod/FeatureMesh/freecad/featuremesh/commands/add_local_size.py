@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-import FreeCADGui as Gui
-
 from .. import api
-from .base import MeshCommand, selected_mesh
+from .base import MeshCommand, chosen, edit_in_fem, selected_mesh
 
 
 class Command(MeshCommand):
@@ -12,7 +10,4 @@ class Command(MeshCommand):
 
     def run(self, document):
         mesh = selected_mesh(document)
-        references = [(entry.Object, name) for entry in Gui.Selection.getSelectionEx(document.Name)
-                      for name in entry.SubElementNames]
-        region = api.add_local_size(mesh, references)
-        Gui.getDocument(document).setEdit(region.Name)
+        edit_in_fem(mesh, api.add_local_size(mesh, chosen(document, mesh)))

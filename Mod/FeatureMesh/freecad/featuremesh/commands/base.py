@@ -42,7 +42,7 @@ class MeshCommand:
                 document.commitTransaction()
         except Exception as error:
             if self.edits:
-                document.abortTransaction()
+                FreeCAD.closeActiveTransaction(True)   # abortTransaction would leave one open in which nothing was changed yet
             self.failed(document, error)
 
     def run(self, document):
@@ -62,11 +62,43 @@ def selected_mesh(document):
     return meshes[0] if meshes else api.find_mesh(document)
 
 
+def chosen(document, mesh):
+    """What is selected of solids, faces, edges and vertices, as (object, name) pairs; None when it is the mesh itself, so that they are to be chosen
+    in the panel that opens."""
+    entries = [entry for entry in Gui.Selection.getSelectionEx(document.Name) if entry.Object is not mesh]
+    if not entries and mesh in Gui.Selection.getSelection(document.Name):
+        return None
+    return [(entry.Object, name) for entry in entries for name in entry.SubElementNames or ("",)]
+
+
+def edit_in_fem(mesh, obj):
+    """Opens FEM's own panel of `obj`, with the part in view, of which more can be clicked there."""
+    from ..gui.showing import show_part
+    show_part(versions.part_of(mesh))
+    Gui.getDocument(obj.Document).setEdit(obj.Name)
+
+
 def selected_part(document):
-    """The selected object, or the only solid of the document. Throws UserError."""
-    selection = Gui.Selection.getSelection(document.Name)
-    if not selection:
-        return reading.find_meshable(document)
-    part = selection[0]
-    body = part.getParentGeoFeatureGroup() if part.isDerivedFrom("PartDesign::Feature") else None
-    return reading.find_meshable(document, (body or part).Name)
+    """What is to be meshed of the selection: a solid, the body of a selected feature or sketch, the part of a mesh; without a selection that
+    has to do with a solid, the only one of the document. Throws UserError."""
+    selected = [obj for obj in Gui.Selection.getSelection(document.Name) if not _is_of_fem(obj)]
+    return reading.find_meshable(document, _part_of(selected[0]).Name if selected else None)
+
+
+def _is_of_fem(obj):
+    return not is_feature_mesh(obj) and any(obj.isDerivedFrom(kind) for kind in _OF_FEM)
+
+
+_OF_FEM = ("Fem::FemAnalysis", "Fem::FemMeshObject", "Fem::Constraint", "Fem::FemSolverObject", "Fem::FemResultObject", "App::MaterialObject")
+
+
+def _part_of(obj):
+    if is_feature_mesh(obj):
+        return versions.part_of(obj) or obj
+    group = obj.getParentGeoFeatureGroup()
+    if group is not None and group.TypeId == "PartDesign::Body":
+        return group
+    if reading.has_shape(obj):
+        return obj
+    made_of_it = [part for part in reading.final_solids(obj.Document) if obj in reading.dependencies(part)]
+    return made_of_it[0] if len(made_of_it) == 1 else obj

@@ -1,21 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+import os
+import re
+
 import FreeCADGui as Gui
 from PySide import QtGui
 
 from .. import api
 from .base import MeshCommand, selected_mesh
 
-_FILTERS = "VTK (*.vtu);;Abaqus, CalculiX (*.inp);;UNV (*.unv);;MED (*.med)"
+_FILTERS = ";;".join(("VTK (*.vtu)", "VTK, legacy (*.vtk)", "Abaqus, CalculiX (*.inp)", "NASTRAN (*.bdf)", "Gmsh (*.msh)", "Surface (*.stl)",
+                      "UNV (*.unv)", "MED (*.med)", "Z88 (*.z88)"))
 
 
 class Command(MeshCommand):
     name = "FeatureMesh_Export"
     text = "Export the mesh"
-    tooltip = "Writes the mesh with its groups as VTK, Abaqus, UNV or MED"
+    tooltip = "Writes the mesh with its groups as VTK, Abaqus, NASTRAN, Gmsh, UNV, MED or Z88, or its surface as STL"
     edits = False
 
     def run(self, document):
         mesh = selected_mesh(document)
         path, kind = QtGui.QFileDialog.getSaveFileName(Gui.getMainWindow(), self.title, mesh.Label + ".vtu", _FILTERS)
         if path:
-            api.export_mesh(mesh, path)
+            extension = re.search(r"\*(\.\w+)", kind).group(1)
+            api.export_mesh(mesh, path if os.path.splitext(path)[1] else path + extension)

@@ -7,6 +7,7 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtGui
 
+from .. import log
 from ..mesh_object import is_cancelled, one_line
 from ..messages import in_words
 from .showing import show_part
@@ -20,6 +21,7 @@ def show(error, part=None):
         Gui.getMainWindow().statusBar().showMessage(translate("FeatureMesh", "Cancelled; the mesh is as it was."), 5000)
         return
     message = in_words(one_line(error))
+    log.write_error(error)
     FreeCAD.Console.PrintError("FeatureMesh: %s\n" % message)
     select_named(error, part)
     QtGui.QMessageBox.warning(Gui.getMainWindow(), "FeatureMesh", message)

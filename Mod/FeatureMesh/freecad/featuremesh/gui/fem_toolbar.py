@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Puts our commands into the Mesh toolbar and menu of FreeCAD's FEM workbench."""
 
+import FreeCAD
 import FreeCADGui as Gui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from .. import versions
 
 _PLACE = "FEM_MeshGmshFromShape"   # an entry of FEM's Mesh menu in every version
+_REFRESH = 100   # milliseconds
 
 
 def install(commands):
@@ -14,7 +16,8 @@ def install(commands):
     if versions.asks_manipulators():
         Gui.addWorkbenchManipulator(_Manipulator(commands))
     else:
-        Gui.getMainWindow().workbenchActivated.connect(lambda name: _add_actions(name, commands))
+        actions = _Actions(commands)
+        Gui.getMainWindow().workbenchActivated.connect(actions.follow)
 
 
 class _Manipulator:
@@ -30,25 +33,48 @@ class _Manipulator:
         return [{"insert": name, "menuItem": _PLACE, "after": ""} for name in reversed(self._commands)]
 
 
-def _add_actions(workbench, commands):
-    if workbench != "FemWorkbench":
-        return
-    window = Gui.getMainWindow()
-    bar = window.findChild(QtGui.QToolBar, "Mesh")
-    if bar is not None:
-        _add_to(bar, commands)
-    for action in window.menuBar().actions():   # PySide deletes a menu once its action is let go, so it is used right here
-        menu = action.menu()
-        if menu is not None and any(entry.objectName() == _PLACE for entry in menu.actions()):
-            _add_to(menu, commands)
+class _Actions(QtCore.QObject):
+    """FreeCAD 0.20 asks nobody, and has no actions for commands that no activated workbench shows: these are our own.
 
+    They are enabled and named as FreeCAD does it with its own, from time to time while FEM is active.
+    """
 
-def _add_to(place, commands):
-    present = {action.objectName() for action in place.actions()}
-    if present & set(commands):
-        return
-    place.addSeparator()
-    for name in commands:
-        for action in Gui.Command.get(name).getAction():
-            action.setObjectName(name)
-            place.addAction(action)
+    def __init__(self, commands):
+        super().__init__(Gui.getMainWindow())
+        self._actions = [self._action(name) for name in commands]
+        self._separator = QtGui.QAction(self)
+        self._separator.setSeparator(True)
+        self._timer = QtCore.QTimer(self)
+        self._timer.timeout.connect(self._refresh)
+
+    def _action(self, name):
+        info = Gui.Command.get(name).getInfo()
+        action = QtGui.QAction(QtGui.QIcon(info["pixmap"]), info["menuText"], self)
+        action.setObjectName(name)
+        action.triggered.connect(lambda: Gui.runCommand(name))
+        return action
+
+    def follow(self, workbench):
+        """Joins FEM when it is activated."""
+        if workbench != "FemWorkbench":
+            self._timer.stop()
+            return
+        self._refresh()
+        self._timer.start(_REFRESH)
+        window = Gui.getMainWindow()
+        bar = window.findChild(QtGui.QToolBar, "Mesh")
+        if bar is not None:
+            bar.addActions([self._separator, *self._actions])
+        for entry in window.menuBar().actions():   # PySide deletes a menu once its action is let go, so it is used right here
+            menu = entry.menu()
+            if menu is not None and any(action.objectName() == _PLACE for action in menu.actions()):
+                menu.addActions([self._separator, *self._actions])
+
+    def _refresh(self):
+        for action in self._actions:
+            name = action.objectName()
+            command = Gui.Command.get(name)
+            info = command.getInfo()
+            action.setEnabled(command.isActive())
+            action.setText(FreeCAD.Qt.translate(name, info["menuText"]))
+            action.setToolTip(FreeCAD.Qt.translate(name, info["toolTip"]))

@@ -2,47 +2,46 @@
 """What the last update kept: elements and nodes in colours while the panel is open, with a legend."""
 
 import FreeCAD
-import FreeCADGui as Gui
 from PySide import QtGui
 
-from .. import api, overlays, versions
-from ..view_provider import drawn_icon
+from .. import overlays
+from .overlay_panel import OverlayPanel
 
 translate = FreeCAD.Qt.translate
 
 
-class KeptPanel:
+class KeptPanel(OverlayPanel):
     """Colours the elements while it is open."""
 
     def __init__(self, mesh):
-        self.mesh = mesh
-        colours = api.show_kept(mesh)
-        active = overlays.active_points(mesh)
-        kept_colour, new_colour, active_colour = overlays.kept_legend()
-        kept = sum(colour == kept_colour for colour in colours.values())
-        self.form = QtGui.QWidget()
-        self.form.setWindowTitle(translate("FeatureMesh", "Kept in %s") % mesh.Label)
-        self.form.setWindowIcon(drawn_icon("FeatureMesh_ShowKept"))
-        layout = QtGui.QGridLayout(self.form)
-        for row, (colour, text) in enumerate((
-                (kept_colour, translate("FeatureMesh", "kept: %d tets (%.1f %%)") % (kept, 100 * kept / len(colours))),
-                (new_colour, translate("FeatureMesh", "new: %d tets") % (len(colours) - kept)),
-                (active_colour, translate("FeatureMesh", "active: %d nodes kept as start positions, free to move") % len(active)))):
-            layout.addWidget(_swatch(colour), row, 0)
-            label = QtGui.QLabel(text)
-            label.setWordWrap(True)
-            layout.addWidget(label, row, 1)
-        layout.setColumnStretch(1, 1)
-        mesh.ViewObject.Proxy.mark_points(mesh, active, active_colour)
+        super().__init__(mesh, translate("FeatureMesh", "Kept in %s") % mesh.Label, "FeatureMesh_ShowKept")
+        legend = QtGui.QGridLayout()
+        self.labels = []
+        for row, colour in enumerate(overlays.kept_legend()):
+            legend.addWidget(_swatch(colour), row, 0)
+            self.labels.append(QtGui.QLabel())
+            self.labels[-1].setWordWrap(True)
+            legend.addWidget(self.labels[-1], row, 1)
+        legend.setColumnStretch(1, 1)
+        self.layout.addLayout(legend)
+        self.start()
 
-    def getStandardButtons(self):
-        return versions.number_of(QtGui.QDialogButtonBox.Close)
+    def make_overlay(self):
+        return overlays.kept(self.mesh)
 
-    def reject(self):
-        api.show_plain(self.mesh)
-        self.mesh.ViewObject.Proxy.mark_points(self.mesh, (), None)
-        Gui.Control.closeDialog()
-        return True
+    def fill(self):
+        texts = ["", "", ""]
+        if self.overlay is not None:
+            count, kept = len(self.overlay.kept), int(self.overlay.kept.sum())
+            texts = [translate("FeatureMesh", "kept: %d elements (%.1f %%)") % (kept, 100 * kept / count),
+                     translate("FeatureMesh", "new: %d elements") % (count - kept),
+                     translate("FeatureMesh", "active: %d nodes kept as start positions, free to move") % len(self.overlay.active)]
+        for label, text in zip(self.labels, texts):
+            label.setText(text)
+
+    def marked(self):
+        points = self.overlay.active if self.overlay is not None else ()
+        self.mesh.ViewObject.Proxy.mark_points(self.mesh, points, overlays.kept_legend()[2])
 
 
 def _swatch(colour):

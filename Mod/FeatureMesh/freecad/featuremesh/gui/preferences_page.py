@@ -56,7 +56,7 @@ class PreferencesPage:
         self.elements.setRange(3, 500)
         self.elements.setToolTip(translate("FeatureMesh", "The size of a new mesh is the diagonal of the part divided by this number"))
         self.order = QtGui.QComboBox()
-        self.order.addItems([translate("FeatureMesh", "4-node tets"), translate("FeatureMesh", "10-node tets")])
+        self.order.addItems([translate("FeatureMesh", "4-node tetrahedra"), translate("FeatureMesh", "10-node tetrahedra")])
         self.automatic = QtGui.QCheckBox(translate("FeatureMesh", "Update automatically"))
         self.automatic.setToolTip(translate("FeatureMesh", "The mesh follows every recompute of the document"))
         form.addRow(translate("FeatureMesh", "Elements along the diagonal"), self.elements)

@@ -7,6 +7,7 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
+from .. import worker
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -21,6 +22,10 @@ STEPS = {
     "volume": QT_TRANSLATE_NOOP("FeatureMesh", "filling the solid"),
     "optimise": QT_TRANSLATE_NOOP("FeatureMesh", "improving the elements"),
     "validate": QT_TRANSLATE_NOOP("FeatureMesh", "checking the mesh"),
+    "assemble": QT_TRANSLATE_NOOP("FeatureMesh", "assembling the stiffness matrix"),
+    "setup": QT_TRANSLATE_NOOP("FeatureMesh", "preparing the solver"),
+    "solve": QT_TRANSLATE_NOOP("FeatureMesh", "solving"),
+    "stresses": QT_TRANSLATE_NOOP("FeatureMesh", "working out the stresses"),
 }
 
 
@@ -33,9 +38,9 @@ class RunningJob:
     """A job in a thread of its own; asked from time to time how far it is."""
 
     def __init__(self, job):
-        self.error = None
         self.step, self.share = "", 0.0
         self._job = job
+        self._error = None
         self._cancelled = False
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
@@ -45,6 +50,11 @@ class RunningJob:
         self._thread.join(wait)
         return not self._thread.is_alive()
 
+    @property
+    def error(self):
+        """What a job that is done ended with, None for success. A cancel counts even when the job was done before it heard of that."""
+        return worker.Cancelled("cancelled") if self._cancelled and self._error is None else self._error
+
     def cancel(self):
         """Ends the work at its next step."""
         self._cancelled = True
@@ -53,7 +63,7 @@ class RunningJob:
         try:
             self._job.run(self._progress)
         except BaseException as error:
-            self.error = error
+            self._error = error
 
     def _progress(self, step, share):
         self.step, self.share = step, share
@@ -84,6 +94,8 @@ def run_with_escape(job):
     finally:
         QtGui.QApplication.instance().removeEventFilter(keys)
         status.clearMessage()
+    if keys.escaped:
+        running.cancel()
     if running.error is not None:
         raise running.error
 

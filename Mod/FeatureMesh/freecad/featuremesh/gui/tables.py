@@ -7,6 +7,7 @@ from PySide import QtCore, QtGui
 
 from .. import tables
 from ..messages import in_words
+from ..unit_words import in_users_units
 from ..view_provider import drawn_icon
 from .showing import restore, show_part
 
@@ -22,11 +23,11 @@ def show_tree(part, found):
     """Shows the features of `part` as the engine reads them."""
     _, rows = tables.rows_of_tree(found)
     header = [translate("FeatureMesh", "feature"), translate("FeatureMesh", "type"), translate("FeatureMesh", "role"),
-              translate("FeatureMesh", "volumes"), "mm³", translate("FeatureMesh", "taken from"),
+              translate("FeatureMesh", "volumes"), translate("FeatureMesh", "volume"), translate("FeatureMesh", "taken from"),
               translate("FeatureMesh", "depends on"), translate("FeatureMesh", "remark")]
     window = _Window("%s: %s" % (translate("FeatureMesh", "Feature tree"), part.Label), header, tables.tree_note(found), part)
     for row in rows:
-        window.tree.addTopLevelItem(_item(row))
+        window.tree.addTopLevelItem(_item((*row[:4], _volume(row[4]), *row[5:])))
     return window.shown()
 
 
@@ -34,11 +35,11 @@ def show_difference(part, found):
     """Shows what changed, feature by feature and below them face by face; `part` is the new state."""
     _, rows = tables.rows_of_difference(found)
     header = [translate("FeatureMesh", "feature"), translate("FeatureMesh", "what happened"), translate("FeatureMesh", "by how much"),
-              translate("FeatureMesh", "volume mm³"), translate("FeatureMesh", "old faces"), translate("FeatureMesh", "new faces")]
+              translate("FeatureMesh", "volume"), translate("FeatureMesh", "old faces"), translate("FeatureMesh", "new faces")]
     title = "%s: %s" % (translate("FeatureMesh", "What changed"), part.Label)
     window = _Window(title, header, tables.difference_note(found), part)
     for row, feature in zip(rows, found["features"]):
-        row = (*row[:2], in_words(row[2]), *row[3:])
+        row = (*row[:2], in_words(row[2]), _volume(row[3]), *row[4:])
         item = _item(row, tables.face_names(feature["new_faces"]), feature["verdict"])
         for change in _faces_of(feature, found["faces"]):
             item.addChild(_face_item(change))
@@ -90,6 +91,10 @@ class _Window(QtGui.QDialog):
             Gui.Selection.addSelection(self._part, name)
 
 
+def _volume(cell):
+    return in_users_units(cell + " mm^3") if cell else ""
+
+
 def _item(cells, faces=(), verdict=None):
     item = QtGui.QTreeWidgetItem([str(cell) for cell in cells])
     item.setData(0, QtCore.Qt.UserRole, list(faces))
@@ -109,7 +114,7 @@ def _face_item(change):
     old, new = change["old_face"] or "", change["new_face"] or ""
     name = old if old == new or not new else new if not old else "%s → %s" % (old, new)
     areas = " → ".join("%.6g" % area for area, face in ((change["old_area"], old), (change["new_area"], new)) if face)
-    detail = "" if change["verdict"] == "kept" else translate("FeatureMesh", "area %s mm²") % areas
+    detail = "" if change["verdict"] == "kept" else in_users_units(translate("FeatureMesh", "area %s mm^2") % areas)
     item = _item((name, "", detail, "", old, new), [new] if new else (), change["verdict"])
     item.setText(1, tables.verdict_in_words(change["verdict"], change.get("inner", False)))
     return item

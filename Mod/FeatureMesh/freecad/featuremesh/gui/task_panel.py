@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The panel of a mesh object: sizes, an estimate, mesh and cancel, and what came out."""
+"""The panel of a mesh object: sizes, an estimate, what came out; OK, Apply and Cancel as in other panels of FreeCAD."""
 
 import json
 import threading
@@ -8,8 +8,10 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import api, versions
-from ..mesh_object import UP_TO_DATE, is_cancelled, one_line, remarks_of, status_in_words
+from .. import analyses, api, log, versions
+from ..mesh_object import is_cancelled, one_line
+from ..reports import remarks_of
+from ..mesh_properties import AUTOMATIC_SHARE, NOT_MESHED, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
 from ..messages import in_words
 from ..view_provider import drawn_icon
 from .errors import select_named
@@ -21,10 +23,16 @@ _REMARKS = 3   # shown in the panel
 
 
 class MeshPanel:
-    """Shows and sets the properties of one mesh object."""
+    """Shows and sets the properties of one mesh object.
+
+    Apply meshes with what is set; OK does, too, where the mesh is not of that yet, and closes; Cancel forgets what was set since the last
+    Apply. A new object comes with the open transaction that made it: the first mesh ends that, Cancel takes the object back.
+    """
 
     def __init__(self, mesh):
         self.mesh = mesh
+        self.is_new = mesh.Status == NOT_MESHED and mesh.Document.HasPendingTransaction
+        self._close_when_done = False
         self.running = None
         self.job = None
         self._estimate = None
@@ -48,12 +56,17 @@ class MeshPanel:
         layout = QtGui.QVBoxLayout(self.form)
         settings = QtGui.QFormLayout()
         layout.addLayout(settings)
-        part = versions.part_of(self.mesh)
+        part, holding = versions.part_of(self.mesh), analyses.holding(self.mesh)
         settings.addRow(translate("FeatureMesh", "Part"), QtGui.QLabel(part.Label if part is not None else "-"))
+        settings.addRow(translate("FeatureMesh", "Analysis"), QtGui.QLabel(", ".join(analysis.Label for analysis in holding) or "-"))
         self.size = self._length("Size")
         self.min_size = self._length("MinSize")
+        self.min_automatic = QtGui.QCheckBox(translate("FeatureMesh", "automatic"))
+        self.min_automatic.setToolTip(self._tooltip("MinSize"))
+        self.min_automatic.setChecked(not self.mesh.MinSize.Value)
+        self.min_automatic.toggled.connect(self._settings_changed)
         self.order = QtGui.QComboBox()
-        self.order.addItems([translate("FeatureMesh", "4-node tets"), translate("FeatureMesh", "10-node tets")])
+        self.order.addItems([translate("FeatureMesh", "4-node tetrahedra"), translate("FeatureMesh", "10-node tetrahedra")])
         self.order.setToolTip(self._tooltip("Order"))
         self.order.setCurrentIndex(1 if self.mesh.Order == "2nd" else 0)
         self.order.currentIndexChanged.connect(self._settings_changed)
@@ -63,44 +76,45 @@ class MeshPanel:
         self.automatic = QtGui.QCheckBox(translate("FeatureMesh", "Update automatically"))
         self.automatic.setChecked(self.mesh.Automatic)
         self.automatic.setToolTip(self._tooltip("Automatic"))
+        smallest = QtGui.QHBoxLayout()
+        smallest.addWidget(self.min_size, 1)
+        smallest.addWidget(self.min_automatic)
         for label, widget in ((translate("FeatureMesh", "Size"), self.size),
-                              (translate("FeatureMesh", "Smallest"), self.min_size),
+                              (translate("FeatureMesh", "Smallest"), smallest),
                               (translate("FeatureMesh", "Element"), self.order),
                               (translate("FeatureMesh", "Per circle"), self.per_circle),
                               (translate("FeatureMesh", "Across gaps"), self.across_gap),
                               (translate("FeatureMesh", "Growth"), self.growth)):
-            widget.setMinimumWidth(70)
             settings.addRow(label, widget)
         layout.addWidget(self.automatic)
         self.estimate = QtGui.QLabel("")
         self.estimate.setWordWrap(True)
         layout.addWidget(self.estimate)
-        layout.addLayout(self._buttons())
-        self.progress = QtGui.QProgressBar()
-        self.progress.setRange(0, 100)
-        self.progress.setFormat("")
-        layout.addWidget(self.progress)
-        self.result = QtGui.QLabel("")
-        self.result.setWordWrap(True)
-        self.result.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-        layout.addWidget(self.result)
+        self.full_button = QtGui.QPushButton(translate("FeatureMesh", "From scratch"))
+        self.full_button.setToolTip(translate("FeatureMesh", "Throws the mesh away and meshes the whole part"))
+        self.full_button.clicked.connect(lambda: self.start(True))
+        layout.addWidget(self.full_button)
+        layout.addWidget(self._progress_bar())
+        self.status, self.result = QtGui.QLabel(""), QtGui.QLabel("")
+        for label in (self.status, self.result):
+            label.setWordWrap(True)
+            label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+            layout.addWidget(label)
         layout.addStretch()
 
-    def _buttons(self):
-        buttons = QtGui.QGridLayout()
-        self.mesh_button = QtGui.QPushButton(translate("FeatureMesh", "Mesh"))
-        self.full_button = QtGui.QPushButton(translate("FeatureMesh", "From scratch"))
-        self.cancel_button = QtGui.QPushButton(translate("FeatureMesh", "Cancel"))
-        self.mesh_button.setToolTip(translate("FeatureMesh", "Meshes the part, or updates its mesh where it changed"))
-        self.full_button.setToolTip(translate("FeatureMesh", "Throws the mesh away and meshes the whole part"))
-        self.mesh_button.clicked.connect(lambda: self.start(False))
-        self.full_button.clicked.connect(lambda: self.start(True))
-        self.cancel_button.clicked.connect(self.cancel)
-        self.cancel_button.setEnabled(False)
-        buttons.addWidget(self.mesh_button, 0, 0)
-        buttons.addWidget(self.cancel_button, 0, 1)
-        buttons.addWidget(self.full_button, 1, 0, 1, 2)
-        return buttons
+    def _progress_bar(self):
+        """Shown while there is progress, with a button that ends the work."""
+        self.working = QtGui.QWidget()
+        row = QtGui.QHBoxLayout(self.working)
+        row.setContentsMargins(0, 0, 0, 0)
+        self.progress = QtGui.QProgressBar()
+        self.progress.setRange(0, 100)
+        self.stop_button = QtGui.QPushButton(translate("FeatureMesh", "Stop"))
+        self.stop_button.clicked.connect(self.cancel)
+        row.addWidget(self.progress, 1)
+        row.addWidget(self.stop_button)
+        self.working.hide()
+        return self.working
 
     def _tooltip(self, name):
         """The property's description in the user's language, as the property editor shows it."""
@@ -111,6 +125,7 @@ class MeshPanel:
         widget.setProperty("unit", "mm")
         widget.setProperty("minimum", 0.0)
         widget.setProperty("rawValue", getattr(self.mesh, name).Value)
+        widget.setMinimumWidth(70)
         widget.setToolTip(self._tooltip(name))
         widget.valueChanged.connect(self._settings_changed)
         return widget
@@ -121,6 +136,7 @@ class MeshPanel:
         widget.setSingleStep(step)
         widget.setDecimals(2 if step < 1 else 0)
         widget.setValue(getattr(self.mesh, name))
+        widget.setMinimumWidth(70)
         widget.setToolTip(self._tooltip(name))
         widget.valueChanged.connect(self._settings_changed)
         return widget
@@ -128,33 +144,69 @@ class MeshPanel:
     # What FreeCAD calls
 
     def getStandardButtons(self):
-        return versions.number_of(QtGui.QDialogButtonBox.Close)
+        return sum(versions.number_of(button) for button in (QtGui.QDialogButtonBox.Ok, QtGui.QDialogButtonBox.Apply, QtGui.QDialogButtonBox.Cancel))
+
+    def clicked(self, button):
+        """Apply."""
+        if versions.number_of(button) == versions.number_of(QtGui.QDialogButtonBox.Apply) and self.running is None:
+            self.start(False)
+
+    def accept(self):
+        """OK: meshes where that is needed, and closes when that is done."""
+        if self.running is not None:
+            self._close_when_done = True
+            return False
+        self.apply_settings()
+        is_to_be_meshed = self.mesh.Status == NOT_MESHED or self.mesh.Automatic and self.mesh.Status != UP_TO_DATE
+        if not is_to_be_meshed:
+            self._close()
+            return True
+        self._close_when_done = True
+        self.start(False)
+        return False
 
     def reject(self):
-        """Close: a running job ends first, and nothing of it remains."""
+        """Cancel: a running job ends first, and nothing remains of it, nor of an object that has no mesh yet."""
         self.cancel()
         while self.running is not None and not self.running.is_done(0.05):
             QtGui.QApplication.processEvents()
         self._timer.stop()
         self.running = None
-        self.apply_settings()
-        Gui.getDocument(self.mesh.Document).resetEdit()
+        if self.is_new:
+            document, name = self.mesh.Document, self.mesh.Name
+            document.abortTransaction()   # first, for the end of editing commits what is open
+            if document.getObject(name) is not None:   # another command has ended our transaction meanwhile
+                document.removeObject(name)
+            Gui.getDocument(document).resetEdit()
+        else:
+            self._close()
         return True
+
+    def _close(self):
+        if self.is_new:
+            self.mesh.Document.commitTransaction()
+        Gui.getDocument(self.mesh.Document).resetEdit()
 
     # Work
 
+    def settings(self):
+        """The panel's values by the names of the object's properties."""
+        return {"Size": self.size.property("rawValue"), "MinSize": 0.0 if self.min_automatic.isChecked() else self.min_size.property("rawValue"),
+                "ElementsPerCircle": self.per_circle.value(), "ElementsAcrossGap": self.across_gap.value(),
+                "Growth": self.growth.value(), "Order": "2nd" if self.order.currentIndex() else "1st"}
+
     def apply_settings(self):
         """The panel's values into the object's properties, those that differ, as one undo step."""
-        wanted = {"Size": self.size.property("rawValue"), "MinSize": self.min_size.property("rawValue"),
-                  "ElementsPerCircle": self.per_circle.value(), "ElementsAcrossGap": self.across_gap.value(),
-                  "Growth": self.growth.value(), "Order": "2nd" if self.order.currentIndex() else "1st",
-                  "Automatic": self.automatic.isChecked()}
+        wanted = {**self.settings(), "Automatic": self.automatic.isChecked()}
         changed = {name: value for name, value in wanted.items()
                    if getattr(getattr(self.mesh, name), "Value", getattr(self.mesh, name)) != value}
-        if changed:
+        if not changed:
+            return
+        if not self.is_new:
             self.mesh.Document.openTransaction(translate("FeatureMesh", "Mesh settings"))
-            for name, value in changed.items():
-                setattr(self.mesh, name, value)
+        for name, value in changed.items():
+            setattr(self.mesh, name, value)
+        if not self.is_new:
             self.mesh.Document.commitTransaction()
 
     def start(self, full):
@@ -186,16 +238,30 @@ class MeshPanel:
         try:
             if error is not None:
                 raise error
-            self.mesh.Document.openTransaction(translate("FeatureMesh", "Mesh of %s") % self.mesh.Label)
-            self.mesh.Proxy.finish(self.mesh, self.job)
-            self.mesh.Document.commitTransaction()
-            self.mesh.purgeTouched()
-            self._show_mesh()
-            self._show_result()
+            self._finish()
         except Exception as problem:
             self._failed(problem)
         self.job = None
         self._set_running(False)
+        if self._close_when_done:
+            self._close()
+
+    def _finish(self):
+        """The new mesh into the document, as one undo step; that of a new object holds the object, too."""
+        document = self.mesh.Document
+        if not self.is_new:
+            document.openTransaction(translate("FeatureMesh", "Mesh of %s") % self.mesh.Label)
+        try:
+            self.mesh.Proxy.finish(self.mesh, self.job)
+        except Exception:
+            if not self.is_new:
+                FreeCAD.closeActiveTransaction(True)   # abortTransaction would leave one open in which nothing was changed yet
+            raise
+        document.commitTransaction()
+        self.is_new = False
+        self.mesh.purgeTouched()
+        self._show_mesh()
+        self._show_result()
 
     def _show_mesh(self):
         """Mesh and part at the same place would flicker, so the part is hidden."""
@@ -203,41 +269,49 @@ class MeshPanel:
         self.mesh.ViewObject.Visibility = True
 
     def _set_running(self, running):
-        for widget in (self.mesh_button, self.full_button):
-            widget.setEnabled(not running)
-        self.cancel_button.setEnabled(running)
-        if not running:
-            self.progress.setValue(0)
-            self.progress.setFormat("")
+        self.full_button.setEnabled(not running)
+        self.working.setVisible(running)
+        self.progress.setValue(0)
+        self.progress.setFormat("")
 
     def _failed(self, error):
+        self._close_when_done = False
         if is_cancelled(error):
             self.result.setText(translate("FeatureMesh", "Cancelled; the mesh is as it was."))
             return
+        log.write_error(error)
         self.mesh.Proxy.fail(self.mesh, error)
-        self.result.setText('<span style="color:#c62828">%s</span>' % in_words(one_line(error)).replace("<", "&lt;"))
+        self._show_result()
         select_named(error, versions.part_of(self.mesh))
 
     def _show_result(self):
-        mesh = self.mesh
-        if not mesh.TetCount:
-            self.result.setText(status_in_words(mesh.Status))
-            return
-        lines = ["%s: %s" % (translate("FeatureMesh", "Status"), status_in_words(mesh.Status)),
-                 translate("FeatureMesh", "%d nodes, %d tets in %.2f s") % (mesh.NodeCount, mesh.TetCount, mesh.Seconds),
-                 translate("FeatureMesh", "smallest angle %.1f deg, mean radius ratio %.3f")
-                 % (mesh.MinDihedral.Value, mesh.MeanRadiusRatio)]
-        if mesh.KeptNodes:
-            lines.append(translate("FeatureMesh", "kept by the last update: %d %% of the nodes, %d %% of the tets")
-                         % (mesh.KeptNodes, mesh.KeptTets))
-        lines += _remarks(json.loads(mesh.Report or "{}"))
+        mesh, lines = self.mesh, []
+        self._show_status()
+        if mesh.TetCount:
+            lines = [translate("FeatureMesh", "%d nodes, %d elements in %.2f s") % (mesh.NodeCount, mesh.TetCount, mesh.Seconds),
+                     translate("FeatureMesh", "smallest angle %.1f deg, mean radius ratio %.3f") % (mesh.MinDihedral.Value, mesh.MeanRadiusRatio)]
+            if mesh.KeptNodes:
+                lines.append(translate("FeatureMesh", "kept by the last update: %d %% of the nodes, %d %% of the elements")
+                             % (mesh.KeptNodes, mesh.KeptTets))
+            lines += _remarks(json.loads(mesh.Report or "{}"))
         self.result.setText("<br>".join(line.replace("<", "&lt;") for line in lines))
-        self.mesh_button.setText(translate("FeatureMesh", "Update") if mesh.Status == UP_TO_DATE
-                                 else translate("FeatureMesh", "Mesh"))
+
+    def _show_status(self):
+        status = self.mesh.Status
+        if status == UP_TO_DATE and differ_from_mesh(self.mesh, {**settings_of(self.mesh), **self.settings()}):
+            status = SETTINGS_CHANGED
+        line = "%s: %s" % (translate("FeatureMesh", "Status"), status_in_words(status))
+        self.status.setText('<span style="color:#c62828">%s</span>' % line.replace("<", "&lt;") if status.startswith("failed") else line)
 
     # Estimate
 
     def _settings_changed(self, *_):
+        self.min_size.setVisible(not self.min_automatic.isChecked())
+        if self.min_automatic.isChecked():
+            self.min_size.blockSignals(True)
+            self.min_size.setProperty("rawValue", self.size.property("rawValue") * AUTOMATIC_SHARE)   # what it starts with when it is asked for
+            self.min_size.blockSignals(False)
+        self._show_status()
         self._estimate_timer.start(_ESTIMATE_MS)
 
     def _start_estimate(self):
@@ -283,6 +357,6 @@ class _Estimate(threading.Thread):
     def run(self):
         try:
             count = api.estimated_tets(self.raw, self.options)
-            self.text = translate("FeatureMesh", "about %s tets") % format(int(float("%.2g" % count)), ",d").replace(",", " ")
+            self.text = translate("FeatureMesh", "about %s elements") % format(int(float("%.2g" % count)), ",d").replace(",", " ")
         except Exception as error:
             self.text = in_words(one_line(error))

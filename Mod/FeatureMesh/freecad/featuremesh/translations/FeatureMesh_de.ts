@@ -4,7 +4,7 @@
   <context>
     <name>App::Property</name>
     <message>
-      <source>1st: 4-node tets; 2nd: 10-node tets with their mid-side nodes on the surface</source>
+      <source>1st: 4-node tetrahedra; 2nd: 10-node tetrahedra with their mid-side nodes on the surface</source>
       <translation>1st: Tetraeder mit 4 Knoten; 2nd: Tetraeder mit 10 Knoten, deren Kantenmittelknoten auf der Oberfläche liegen</translation>
     </message>
     <message>
@@ -20,19 +20,39 @@
       <translation>Elemente quer durch dünne Wände und Schlitze; 0: die Größe folgt der Dicke nicht</translation>
     </message>
     <message>
+      <source>Elements of the mesh: tetrahedra</source>
+      <translation>Elemente des Netzes: Tetraeder</translation>
+    </message>
+    <message>
       <source>Everything about the last mesh or update, as JSON</source>
       <translation>Alles über die letzte Vernetzung oder Aktualisierung, als JSON</translation>
+    </message>
+    <message>
+      <source>Everything about the last solution, as JSON</source>
+      <translation>Alles über die letzte Lösung, als JSON</translation>
     </message>
     <message>
       <source>FEM mesh groups</source>
       <translation>FEM-Netzgruppen</translation>
     </message>
     <message>
+      <source>FreeCAD's own result object, for FEM's result panel, filters and pipeline</source>
+      <translation>FreeCADs eigenes Ergebnisobjekt, für Ergebnisfenster, Filter und Pipeline von FEM</translation>
+    </message>
+    <message>
+      <source>Largest displacement, mm</source>
+      <translation>Größte Verschiebung, mm</translation>
+    </message>
+    <message>
+      <source>Largest von Mises stress, MPa</source>
+      <translation>Größte Vergleichsspannung nach von Mises, MPa</translation>
+    </message>
+    <message>
       <source>Local sizes: FEM mesh refinements</source>
       <translation>Lokale Größen: FEM-Netzverfeinerungen</translation>
     </message>
     <message>
-      <source>Mean of three times the inscribed over the circumscribed radius; 1 for regular tets</source>
+      <source>Mean of three times the inscribed over the circumscribed radius; 1 for regular tetrahedra</source>
       <translation>Mittel aus dreifachem Inkugelradius durch Umkugelradius; 1 für regelmäßige Tetraeder</translation>
     </message>
     <message>
@@ -44,16 +64,20 @@
       <translation>Zu nutzende Prozessor-Threads; 0: alle. Das Netz ist für jede Anzahl dasselbe</translation>
     </message>
     <message>
+      <source>Processor threads to use; 0: all. The result is the same for any number</source>
+      <translation>Prozessorfäden; 0: alle. Das Ergebnis ist für jede Zahl dasselbe</translation>
+    </message>
+    <message>
+      <source>Share of the elements kept by the last update</source>
+      <translation>Anteil der Elemente, die die letzte Aktualisierung behalten hat</translation>
+    </message>
+    <message>
       <source>Share of the nodes kept bit for bit by the last update</source>
       <translation>Anteil der Knoten, die die letzte Aktualisierung Bit für Bit behalten hat</translation>
     </message>
     <message>
-      <source>Share of the tets kept by the last update</source>
-      <translation>Anteil der Tetraeder, die die letzte Aktualisierung behalten hat</translation>
-    </message>
-    <message>
-      <source>Smallest angle between two faces of a tet</source>
-      <translation>Kleinster Winkel zwischen zwei Seiten eines Tetraeders</translation>
+      <source>Smallest angle between two faces of an element</source>
+      <translation>Kleinster Winkel zwischen zwei Seiten eines Elements</translation>
     </message>
     <message>
       <source>Smallest angle in degrees that new elements are improved towards; below 30 is faster, above 35 is rarely reached</source>
@@ -64,20 +88,32 @@
       <translation>Kleinste Kantenlänge, die Krümmung, dünne Stellen und Wachstum verlangen dürfen; 0: ein Zehntel von Size</translation>
     </message>
     <message>
-      <source>Tets of the mesh</source>
-      <translation>Tetraeder des Netzes</translation>
+      <source>Solve whenever the document was recomputed</source>
+      <translation>Nach jeder Neuberechnung des Dokuments lösen</translation>
     </message>
     <message>
       <source>Time the last mesh or update took</source>
       <translation>Dauer der letzten Vernetzung oder Aktualisierung</translation>
     </message>
     <message>
+      <source>Time the last solution took</source>
+      <translation>Dauer der letzten Lösung</translation>
+    </message>
+    <message>
       <source>Update the mesh whenever the document is recomputed</source>
       <translation>Das Netz bei jeder Neuberechnung des Dokuments aktualisieren</translation>
     </message>
     <message>
-      <source>Wanted edge length of the tets</source>
-      <translation>Gewünschte Kantenlänge der Tetraeder</translation>
+      <source>Wanted edge length of the elements</source>
+      <translation>Gewünschte Kantenlänge der Elemente</translation>
+    </message>
+    <message>
+      <source>What loads, supports, materials and refinements referred to, as JSON</source>
+      <translation>Worauf sich Lasten, Lager, Materialien und Verfeinerungen bezogen, als JSON</translation>
+    </message>
+    <message>
+      <source>What of the analysis is solved: mesh, materials, supports, loads</source>
+      <translation>Was von der Analyse gelöst wird: Netz, Werkstoffe, Lager, Lasten</translation>
     </message>
     <message>
       <source>What the next update needs</source>
@@ -87,12 +123,28 @@
       <source>Whether the mesh fits the part, and if not, why</source>
       <translation>Ob das Netz zum Bauteil passt, und wenn nicht, warum</translation>
     </message>
+    <message>
+      <source>Whether the result is that of the part as it is, and if not, why</source>
+      <translation>Ob das Ergebnis zum Bauteil gehört, wie es ist, und wenn nicht, warum</translation>
+    </message>
+    <message>
+      <source>Which state of the mesh the result is of</source>
+      <translation>Zu welchem Stand des Netzes das Ergebnis gehört</translation>
+    </message>
   </context>
   <context>
     <name>FeatureMesh</name>
     <message>
-      <source> (%d inside the other's material)</source>
-      <translation> (%d im Material des anderen)</translation>
+      <source> (%d inside the part before)</source>
+      <translation> (%d davon vorher im Inneren des Bauteils)</translation>
+    </message>
+    <message>
+      <source> (%d now inside the part)</source>
+      <translation> (%d davon jetzt im Inneren des Bauteils)</translation>
+    </message>
+    <message>
+      <source> (before the last edit)</source>
+      <translation> (vor der letzten Änderung)</translation>
     </message>
     <message>
       <source> of %s</source>
@@ -103,20 +155,24 @@
       <translation>%d Features haben sich geändert, %d nicht; Flächen: %s</translation>
     </message>
     <message>
-      <source>%d nodes, %d tets in %.2f s</source>
-      <translation>%d Knoten, %d Tetraeder in %.2f s</translation>
+      <source>%d nodes, %d elements in %.2f s</source>
+      <translation>%d Knoten, %d Elemente in %.2f s</translation>
     </message>
     <message>
       <source>%d objects have the label %s, use a name: %s</source>
       <translation>%d Objekte haben die Bezeichnung %s, bitte einen Namen angeben: %s</translation>
     </message>
     <message>
-      <source>%s 10-node tets would be folded near %s: the face bends too much within one element. Ask for a smaller size there, or for 4-node tets.</source>
+      <source>%s 10-node tetrahedra would be folded near %s: the face bends too much within one element. Ask for a smaller size there, or for 4-node tetrahedra.</source>
       <translation>%s Tetraeder mit 10 Knoten wären gefaltet, bei %s: die Fläche biegt sich innerhalb eines Elements zu stark. Dort eine kleinere Größe wählen, oder Tetraeder mit 4 Knoten.</translation>
     </message>
     <message>
       <source>%s and %s are in the same place but run differently. Check the feature that made them (Part: Check geometry).</source>
       <translation>%s und %s liegen am selben Ort, verlaufen aber verschieden. Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen).</translation>
+    </message>
+    <message>
+      <source>%s belongs to no analysis</source>
+      <translation>%s gehört zu keiner Analyse</translation>
     </message>
     <message>
       <source>%s cannot be filled: %s. Mesh the part from scratch.</source>
@@ -139,6 +195,18 @@
       <translation>%s kann nicht neu nummeriert werden: %s</translation>
     </message>
     <message>
+      <source>%s cannot be solved: %s</source>
+      <translation>%s kann nicht gelöst werden: %s</translation>
+    </message>
+    <message>
+      <source>%s could not be followed from the last mesh, whose state is gone; check what it refers to</source>
+      <translation>%s konnte nicht vom letzten Netz her verfolgt werden, dessen Zustand fehlt; prüfen Sie, worauf es sich bezieht</translation>
+    </message>
+    <message>
+      <source>%s elements without a volume to speak of remain at %s; mesh finer there, or take out what is much smaller than the rest of the part</source>
+      <translation>%s Elemente fast ohne Volumen bleiben bei %s; dort feiner vernetzen, oder weglassen, was viel kleiner als der Rest des Bauteils ist</translation>
+    </message>
+    <message>
       <source>%s has a mesh already: %s; delete one of the two</source>
       <translation>%s hat schon ein Netz: %s; bitte eines von beiden löschen</translation>
     </message>
@@ -159,6 +227,10 @@
       <translation>%s hat keine Form, die vernetzt werden kann</translation>
     </message>
     <message>
+      <source>%s has no shape yet; recompute the document first</source>
+      <translation>%s hat noch keine Form; berechnen Sie zuerst das Dokument neu</translation>
+    </message>
+    <message>
       <source>%s has no solid%s</source>
       <translation>%s hat keinen Festkörper%s</translation>
     </message>
@@ -167,12 +239,20 @@
       <translation>%s hat keinen Volumenkörper. Das Dokument neu berechnen und einen Körper oder ein Part-Objekt vernetzen, dessen Ergebnis ein Volumenkörper ist.</translation>
     </message>
     <message>
-      <source>%s has no tets; it has to be a volume mesh</source>
+      <source>%s has no tetrahedra; it has to be a volume mesh</source>
       <translation>%s hat keine Tetraeder; es muss ein Volumennetz sein</translation>
     </message>
     <message>
-      <source>%s has other elements than 4-node or 10-node tets (%s with %s nodes); only tets can be adopted</source>
+      <source>%s has other elements than 4-node or 10-node tetrahedra (%s with %s nodes); only tetrahedra can be adopted</source>
       <translation>%s hat andere Elemente als Tetraeder mit 4 oder 10 Knoten (%s mit %s Knoten); nur Tetraeder können übernommen werden</translation>
+    </message>
+    <message>
+      <source>%s has the mesh %s already.</source>
+      <translation>%s hat schon das Netz %s.</translation>
+    </message>
+    <message>
+      <source>%s is %s; update it before solving</source>
+      <translation>%s ist %s; vor dem Lösen aktualisieren</translation>
     </message>
     <message>
       <source>%s is FeatureMesh's own already</source>
@@ -187,6 +267,22 @@
       <translation>%s ist kein FEM-Netz</translation>
     </message>
     <message>
+      <source>%s is no analysis</source>
+      <translation>%s ist keine Analyse</translation>
+    </message>
+    <message>
+      <source>%s is no length</source>
+      <translation>%s ist keine Länge</translation>
+    </message>
+    <message>
+      <source>%s is no object of a document; give a body, or a Part object with a solid</source>
+      <translation>%s ist kein Objekt eines Dokuments; geben Sie einen Körper oder ein Part-Objekt mit einem Volumenkörper an</translation>
+    </message>
+    <message>
+      <source>%s is not that of the part as it is, its last update failed: %s</source>
+      <translation>%s ist nicht das Netz des Bauteils, wie es jetzt ist; die letzte Aktualisierung ist fehlgeschlagen: %s</translation>
+    </message>
+    <message>
       <source>%s mid-side nodes were off the surface and are new, on it</source>
       <translation>%s Mittelknoten lagen neben der Oberfläche und sind neu, auf ihr</translation>
     </message>
@@ -195,48 +291,56 @@
       <translation>%s von %s Elementen passen nicht zum Bauteil und wurden neu gemacht: %s</translation>
     </message>
     <message>
-      <source>%s refers to %s, which is gone; choose another edge</source>
-      <translation>%s verweist auf %s, die es nicht mehr gibt; eine andere Kante wählen</translation>
+      <source>%s refers to %s, which is gone; choose another edge, the analysis cannot be solved without</source>
+      <translation>%s bezieht sich auf %s, das es nicht mehr gibt; wählen Sie eine andere Kante, ohne lässt sich die Analyse nicht rechnen</translation>
     </message>
     <message>
-      <source>%s refers to %s, which is gone; choose another face</source>
-      <translation>%s verweist auf %s, die es nicht mehr gibt; eine andere Fläche wählen</translation>
+      <source>%s refers to %s, which is gone; choose another face, the analysis cannot be solved without</source>
+      <translation>%s bezieht sich auf %s, das es nicht mehr gibt; wählen Sie eine andere Fläche, ohne lässt sich die Analyse nicht rechnen</translation>
     </message>
     <message>
-      <source>%s refers to %s, which is gone; choose another solid</source>
-      <translation>%s verweist auf %s, den es nicht mehr gibt; einen anderen Volumenkörper wählen</translation>
+      <source>%s refers to %s, which is gone; choose another solid, the analysis cannot be solved without</source>
+      <translation>%s bezieht sich auf %s, das es nicht mehr gibt; wählen Sie einen anderen Körper, ohne lässt sich die Analyse nicht rechnen</translation>
     </message>
     <message>
-      <source>%s refers to %s, which is gone; choose another vertex</source>
-      <translation>%s verweist auf %s, den es nicht mehr gibt; einen anderen Punkt wählen</translation>
+      <source>%s refers to %s, which is gone; choose another vertex, the analysis cannot be solved without</source>
+      <translation>%s bezieht sich auf %s, das es nicht mehr gibt; wählen Sie einen anderen Punkt, ohne lässt sich die Analyse nicht rechnen</translation>
     </message>
     <message>
-      <source>%s tets without a volume to speak of remain at %s; mesh finer there, or take out what is much smaller than the rest of the part</source>
-      <translation>%s Tetraeder fast ohne Volumen bleiben bei %s; dort feiner vernetzen, oder weglassen, was viel kleiner als der Rest des Bauteils ist</translation>
+      <source>%s refers to %s, which is gone; it was taken out of the references</source>
+      <translation>%s bezieht sich auf %s, das es nicht mehr gibt; es wurde aus den Referenzen genommen</translation>
     </message>
     <message>
       <source>%s was not updated since the document was opened, all its elements are as they were</source>
       <translation>%s wurde seit dem Öffnen des Dokuments nicht aktualisiert, alle Elemente sind, wie sie waren</translation>
     </message>
     <message>
-      <source>%s: %d features, %d cells, %.10g mm^3 of material (FreeCAD: %.10g)</source>
-      <translation>%s: %d Features, %d Zellen, %.10g mm^3 Material (FreeCAD: %.10g)</translation>
+      <source>%s: %d features in %d pieces, volume %.10g mm^3 (FreeCAD: %.10g mm^3)</source>
+      <translation>%s: %d Features in %d Stücken, Volumen %.10g mm^3 (FreeCAD: %.10g mm^3)</translation>
+    </message>
+    <message>
+      <source>%s: %s has become one with %s, it is on all of that now</source>
+      <translation>%s: %s ist mit %s eins geworden, es gilt jetzt auf dem Ganzen</translation>
     </message>
     <message>
       <source>%s: %s is now %s, its reference was changed</source>
       <translation>%s: %s ist jetzt %s, der Verweis wurde geändert</translation>
     </message>
     <message>
+      <source>%s: %s was split into %s, it is on all of them now</source>
+      <translation>%s: %s wurde in %s geteilt, es gilt jetzt auf allen</translation>
+    </message>
+    <message>
       <source>, not of %s</source>
       <translation>, nicht von %s</translation>
     </message>
     <message>
-      <source>10-node tets</source>
-      <translation>10 Knoten</translation>
+      <source>10-node tetrahedra</source>
+      <translation>Tetraeder mit 10 Knoten</translation>
     </message>
     <message>
-      <source>4-node tets</source>
-      <translation>4 Knoten</translation>
+      <source>4-node tetrahedra</source>
+      <translation>Tetraeder mit 4 Knoten</translation>
     </message>
     <message>
       <source>: %s leaves nothing of it</source>
@@ -259,12 +363,40 @@
       <translation>Ein Netz, das dem Bauteil folgt</translation>
     </message>
     <message>
-      <source>A size of %s mm would make about %s million tets; at most %s million are made. Choose a larger size.</source>
-      <translation>Eine Größe von %s mm ergäbe etwa %s Millionen Tetraeder; höchstens %s Millionen werden gemacht. Eine größere Größe wählen.</translation>
+      <source>A size of %s mm would make about %s million elements; at most %s million are made. Choose a larger size.</source>
+      <translation>Eine Größe von %s mm ergäbe etwa %s Millionen Elemente; höchstens %s Millionen werden gemacht. Eine größere Größe wählen.</translation>
+    </message>
+    <message>
+      <source>About FeatureMesh</source>
+      <translation>Über FeatureMesh</translation>
     </message>
     <message>
       <source>Across gaps</source>
       <translation>In Wänden</translation>
+    </message>
+    <message>
+      <source>Add another mesh</source>
+      <translation>Weiteres Netz anlegen</translation>
+    </message>
+    <message>
+      <source>Analysis</source>
+      <translation>Analyse</translation>
+    </message>
+    <message>
+      <source>By how much displacements are drawn larger than they are</source>
+      <translation>Um wie viel größer die Verschiebungen gezeichnet werden, als sie sind</translation>
+    </message>
+    <message>
+      <source>CalculiX (ccx) is not installed</source>
+      <translation>CalculiX (ccx) ist nicht installiert</translation>
+    </message>
+    <message>
+      <source>CalculiX could not solve %s: %s</source>
+      <translation>CalculiX konnte %s nicht lösen: %s</translation>
+    </message>
+    <message>
+      <source>CalculiX gave no result for %s</source>
+      <translation>CalculiX ergab kein Ergebnis für %s</translation>
     </message>
     <message>
       <source>Cancel</source>
@@ -283,8 +415,20 @@
       <translation>Farben</translation>
     </message>
     <message>
-      <source>Details of the part far smaller than the elements force an angle below 2 degrees on %s tets: %s. Results there are poor. Take them out of the features that make them (points of a sketch that nearly coincide, a step as shallow), or mesh finer there.</source>
-      <translation>Einzelheiten des Bauteils, die viel kleiner als die Elemente sind, erzwingen einen Winkel unter 2 Grad an %s Tetraedern: %s. Ergebnisse dort sind ungenau. Sie aus den Formelementen entfernen, die sie erzeugen (Skizzenpunkte, die fast zusammenfallen, eine ebenso flache Stufe), oder dort feiner vernetzen.</translation>
+      <source>Colours up to</source>
+      <translation>Farben bis</translation>
+    </message>
+    <message>
+      <source>Copy for a bug report</source>
+      <translation>Für einen Fehlerbericht kopieren</translation>
+    </message>
+    <message>
+      <source>Cut open</source>
+      <translation>Aufschneiden</translation>
+    </message>
+    <message>
+      <source>Details of the part far smaller than the elements force an angle below 2 degrees on %s elements: %s. Results there are poor. Take them out of the features that make them (points of a sketch that nearly coincide, a step as shallow), or mesh finer there.</source>
+      <translation>Einzelheiten des Bauteils, die viel kleiner als die Elemente sind, erzwingen einen Winkel unter 2 Grad an %s Elementen: %s. Ergebnisse dort sind ungenau. Sie aus den Formelementen entfernen, die sie erzeugen (Skizzenpunkte, die fast zusammenfallen, eine ebenso flache Stufe), oder dort feiner vernetzen.</translation>
     </message>
     <message>
       <source>Edit the part: move a hole, change a thickness. The mesh follows, and only around the edit; loads and supports stay where they are.</source>
@@ -315,12 +459,24 @@
       <translation>FeatureMesh kann seinen Arbeitsprozess nicht starten und läuft in FreeCAD selbst: %s</translation>
     </message>
     <message>
-      <source>FeatureMesh's compiled engine (featuremesh_engine) is not installed; the mesh is shown as it was saved. Any command of `./featuremesh` in a clone builds it.</source>
-      <translation>Das übersetzte Rechenprogramm von FeatureMesh (featuremesh_engine) ist nicht installiert; das Netz wird gezeigt, wie es gespeichert wurde. Jeder Befehl von `./featuremesh` in einem Klon baut es.</translation>
+      <source>FeatureMesh found several engines and uses the newest, %s in %s; the others: %s</source>
+      <translation>FeatureMesh hat mehrere Rechenprogramme gefunden und nimmt das neueste, %s in %s; die anderen: %s</translation>
     </message>
     <message>
-      <source>FeatureMesh's engine could not be loaded: %s</source>
-      <translation>Das Rechenprogramm von FeatureMesh konnte nicht geladen werden: %s</translation>
+      <source>FeatureMesh's compiled engine (featuremesh_engine) is not installed for Python %d.%d; the mesh is shown as it was saved.</source>
+      <translation>Das Rechenprogramm von FeatureMesh (featuremesh_engine) ist für Python %d.%d nicht installiert; das Netz wird gezeigt, wie es gespeichert wurde.</translation>
+    </message>
+    <message>
+      <source>FeatureMesh's engine %s in %s is too new for FeatureMesh %s; update FeatureMesh with Tools, Addon manager.</source>
+      <translation>Das Rechenprogramm %s in %s ist zu neu für FeatureMesh %s; bringen Sie FeatureMesh mit Werkzeuge, Addon-Manager auf den neuesten Stand.</translation>
+    </message>
+    <message>
+      <source>FeatureMesh's engine %s in %s is too old for FeatureMesh %s. To install a newer one: %s</source>
+      <translation>Das Rechenprogramm %s in %s ist zu alt für FeatureMesh %s. So wird ein neueres installiert: %s</translation>
+    </message>
+    <message>
+      <source>FeatureMesh's engine in %s could not be loaded: %s. To install it anew: %s</source>
+      <translation>Das Rechenprogramm von FeatureMesh in %s konnte nicht geladen werden: %s. So wird es neu installiert: %s</translation>
     </message>
     <message>
       <source>FeatureMesh's worker process %s while %s%s. FreeCAD and the document are as they were. %s</source>
@@ -347,8 +503,8 @@
       <translation>Wachstum</translation>
     </message>
     <message>
-      <source>How many elements have which smallest dihedral angle (degrees)</source>
-      <translation>Wie viele Elemente welchen kleinsten Flächenwinkel haben (Grad)</translation>
+      <source>How many elements have which value of the measure</source>
+      <translation>Wie viele Elemente welchen Wert des Maßes haben</translation>
     </message>
     <message>
       <source>In the place of another vertex within a millionth of the part, with which they share a node: %s.</source>
@@ -363,8 +519,12 @@
       <translation>Behalten in %s</translation>
     </message>
     <message>
-      <source>Mesh</source>
-      <translation>Vernetzen</translation>
+      <source>Live result</source>
+      <translation>Mitlaufendes Ergebnis</translation>
+    </message>
+    <message>
+      <source>Live result: %s</source>
+      <translation>Mitlaufendes Ergebnis: %s</translation>
     </message>
     <message>
       <source>Mesh in a process of its own</source>
@@ -381,10 +541,6 @@
     <message>
       <source>Meshed finer than asked, because a face beside it would cross itself: %s.</source>
       <translation>Feiner vernetzt als gewünscht, weil sich eine Fläche daneben selbst kreuzen würde: %s.</translation>
-    </message>
-    <message>
-      <source>Meshes the part, or updates its mesh where it changed</source>
-      <translation>Vernetzt das Bauteil oder aktualisiert sein Netz, wo es sich geändert hat</translation>
     </message>
     <message>
       <source>New elements</source>
@@ -411,6 +567,10 @@
       <translation>Ein Bauteil öffnen, seinen Körper auswählen und &lt;b&gt;Bauteil vernetzen&lt;/b&gt; drücken. Eine Größe wählen; das Fenster sagt, wie viele Elemente sie ergibt. &lt;b&gt;Vernetzen&lt;/b&gt; drücken.</translation>
     </message>
     <message>
+      <source>Open it</source>
+      <translation>Öffnen</translation>
+    </message>
+    <message>
       <source>Part</source>
       <translation>Bauteil</translation>
     </message>
@@ -431,6 +591,10 @@
       <translation>Qualität von %s</translation>
     </message>
     <message>
+      <source>Scale</source>
+      <translation>Überhöhung</translation>
+    </message>
+    <message>
       <source>Select a face and press &lt;b&gt;Add a local size&lt;/b&gt; where the mesh shall be finer. All of this is in FEM's Mesh menu, too.</source>
       <translation>Eine Fläche auswählen und &lt;b&gt;Lokale Größe hinzufügen&lt;/b&gt; drücken, wo das Netz feiner werden soll. All das steht auch im Menü Netz von FEM.</translation>
     </message>
@@ -443,14 +607,16 @@
       <translation>Kleinste</translation>
     </message>
     <message>
-      <source>Smallest angle %.2f deg,
-mean radius ratio %.3f</source>
-      <translation>Kleinster Winkel %.2f Grad,
-mittleres Radienverhältnis %.3f</translation>
+      <source>Solve</source>
+      <translation>Lösen</translation>
     </message>
     <message>
       <source>Status</source>
       <translation>Zustand</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translation>Anhalten</translation>
     </message>
     <message>
       <source>The geometry kernel failed while meshing: %s. Try another size, or check the shape (Part: Check geometry).</source>
@@ -465,15 +631,15 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>Die lokale Netzgröße an %s ist %s mm; sie muss größer als null sein.</translation>
     </message>
     <message>
-      <source>The local size at %s is left out: the part has no such entity any more. Refer the refinement to another one.</source>
-      <translation>Die lokale Größe bei %s entfällt: Das Bauteil hat dieses Element nicht mehr. Die Verfeinerung auf ein anderes beziehen.</translation>
+      <source>The local size at %s is left out: the part has no such face, edge or vertex any more. Refer the refinement to another one.</source>
+      <translation>Die lokale Größe bei %s entfällt: Das Bauteil hat diese Fläche, Kante oder diesen Punkt nicht mehr. Die Verfeinerung auf etwas anderes beziehen.</translation>
     </message>
     <message>
       <source>The mesh follows every recompute of the document</source>
       <translation>Das Netz folgt jeder Neuberechnung des Dokuments</translation>
     </message>
     <message>
-      <source>The mesh is finer than asked at %s, because 10-node tets of that size would be folded, or nearly so, by the curved face.</source>
+      <source>The mesh is finer than asked at %s, because 10-node tetrahedra of that size would be folded, or nearly so, by the curved face.</source>
       <translation>Das Netz ist bei %s feiner als verlangt, weil 10-Knoten-Tetraeder dieser Größe durch die gekrümmte Fläche ganz oder fast umklappen würden.</translation>
     </message>
     <message>
@@ -483,6 +649,18 @@ mittleres Radienverhältnis %.3f</translation>
     <message>
       <source>The mesh is finer than asked where these faces are near each other: %s.</source>
       <translation>Das Netz ist feiner als gewünscht, wo diese Flächen nahe beieinander liegen: %s.</translation>
+    </message>
+    <message>
+      <source>The mesh is in %s, which refers to %s.</source>
+      <translation>Das Netz liegt in %s; diese Analyse bezieht sich auf %s.</translation>
+    </message>
+    <message>
+      <source>The mesh is in no analysis, because none of %s is active: drag it into the one that it is for.</source>
+      <translation>Das Netz liegt in keiner Analyse, weil keine von %s aktiv ist: Ziehen Sie es in die, für die es gedacht ist.</translation>
+    </message>
+    <message>
+      <source>The mesh is in no analysis: %s has %s already, and an analysis is solved with one mesh.</source>
+      <translation>Das Netz liegt in keiner Analyse: %s hat schon %s, und eine Analyse wird mit einem Netz gerechnet.</translation>
     </message>
     <message>
       <source>The mesh is not valid: %s.</source>
@@ -503,6 +681,10 @@ mittleres Radienverhältnis %.3f</translation>
     <message>
       <source>The number of elements per circle is %s; it must not be negative (0 turns it off).</source>
       <translation>Die Zahl der Elemente je Kreis ist %s; sie darf nicht negativ sein (0 schaltet ab).</translation>
+    </message>
+    <message>
+      <source>The one in %s is for Python %s.</source>
+      <translation>Das in %s ist für Python %s.</translation>
     </message>
     <message>
       <source>The part could not be filled: %s. Try another size, or check the shape (Part: Check geometry).</source>
@@ -529,12 +711,16 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>Die Größe eines neuen Netzes ist die Diagonale des Bauteils geteilt durch diese Zahl</translation>
     </message>
     <message>
-      <source>The smallest angle of a tet is %s degrees, at %s: results there are poor. Take details out that are much smaller than the edge length, or mesh finer there.</source>
-      <translation>Der kleinste Winkel eines Tetraeders ist %s Grad, bei %s: Ergebnisse dort sind ungenau. Einzelheiten weglassen, die viel kleiner als die Kantenlänge sind, oder dort feiner vernetzen.</translation>
+      <source>The smallest angle of an element is %s degrees, at %s: results there are poor. Take details out that are much smaller than the edge length, or mesh finer there.</source>
+      <translation>Der kleinste Winkel eines Elements ist %s Grad, bei %s: Ergebnisse dort sind ungenau. Einzelheiten weglassen, die viel kleiner als die Kantenlänge sind, oder dort feiner vernetzen.</translation>
     </message>
     <message>
       <source>The smallest mesh size is %s mm; it must lie between zero and the mesh size of %s mm.</source>
       <translation>Die kleinste Netzgröße ist %s mm; sie muss zwischen null und der Netzgröße von %s mm liegen.</translation>
+    </message>
+    <message>
+      <source>The value at which the colours end</source>
+      <translation>Der Wert, bei dem die Farben enden</translation>
     </message>
     <message>
       <source>The worst elements, click to see:</source>
@@ -543,6 +729,10 @@ mittleres Radienverhältnis %.3f</translation>
     <message>
       <source>There is not enough memory for this mesh. Choose a larger size.</source>
       <translation>Der Speicher reicht für dieses Netz nicht. Eine größere Größe wählen.</translation>
+    </message>
+    <message>
+      <source>These are the elements of the last mesh: %s</source>
+      <translation>Dies sind die Elemente des letzten Netzes: %s</translation>
     </message>
     <message>
       <source>These faces cross each other: %s. The shape intersects itself (Part: Check geometry), or is thinner there than any mesh of this size can follow; repair the feature, or ask for a smaller size on these faces.</source>
@@ -561,6 +751,10 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>Wirft das Netz weg und vernetzt das ganze Bauteil</translation>
     </message>
     <message>
+      <source>To install it: %s; in a clone any command of `./featuremesh` builds it.</source>
+      <translation>So wird es installiert: %s; in einem Klon baut es jeder Befehl von `./featuremesh`.</translation>
+    </message>
+    <message>
       <source>Too narrow for elements of their own: %s.</source>
       <translation>Zu schmal für eigene Elemente: %s.</translation>
     </message>
@@ -569,12 +763,12 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>Zu kurz für ein eigenes Element: %s.</translation>
     </message>
     <message>
-      <source>Update</source>
-      <translation>Aktualisieren</translation>
-    </message>
-    <message>
       <source>Update automatically</source>
       <translation>Automatisch aktualisieren</translation>
+    </message>
+    <message>
+      <source>Use 10-node tetrahedra</source>
+      <translation>10-Knoten-Tetraeder nehmen</translation>
     </message>
     <message>
       <source>Welcome to FeatureMesh</source>
@@ -589,8 +783,28 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>Arbeitsweise</translation>
     </message>
     <message>
-      <source>about %s tets</source>
-      <translation>etwa %s Tetraeder</translation>
+      <source>a MED file keeps its mesh under the file's own name, which may have %d characters at most; choose a shorter one than %s</source>
+      <translation>eine MED-Datei führt ihr Netz unter dem Namen der Datei, der höchstens %d Zeichen haben darf; wählen Sie einen kürzeren als %s</translation>
+    </message>
+    <message>
+      <source>a cut is x, y or z with =, &lt; or &gt; and a number, such as z=5, not %s</source>
+      <translation>ein Schnitt ist x, y oder z mit =, &lt; oder &gt; und einer Zahl, etwa z=5, nicht %s</translation>
+    </message>
+    <message>
+      <source>a local size is for faces, edges or vertices; the size of a whole part is the mesh's own</source>
+      <translation>eine lokale Größe ist für Flächen, Kanten oder Punkte; die Größe für das ganze Bauteil ist die des Netzes</translation>
+    </message>
+    <message>
+      <source>a size of %g mm would make more than a million million elements; at most %d million are made. Choose a larger size</source>
+      <translation>eine Größe von %g mm ergäbe mehr als eine Billion Elemente; höchstens %d Millionen werden gemacht. Wählen Sie eine größere Größe</translation>
+    </message>
+    <message>
+      <source>about %d million</source>
+      <translation>etwa %d Millionen</translation>
+    </message>
+    <message>
+      <source>about %s elements</source>
+      <translation>etwa %s Elemente</translation>
     </message>
     <message>
       <source>active: %d nodes kept as start positions, free to move</source>
@@ -617,8 +831,24 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>neu</translation>
     </message>
     <message>
-      <source>area %s mm²</source>
-      <translation>Flächeninhalt %s mm²</translation>
+      <source>area %s mm^2</source>
+      <translation>Flächeninhalt %s mm^2</translation>
+    </message>
+    <message>
+      <source>aspect ratio</source>
+      <translation>Seitenverhältnis</translation>
+    </message>
+    <message>
+      <source>assembling the stiffness matrix</source>
+      <translation>Steifigkeitsmatrix aufstellen</translation>
+    </message>
+    <message>
+      <source>automatic</source>
+      <translation>automatisch</translation>
+    </message>
+    <message>
+      <source>bad</source>
+      <translation>schlecht</translation>
     </message>
     <message>
       <source>became boundary</source>
@@ -645,6 +875,10 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>%s kann nicht geschrieben werden: %s</translation>
     </message>
     <message>
+      <source>change since the last result</source>
+      <translation>Änderung seit dem letzten Ergebnis</translation>
+    </message>
+    <message>
       <source>checking the mesh</source>
       <translation>Netz prüfen</translation>
     </message>
@@ -665,8 +899,24 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>ist abgestürzt (%s)</translation>
     </message>
     <message>
+      <source>cut differently</source>
+      <translation>anders angeschnitten</translation>
+    </message>
+    <message>
+      <source>cut through the elements</source>
+      <translation>durch die Elemente schneiden</translation>
+    </message>
+    <message>
       <source>depends on</source>
       <translation>hängt ab von</translation>
+    </message>
+    <message>
+      <source>displacement</source>
+      <translation>Verschiebung</translation>
+    </message>
+    <message>
+      <source>edge length over wanted length</source>
+      <translation>Kantenlänge zu gewünschter Länge</translation>
     </message>
     <message>
       <source>ended</source>
@@ -705,6 +955,10 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>ganz neu vernetzt: nichts konnte behalten werden</translation>
     </message>
     <message>
+      <source>good</source>
+      <translation>gut</translation>
+    </message>
+    <message>
       <source>handing over to FreeCAD</source>
       <translation>an FreeCAD übergeben</translation>
     </message>
@@ -713,16 +967,16 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>Elemente verbessern</translation>
     </message>
     <message>
-      <source>interaction changed</source>
-      <translation>anders berührt</translation>
-    </message>
-    <message>
       <source>intersecting the features</source>
       <translation>Features verschneiden</translation>
     </message>
     <message>
       <source>its own volume is the same, but other features now meet %s of its faces differently</source>
       <translation>sein Volumen ist gleich, aber andere Formelemente treffen %s seiner Flächen jetzt anders</translation>
+    </message>
+    <message>
+      <source>keep the other side</source>
+      <translation>die andere Seite behalten</translation>
     </message>
     <message>
       <source>keeping all that fits failed: %s</source>
@@ -737,12 +991,26 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>geblieben</translation>
     </message>
     <message>
-      <source>kept by the last update: %d %% of the nodes, %d %% of the tets</source>
-      <translation>von der letzten Aktualisierung behalten: %d %% der Knoten, %d %% der Tetraeder</translation>
+      <source>kept by the last update: %d %% of the nodes, %d %% of the elements</source>
+      <translation>von der letzten Aktualisierung behalten: %d %% der Knoten, %d %% der Elemente</translation>
     </message>
     <message>
-      <source>kept: %d tets (%.1f %%)</source>
-      <translation>behalten: %d Tetraeder (%.1f %%)</translation>
+      <source>kept: %d elements (%.1f %%)</source>
+      <translation>behalten: %d Elemente (%.1f %%)</translation>
+    </message>
+    <message>
+      <source>largest: %.4g %s on %s, node %d at (%.4g, %.4g, %.4g) mm; displacements drawn %g times</source>
+      <translation>am größten: %.4g %s auf %s, Knoten %d bei (%.4g, %.4g, %.4g) mm; Verschiebungen %g-fach gezeichnet</translation>
+    </message>
+    <message>
+      <source>least %s, mean %s, greatest %s;
+%d of %d elements are beyond the limit</source>
+      <translation>kleinster %s, Mittel %s, größter %s;
+%d von %d Elementen liegen jenseits der Grenze</translation>
+    </message>
+    <message>
+      <source>let the Addon Manager install %s, or type `%s`, or unpack FeatureMesh's portable zip into %s</source>
+      <translation>lassen Sie den Addon-Manager %s installieren, oder tippen Sie `%s`, oder entpacken Sie das portable Zip von FeatureMesh in %s</translation>
     </message>
     <message>
       <source>meshed from scratch: %s</source>
@@ -757,6 +1025,10 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>Flächen vernetzen</translation>
     </message>
     <message>
+      <source>more than a million million</source>
+      <translation>mehr als eine Billion</translation>
+    </message>
+    <message>
       <source>moved</source>
       <translation>verschoben</translation>
     </message>
@@ -769,8 +1041,8 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>neue Flächen</translation>
     </message>
     <message>
-      <source>new: %d tets</source>
-      <translation>neu: %d Tetraeder</translation>
+      <source>new: %d elements</source>
+      <translation>neu: %d Elemente</translation>
     </message>
     <message>
       <source>no longer suppressed</source>
@@ -793,12 +1065,40 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>alte Flächen</translation>
     </message>
     <message>
+      <source>out of date</source>
+      <translation>veraltet</translation>
+    </message>
+    <message>
+      <source>out of date: %s</source>
+      <translation>veraltet: %s</translation>
+    </message>
+    <message>
+      <source>out of date: solving</source>
+      <translation>veraltet: wird gelöst</translation>
+    </message>
+    <message>
+      <source>out of date: solving was cancelled</source>
+      <translation>veraltet: das Lösen wurde abgebrochen</translation>
+    </message>
+    <message>
       <source>out of date: the last update was cancelled</source>
       <translation>veraltet: die letzte Aktualisierung wurde abgebrochen</translation>
     </message>
     <message>
       <source>out of date: the part or a setting changed, update by hand or switch Automatic on</source>
       <translation>veraltet: das Bauteil oder eine Einstellung hat sich geändert; von Hand aktualisieren oder Automatic einschalten</translation>
+    </message>
+    <message>
+      <source>out of date: the part, its mesh or the analysis changed</source>
+      <translation>veraltet: Bauteil, Netz oder Analyse wurden geändert</translation>
+    </message>
+    <message>
+      <source>preparing the solver</source>
+      <translation>Löser vorbereiten</translation>
+    </message>
+    <message>
+      <source>radius ratio</source>
+      <translation>Radienverhältnis</translation>
     </message>
     <message>
       <source>reading the features of %s</source>
@@ -833,12 +1133,40 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>gleich</translation>
     </message>
     <message>
+      <source>scaled Jacobian</source>
+      <translation>skalierte Jacobi-Determinante</translation>
+    </message>
+    <message>
       <source>select faces, edges or vertices of %s%s</source>
       <translation>bitte Flächen, Kanten oder Punkte von %s auswählen%s</translation>
     </message>
     <message>
+      <source>select solids, faces, edges or vertices of %s%s</source>
+      <translation>bitte Körper, Flächen, Kanten oder Punkte von %s auswählen%s</translation>
+    </message>
+    <message>
+      <source>settings changed, not meshed yet</source>
+      <translation>Einstellungen geändert, noch nicht vernetzt</translation>
+    </message>
+    <message>
+      <source>skewness</source>
+      <translation>Schiefe</translation>
+    </message>
+    <message>
       <source>smallest angle %.1f deg, mean radius ratio %.3f</source>
       <translation>kleinster Winkel %.1f Grad, mittleres Radienverhältnis %.3f</translation>
+    </message>
+    <message>
+      <source>smallest dihedral angle</source>
+      <translation>kleinster Flächenwinkel</translation>
+    </message>
+    <message>
+      <source>solving</source>
+      <translation>lösen</translation>
+    </message>
+    <message>
+      <source>solving the statics of %s</source>
+      <translation>Lösen der Statik von %s</translation>
     </message>
     <message>
       <source>starting</source>
@@ -885,6 +1213,18 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>der Zustand des neuen Netzes kann nicht gespeichert werden (%s), das alte Netz bleibt; ist die Platte voll?</translation>
     </message>
     <message>
+      <source>the number of elements along the part has to be greater than 0, not %s</source>
+      <translation>die Zahl der Elemente entlang des Bauteils muss größer als 0 sein, nicht %s</translation>
+    </message>
+    <message>
+      <source>the object is gone: it was deleted, or its document was closed</source>
+      <translation>das Objekt gibt es nicht mehr: es wurde gelöscht, oder sein Dokument wurde geschlossen</translation>
+    </message>
+    <message>
+      <source>the order is 1 (4-node) or 2 (10-node), not %s</source>
+      <translation>die Ordnung ist 1 (4 Knoten) oder 2 (10 Knoten), nicht %s</translation>
+    </message>
+    <message>
       <source>the picture could not be drawn: %s</source>
       <translation>das Bild konnte nicht gezeichnet werden: %s</translation>
     </message>
@@ -893,8 +1233,12 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>die Eigenschaft QualityTarget von %s muss zwischen 0 und %g Grad liegen, nicht %g</translation>
     </message>
     <message>
-      <source>the refinement %s refers to another object than %s; refer to faces of that one</source>
-      <translation>die Verfeinerung %s verweist auf ein anderes Objekt als %s; bitte auf dessen Flächen verweisen</translation>
+      <source>the refinement %s refers to %s, which is not on %s; refer to faces of that one</source>
+      <translation>die Verfeinerung %s verweist auf %s, das nicht zu %s gehört; bitte auf dessen Flächen verweisen</translation>
+    </message>
+    <message>
+      <source>the refinement %s with %g mm at %s would make %s elements; at most %d million are made. Choose a larger size there</source>
+      <translation>die Verfeinerung %s mit %g mm an %s ergäbe %s Elemente; höchstens %d Millionen werden gemacht. Wählen Sie dort eine größere Größe</translation>
     </message>
     <message>
       <source>the saved mesh state belongs to %s, not to %s</source>
@@ -907,6 +1251,10 @@ mittleres Radienverhältnis %.3f</translation>
     <message>
       <source>the saved mesh state is from a newer FeatureMesh (%s, schema %s; this one reads up to %s)</source>
       <translation>der gespeicherte Netzzustand ist von einem neueren FeatureMesh (%s, Schema %s; dieses liest bis %s)</translation>
+    </message>
+    <message>
+      <source>the settings of %s cannot be opened; close the open panel first</source>
+      <translation>Die Einstellungen von %s lassen sich nicht öffnen; schließen Sie erst das offene Fenster</translation>
     </message>
     <message>
       <source>the shape touches itself: nodes of %s lie in the same place, such as %s; repair it there (Part: Check geometry)</source>
@@ -929,12 +1277,28 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>das Oberflächennetz schließt sich nicht bei %s; dort die Form prüfen, oder eine andere Größe versuchen</translation>
     </message>
     <message>
+      <source>the two limits of %s have to differ</source>
+      <translation>die beiden Grenzen von %s müssen verschieden sein</translation>
+    </message>
+    <message>
       <source>the two parts look unrelated: they have no feature name in common</source>
       <translation>die beiden Bauteile haben nichts miteinander zu tun: kein Name eines Formelements ist gemeinsam</translation>
     </message>
     <message>
       <source>the volume mesh cannot be made to meet the triangles of %s; mesh finer there, or check the shape for faces that cut or touch one another</source>
       <translation>das Volumennetz lässt sich nicht an die Dreiecke von %s anschließen; dort feiner vernetzen, oder die Form auf Flächen prüfen, die einander schneiden oder berühren</translation>
+    </message>
+    <message>
+      <source>there is no measure %s, only %s</source>
+      <translation>es gibt kein Maß %s, nur %s</translation>
+    </message>
+    <message>
+      <source>too long</source>
+      <translation>zu lang</translation>
+    </message>
+    <message>
+      <source>too short</source>
+      <translation>zu kurz</translation>
     </message>
     <message>
       <source>treated as changed: %s</source>
@@ -965,16 +1329,20 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>verschwunden</translation>
     </message>
     <message>
+      <source>volume</source>
+      <translation>Volumen</translation>
+    </message>
+    <message>
       <source>volume %s mm^3</source>
       <translation>Volumen %s mm^3</translation>
     </message>
     <message>
-      <source>volume mm³</source>
-      <translation>Volumen mm³</translation>
-    </message>
-    <message>
       <source>volumes</source>
       <translation>Volumen</translation>
+    </message>
+    <message>
+      <source>von Mises stress</source>
+      <translation>Vergleichsspannung nach von Mises</translation>
     </message>
     <message>
       <source>waiting for other work</source>
@@ -991,6 +1359,32 @@ mittleres Radienverhältnis %.3f</translation>
     <message>
       <source>working on %s</source>
       <translation>Arbeiten an %s</translation>
+    </message>
+    <message>
+      <source>working out the stresses</source>
+      <translation>Spannungen ausrechnen</translation>
+    </message>
+  </context>
+  <context>
+    <name>FeatureMesh_About</name>
+    <message>
+      <source>About FeatureMesh</source>
+      <translation>Über FeatureMesh</translation>
+    </message>
+    <message>
+      <source>Shows versions, where things are installed and where the log is, to be copied into a bug report</source>
+      <translation>Zeigt Versionen, wo alles installiert ist und wo das Protokoll liegt, zum Kopieren in einen Fehlerbericht</translation>
+    </message>
+  </context>
+  <context>
+    <name>FeatureMesh_AddGroup</name>
+    <message>
+      <source>Add a mesh group</source>
+      <translation>Netzgruppe hinzufügen</translation>
+    </message>
+    <message>
+      <source>Makes a named set of nodes and elements of the selected solids, faces, edges or vertices, to be changed in FEM's panel of mesh groups</source>
+      <translation>Macht aus den ausgewählten Körpern, Flächen, Kanten oder Punkten eine benannte Gruppe von Knoten und Elementen, die sich in FEMs Fenster für Netzgruppen ändern lässt</translation>
     </message>
   </context>
   <context>
@@ -1033,8 +1427,19 @@ mittleres Radienverhältnis %.3f</translation>
       <translation>Netz exportieren</translation>
     </message>
     <message>
-      <source>Writes the mesh with its groups as VTK, Abaqus, UNV or MED</source>
-      <translation>Schreibt das Netz mit seinen Gruppen als VTK, Abaqus, UNV oder MED</translation>
+      <source>Writes the mesh with its groups as VTK, Abaqus, NASTRAN, Gmsh, UNV, MED or Z88, or its surface as STL</source>
+      <translation>Schreibt das Netz mit seinen Gruppen als VTK, Abaqus, NASTRAN, Gmsh, UNV, MED oder Z88, oder seine Oberfläche als STL</translation>
+    </message>
+  </context>
+  <context>
+    <name>FeatureMesh_LiveResult</name>
+    <message>
+      <source>Live result</source>
+      <translation>Mitlaufendes Ergebnis</translation>
+    </message>
+    <message>
+      <source>Solves the analysis after each recompute and shows stresses and displacements in colours</source>
+      <translation>Löst die Analyse nach jeder Neuberechnung und zeigt Spannungen und Verschiebungen in Farben</translation>
     </message>
   </context>
   <context>

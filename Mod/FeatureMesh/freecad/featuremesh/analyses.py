@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which analysis a new mesh belongs to."""
+
+import FreeCAD
+
+from .reading import describe
+from .resolving import Resolver
+
+translate = FreeCAD.Qt.translate
+
+
+def for_new_mesh(part, active=None):
+    """(the analysis that a new mesh of `part` is to join, or None; what the user should know of it, or "").
+
+    The active one, else the only one, else the only one whose loads, supports or materials are on the part; never one that has a mesh, since
+    FreeCAD solves an analysis with exactly one.
+    """
+    every = analyses_of(part.Document)
+    if active is not None and active in every:
+        return _unless_it_has_a_mesh(active)
+    if len(every) == 1:
+        return _unless_it_has_a_mesh(every[0])
+    fitting = [analysis for analysis in every if not meshes_of(analysis) and _is_about(analysis, part)]
+    if len(fitting) == 1:
+        return fitting[0], translate("FeatureMesh", "The mesh is in %s, which refers to %s.") % (describe(fitting[0]), describe(part))
+    if not every:
+        return None, ""
+    return None, translate("FeatureMesh", "The mesh is in no analysis, because none of %s is active: drag it into the one that it is for.") % (
+        ", ".join(describe(analysis) for analysis in every))
+
+
+def analyses_of(document):
+    """All analyses of the document."""
+    return [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemAnalysis")]
+
+
+def holding(obj):
+    """The analyses that the object is in."""
+    return [analysis for analysis in obj.InList if analysis.isDerivedFrom("Fem::FemAnalysis")]
+
+
+def meshes_of(analysis):
+    """The meshes among the members of an analysis, those of results apart."""
+    return [member for member in analysis.Group if member.isDerivedFrom("Fem::FemMeshObject")
+            and getattr(getattr(member, "Proxy", None), "Type", "") != "Fem::MeshResult" and not getattr(member, "Suppressed", False)]
+
+
+def is_ours(mesh):
+    """Is this one of our mesh objects?"""
+    return getattr(getattr(mesh, "Proxy", None), "Type", "") == "Fem::FeatureMesh"
+
+
+def _unless_it_has_a_mesh(analysis):
+    meshes = meshes_of(analysis)
+    if not meshes:
+        return analysis, ""
+    return None, translate("FeatureMesh", "The mesh is in no analysis: %s has %s already, and an analysis is solved with one mesh.") % (
+        describe(analysis), describe(meshes[0]))
+
+
+def _is_about(analysis, part):
+    resolver = Resolver(part)
+    return any(resolver.of_object(member)[0] for member in analysis.Group if hasattr(member, "References"))

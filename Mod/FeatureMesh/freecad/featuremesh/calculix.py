@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Solves an analysis with CalculiX through FreeCAD, with the figures that the live solver gives.
+
+The input is FreeCAD's own, with two additions: figures to print, and for large linear models an iterative solver where the user left the choice to
+CalculiX. Results of what the live solver knows, too, are read as arrays; all others by FreeCAD.
+"""
+
+import contextlib
+import os
+import re
+import shutil
+import sys
+import tempfile
+import time
+
+import FreeCAD
+import numpy as np
+from femtools import ccxtools
+
+from . import frd, statics, statics_model, statics_result
+from .errors import UserError
+from .reading import describe
+
+_TOTAL = re.compile(r"total force \(fx,fy,fz\) for set (\S+) and time\s+\S+\s+(\S+)\s+(\S+)\s+(\S+)")
+_ENERGY = re.compile(r"total internal energy for set \S+ and time\s+\S+\s+(\S+)")
+_MASS = re.compile(r"total mass for set \S+ and time\s+\S+\s+(\S+)")
+_ALL = re.compile(r"^\*ELSET,\s*ELSET=(Eall|Evolumes)\s*$", re.MULTILINE | re.IGNORECASE)
+_NODE_FILE = re.compile(r"^\*NODE FILE\nU\n", re.MULTILINE)
+_STATIC = re.compile(r"^\*STATIC\s*$", re.MULTILINE)
+_MANY = 50_000   # unknowns, from which on the iterative solver is faster
+_SHOWN = 600     # characters of what CalculiX says when it fails
+
+
+def solve(analysis):
+    """Runs CalculiX and leaves FreeCAD's result object in the analysis. Returns the report, keys as statics.solve. Throws UserError."""
+    solver, start = solver_of(analysis), time.perf_counter()
+    tools, known = ccxtools.FemToolsCcx(analysis, solver, test_mode=False), as_arrays(analysis)
+    with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder, contextlib.redirect_stdout(sys.__stderr__):   # FreeCAD's tools print what they write
+        write_input(tools, folder, analysis)
+        matrix_solver = amend(tools.inp_file_name, solver, known)
+        written = time.perf_counter()
+        if tools.ccx_run():
+            raise UserError("CalculiX failed: " + " ".join(tools.ccx_stdout[-_SHOWN:].split()))
+        solved = time.perf_counter()
+        base = tools.inp_file_name[:-len("inp")]
+        read = _read_arrays(analysis, known, base + "frd") if known is not None else None
+        if read is None:
+            tools.load_results()
+            result = next((member for member in reversed(analysis.Group) if member.isDerivedFrom("Fem::FemResultObject")), None)
+        else:
+            tools.load_results_ccxdat()
+            result = read[0]
+        with open(base + "dat", encoding="utf-8") as stream:
+            printed = stream.read()
+    if result is None:
+        raise UserError("CalculiX gave no result for %s" % describe(analysis))
+    return {"solver": "CalculiX", "matrix_solver": matrix_solver, "result": result.Name,
+            "responses": {**_responses(analysis, result, read is not None), "reactions_n": read[1] if read is not None else printed_reactions(printed, analysis),
+                          "mass_kg": statics.mass(known) if known is not None and known.has_density else _figure(_MASS, printed, statics.TONNE),
+                          "strain_energy_mj": printed_strain_energy(printed)},
+            "iterations": None, "residual": None, "energy_error": None, "mesh_error": None,
+            "reused": {"preconditioner": False, "start_share": 0.0}, "warnings": [],
+            "seconds": {"read": written - start, "assemble": 0.0, "setup": 0.0, "solve": solved - written, "stresses": 0.0,
+                        "result": time.perf_counter() - solved, "total": time.perf_counter() - start}}
+
+
+def as_arrays(analysis):
+    """What the live solver reads of the analysis, None where it does not know all that it holds."""
+    try:
+        return statics_model.prepared(analysis, statics.mesh_of(analysis))
+    except UserError:
+        return None
+
+
+def write_input(tools, folder, analysis):
+    """FreeCAD's input file, in the folder. Throws UserError."""
+    tools.setup_working_dir(folder)
+    tools.update_objects()
+    tools.setup_ccx(ccx_binary=program())
+    problem = tools.check_prerequisites()
+    if problem:
+        raise UserError("CalculiX cannot solve %s: %s" % (describe(analysis), " ".join(problem.split())))
+    tools.purge_results()
+    tools.write_inp_file()
+    if not tools.inp_file_name or not os.path.isfile(tools.inp_file_name):
+        raise UserError("FreeCAD could not write CalculiX's input for %s; its report view says why" % describe(analysis))
+
+
+def amend(path, solver, known):
+    """Adds figures to print and, where that is better and left open, the solver. Returns {"name", "why"} of the solver."""
+    with open(path, encoding="utf-8") as stream:
+        text = stream.read()
+    text, chosen = _with_solver(text, solver, known)
+    everything = _ALL.search(text)
+    if known is not None:
+        text = _NODE_FILE.sub("*NODE FILE\nU, RF\n", text, count=1)
+    if everything and solver.AnalysisType == "static":
+        asked = "*EL PRINT, ELSET=%s, TOTALS=ONLY\n%s\n" % (everything.group(1), "ELSE, EMAS" if "*DENSITY" in text else "ELSE")
+        text = text.replace("*END STEP", asked + "*END STEP", 1)
+    with open(path, "w", encoding="utf-8") as stream:
+        stream.write(text)
+    return chosen
+
+
+def _with_solver(text, solver, known):
+    setting = getattr(solver, "MatrixSolverType", "default")
+    if setting != "default":
+        return text, {"name": setting, "why": "the solver object %s says so" % describe(solver)}
+    unknowns = 3 * len(known.arrays["points"]) if known is not None else 0
+    if unknowns < _MANY:
+        return text, {"name": "default", "why": "CalculiX's own choice" if known is None else "few unknowns (%d)" % unknowns}
+    text, times = _STATIC.subn("*STATIC, SOLVER=ITERATIVE CHOLESKY", text, count=1)
+    if not times:
+        return text, {"name": "default", "why": "CalculiX's own choice"}
+    return text, {"name": "iterativecholesky", "why": "%d unknowns, linear statics of solids: the direct solver takes longer and more memory; "
+                  "the property MatrixSolverType of %s chooses another" % (unknowns, describe(solver))}
+
+
+def _read_arrays(analysis, known, path):
+    """The result object from the file's arrays, and the reactions by support; None where the file has not what is expected."""
+    blocks = frd.read(path, {"DISP": 3, "STRESS": 6, "TOSTRAIN": 6, "FORC": 3})
+    numbers = known.arrays["node_numbers"]
+    order = np.argsort(numbers)
+    if not {"DISP", "STRESS", "FORC"} <= set(blocks) or any(not np.array_equal(np.sort(found), numbers[order]) for found, _ in blocks.values()):
+        return None
+    rows = np.empty(len(numbers), dtype=np.int64)
+
+    def by_row(name):
+        found, values = blocks[name]
+        rows[order] = np.argsort(found)
+        return values[rows]
+
+    stresses = by_row("STRESS")
+    fields = {"displacements": by_row("DISP"), "stresses": stresses, "von_mises": statics_result.von_mises(stresses)}
+    if "TOSTRAIN" in blocks:
+        fields["strains"] = by_row("TOSTRAIN")
+    return statics_result.show(analysis, known.arrays, fields, "CCX_Results"), statics.reactions(known, by_row("FORC") - known.add_up().loads)
+
+
+def solver_of(analysis):
+    """Its only CalculiX solver. Throws UserError."""
+    solvers = [member for member in statics_model.members_of(analysis) if hasattr(member, "AnalysisType")]
+    if len(solvers) != 1:
+        raise UserError("the analysis %s has %s: add a CalculiX solver" % (describe(analysis), "several solvers" if solvers else "no solver"))
+    return solvers[0]
+
+
+def program():
+    """The user's own setting, else the program on the path."""
+    chosen = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Fem/Ccx").GetString("ccxBinaryPath", "")
+    found = chosen or shutil.which("ccx")
+    if not found:
+        raise UserError("CalculiX (ccx) is not installed; on Debian its package is calculix-ccx")
+    return found
+
+
+def _responses(analysis, result, is_by_row):
+    """`is_by_row`: are the result's nodes those of the mesh's arrays, row by row? FreeCAD counts them in the order of their numbers."""
+    displacements = np.array([tuple(vector) for vector in result.DisplacementVectors])
+    mises, lengths = np.array(result.vonMises), np.linalg.norm(displacements, axis=1)
+    worst, farthest = int(mises.argmax()), int(lengths.argmax())
+    arrays = _arrays(analysis)
+    order = np.argsort(arrays["node_numbers"]) if arrays is not None and not is_by_row else np.arange(len(mises))
+    rows = np.argsort(np.argsort(result.NodeNumbers))
+
+    def place(row):
+        return statics.place(arrays, int(order[rows[row]])) if arrays is not None and len(order) == len(rows) else None
+
+    return {"max_mises_mpa": float(mises[worst]), "max_mises_at": place(worst),
+            "max_displacement_mm": float(lengths[farthest]), "max_displacement_at": place(farthest)}
+
+
+def _arrays(analysis):
+    try:
+        mesh = statics.mesh_of(analysis)
+    except statics_model.NotUnderstood:
+        return None
+    return mesh.Proxy.arrays(mesh)
+
+
+def printed_reactions(text, analysis):
+    """Of the supports, whose sums FreeCAD asks CalculiX to print: reactions and what loads their nodes."""
+    names = {member.Name.upper(): member.Name for member in analysis.Group}
+    return {names.get(name, name): [float(x), float(y), float(z)] for name, x, y, z in _TOTAL.findall(text)}
+
+
+def printed_strain_energy(text):
+    """mJ, or None where it was not printed."""
+    return _figure(_ENERGY, text)
+
+
+def _figure(pattern, text, factor=1.0):
+    found = pattern.findall(text)
+    return float(found[-1]) * factor if found else None

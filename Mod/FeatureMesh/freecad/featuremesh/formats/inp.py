@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Abaqus and CalculiX: nodes, tets, node and element sets, and each face as an element surface."""
+
+import numpy as np
+
+from . import connectivity
+
+# Corners of the faces S1 to S4 of a tet. Mid-side nodes are in the order of `connectivity`.
+_FACES = ((0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3))
+
+
+def write(path, arrays, groups):
+    """Sets have the groups' names; of groups of faces the element surfaces tell."""
+    order = 2 if len(arrays["tet_mids"]) else 1
+    nodes, numbers = arrays["node_numbers"], arrays["tet_numbers"]
+    with open(path, "w", encoding="ascii", errors="replace") as stream:
+        stream.write("** FeatureMesh, lengths in mm\n*NODE, NSET=Nall\n")
+        np.savetxt(stream, np.column_stack([nodes, arrays["points"]]), fmt="%d, %.17g, %.17g, %.17g")
+        stream.write("*ELEMENT, TYPE=%s, ELSET=Eall\n" % ("C3D10" if order == 2 else "C3D4"))
+        tets = nodes[connectivity(arrays, "tets", "tet_mids")]
+        np.savetxt(stream, np.column_stack([numbers, tets]), fmt=", ".join(["%d"] * (tets.shape[1] + 1)))
+        for name, kind, members in groups:
+            if kind in ("Node", "Volume"):
+                keyword = "*NSET, NSET=" if kind == "Node" else "*ELSET, ELSET="
+                stream.write("%s%s\n" % (keyword, name))
+                _write_numbers(stream, members)
+        _write_surfaces(stream, arrays)
+
+
+def _write_surfaces(stream, arrays):
+    corners = np.sort(np.vstack([arrays["tets"][:, list(face)] for face in _FACES]), axis=1)
+    sides = np.repeat(np.arange(1, 5), len(arrays["tets"]))
+    owners = np.tile(arrays["tet_numbers"], 4)
+    triangles = np.sort(arrays["triangles"], axis=1)
+    # Each triangle gets one whole number that it has among the tets' sides too.
+    _, keys = np.unique(np.vstack([corners, triangles]), axis=0, return_inverse=True)
+    row_of = np.empty(len(keys), dtype=np.int64)
+    row_of[keys[:len(corners)]] = np.arange(len(corners))
+    rows = row_of[keys[len(corners):].reshape(-1)]
+    for face in np.unique(arrays["triangle_faces"]):
+        stream.write("*SURFACE, NAME=Face%d, TYPE=ELEMENT\n" % (face + 1))
+        for row in rows[arrays["triangle_faces"] == face]:
+            stream.write("%d, S%d\n" % (owners[row], sides[row]))
+
+
+def _write_numbers(stream, numbers):
+    for start in range(0, len(numbers), 16):
+        stream.write(", ".join(str(number) for number in numbers[start:start + 16]) + ",\n")

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""VTK's XML form of unstructured grids, with raw binary data."""
+
+import numpy as np
+
+from .vtk_contents import contents_of
+
+
+def write(path, arrays, groups):
+    """See vtk_contents for what the file says."""
+    contents = contents_of(arrays, groups)
+    widths = np.concatenate([np.full(len(block), block.shape[1], dtype=np.int64) for block in contents.blocks])
+    cells = [("connectivity", np.concatenate([block.reshape(-1) for block in contents.blocks]).astype(np.int64)),
+             ("offsets", np.cumsum(widths)), ("types", contents.types)]
+    _write_xml(path, arrays["points"], cells, contents.point_data, contents.cell_data)
+
+
+def _write_xml(path, points, cells, point_data, cell_data):
+    offset, payload = 0, []
+
+    def array(name, values, components=1):
+        nonlocal offset
+        values = np.ascontiguousarray(values)
+        kind = {"f": "Float", "i": "Int", "u": "UInt"}[values.dtype.kind] + str(8 * values.dtype.itemsize)
+        line = '<DataArray type="%s" Name="%s" NumberOfComponents="%d" format="appended" offset="%d"/>\n' % (
+            kind, _xml(name), components, offset)
+        payload.append(values)
+        offset += 8 + values.nbytes
+        return line
+
+    lines = ['<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" '
+             'header_type="UInt64">\n<UnstructuredGrid>\n<Piece NumberOfPoints="%d" NumberOfCells="%d">\n'
+             % (len(points), len(cells[2][1])),
+             "<Points>\n", array("Points", points, 3), "</Points>\n<Cells>\n"]
+    lines += [array(name, values) for name, values in cells] + ["</Cells>\n<PointData>\n"]
+    lines += [array(name, values) for name, values in point_data] + ["</PointData>\n<CellData>\n"]
+    lines += [array(name, values) for name, values in cell_data]
+    lines.append('</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding="raw">\n_')
+    with open(path, "wb") as stream:
+        stream.write("".join(lines).encode())
+        for values in payload:
+            stream.write(np.uint64(values.nbytes).tobytes())
+            stream.write(values.tobytes())
+        stream.write(b"\n</AppendedData>\n</VTKFile>\n")
+
+
+def _xml(text):
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace('"', "&quot;")

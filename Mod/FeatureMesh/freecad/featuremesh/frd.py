@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Nodal values of a result file of CalculiX (.frd, the ASCII form), as arrays. Needs neither FreeCAD nor the engine."""
+
+import numpy as np
+
+_NUMBER = slice(3, 13)   # columns of a line
+_FIRST, _WIDTH = 13, 12
+
+
+def read(path, names):
+    """{name: (numbers (n,), values (n,k))} of those blocks, such as DISP and STRESS, that the file has; of several with a name the last."""
+    with open(path, "rb") as stream:
+        data = stream.read()
+    found = {}
+    for name, count in names.items():
+        start = data.rfind(b"\n -4  %-8s" % name.encode())
+        if start >= 0:
+            found[name] = _block(data, start, count)
+    return found
+
+
+def _block(data, start, count):
+    first = data.index(b"\n -1", start) + 1
+    end = data.index(b"\n -3", start) + 1
+    length = data.index(b"\n", first) + 1 - first
+    lines = np.frombuffer(data, dtype=np.uint8, count=end - first, offset=first).reshape(-1, length)
+    values = np.ascontiguousarray(lines[:, _FIRST:_FIRST + _WIDTH * count]).view("S%d" % _WIDTH)
+    return np.ascontiguousarray(lines[:, _NUMBER]).view("S10").ravel().astype(np.int64), values.astype(float)

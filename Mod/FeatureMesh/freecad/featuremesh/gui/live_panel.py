@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The panel of a live result: which field is shown and how, the largest value and where it is, and the solution under way."""
+
+import json
+
+import FreeCAD
+import FreeCADGui as Gui
+import numpy as np
+from PySide import QtCore, QtGui
+
+from .. import api, live_overlay, live_result, live_view, mesh_object, messages, view_provider, versions
+from ..errors import UserError
+from ..unit_words import in_users_units
+from . import live_runner
+from .cut_box import CutBox
+
+translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+_FIELDS = {"von_mises": QT_TRANSLATE_NOOP("FeatureMesh", "von Mises stress"), "displacement": QT_TRANSLATE_NOOP("FeatureMesh", "displacement")}
+_MARKS = 4   # of the legend
+
+
+class LivePanel:
+    """Shows and changes what is seen of a live result; that stays in the view when the panel is closed."""
+
+    def __init__(self, live):
+        self.live = live
+        self._document = live.Document
+        self.view = live.ViewObject.Proxy
+        self.form = QtGui.QWidget()
+        self.form.setWindowTitle(live.Label)
+        self.form.setWindowIcon(view_provider.drawn_icon("FeatureMesh_LiveResult"))
+        self.status, self.largest, self.remarks = QtGui.QLabel(), QtGui.QLabel(), QtGui.QLabel()
+        for label in (self.status, self.largest, self.remarks):
+            label.setWordWrap(True)
+        self.legend = Legend()
+        self._make_fields()
+        self.bar, self.button = QtGui.QProgressBar(), QtGui.QPushButton()
+        self.bar.setRange(0, 100)
+        self.cut = CutBox(self._take)
+        self.cut.filled.hide()   # colours go from node to node
+        layout = QtGui.QVBoxLayout(self.form)
+        layout.addWidget(self.status)
+        layout.addWidget(self.bar)
+        layout.addWidget(self.button)
+        layout.addLayout(self._fields_in_a_form())
+        self.ten_nodes = QtGui.QPushButton(translate("FeatureMesh", "Use 10-node tetrahedra"))
+        self.ten_nodes.clicked.connect(self._take_ten_nodes)
+        for widget in (self.legend, self.largest, self.cut, self.remarks, self.ten_nodes):
+            layout.addWidget(widget)
+        self._set_fields()
+        self._later = QtCore.QTimer(self.form)
+        self._later.setSingleShot(True)
+        self._later.timeout.connect(self.refresh)
+        self.button.clicked.connect(self._press)
+        live.ViewObject.Visibility = True
+        live_view.followers.append(self._follow)
+        live_runner.followers.append(self._follow_run)
+        FreeCAD.addDocumentObserver(self)
+        self.refresh()
+
+    def refresh(self):
+        """Brings the widgets up to date with the live result."""
+        live, drawn = self.live, self.view.drawn
+        self.status.setText(live_result.status_in_words(live.Status))
+        self._show_run()
+        self.difference.setEnabled(live.Proxy.before is not None)
+        report = json.loads(live.Report or "{}")
+        is_fresh = live.Proxy.is_fresh
+        self.remarks.setText("\n".join(messages.in_words(line) for line in report.get("warnings", [])) if is_fresh else "")
+        mesh = live.Proxy.mesh(live)
+        self.ten_nodes.setVisible(mesh is not None and mesh.Order == "1st")
+        self.legend.show_range(drawn, self._unit(), is_fresh)
+        self.largest.setText(self._largest_in_words(drawn) if is_fresh else "")
+        if drawn is not None:
+            self.cut.set_box(drawn.points)
+
+    def getStandardButtons(self):
+        return versions.number_of(QtGui.QDialogButtonBox.Close)
+
+    def reject(self):
+        self._end()
+        Gui.getDocument(self._document).resetEdit()
+        Gui.Control.closeDialog()
+        return True
+
+    # FreeCAD's document observer
+
+    def slotDeletedObject(self, obj):
+        if obj is self.live:
+            self._close_with_it()
+
+    def slotDeletedDocument(self, document):
+        if document is self._document:
+            self._close_with_it()
+
+    def _make_fields(self):
+        self.field, self.difference = QtGui.QComboBox(), QtGui.QCheckBox(translate("FeatureMesh", "change since the last result"))
+        for name, title in _FIELDS.items():
+            self.field.addItem(translate("FeatureMesh", title), name)
+        self.scale, self.top = QtGui.QDoubleSpinBox(), QtGui.QDoubleSpinBox()
+        for box, largest in ((self.scale, 1e9), (self.top, 1e12)):
+            box.setRange(0, largest)
+            box.setDecimals(4)
+            box.setKeyboardTracking(False)
+            box.setMinimumWidth(60)   # the panel may be narrow
+            box.setSpecialValueText(translate("FeatureMesh", "automatic"))
+        self.scale.setToolTip(translate("FeatureMesh", "By how much displacements are drawn larger than they are"))
+        self.top.setToolTip(translate("FeatureMesh", "The value at which the colours end"))
+
+    def _fields_in_a_form(self):
+        form = QtGui.QFormLayout()
+        form.addRow(self.field)
+        form.addRow(self.difference)
+        form.addRow(translate("FeatureMesh", "Scale"), self.scale)
+        form.addRow(translate("FeatureMesh", "Colours up to"), self.top)
+        return form
+
+    def _set_fields(self):
+        """As the view has it, before anything is connected."""
+        settings = self.view.settings
+        self.field.setCurrentIndex(live_overlay.FIELDS.index(settings.field))
+        self.difference.setChecked(settings.is_difference)
+        self.scale.setValue(settings.scale)
+        self.top.setValue(settings.top)
+        self.field.currentIndexChanged.connect(lambda _: self._take_field())
+        self.difference.toggled.connect(lambda _: self._take_field())
+        self.scale.valueChanged.connect(lambda _: self._take())
+        self.top.valueChanged.connect(lambda _: self._take())
+
+    def _take_field(self):
+        """Another field has another range."""
+        self.top.blockSignals(True)
+        self.top.setValue(0)
+        self.top.blockSignals(False)
+        self._take()
+
+    def _take(self):
+        """Draws as the widgets say."""
+        self.view.settings = live_overlay.Settings(self.field.itemData(self.field.currentIndex()), self.difference.isChecked(), self.scale.value(),
+                                                   self.top.value(), self.cut.plane())
+        self.view.draw(self.live)
+        self.refresh()
+
+    def _unit(self):
+        return live_overlay.UNITS[self.view.settings.field]
+
+    def _largest_in_words(self, drawn):
+        row = drawn.largest() if drawn is not None else None
+        if row is None:
+            return ""
+        where = api.statics.place(drawn.arrays, row)
+        times = live_overlay.scale_of(self.live.Proxy.solution, self.view.settings)
+        return in_users_units(translate("FeatureMesh", "largest: %.4g %s on %s, node %d at (%.4g, %.4g, %.4g) mm; displacements drawn %g times") % (
+            drawn.values[row], self._unit(), where["on"], where["node"], *where["mm"], times))
+
+    def _show_run(self):
+        run = live_runner.run_of(self.live)
+        self.bar.setVisible(run is not None)
+        self.button.setText(translate("FeatureMesh", "Cancel") if run is not None else translate("FeatureMesh", "Solve"))
+        self.button.setEnabled(run is not None or self.live.Status != live_result.UP_TO_DATE)
+        if run is not None:
+            step, share = run.words()
+            self.status.setText(translate("FeatureMesh", "out of date: %s") % step)
+            self.bar.setValue(round(100 * share))
+
+    def _press(self):
+        if live_runner.run_of(self.live) is not None:
+            live_runner.cancel(self.live)
+        else:
+            try:
+                api.solve_live(self.live)
+            except (UserError, RuntimeError) as error:
+                self.status.setText(messages.in_words(mesh_object.one_line(error)))
+        self._show_run()
+
+    def _take_ten_nodes(self):
+        """What the remark on 4-node tets offers."""
+        self._document.openTransaction(self.ten_nodes.text())
+        self.live.Proxy.mesh(self.live).Order = "2nd"
+        self._document.recompute()
+        self._document.commitTransaction()
+        self.refresh()
+
+    def _follow(self, live, name):
+        if live is self.live and name in ("Status", "Report"):
+            self._later.start(0)
+
+    def _follow_run(self, live):
+        if live is self.live:
+            self._show_run()
+
+    def _end(self):
+        if self._follow in live_view.followers:
+            live_view.followers.remove(self._follow)
+            live_runner.followers.remove(self._follow_run)
+            FreeCAD.removeDocumentObserver(self)
+            self._later.stop()
+
+    def _close_with_it(self):
+        self._end()
+        QtCore.QTimer.singleShot(0, Gui.Control.closeDialog)
+
+
+class Legend(QtGui.QWidget):
+    """The colours with their values."""
+
+    def __init__(self):
+        super().__init__()
+        self.setObjectName("legend")
+        self.setMinimumHeight(44)
+        self.labels, self._table = [], np.zeros((0, 3))
+
+    def show_range(self, drawn, unit, is_fresh):
+        self.labels, self._table = [], np.zeros((0, 3))
+        if drawn is not None and np.isfinite(drawn.values).any():
+            self._table = drawn.table
+            self.labels = ["%.3g" % value for value in np.linspace(*drawn.limits, _MARKS)]
+            self.labels[-1] += " " + unit
+            if not is_fresh:
+                self.labels = [translate("FeatureMesh", "out of date")]
+        self.update()
+
+    def paintEvent(self, event):
+        painter = QtGui.QPainter(self)
+        if len(self._table):
+            colours = QtGui.QLinearGradient(0, 0, self.width(), 0)
+            for place, colour in zip(np.linspace(0, 1, len(self._table)), self._table):
+                colours.setColorAt(place, QtGui.QColor.fromRgbF(*colour))
+            painter.fillRect(QtCore.QRectF(0, 2, self.width(), 18), colours)
+            for index, label in enumerate(self.labels):
+                room = QtGui.QFontMetrics(self.font()).boundingRect(label).width() + 2
+                place = (self.width() - room) * index / max(len(self.labels) - 1, 1)
+                painter.drawText(int(place), 38, label)
+        painter.end()

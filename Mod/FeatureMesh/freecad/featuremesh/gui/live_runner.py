@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Solves live results beside FreeCAD's own thread: one solution each at a time, and a newer one ends the one under way."""
+
+import FreeCAD
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+from .. import live_result, messages, mesh_object
+from ..errors import UserError
+from .running import RunningJob, step_in_words
+
+translate = FreeCAD.Qt.translate
+_POLL_MS = 40
+_runs = {}        # (document, object) -> _Run
+followers = []    # called with a live result whenever its run got further
+
+
+def install():
+    """To be called once."""
+    live_result.solve_later = solve
+    live_result.cancel = forget
+
+
+def solve(live):
+    """Solves it as soon as FreeCAD has recomputed; what is under way for it ends."""
+    key = live.Document.Name, live.Name
+    if key not in _runs:
+        _runs[key] = _Run(live)
+    _runs[key].start()
+
+
+def cancel(live):
+    """Ends its solution by the user's wish."""
+    run = run_of(live)
+    if run is not None:
+        run.stop()
+        live.Proxy.set_status(live, live_result.CANCELLED)
+        run.tell()
+
+
+def forget(live):
+    """Ends its solution, which nobody needs any longer."""
+    run = run_of(live)
+    if run is not None:
+        run.stop()
+
+
+def run_of(live):
+    """What is under way for it, or None."""
+    run = _runs.get((live.Document.Name, live.Name))
+    return run if run is not None and run.is_active() else None
+
+
+class _Run:
+    """The solutions of one live result, one after the other."""
+
+    def __init__(self, live):
+        self.live = live
+        self.job = self.running = None
+        self._is_wanted = False
+        self._bar = _Bar(self)
+        self._timer = QtCore.QTimer()
+        self._timer.setInterval(_POLL_MS)
+        self._timer.timeout.connect(self._look)
+
+    def start(self):
+        self.stop()
+        self._is_wanted = True
+        self._timer.start()
+
+    def stop(self):
+        if self.running is not None:
+            self.running.cancel()   # its thread ends by itself, and what it finds is not looked at
+        self.job = self.running = None
+        self._is_wanted = False
+        self._timer.stop()
+        self._bar.end()
+
+    def is_active(self):
+        return self._is_wanted or self.running is not None
+
+    def words(self):
+        """The step under way and how far it is, 0 to 1."""
+        running = self.running
+        return (step_in_words(running.step), running.share) if running is not None else (step_in_words("waiting"), 0.0)
+
+    def tell(self):
+        for follow in list(followers):
+            follow(self.live)
+
+    def _look(self):
+        if not self._is_there():
+            self.stop()
+            return
+        if self.live.Document.Recomputing:
+            return
+        if self.running is None:
+            self._begin()
+        elif self.running.is_done():
+            self._end()
+        if self.running is not None:
+            self._bar.show_step(*self.words())
+        self.tell()
+
+    def _begin(self):
+        self._is_wanted = False
+        try:
+            self.job = self.live.Proxy.prepare(self.live)
+        except (UserError, RuntimeError) as error:
+            self._fail(error)
+            return
+        self.running = RunningJob(self.job)
+
+    def _end(self):
+        job, error = self.job, self.running.error
+        self.stop()
+        if error is not None:
+            self._fail(error)
+            return
+        try:
+            self.live.Proxy.finish(self.live, job)
+        except (UserError, RuntimeError) as problem:
+            self._fail(problem)
+
+    def _fail(self, error):
+        self.stop()
+        self.live.Proxy.fail(self.live, error)
+        if not mesh_object.is_cancelled(error):
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (self.live.Label, messages.in_words(mesh_object.one_line(error))))
+        self.tell()
+
+    def _is_there(self):
+        try:
+            return self.live.Document is not None and self.live.Document.getObject(self.live.Name) is self.live
+        except (ReferenceError, RuntimeError):   # deleted, perhaps with its document
+            return False
+
+
+class _Bar(QtGui.QWidget):
+    """The step of a solution in FreeCAD's status bar, with a button to cancel it."""
+
+    def __init__(self, run):
+        super().__init__()
+        self.setObjectName("FeatureMeshLiveBar")
+        layout = QtGui.QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        self.label, self.bar, self.button = QtGui.QLabel(), QtGui.QProgressBar(), QtGui.QToolButton()
+        self.bar.setRange(0, 100)
+        self.bar.setMaximumWidth(120)
+        self.button.setText(translate("FeatureMesh", "Cancel"))
+        self.button.clicked.connect(lambda: cancel(run.live))
+        for widget in (self.label, self.bar, self.button):
+            layout.addWidget(widget)
+
+    def show_step(self, step, share):
+        if self.parent() is None:
+            Gui.getMainWindow().statusBar().addPermanentWidget(self)
+            self.show()
+        self.label.setText(translate("FeatureMesh", "Live result: %s") % step)
+        self.bar.setValue(round(100 * share))
+
+    def end(self):
+        if self.parent() is not None:
+            Gui.getMainWindow().statusBar().removeWidget(self)
+            self.setParent(None)

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tells the model's side which object's task panel is open, and when it is closed; shows why an analysis is not solved."""
+
+import FreeCADGui as Gui
+
+from .. import history, references, solve_guard
+from . import errors
+
+
+def install():
+    """To be called once."""
+    references.is_in_edit = _is_in_edit
+    solve_guard.tell = errors.show
+    Gui.addDocumentObserver(_Observer())
+
+
+def _is_in_edit(obj):
+    document = Gui.getDocument(obj.Document.Name)
+    view = document.getInEdit() if document is not None else None
+    return view is not None and view.Object is obj
+
+
+class _Observer:
+
+    def slotResetEdit(self, view):
+        obj = getattr(view, "Object", None)
+        if obj is not None and hasattr(obj, "References"):
+            history.settle(obj)

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the panels share that show a mesh's elements in colours: the cut, following the mesh, and an end with the mesh."""
+
+import FreeCAD
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+from .. import mesh_object, view_provider, versions
+from ..errors import UserError
+from .cut_box import CutBox
+
+translate = FreeCAD.Qt.translate
+
+
+class OverlayPanel:
+    """Colours the elements while it is open, and those of the new mesh after an edit."""
+
+    def __init__(self, mesh, title, icon):
+        self.mesh = mesh
+        self.overlay = None
+        self.form = QtGui.QWidget()
+        self.form.setWindowTitle(title)
+        self.form.setWindowIcon(view_provider.drawn_icon(icon))
+        self.layout = QtGui.QVBoxLayout(self.form)
+        self.note = QtGui.QLabel()
+        self.note.setWordWrap(True)
+        self.cut = CutBox(self.draw)
+        self._later = QtCore.QTimer(self.form)
+        self._later.setSingleShot(True)
+        self._later.timeout.connect(self.refresh)
+
+    def start(self):
+        """To be called when the panel's own widgets are there. Throws UserError when there is nothing to show."""
+        self.layout.addWidget(self.cut)
+        self.layout.addWidget(self.note)
+        self.overlay = self.make_overlay()
+        Gui.Selection.clearSelection()   # what is selected is drawn in one colour
+        self.mesh.ViewObject.Visibility = True
+        self._show()
+        view_provider.followers.append(self._follow)
+        FreeCAD.addDocumentObserver(self)
+
+    def make_overlay(self):
+        """The overlays.Overlay of the mesh as it is. Throws UserError when there is none."""
+        raise NotImplementedError
+
+    def fill(self):
+        """Brings the widgets up to date with the overlay, which may be None."""
+        raise NotImplementedError
+
+    def marked(self):
+        """Draws what is marked over the elements."""
+
+    def refresh(self):
+        """After the mesh or what is asked for has changed."""
+        said = ""
+        try:
+            self.overlay = self.make_overlay()
+        except (UserError, RuntimeError) as error:   # ours and the engine's; nothing of what was is shown any longer
+            self.overlay, said = None, mesh_object.one_line(error)
+        self._show(said)
+
+    def draw(self):
+        """The elements, cut open as the widget says."""
+        if self.overlay is None:
+            self.mesh.ViewObject.Proxy.show(self.mesh, None)
+        else:
+            self.mesh.ViewObject.Proxy.show(self.mesh, self.overlay, self.cut.plane(), self.cut.filled.isChecked())
+
+    def getStandardButtons(self):
+        return versions.number_of(QtGui.QDialogButtonBox.Close)
+
+    def reject(self):
+        self._end()
+        self.mesh.ViewObject.Proxy.show(self.mesh, None)
+        Gui.Control.closeDialog()
+        return True
+
+    # FreeCAD's document observer
+
+    def slotDeletedObject(self, obj):
+        if obj is self.mesh:
+            self._close_with_it()
+
+    def slotDeletedDocument(self, document):
+        if document is self._document:
+            self._close_with_it()
+
+    def _show(self, said=""):
+        self._document = self.mesh.Document
+        if not said and self.mesh.Status != mesh_object.UP_TO_DATE:
+            said = translate("FeatureMesh", "These are the elements of the last mesh: %s") % mesh_object.status_in_words(self.mesh.Status)
+        self.note.setText(said)
+        if self.overlay is not None:
+            self.cut.set_box(self.overlay.points)
+        self.fill()
+        self.draw()
+        self.marked()
+
+    def _follow(self, mesh, name):
+        if mesh is self.mesh and name in ("FemMesh", "Status"):
+            self._later.start(0)   # when all of the mesh is stored
+
+    def _end(self):
+        if self._follow in view_provider.followers:
+            view_provider.followers.remove(self._follow)
+            FreeCAD.removeDocumentObserver(self)
+            self._later.stop()
+
+    def _close_with_it(self):
+        self._end()
+        QtCore.QTimer.singleShot(0, Gui.Control.closeDialog)

@@ -1,0 +1,301 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The document object that keeps an analysis solved: after each recompute its result is that of the part as it is."""
+
+import json
+import threading
+
+import FreeCAD
+
+from . import engine, messages, mesh_object, results, solve_guard, state, statics, statics_model, statics_result
+from .errors import StateError, UserError
+from .reading import describe
+
+translate = FreeCAD.Qt.translate
+# Kept in documents as they are; shown in the user's language by status_in_words.
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+UP_TO_DATE = QT_TRANSLATE_NOOP("FeatureMesh", "up to date")
+OUT_OF_DATE = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: the part, its mesh or the analysis changed")
+SOLVING = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: solving")
+CANCELLED = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: solving was cancelled")
+
+_NO_TOUCH = 8 | 16   # status of a property whose change asks for no recompute
+# (type, name, group, default, hidden, read-only, tooltip)
+PROPERTIES = [
+    ("App::PropertyBool", "Automatic", "Live result", True, False, "Solve whenever the document was recomputed"),
+    ("App::PropertyInteger", "Threads", "Live result", 0, False, "Processor threads to use; 0: all. The result is the same for any number"),
+    ("App::PropertyLinkList", "Members", "Live result", [], True, "What of the analysis is solved: mesh, materials, supports, loads"),
+    ("App::PropertyString", "Status", "Result", OUT_OF_DATE, True, "Whether the result is that of the part as it is, and if not, why"),
+    ("App::PropertyLinkHidden", "Result", "Result", None, True, "FreeCAD's own result object, for FEM's result panel, filters and pipeline"),
+    ("App::PropertyFloat", "MaxMises", "Result", 0.0, True, "Largest von Mises stress, MPa"),
+    ("App::PropertyFloat", "MaxDisplacement", "Result", 0.0, True, "Largest displacement, mm"),
+    ("App::PropertyFloat", "Seconds", "Result", 0.0, True, "Time the last solution took"),
+    ("App::PropertyString", "Report", "Result", "", True, "Everything about the last solution, as JSON"),
+    ("App::PropertyString", "SolvedState", "Result", "", True, "Which state of the mesh the result is of"),
+]
+_HIDDEN = ("Members", "Report", "SolvedState")
+_TOUCHING = ("Members", "Automatic")
+# Changes that alter no result.
+_OF_NO_CONCERN = {"Visibility", "Label", "Label2", "ExpressionEngine", "Report", "ReferredTo", "Proxy"}
+_OF_THE_MESH = {"SavedState", "Status"}
+
+# Called with every live result that was made or opened; the window's side adds its view there.
+on_ready = []
+# Called with a live result that has a new solution, before that is in its result object.
+on_solution = []
+# Called with a live result that is to be solved beside FreeCAD's own thread; None: solved at once.
+solve_later = None
+# Called with a live result whose solution under way, if there is one, is of no use any longer.
+cancel = None
+
+
+class LiveResult:
+    """Proxy of the object. Its class path is stored in documents and never changes."""
+
+    Type = statics_model.LIVE_RESULT
+
+    def __init__(self, live):
+        self.Type = LiveResult.Type
+        live.Proxy = self
+        self._forget()
+        self._get_ready(live)
+
+    # FreeCAD's side
+
+    def execute(self, live):
+        """Called by recompute, when the mesh or anything of the analysis changed."""
+        if self.analysis(live) is None:
+            return
+        self.set_status(live, OUT_OF_DATE)
+        if not live.Automatic:
+            return
+        if solve_later is not None:
+            solve_later(live)
+            return
+        try:
+            self.solve(live)
+        except (UserError, RuntimeError) as error:
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (live.Label, mesh_object.one_line(error)))
+
+    def onDocumentRestored(self, live):
+        self._forget()
+        self._get_ready(live)
+        if live.Status == SOLVING:
+            self.set_status(live, OUT_OF_DATE)
+
+    def dumps(self):
+        return {"Type": self.Type}
+
+    def loads(self, saved):
+        self.Type = LiveResult.Type
+        self._forget()
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+    # Solving
+
+    def analysis(self, live):
+        """The analysis that it belongs to, or None."""
+        return next((obj for obj in live.InList if obj.isDerivedFrom("Fem::FemAnalysis")), None)
+
+    def solve(self, live, progress=None):
+        """Solves, and waits for that. Returns the report. Throws what statics.solve throws; Status says why then."""
+        try:
+            job = self.prepare(live)
+            job.run(progress)
+            return self.finish(live, job)
+        except Exception as error:
+            self.fail(live, error)
+            raise
+
+    def prepare(self, live):
+        """Reads what is to be solved. Returns a statics.SolveJob."""
+        analysis = self.analysis(live)
+        if analysis is None:
+            raise UserError(translate("FeatureMesh", "%s belongs to no analysis") % describe(live))
+        mesh = statics.mesh_of(analysis)
+        solve_guard.refuse(analysis)
+        self.set_status(live, SOLVING)
+        self.motion = None
+        job = statics.SolveJob(analysis, self.key(live), live.Threads)
+        job.state = state.checksum_of(mesh.SavedState)
+        return job
+
+    def finish(self, live, job):
+        """Shows the solution, then fills the result object, which takes FreeCAD longer. Returns the report."""
+        if self.solution is not None:
+            self.before = self.solution
+        self.solution, self.is_fresh = Solution(job.statics.arrays, job.fields), True
+        for hook in on_solution:
+            hook(live)
+        analysis = self.analysis(live)
+        was_touched = "Touched" in analysis.State
+        job.report["seconds"]["result"] = statics_result.timed_show(live, analysis, job, same_mesh=self.of_state == job.state)
+        self.of_state, self.is_changed = job.state, False
+        job.report["seconds"]["total"] += job.report["seconds"]["result"]
+        found = job.report["responses"]
+        live.MaxMises, live.MaxDisplacement, live.Seconds = found["max_mises_mpa"], found["max_displacement_mm"], job.report["seconds"]["total"]
+        live.Report, live.SolvedState = json.dumps(job.report, sort_keys=True), job.state
+        self.set_status(live, UP_TO_DATE)
+        live.purgeTouched()
+        if not was_touched:
+            analysis.purgeTouched()
+        return job.report
+
+    def fail(self, live, error):
+        """Says why there is no result of the part as it is; the last one stays, out of date."""
+        self.motion = getattr(error, "motion", None)
+        self.set_status(live, CANCELLED if mesh_object.is_cancelled(error) else "failed: " + mesh_object.one_line(error))
+
+    def set_status(self, live, status):
+        self.is_fresh = status == UP_TO_DATE
+        if live.Status != status:
+            live.Status = status
+        if live.Result is not None and status != UP_TO_DATE:
+            results.outdate(live.Result)
+
+    def shown(self, live):
+        """The Solution to draw, None where there is none of the mesh as it is. After opening a document it is read from the result object."""
+        mesh = self.mesh(live)
+        if mesh is None:
+            return None
+        if self.solution is None and live.Result is not None and live.SolvedState and live.SolvedState == state.checksum_of(mesh.SavedState):
+            try:
+                arrays = mesh.Proxy.arrays(mesh)
+            except StateError:
+                return None
+            fields = statics_result.fields_of(live.Result)
+            if len(fields["von_mises"]) == len(arrays["points"]):
+                self.solution, self.is_fresh = Solution(arrays, fields), live.Status == UP_TO_DATE
+        return self.solution
+
+    def mesh(self, live):
+        """The mesh of ours in the analysis, or None."""
+        return next((obj for obj in live.Members if mesh_object.is_feature_mesh(obj)), None)
+
+    def take_members(self, live):
+        """What of the analysis asks for a new solution when it changes."""
+        analysis = self.analysis(live)
+        members = [obj for obj in analysis.Group if not statics_model.is_result(obj)] if analysis is not None else []
+        if members != live.Members:
+            live.Members = members
+            _outdate(live)
+
+    def key(self, live):
+        """The name under which the engine keeps what makes the next solution faster."""
+        return "live %s %s %d" % (live.Document.Name, live.Name, id(self))
+
+    def _forget(self):
+        self.of_state = ""        # which state of the mesh the result's mesh is of; undo brings back properties, but no mesh
+        self.is_changed = False   # did undo or redo change what was solved?
+        self.solution = None   # the last Solution
+        self.before = None     # the one before
+        self.is_fresh = False  # is it that of the part as it is?
+        self.motion = None     # (n,3) how the part can move, where the last attempt found that
+
+    def _get_ready(self, live):
+        for kind, name, group, default, read_only, tooltip in PROPERTIES:
+            if name not in live.PropertiesList:
+                live.addProperty(kind, name, group, tooltip, 0 if name in _TOUCHING else _NO_TOUCH)
+                if default is not None:
+                    setattr(live, name, default)
+            if read_only:
+                live.setEditorMode(name, 2 if name in _HIDDEN else 1)
+        _watch()
+        for hook in on_ready:
+            hook(live)
+
+
+class Solution:
+    """Displacements (n,3) mm and von Mises stresses (n,) MPa at the nodes of the mesh as it was solved."""
+
+    def __init__(self, arrays, fields):
+        self.arrays = arrays
+        self.displacements, self.von_mises = fields["displacements"], fields["von_mises"]
+
+
+def status_in_words(status):
+    """The Status of a live result in the user's language."""
+    if status.startswith("failed: "):
+        return translate("FeatureMesh", "failed: %s") % messages.in_words(status[len("failed: "):])
+    return translate("FeatureMesh", status)
+
+
+def is_live_result(obj):
+    """Is this one of our live results?"""
+    return isinstance(getattr(obj, "Proxy", None), LiveResult)
+
+
+def add(analysis):
+    """The live result of an analysis, made where it has none."""
+    for member in analysis.Group:
+        if is_live_result(member):
+            return member
+    live = analysis.Document.addObject("Fem::FeaturePython", "Live")
+    live.Label = translate("FeatureMesh", "Live result")
+    LiveResult(live)
+    analysis.addObject(live)
+    live.Proxy.take_members(live)
+    return live
+
+
+def _outdate(live):
+    """Something of it changed outside a recompute, which would call execute."""
+    if cancel is not None:
+        cancel(live)
+    if live.Status in (UP_TO_DATE, SOLVING):
+        live.Proxy.set_status(live, OUT_OF_DATE)
+
+
+_observer = None
+
+
+def _watch():
+    global _observer
+    if _observer is None:
+        _observer = _Observer()
+        FreeCAD.addDocumentObserver(_observer)
+
+
+class _Observer:
+    """Sees changes before a recompute does, and those that none follows: undo, a mesh updated by hand, a new member of the analysis."""
+
+    def slotChangedObject(self, obj, name):
+        if FreeCAD.isRestoring() or name in _OF_NO_CONCERN:
+            return
+        if name == "Group" and obj.isDerivedFrom("Fem::FemAnalysis"):
+            for live in filter(is_live_result, obj.Group):
+                live.Proxy.take_members(live)
+            return
+        is_mesh = mesh_object.is_feature_mesh(obj)
+        if obj.Document.Recomputing or is_mesh and name not in _OF_THE_MESH or statics_model.is_result(obj):
+            return
+        for live in filter(is_live_result, obj.InList):
+            if obj in live.Members:
+                live.Proxy.is_changed = True
+                _outdate(live)
+                if is_mesh and live.Automatic and solve_later is not None and obj.Status == mesh_object.UP_TO_DATE:
+                    solve_later(live)
+
+    def slotUndoDocument(self, document):
+        _solve_again(document)
+
+    def slotRedoDocument(self, document):
+        _solve_again(document)
+
+    def slotDeletedObject(self, obj):
+        if is_live_result(obj):
+            if cancel is not None:
+                cancel(obj)
+            if obj.Proxy.solution is not None:
+                key = obj.Proxy.key(obj)
+                threading.Thread(target=lambda: engine.load().forget_statics(key), daemon=True).start()   # it may wait for a solution under way
+
+
+def _solve_again(document):
+    for live in filter(is_live_result, document.Objects):
+        mesh = live.Proxy.mesh(live)
+        if mesh is not None and (live.Proxy.is_changed or live.Proxy.of_state != state.checksum_of(mesh.SavedState)):
+            _outdate(live)
+            if live.Automatic and solve_later is not None:
+                solve_later(live)

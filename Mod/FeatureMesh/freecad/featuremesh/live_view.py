@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How a live result looks: the deformed part in colours, grey while it is out of date."""
+
+import FreeCADGui as Gui
+from pivy import coin
+
+from . import live_overlay, live_result, view_provider
+from .element_view import ElementView
+
+_MODE = "Field"
+_MARK = (0.8, 0.0, 0.8)
+# Called as (live result, property) when one of its properties has changed.
+followers = []
+
+
+def attach(live):
+    """Gives a live result its view, if it has none of ours yet."""
+    view = live.ViewObject
+    if view is not None and not isinstance(getattr(view, "Proxy", None), ViewLiveResult):
+        ViewLiveResult(view)
+
+
+def show_solution(live):
+    """Draws a new solution."""
+    live.ViewObject.Proxy.draw(live)
+    for follow in list(followers):
+        follow(live, "Status")
+
+
+class ViewLiveResult:
+    """Proxy of the view. Its class path is stored in documents and never changes."""
+
+    def __init__(self, view):
+        view.Proxy = self
+
+    # FreeCAD's side
+
+    def attach(self, view):
+        self.Object = view.Object
+        self.settings = live_overlay.Settings()
+        self._elements = None
+        self._drawn = None
+        view.addDisplayMode(coin.SoGroup(), _MODE)
+
+    def getDisplayModes(self, view):
+        return [_MODE]
+
+    def getDefaultDisplayMode(self):
+        return _MODE
+
+    def setDisplayMode(self, mode):
+        return mode
+
+    def getIcon(self):
+        status = getattr(getattr(self, "Object", None), "Status", live_result.UP_TO_DATE)
+        name = "FeatureMesh_LiveResult" if status == live_result.UP_TO_DATE else \
+            "FeatureMesh_Failed" if status.startswith("failed") else "FeatureMesh_LiveResultStale"
+        view_provider.drawn_icon(name)   # FreeCAD keeps it; without a Qt plugin for SVG it could not load it from the path
+        return view_provider.icon(name)
+
+    def updateData(self, live, name):
+        if name == "Status":
+            live.ViewObject.signalChangeIcon()
+            self.draw(live)
+            if live.Status != live_result.UP_TO_DATE:
+                _uncolour(live.Result)
+        for follow in list(followers):
+            follow(live, name)
+
+    def onChanged(self, view, name):
+        if name == "Visibility" and view.Visibility and getattr(self, "_drawn", None) is None and hasattr(self, "Object"):
+            self.draw(self.Object)
+
+    def setEdit(self, view, mode=0):
+        from .gui.live_panel import LivePanel
+        if Gui.Control.activeDialog():
+            return False
+        Gui.Control.showDialog(LivePanel(view.Object))
+        return True
+
+    def unsetEdit(self, view, mode=0):
+        Gui.Control.closeDialog()
+        return True
+
+    def doubleClicked(self, view):
+        document = Gui.getDocument(view.Object.Document)
+        if not document.getInEdit():
+            document.setEdit(view.Object.Name)
+        return True
+
+    def dumps(self):
+        return None
+
+    def loads(self, saved):
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+    # Drawing
+
+    @property
+    def drawn(self):
+        """The live_overlay.FieldOverlay on the screen, None where there is nothing to draw."""
+        return self._drawn
+
+    def draw(self, live):
+        """Draws the solution as the settings say, or how the part can move where that is why there is none."""
+        if not hasattr(live.Proxy, "solution"):
+            return   # the document is being opened
+        self._drawn = self._overlay(live)
+        if self._elements is None:
+            self._elements = ElementView(live.ViewObject.RootNode)
+        if self._drawn is None:
+            self._elements.end()
+            return
+        self._elements.show(self._drawn, self.settings.plane)
+        row = self._drawn.largest()
+        self._elements.mark(self._drawn.points[[row]] if row is not None else (), (), _MARK)
+
+    def _overlay(self, live):
+        solution, mesh = live.Proxy.shown(live), live.Proxy.mesh(live)
+        if live.Proxy.motion is not None and mesh is not None:
+            arrays = mesh.Proxy.arrays(mesh)
+            if len(arrays["points"]) == len(live.Proxy.motion):
+                return live_overlay.motion_overlay(arrays, live.Proxy.motion)
+        if solution is None:
+            return None
+        return live_overlay.overlay(solution, live.Proxy.before, self.settings, live.Proxy.is_fresh)
+
+
+def _uncolour(result):
+    """Takes away the colours that FreeCAD's own result panel gave an old result."""
+    view = getattr(getattr(result, "Mesh", None), "ViewObject", None)
+    if view is not None and hasattr(view, "resetNodeColor"):
+        view.resetNodeColor()
+        view.resetNodeDisplacement()

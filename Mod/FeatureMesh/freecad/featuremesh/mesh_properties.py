@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The properties of a mesh object: what they are called and mean, and what its status says."""
+
+import json
+
+import FreeCAD
+
+from . import messages
+
+# Kept in documents as they are; shown in the user's language by status_in_words.
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+NOT_MESHED = QT_TRANSLATE_NOOP("FeatureMesh", "not meshed yet")
+UP_TO_DATE = QT_TRANSLATE_NOOP("FeatureMesh", "up to date")
+OUT_OF_DATE = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: the part or a setting changed, update by hand or switch Automatic on")
+SETTINGS_CHANGED = QT_TRANSLATE_NOOP("FeatureMesh", "settings changed, not meshed yet")
+CANCELLED = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: the last update was cancelled")
+
+# (type, name, group, default, read-only, tooltip)
+PROPERTIES = [
+    ("App::PropertyLength", "Size", "Mesh size", 0.0, False, "Wanted edge length of the elements"),
+    ("App::PropertyLength", "MinSize", "Mesh size", 0.0, False,
+     "Smallest edge length that curvature, thin gaps and growth may ask for; 0: a tenth of Size"),
+    ("App::PropertyFloat", "ElementsPerCircle", "Mesh size", 12.0, False,
+     "Edges along a full circle of any curved face or edge; 0: sizes do not follow curvature"),
+    ("App::PropertyFloat", "ElementsAcrossGap", "Mesh size", 0.0, False,
+     "Elements across thin walls and slots; 0: sizes do not follow thickness"),
+    ("App::PropertyFloat", "Growth", "Mesh size", 1.3, False,
+     "By how much neighbouring elements may differ in size at most"),
+    ("App::PropertyFloat", "QualityTarget", "Mesh", 30.0, False,
+     "Smallest angle in degrees that new elements are improved towards; below 30 is faster, above 35 is rarely reached"),
+    ("App::PropertyEnumeration", "Order", "Mesh", ["1st", "2nd"], False,
+     "1st: 4-node tetrahedra; 2nd: 10-node tetrahedra with their mid-side nodes on the surface"),
+    ("App::PropertyInteger", "Threads", "Mesh", 0, False,
+     "Processor threads to use; 0: all. The mesh is the same for any number"),
+    ("App::PropertyBool", "Automatic", "Mesh", True, False, "Update the mesh whenever the document is recomputed"),
+    ("App::PropertyLinkList", "MeshRegionList", "Mesh", [], False, "Local sizes: FEM mesh refinements"),
+    ("App::PropertyLinkList", "MeshGroupList", "Mesh", [], False, "FEM mesh groups"),
+    ("App::PropertyString", "Status", "Result", NOT_MESHED, True, "Whether the mesh fits the part, and if not, why"),
+    ("App::PropertyInteger", "NodeCount", "Result", 0, True, "Nodes of the mesh"),
+    ("App::PropertyInteger", "TetCount", "Result", 0, True, "Elements of the mesh: tetrahedra"),
+    ("App::PropertyPercent", "KeptNodes", "Result", 0, True, "Share of the nodes kept bit for bit by the last update"),
+    ("App::PropertyPercent", "KeptTets", "Result", 0, True, "Share of the elements kept by the last update"),
+    ("App::PropertyAngle", "MinDihedral", "Result", 0.0, True, "Smallest angle between two faces of an element"),
+    ("App::PropertyFloat", "MeanRadiusRatio", "Result", 0.0, True,
+     "Mean of three times the inscribed over the circumscribed radius; 1 for regular tetrahedra"),
+    ("App::PropertyFloat", "Seconds", "Result", 0.0, True, "Time the last mesh or update took"),
+    ("App::PropertyString", "Report", "Result", "", True, "Everything about the last mesh or update, as JSON"),
+    ("App::PropertyFileIncluded", "SavedState", "Result", None, True, "What the next update needs"),
+    ("App::PropertyString", "ReferredTo", "Result", "", True, "What loads, supports, materials and refinements referred to, as JSON"),
+]
+_HIDDEN = ("Report", "SavedState", "ReferredTo")
+_NO_TOUCH = 8 | 16   # status of a property whose change asks for no recompute
+OPTION_OF = {"Size": "size", "MinSize": "min_size", "ElementsPerCircle": "elements_per_circle",
+              "ElementsAcrossGap": "elements_across_gap", "Growth": "growth", "QualityTarget": "target_dihedral_deg",
+              "Threads": "threads"}
+# What a mesh depends on beside the part and its refinements.
+SETTINGS = (*(name for name in OPTION_OF if name != "Threads"), "Order")
+AUTOMATIC_SHARE = 0.1   # of Size is the smallest size where none is given
+
+
+def add(mesh):
+    """Adds what the object lacks: all of it when new, what came later when from an older document."""
+    if "Shape" not in mesh.PropertiesList and "Part" not in mesh.PropertiesList:
+        mesh.addProperty("App::PropertyLink", "Part", "Mesh", "The part to mesh")
+    for kind, name, group, default, read_only, tooltip in PROPERTIES:
+        if name not in mesh.PropertiesList:
+            mesh.addProperty(kind, name, group, tooltip, _NO_TOUCH if name == "ReferredTo" else 0)
+            if default is not None:
+                setattr(mesh, name, default)
+        if read_only:
+            mesh.setEditorMode(name, 2 if name in _HIDDEN else 1)
+
+
+def is_of_its_part(mesh):
+    """Is the mesh that of its part as it is now?"""
+    return mesh.Status in (UP_TO_DATE, SETTINGS_CHANGED)
+
+
+def settings_of(mesh):
+    """{name: value} of the properties that a mesh depends on."""
+    return {name: getattr(getattr(mesh, name), "Value", getattr(mesh, name)) for name in SETTINGS if hasattr(mesh, name)}
+
+
+def differ_from_mesh(mesh, settings):
+    """Are these other settings than the mesh was made with? Meshes from before that was written down count as made with them."""
+    return settings != json.loads(mesh.Report or "{}").get("settings", settings)
+
+
+def status_in_words(status):
+    """The Status of a mesh object in the user's language."""
+    if status.startswith("failed: "):
+        return FreeCAD.Qt.translate("FeatureMesh", "failed: %s") % messages.in_words(status[len("failed: "):])
+    return FreeCAD.Qt.translate("FeatureMesh", status)

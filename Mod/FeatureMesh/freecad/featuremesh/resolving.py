@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a reference of any FEM object means on the meshed part.
+
+A click into the 3D view names the tip of a body (`Fillet:Face19`), not the body; a script names whatever it likes: the part, a feature
+before the tip, a path through links and containers (`Body.Fillet.Face19`). The tip has its body's faces, with the same numbers. Of any
+other feature of the part, those faces of the final shape are meant that lie on the feature's face: what was trimmed, or split, since.
+"""
+
+import re
+
+from . import engine, reading
+from .errors import UserError
+
+LOST = "?"   # in front of a sub-element that FreeCAD has lost, since 1.0
+_ELEMENT = re.compile(r"(Face|Edge|Vertex|Solid)(\d+)$")
+_MEMBERS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
+
+
+class Resolver:
+    """Gives the sub-elements of one part that references mean."""
+
+    def __init__(self, part, raw=None):
+        """`raw` is the part as it was read; it is read when needed and not given."""
+        self.part = part
+        self._raw = raw
+        self._alike = same_numbers(part)
+        # What references to the part are written to: FreeCAD (0.20 to 1.1) crashes when a constraint refers to a link. None where there is nothing.
+        self.bearer = next((obj for obj in self._alike if obj.isDerivedFrom("Part::Feature")), None)
+        self._traced = {}   # name of a feature's record -> {sub-element of it: sub-elements of the part}
+
+    def names(self, obj, sub):
+        """Names of the part's faces, edges, vertices and solids that (obj, sub) means, empty when it has none any more; None when that is
+        not on the part at all."""
+        path, element = path_of(obj, sub)
+        target = path[-1]
+        if self._shows_another(path):
+            return None
+        if element.startswith(LOST):
+            return []
+        if self.is_alike(target):
+            return [element] if element else self._all_solids()
+        if not _ELEMENT.match(element):
+            return None
+        if self.part in path and not self._alike[-1].isDerivedFrom("Part::Feature"):
+            return self._of_copy(obj, sub, path)
+        return self._of_feature(target, element) if self._has_record(target) else None
+
+    def of_object(self, member):
+        """What the References of an FEM object mean: (names, the (object, sub-element) pairs that are not on the part)."""
+        names, foreign = [], []
+        for obj, sub in pairs_of(member):
+            found = self.names(obj, sub)
+            if found is None:
+                foreign.append((obj, sub))
+            names += [name for name in found or [] if name not in names]
+        return names, foreign
+
+    def is_alike(self, obj):
+        """Has the object the part's shape, number by number?"""
+        return obj in self._alike or self.part in same_numbers(obj)
+
+    def _shows_another(self, path):
+        """Does the path go through another copy of the meshed thing than the meshed one?"""
+        return self.part not in path and self.part.isDerivedFrom("App::Link") and \
+            any(step.isDerivedFrom("App::Link") and not self._has_record(step) for step in path)
+
+    def _all_solids(self):
+        return ["Solid%d" % (i + 1) for i in range(self.part.Shape.countElement("Solid"))]
+
+    def _has_record(self, obj):
+        return obj is not self.part and self._record_name(obj) is not None
+
+    def _record_name(self, obj):
+        if self._raw is None:
+            try:
+                self._raw = reading.read_document(self.part)
+            except UserError:
+                return None   # without a shape there is nothing to refer to
+        key = reading.key_of(obj, self.part.Document)
+        return next((key for record in self._raw["records"] if record["name"] == key and record["shape"] >= 0), None)
+
+    def _of_feature(self, feature, element):
+        traced = self._trace(feature)
+        if not element.startswith("Solid"):
+            return traced.get(element, [])
+        solids = feature.Shape.Solids
+        index = int(element[len("Solid"):]) - 1
+        if index >= len(solids):
+            return []
+        numbers = [number for number, face in enumerate(feature.Shape.Faces, 1) if any(face.isSame(own) for own in solids[index].Faces)]
+        faces = [name for number in numbers for name in traced.get("Face%d" % number, [])]
+        return solids_around(self.part.Shape, faces)
+
+    def _trace(self, feature):
+        name = self._record_name(feature)
+        if name not in self._traced:
+            self._traced[name] = engine.load().trace_sub_elements(self._raw, name)
+        return self._traced[name]
+
+    def _of_copy(self, obj, sub, path):
+        """Of something that the part, a link to a container, shows in its own place."""
+        place = self.part.getSubObject(_below(obj, sub, path, self.part))
+        if place is None:
+            return []
+        kind = place.ShapeType
+        return ["%s%d" % (kind, i + 1) for i, own in enumerate(getattr(self.part.Shape, _MEMBERS[kind])) if _same_place(own, place)][:1]
+
+
+def path_of(obj, sub):
+    """The objects that a reference leads through, the last of which has the element; and the element's plain name."""
+    *names, element = sub.split(".")
+    path = [obj]
+    for depth in range(len(names)):
+        step = obj.getSubObject(".".join(names[:depth + 1]) + ".", retType=1)
+        if step is not None and step is not path[-1]:
+            path.append(step)
+    return path, element
+
+
+def pairs_of(member, name="References"):
+    """(object, sub-element) for everything that a property of an FEM object refers to; the sub-element of a whole object is ""."""
+    value = getattr(member, name, None) or []
+    return [(obj, sub) for obj, subs in value for sub in ((subs,) if isinstance(subs, str) else subs or ("",))]
+
+
+def same_numbers(part):
+    """The part and the objects whose shape is the part's, number by number: the tip of a body, what a link shows."""
+    alike = [part]
+    while True:
+        obj = alike[-1]
+        following = getattr(obj, "Tip", None) if obj.TypeId == "PartDesign::Body" else \
+            obj.getLinkedObject() if obj.isDerivedFrom("App::Link") else None
+        if following is None or following in alike or not _same_counts(part, following):
+            return alike
+        alike.append(following)
+
+
+def solids_around(shape, faces):
+    """Names of the solids of `shape` that have most of the named faces."""
+    wanted = [shape.getElement(name) for name in faces]
+    shared = [sum(any(face.isSame(own) for own in solid.Faces) for face in wanted) for solid in shape.Solids]
+    return ["Solid%d" % (i + 1) for i, count in enumerate(shared) if count and count == max(shared)]
+
+
+def describe(obj, sub):
+    """A reference as FEM's panels show it."""
+    return "%s:%s" % (obj.Name, sub) if sub else obj.Name
+
+
+def _same_counts(part, other):
+    mine, others = (getattr(obj, "Shape", None) for obj in (part, other))
+    return mine is not None and others is not None and \
+        all(mine.countElement(kind) == others.countElement(kind) for kind in _MEMBERS)
+
+
+def _below(obj, sub, path, part):
+    """The rest of the path behind `part`."""
+    names = sub.split(".")
+    return sub if obj is part else ".".join(names[path.index(part):])
+
+
+def _same_place(one, other):
+    tolerance = 1e-6 * (1 + one.BoundBox.DiagonalLength)
+    boxes = [shape.BoundBox for shape in (one, other)]
+    return (boxes[0].Center - boxes[1].Center).Length < tolerance and abs(boxes[0].DiagonalLength - boxes[1].DiagonalLength) < tolerance \
+        and abs(one.Length - other.Length) < tolerance and abs(one.Area - other.Area) < tolerance * (1 + one.Length)

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Keeps an analysis from being solved on a mesh that is not that of its part, or with a load that has lost its face.
+
+FreeCAD's own ways to a solver do not ask: the command and the panels of CalculiX (ccxtools in every version, a second solver since 1.1), Elmer, Z88 and
+Mystran. Each passes one of the functions below on its way, which are wrapped once the first of our meshes is there; an analysis without one is solved
+as ever.
+"""
+
+import functools
+import importlib
+
+import FreeCAD
+
+from . import analyses, references, results
+from .errors import UserError
+
+translate = FreeCAD.Qt.translate
+# How the window shows a refusal; None: in the report view.
+tell = None
+
+
+def reason(analysis):
+    """Why the analysis must not be solved now, as a sentence; "" when nothing is in the way."""
+    for mesh in analyses.meshes_of(analysis) if analysis is not None else ():
+        problem = mesh.Proxy.why_not_to_solve(mesh) if analyses.is_ours(mesh) else ""
+        if problem:
+            return problem
+    return next((sentence for _, sentence in references.unmended(analysis)), "") if analysis is not None else ""
+
+
+def refuse(analysis):
+    """Throws UserError when the analysis must not be solved now."""
+    if reason(analysis):
+        raise UserError(reason(analysis))
+
+
+def install():
+    """To be called once one of our meshes is there; further calls do nothing. What a FreeCAD has not, cannot solve in it."""
+    for module_name, owner_name, name, guard in _GUARDED:
+        try:
+            module = importlib.import_module(module_name)
+            owner = getattr(module, owner_name) if owner_name else module
+            original = getattr(owner, name)
+        except (ImportError, AttributeError):
+            continue
+        if not getattr(original, "is_guarded_by_featuremesh", False):
+            guarded = functools.wraps(original)(functools.partial(guard, original)) if not owner_name else _method(original, guard)
+            guarded.is_guarded_by_featuremesh = True
+            setattr(owner, name, guarded)
+
+
+def _method(original, guard):
+    @functools.wraps(original)
+    def guarded(self, *rest, **named):
+        return guard(original, self, *rest, **named)
+    return guarded
+
+
+def _of_run(original, solver, *rest, **named):
+    """The command that runs a solver; earlier results stay."""
+    problem = reason(solver.getParentGroup())
+    if not problem:
+        return original(solver, *rest, **named)
+    if tell is not None:
+        tell(UserError(problem))
+    else:
+        FreeCAD.Console.PrintError(problem + "\n")
+    return None
+
+
+def _of_check(original, analysis, *rest, **named):
+    """What the panel of CalculiX and scripts ask before they write its input: the messages of what is missing."""
+    problem = reason(analysis)
+    results.input_is_written(analysis)
+    return problem + "\n" if problem else original(analysis, *rest, **named)
+
+
+def _of_task(original, task):
+    """The first step of the solvers that run as a chain of tasks."""
+    problem = reason(task.analysis)
+    results.input_is_written(task.analysis)
+    if not problem:
+        return original(task)
+    task.report.error(problem)
+    task.fail()
+    return False
+
+
+def _of_tools(original, tools, *rest, **named):
+    """The solvers of 1.1 and later; their panels print the error."""
+    refuse(tools.analysis)
+    results.input_is_written(tools.analysis)
+    return original(tools, *rest, **named)
+
+
+def _of_panel(original, panel):
+    """The panel's button that starts CalculiX on input written before."""
+    problem = reason(panel.fea.analysis)
+    if problem:
+        panel.femConsoleMessage(problem, "#FF0000")
+        return None
+    return original(panel)
+
+
+_GUARDED = (
+    ("femsolver.run", None, "run_fem_solver", _of_run),
+    ("femtools.checksanalysis", None, "check_member_for_solver_calculix", _of_check),
+    ("femsolver.run", "Check", "check_mesh_exists", _of_task),
+    ("femsolver.calculix.calculixtools", "CalculiXTools", "prepare", _of_tools),
+    ("femsolver.elmer.elmertools", "ElmerTools", "prepare", _of_tools),
+    ("femsolver.z88.z88tools", "Z88Tools", "prepare", _of_tools),
+) + ((("femtaskpanels.task_solver_ccxtools", "_TaskPanel", "runCalculix", _of_panel),) if FreeCAD.GuiUp else ())

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Solves an analysis with CalculiX, through FreeCAD's own tools, for scripts."""
+
+import contextlib
+import shutil
+import sys
+import tempfile
+from dataclasses import dataclass, field
+
+import FreeCAD
+import ObjectsFem
+
+from . import reading, solve_guard
+from .errors import UserError
+
+translate = FreeCAD.Qt.translate
+_TYPE = "Fem::SolverCcxTools"
+
+
+@dataclass
+class Solution:
+    """What solving an analysis gave."""
+    result: object                               # FreeCAD's result object; with several steps or modes, the last
+    figures: dict = field(default_factory=dict)  # displacement (mm), stress (MPa, von Mises), temperature (K): largest values, as far as there are any
+
+
+def solve(analysis):
+    """Solves `analysis` with its CalculiX solver, which it gets if it has none. Throws UserError when something is missing or CalculiX fails."""
+    from femtools import ccxtools
+    reading.refuse_gone(analysis)
+    if not analysis.isDerivedFrom("Fem::FemAnalysis"):
+        raise UserError(translate("FeatureMesh", "%s is no analysis") % reading.describe(analysis))
+    solve_guard.refuse(analysis)
+    program = shutil.which("ccx")
+    if not program:
+        raise UserError(translate("FeatureMesh", "CalculiX (ccx) is not installed"))
+    with contextlib.redirect_stdout(sys.__stderr__):   # FreeCAD's tools print what they write
+        _run(ccxtools.FemToolsCcx(analysis, solver_of(analysis), test_mode=False), analysis, program)
+    results = [member for member in analysis.Group if member.isDerivedFrom("Fem::FemResultObject")]
+    if not results:
+        raise UserError(translate("FeatureMesh", "CalculiX gave no result for %s") % reading.describe(analysis))
+    return Solution(results[-1], figures_of(results[-1]))
+
+
+def _run(tools, analysis, program):
+    tools.purge_results()
+    with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
+        tools.setup_working_dir(folder)
+        tools.update_objects()
+        tools.setup_ccx(ccx_binary=program)
+        problem = tools.check_prerequisites()
+        if problem:
+            raise UserError(translate("FeatureMesh", "%s cannot be solved: %s") % (reading.describe(analysis), " ".join(problem.split())))
+        tools.write_inp_file()
+        if tools.ccx_run():
+            said = [line for line in tools.ccx_stdout.splitlines() if "ERROR" in line.upper()] or ["it says nothing of why"]
+            raise UserError(translate("FeatureMesh", "CalculiX could not solve %s: %s") % (reading.describe(analysis), said[0].strip()))
+        tools.load_results()
+
+
+def solver_of(analysis):
+    """Its first CalculiX solver that FreeCAD's own tools can run, or a new one."""
+    for member in analysis.Group:
+        if getattr(getattr(member, "Proxy", None), "Type", "") == _TYPE and not getattr(member, "Suppressed", False):
+            return member
+    make = getattr(ObjectsFem, "makeSolverCalculiXCcxTools", None) or ObjectsFem.makeSolverCalculixCcxTools
+    solver = make(analysis.Document, "CalculiX")
+    solver.GeometricalNonlinearity = "linear"
+    solver.ThermoMechSteadyState = solver.IterationsControlParameterTimeUse = False
+    analysis.addObject(solver)
+    return solver
+
+
+def figures_of(result):
+    """Largest values of a result."""
+    figures = {}
+    if len(result.DisplacementVectors):
+        figures["displacement"] = max(vector.Length for vector in result.DisplacementVectors)
+    for name, values in (("stress", result.vonMises), ("temperature", result.Temperature)):
+        if len(values):
+            figures[name] = max(values)
+    return figures

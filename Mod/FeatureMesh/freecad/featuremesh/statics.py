@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Linear statics of an analysis with a mesh of ours, solved by the engine (PETSc) from the mesh's arrays."""
+
+import os
+import time
+
+import numpy as np
+
+from . import engine, statics_model, statics_supports
+from .errors import UserError
+from .mesh_object import is_feature_mesh
+from .reading import describe
+from .statics_model import NotUnderstood
+
+TONNE = 1000.0   # kg
+
+
+def mesh_of(analysis):
+    """The mesh object of an analysis. Throws NotUnderstood where it is not ours, or not one."""
+    meshes = [member for member in statics_model.members_of(analysis)
+              if member.isDerivedFrom("Fem::FemMeshObject") and not member.Name.startswith("ResultMesh")]
+    if len(meshes) != 1 or not is_feature_mesh(meshes[0]):
+        raise NotUnderstood("the live solver needs one mesh of FeatureMesh in the analysis %s" % describe(analysis))
+    return meshes[0]
+
+
+def arrays_of(analysis):
+    """The arrays of the analysis's mesh."""
+    mesh = mesh_of(analysis)
+    return mesh.Proxy.arrays(mesh)
+
+
+def solve(analysis, keep="", threads=0, progress=None):
+    """Solves the analysis. Returns (fields, report).
+
+    `fields` has a row per node of the mesh's arrays: displacements (n,3) mm, stresses (n,6) MPa (xx, yy, zz, xy, yz, zx), von_mises (n,)
+    MPa, reactions (n,3) N. The report is what --json writes. What is kept under the name `keep` makes the next solution of that name faster.
+    Throws NotUnderstood for what only CalculiX can, UserError for what cannot be solved at all.
+    """
+    job = SolveJob(analysis, keep, threads)
+    job.run(progress)
+    return job.fields, job.report
+
+
+class CanMove(UserError):
+    """The supports leave a rigid motion free; `motion` is (n,3) a displacement of the nodes by it, of about the part's size."""
+
+    def __init__(self, text, motion):
+        super().__init__(text)
+        self.motion = motion
+
+
+class SolveJob:
+    """One solution. Made in FreeCAD's thread; `run` touches no FreeCAD object and may be called in any thread.
+
+    Throws as `solve` does, when it is made or when it runs. Then `fields` and `report` are what `solve` gives.
+    """
+
+    def __init__(self, analysis, keep="", threads=0):
+        start = time.perf_counter()
+        self.statics = statics_model.prepared(analysis, mesh_of(analysis))
+        self.keep, self.threads = keep, threads or os.cpu_count() or 1
+        self.fields = self.report = None
+        self._read = time.perf_counter() - start
+
+    def run(self, progress=None):
+        """Solves. `progress(step, share)` returns False to cancel, which raises the engine's Cancelled."""
+        start, statics = time.perf_counter(), self.statics
+        missing = engine.load().statics_missing()
+        if missing:
+            raise UserError("the live solver needs PETSc: install Debian's package libpetsc-real-dev, then any command of ./featuremesh in a clone "
+                            "builds the solver with it")
+        statics.add_up()
+        refuse_free_motions(statics)
+        read = self._read + time.perf_counter() - start
+        fields = self.fields = engine.load().solve_statics(statics.arrays, statics.model(), self.keep, self.threads, progress)
+        seconds = {name: fields["seconds"].get(name, 0.0) for name in ("assemble", "setup", "solve", "stresses")}
+        self.report = {
+            "solver": "live", "matrix_solver": {"name": "cg", "why": "conjugate gradients with smoothed aggregation (PETSc), the live solver's only one"},
+            "responses": responses(statics, fields), "iterations": fields["iterations"], "residual": fields["residual"],
+            "energy_error": fields["energy_error"], "mesh_error": fields["discretisation_error"],
+            "warnings": statics.warnings + remarks(statics.arrays, fields["discretisation_error"]),
+            "reused": {"preconditioner": fields["kept_preconditioner"], "start_share": fields["kept_start_share"]},
+            "seconds": {"read": read, **seconds, "total": self._read + time.perf_counter() - start}}
+
+
+def refuse_free_motions(statics):
+    """Throws CanMove when the part can move as a rigid body."""
+    motions, centre, scale = statics_supports.free_motions(statics.arrays, statics.held)
+    if motions is None:
+        raise NotUnderstood("the mesh falls into more pieces than the live solver looks at")
+    words = statics_supports.in_words(motions)
+    if words:
+        whose = "the part" if len(motions) == 1 else "a piece of the part that hangs on it by an edge, a vertex or not at all"
+        raise CanMove("%s can still %s: add a support" % (whose, words), statics_supports.moved(statics.arrays, motions, centre, scale))
+
+
+def responses(statics, fields):
+    """The figures of a solution."""
+    worst = int(np.argmax(fields["von_mises"]))
+    lengths = np.linalg.norm(fields["displacements"], axis=1)
+    farthest = int(np.argmax(lengths))
+    return {
+        "mass_kg": mass(statics) if statics.has_density else None,
+        "max_mises_mpa": float(fields["von_mises"][worst]), "max_mises_at": place(statics.arrays, worst),
+        "max_displacement_mm": float(lengths[farthest]), "max_displacement_at": place(statics.arrays, farthest),
+        "reactions_n": reactions(statics, fields["reactions"]),
+        "strain_energy_mj": float(fields["strain_energy"]),   # N mm
+    }
+
+
+def reactions(statics, by_node):
+    """By support the sum of (n,3) reactions; a component that several supports hold counts with the first."""
+    return {name: np.where(held, by_node, 0.0).sum(axis=0).tolist() for name, held in statics.supports.items()}
+
+
+def place(arrays, row):
+    """Where a node is: its number, its coordinates, and the face, edge or vertex that it lies on."""
+    kind, index = arrays["entities"][row]
+    return {"node": int(arrays["node_numbers"][row]), "mm": arrays["points"][row].tolist(),
+            "on": "%s%d" % (("Vertex", "Edge", "Face", "Solid")[kind], index + 1)}
+
+
+def mass(statics):
+    """kg."""
+    return float((tet_volumes(statics.arrays) * statics.materials[statics.tet_materials, 2]).sum() * TONNE)
+
+
+def tet_volumes(arrays):
+    """(m,) mm^3 of the tets with straight sides."""
+    a, b, c, d = (arrays["points"][arrays["tets"][:, i]] for i in range(4))
+    return np.einsum("ij,ij->i", np.cross(b - a, c - a), d - a) / 6
+
+
+def remarks(arrays, error=None):
+    """What the user should know of the figures; `error` is the estimate of what the mesh is off, where there is one."""
+    if len(arrays["tet_mids"]):
+        return []
+    off = "" if error is None else " (here the stresses are off by about %.0f %% in the mean of the energy)" % (100 * error)
+    return ["4-node tetrahedra are too stiff in bending and show too little stress%s; 10-node tetrahedra (Order: 2nd) are far closer on the same mesh" % off]

@@ -1,0 +1,295 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads an analysis as FreeCAD's writer of CalculiX input understands it, as arrays for linear statics.
+
+Whatever an analysis holds that is not read here raises NotUnderstood, whose text names it: nothing is left out silently.
+"""
+
+import FreeCAD
+import numpy as np
+from femtools import constants, femutils
+
+from . import engine, versions
+from .errors import UserError
+from .hand_over import EntityGroups
+from .materials import material_groups
+from .reading import describe
+from .resolving import Resolver
+
+LIVE_RESULT = "Fem::FeatureMeshLiveResult"   # the type of live_result.LiveResult
+_LOWEST_MODULUS, _HIGHEST_POISSON = 1.0, 0.49   # MPa; beyond, displacements of these elements mean nothing
+
+
+class NotUnderstood(UserError):
+    """The analysis holds something that linear statics here does not know."""
+
+
+class Statics:
+    """An analysis as arrays: loads, held and given are (n,3), rows as in the mesh's arrays; N, mm, MPa, t/mm^3."""
+
+    def __init__(self, arrays):
+        count = len(arrays["points"])
+        self.arrays = arrays
+        self.materials = np.zeros((0, 3))
+        self.tet_materials = np.zeros(len(arrays["tets"]), dtype=np.int32)
+        self.loads = np.zeros((count, 3))
+        self.held = np.zeros((count, 3), dtype=bool)
+        self.given = np.zeros((count, 3))
+        self.supports = {}     # name of a support -> (n,3) which components it holds
+        self.load_of = {}      # name of a load -> (n,3)
+        self.has_density = True
+        self.warnings = []
+        self.load_makers = {}  # name of a load -> (its member in words, what makes its (n,3)); see add_up
+
+    def add_up(self):
+        """Makes the loads and adds them up. Touches no FreeCAD object, so any thread may do it."""
+        for name, (described, make) in self.load_makers.items():
+            load = make()
+            if not np.abs(load).max(initial=0.0) > 0:
+                self.warnings.append("%s loads nothing" % described)
+            self.load_of[name] = load
+            self.loads += load
+        self.load_makers = {}
+        return self
+
+    def model(self):
+        """As featuremesh_engine.solve_statics takes it."""
+        return {"materials": self.materials, "tet_materials": self.tet_materials, "loads": self.loads, "held": self.held,
+                "given": self.given}
+
+
+def read(analysis, mesh):
+    """The analysis on the mesh object `mesh` of ours. Throws NotUnderstood, and UserError for what cannot be meant."""
+    return prepared(analysis, mesh).add_up()
+
+
+def prepared(analysis, mesh):
+    """Likewise, but the loads are still to be added up."""
+    return _Reader(analysis, mesh).statics
+
+
+def members_of(analysis):
+    """The members that FreeCAD would write."""
+    return [member for member in analysis.Group if not getattr(member, "Suppressed", False)]
+
+
+class _Reader:
+
+    def __init__(self, analysis, mesh):
+        self.part = versions.part_of(mesh)
+        self.resolver = Resolver(self.part)
+        self.arrays = mesh.Proxy.arrays(mesh)
+        self.statics = Statics(self.arrays)
+        self.entities = EntityGroups(self.arrays)
+        self.row_of = np.full(int(self.arrays["node_numbers"].max(initial=0)) + 1, -1)
+        self.row_of[self.arrays["node_numbers"]] = np.arange(len(self.arrays["node_numbers"]))
+        members = members_of(analysis)
+        materials = [member for member in members if femutils.is_of_type(member, "Fem::MaterialCommon")]
+        self._read_materials(materials)
+        for member in members:
+            if member in materials or member is mesh or _is_without_effect(member):
+                continue
+            read = next((read for kind, read in _READERS if femutils.is_of_type(member, kind)), None)
+            if read is None:
+                raise NotUnderstood("the live solver does not know %s (%s)" % (describe(member), _kind_of(member)))
+            if getattr(member, "EnableAmplitude", False):
+                raise NotUnderstood("the live solver does not know the amplitude of %s" % describe(member))
+            read(self, member)
+
+    # Materials
+
+    def _read_materials(self, materials):
+        if not materials:
+            raise UserError("the analysis has no material: add one")
+        statics = self.statics
+        statics.materials = np.array([self._material(material) for material in materials])
+        if len(materials) == 1:
+            return
+        groups = {name: numbers for name, _, numbers in material_groups(materials, self.resolver, self.entities)}
+        if not groups:
+            raise NotUnderstood("the live solver cannot tell which solid has which of the %d materials" % len(materials))
+        for row, material in enumerate(materials):
+            statics.tet_materials[np.isin(self.arrays["tet_numbers"], groups[material.Name + "_Volumes"])] = row
+
+    def _material(self, material):
+        values = material.Material
+        if getattr(material, "Category", "Solid") != "Solid":
+            raise NotUnderstood("the live solver knows solids only, not the fluid %s" % describe(material))
+        try:
+            young = float(FreeCAD.Units.Quantity(values["YoungsModulus"]).getValueAs("MPa").Value)
+            poisson = float(values["PoissonRatio"])
+        except (KeyError, ValueError, ArithmeticError) as error:
+            raise UserError("the material %s has no readable Young's modulus or Poisson's ratio (%s)"
+                            % (describe(material), error)) from error
+        if young < _LOWEST_MODULUS:
+            raise UserError("Young's modulus of the material %s is %g MPa: check its unit" % (describe(material), young))
+        if not -1 < poisson <= _HIGHEST_POISSON:
+            raise NotUnderstood("the material %s is nearly incompressible (Poisson's ratio %g), for which these elements "
+                                          "are too stiff" % (describe(material), poisson))
+        density = values.get("Density")
+        if density is None:
+            self.statics.has_density = False
+        return young, poisson, float(FreeCAD.Units.Quantity(density).getValueAs("t/mm^3").Value) if density is not None else 0.0
+
+    # Supports
+
+    def read_fixed(self, member):
+        self._hold(member, np.ones(3, dtype=bool), np.zeros(3))
+
+    def read_displacement(self, member):
+        held, given = np.zeros(3, dtype=bool), np.zeros(3)
+        for axis, letter in enumerate("xyz"):
+            if getattr(member, "has%sFormula" % letter.upper(), False):
+                raise NotUnderstood("the live solver does not know the formula of %s" % describe(member))
+            if getattr(member, letter + "Fix", False):
+                held[axis] = True
+            elif not getattr(member, letter + "Free"):
+                held[axis], given[axis] = True, amount(getattr(member, letter + "Displacement"), "mm")
+        self._hold(member, held, given)
+
+    def _hold(self, member, held, given):
+        statics, rows = self.statics, self._rows(member)
+        before = statics.held[rows] & held
+        if (before & (np.abs(statics.given[rows] - given) > 0)).any():
+            raise NotUnderstood("%s gives nodes another displacement than a support before it" % describe(member))
+        mine = np.zeros_like(statics.held)
+        mine[rows] = held & ~statics.held[rows]   # what several supports hold counts with the first, so that reactions add up
+        statics.supports[member.Name] = mine
+        statics.held |= mine
+        statics.given = np.where(mine, given, statics.given)
+
+    # Loads
+
+    def read_force(self, member):
+        names, force = self._names(member), amount(member.Force, "N")
+        kinds = {name.rstrip("0123456789") for name in names}
+        if len(kinds) != 1 or not kinds <= {"Face", "Edge", "Vertex"}:
+            raise NotUnderstood("the live solver knows forces on faces, on edges or on vertices, not %s" % describe(member))
+        along = force * np.array(tuple(member.DirectionVector))
+        if kinds == {"Vertex"}:
+            share = self._shares_of_vertices(member)
+            self._load(member, lambda: share[:, None] * along)
+            return
+        kind, = kinds
+        shapes = [self.part.Shape.getElement(name) for name in names]
+        whole = sum(shape.Area if kind == "Face" else shape.Length for shape in shapes)
+        shares = "statics_area_shares" if kind == "Face" else "statics_length_shares"
+        elements = np.concatenate([self._elements(member, name) for name in names])
+        self._load(member, lambda: getattr(engine.load(), shares)(self.arrays, elements)[:, None] * (along / whole))
+
+    def _shares_of_vertices(self, member):
+        share = np.zeros(len(self.arrays["points"]))
+        for target, subs in member.References:
+            subs = [subs] if isinstance(subs, str) else subs
+            for sub in subs:
+                for name in self.resolver.names(target, sub):
+                    share[self._rows_of(member, name)] += 1.0 / len(member.References) / len(subs)
+        return share
+
+    def read_pressure(self, member):
+        value = amount(member.Pressure, "MPa") * (-1 if member.Reversed else 1)
+        names = self._names(member)
+        if any(not name.startswith("Face") for name in names):
+            raise NotUnderstood("the live solver knows pressure on faces only, not %s" % describe(member))
+        names = list(dict.fromkeys(names))
+        for name in names:
+            self._refuse_inner_face(member, name)
+        elements = np.concatenate([self._elements(member, name) for name in names])
+        self._load(member, lambda: engine.load().statics_pressure(self.arrays, elements, value))
+
+    def read_self_weight(self, member):
+        if not self.statics.has_density:
+            raise UserError("%s needs the density of every material" % describe(member))
+        statics, along = self.statics, list(gravity(member))
+        self._load(member, lambda: engine.load().statics_weight(self.arrays, statics.materials, statics.tet_materials, along))
+
+    def _load(self, member, make):
+        self.statics.load_makers[member.Name] = describe(member), make
+
+    def _refuse_inner_face(self, member, name):
+        solids = self.part.Shape.Solids
+        if len(solids) < 2:
+            return
+        face = self.part.Shape.getElement(name)
+        if sum(any(face.isSame(other) for other in solid.Faces) for solid in solids) > 1:
+            raise NotUnderstood("%s presses on %s, which lies between two solids" % (describe(member), name))
+
+    # References
+
+    def _names(self, member):
+        names, foreign = self.resolver.of_object(member)
+        if foreign:
+            raise NotUnderstood("%s refers to another object than the meshed part %s" % (describe(member), describe(self.part)))
+        if not names:
+            raise UserError("%s refers to nothing: choose faces, edges or vertices for it" % describe(member))
+        return names
+
+    def _rows(self, member):
+        return np.unique(np.concatenate([self._rows_of(member, name) for name in self._names(member)]))
+
+    def _rows_of(self, member, name):
+        numbers = self.entities.nodes(name)
+        if not len(numbers):
+            raise UserError("%s refers to %s, which has no nodes in the mesh: update the mesh, or choose another face"
+                            % (describe(member), name))
+        return self.row_of[numbers]
+
+    def _elements(self, member, name):
+        self._rows_of(member, name)
+        owners = self.arrays["triangle_faces" if name.startswith("Face") else "segment_edges"]
+        return np.flatnonzero(owners == int(name.lstrip("FaceEdge")) - 1).astype(np.int32)
+
+
+_READERS = (
+    ("Fem::ConstraintFixed", _Reader.read_fixed),
+    ("Fem::ConstraintDisplacement", _Reader.read_displacement),
+    ("Fem::ConstraintForce", _Reader.read_force),
+    ("Fem::ConstraintPressure", _Reader.read_pressure),
+    ("Fem::ConstraintSelfWeight", _Reader.read_self_weight),
+)
+
+
+def amount(value, unit):
+    """A property's value in that unit; FreeCAD 0.20 has plain numbers in it."""
+    return float(value.getValueAs(unit).Value) if hasattr(value, "getValueAs") else float(value)
+
+
+def gravity(member):
+    """The acceleration that a self weight means, as FreeCAD writes it, mm/s^2; CalculiX wants a direction of length 1."""
+    if hasattr(member, "GravityDirection"):
+        direction, size = member.GravityDirection, amount(member.GravityAcceleration, "mm/s^2")
+    else:
+        direction = FreeCAD.Vector(member.Gravity_x, member.Gravity_y, member.Gravity_z)
+        size = int(FreeCAD.Units.Quantity(constants.gravity()).getValueAs("mm/s^2"))
+    if not direction.Length > 0:
+        raise UserError("%s has no direction" % describe(member))
+    return np.array(tuple(direction)) * (size / direction.Length)
+
+
+def _is_without_effect(member):
+    """Results, live or not, texts and the solver, whose settings are looked at here."""
+    if member.isDerivedFrom("Fem::FemSolverObject") or member.isDerivedFrom("Fem::FemSolverObjectPython"):
+        _check_solver(member)
+        return True
+    return is_result(member) or member.isDerivedFrom("App::TextDocument")
+
+
+def is_result(member):
+    """Is this what a solution left in an analysis, rather than what is to be solved?"""
+    return any(member.isDerivedFrom(kind) for kind in ("Fem::FemResultObject", "Fem::FemPostObject")) \
+        or any(femutils.is_of_type(member, kind) for kind in ("Fem::MeshResult", LIVE_RESULT))
+
+
+def _check_solver(solver):
+    wanted = (("AnalysisType", "static"), ("GeometricalNonlinearity", "linear"), ("MaterialNonlinearity", "linear"))
+    for name, value in wanted:
+        found = getattr(solver, name, value)
+        if isinstance(found, bool):   # a switch since FreeCAD 1.1
+            found = "nonlinear" if found else "linear"
+        if found != value:
+            raise NotUnderstood("the live solver knows linear statics only, and %s asks for %s = %s"
+                                % (describe(solver), name, found))
+
+
+def _kind_of(member):
+    kind = femutils.type_of_obj(member)
+    return kind.split("::")[-1]

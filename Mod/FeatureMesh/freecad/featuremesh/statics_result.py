@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""FreeCAD's own result object from arrays, without a text file between."""
+
+import time
+
+import FreeCAD
+import numpy as np
+import ObjectsFem
+
+from . import hand_over, mesh_object, results
+
+_NO_ELEMENTS = {"segments": (0, 2), "segment_mids": (0,), "segment_edges": (0,), "segment_numbers": (0,),
+                "triangles": (0, 3), "triangle_mids": (0, 3), "triangle_faces": (0,), "triangle_numbers": (0,)}
+_TENSOR = (("XX", 0), ("YY", 1), ("ZZ", 2), ("XY", 3), ("YZ", 4), ("XZ", 5))   # FreeCAD's names of the columns
+_MASS_FLOW_AND_REST = 8   # figures of FreeCAD's table that are of no concern here: plastic strain, temperature, flow
+
+
+def timed_show(live, analysis, job, same_mesh):
+    """Puts a job's solution into the result object of a live result, whose mesh may be the same already. Returns the seconds for that."""
+    start = time.perf_counter()
+    live.Result = show(analysis, job.statics.arrays, job.fields, same_mesh=same_mesh)
+    return time.perf_counter() - start
+
+
+def show(analysis, arrays, fields, name="LiveResult", same_mesh=False):
+    """Puts the solution into the analysis's result object of that name, made where it is not there. Returns it.
+
+    Node numbers run from 1 without gaps, as in every result that FreeCAD reads; row by row they are the nodes of the arrays. With
+    `same_mesh` the object has the mesh of the arrays already.
+    """
+    document = analysis.Document
+    result = next((member for member in analysis.Group if member.isDerivedFrom("Fem::FemResultObject") and member.Name.startswith(name)), None)
+    if result is None or result.Mesh is None:
+        same_mesh = False
+    if result is None:
+        result = ObjectsFem.makeResultMechanical(document, name)
+        analysis.addObject(result)
+    if result.Mesh is None:
+        result.Mesh = ObjectsFem.makeMeshResult(document, "ResultMesh")
+        if result.Mesh.ViewObject is not None:
+            result.Mesh.ViewObject.Visibility = False   # FEM's result panel shows it
+    if not same_mesh:
+        result.Mesh.FemMesh = result_mesh(arrays)
+    fill(result, fields)
+    results.note_again(result)
+    result.purgeTouched()
+    result.Mesh.purgeTouched()
+    return result
+
+
+def result_mesh(arrays):
+    """The tets alone, numbered from 1 in the order of the arrays."""
+    alone = dict(arrays)
+    for key, shape in _NO_ELEMENTS.items():
+        alone[key] = np.zeros(shape, dtype=arrays[key].dtype)
+    alone = mesh_object.renumbered(alone)
+    alone["entities"] = np.tile(np.array([[3, 0]], dtype=np.int32), (len(alone["points"]), 1))
+    return hand_over.build(alone, [])
+
+
+def fill(result, fields):
+    """The values by node, as FreeCAD's reader of CalculiX results sets them."""
+    displacements, stresses = fields["displacements"], fields["stresses"]
+    result.NodeNumbers = list(range(1, len(displacements) + 1))
+    lengths = np.linalg.norm(displacements, axis=1)
+    result.DisplacementVectors = [FreeCAD.Vector(*row) for row in displacements.tolist()]
+    result.DisplacementLengths = lengths.tolist()
+    for title, column in _TENSOR:
+        setattr(result, "NodeStress" + title, stresses[:, column].tolist())
+    for title, column in _TENSOR if "strains" in fields else ():
+        setattr(result, "NodeStrain" + title, fields["strains"][:, column].tolist())
+    result.vonMises = fields["von_mises"].tolist()
+    low, middle, high = principal(stresses).T
+    shear = (high - low) / 2
+    result.PrincipalMax, result.PrincipalMed, result.PrincipalMin = high.tolist(), middle.tolist(), low.tolist()
+    result.MaxShear = shear.tolist()
+    columns = [*displacements.T, lengths, fields["von_mises"], high, middle, low, shear]
+    result.Stats = [float(value) for column in columns for value in (column.min(), column.max())] + [0.0] * _MASS_FLOW_AND_REST
+
+
+def fields_of(result):
+    """What `fill` put there, as far as it is drawn."""
+    return {"displacements": np.array([tuple(vector) for vector in result.DisplacementVectors]).reshape(-1, 3),
+            "von_mises": np.array(result.vonMises)}
+
+
+def von_mises(stresses):
+    """(n,) of (n,6)."""
+    xx, yy, zz, xy, yz, zx = stresses.T
+    return np.sqrt(((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * (xy ** 2 + yz ** 2 + zx ** 2))
+
+
+def principal(stresses):
+    """(n,3) principal stresses, ascending."""
+    xx, yy, zz, xy, yz, zx = stresses.T
+    return np.linalg.eigvalsh(np.stack([np.stack([xx, xy, zx], 1), np.stack([xy, yy, yz], 1), np.stack([zx, yz, zz], 1)], 1))

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Refuses sizes that are far too small before the engine makes a sizing field for them, which would take minutes.
+
+About how many elements a size asks for is told from lengths, areas and volumes alone: the layers around a face or an edge in which the size
+grows back to that of the part, as deep as the part is thick at most.
+"""
+
+import math
+
+import FreeCAD
+
+from .errors import UserError
+
+translate = FreeCAD.Qt.translate
+MOST = 50e6             # elements; the engine refuses more, too
+_MARGIN = 1.5           # of this estimate
+_PER_CUBE = 7.1         # elements per cube of the edge length, as the engine's own estimate has it
+_COUNTLESS = 1e12
+
+
+def refuse_too_fine(shape, size, growth, refinements):
+    """Throws UserError that names the size, or the refinement, which asks for far too many elements.
+
+    `refinements` are (entity such as "Face12", size in mm, name of the refinement).
+    """
+    if _PER_CUBE * _box_volume(shape) > _COUNTLESS * size ** 3 > 0 and _PER_CUBE * shape.Volume > _COUNTLESS * size ** 3:
+        raise UserError(translate("FeatureMesh", "a size of %g mm would make more than a million million elements; at most %d million are made. "
+                                                 "Choose a larger size") % (size, MOST / 1e6))
+    counts = {}
+    for entity, (local, name) in _smallest(refinements).items():
+        if 0 < local < size:
+            counts[entity, local, name] = _elements_around(shape, entity, local, size, growth - 1)
+    total = sum(counts.values())
+    if total > _MARGIN * MOST:
+        entity, local, name = max(counts, key=counts.get)
+        many = translate("FeatureMesh", "about %d million") % round(total / 1e6) if total < _COUNTLESS else translate("FeatureMesh", "more than a million million")
+        raise UserError(translate("FeatureMesh", "the refinement %s with %g mm at %s would make %s elements; at most %d million are made. "
+                                                 "Choose a larger size there") % (name, local, entity, many, MOST / 1e6))
+
+
+def _smallest(refinements):
+    """{entity: (size, name)}: of several sizes in one place the smallest counts."""
+    found = {}
+    for entity, local, name in refinements:
+        if entity not in found or local < found[entity][0]:
+            found[entity] = local, name
+    return found
+
+
+def _elements_around(shape, entity, local, size, slope):
+    """About how many elements a local size adds; a vertex adds next to none."""
+    kind, index = entity.rstrip("0123456789"), int(entity[len(entity.rstrip("0123456789")):] or 0) - 1
+    depth = (size - local) / slope if slope > 0 else math.inf   # to where the size is that of the part
+    parts = {"Edge": shape.Edges, "Face": shape.Faces, "Solid": shape.Solids}.get(kind, [])
+    if not 0 <= index < len(parts):
+        return 0.0
+    if kind == "Solid":
+        return _PER_CUBE * parts[index].Volume / local ** 3
+    if kind == "Face":
+        area = parts[index].Area
+        return _PER_CUBE * area * _over_layer(local, slope, min(depth, shape.Volume / area)) if area > 0 else 0.0
+    length = parts[index].Length
+    return _PER_CUBE * length * _over_quarter(local, slope, min(depth, math.sqrt(4 * shape.Volume / (math.pi * length)))) if length > 0 else 0.0
+
+
+def _over_layer(local, slope, depth):
+    """The integral of 1 / h^3 over a layer of that depth, per area; h grows from `local` by `slope`."""
+    if slope <= 0:
+        return depth / local ** 3
+    return (1 / local ** 2 - 1 / (local + slope * depth) ** 2) / (2 * slope)
+
+
+def _over_quarter(local, slope, radius):
+    """The same over a quarter of a disc, per length: what is around an edge at a right angle."""
+    return math.pi / 4 * radius ** 2 / (local * (local + slope * radius) ** 2)
+
+
+def _box_volume(shape):
+    box = shape.BoundBox
+    return box.XLength * box.YLength * box.ZLength

@@ -1,0 +1,307 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Drives the live result in FreeCAD's real window: the command, solving beside the window, edits and Cancel on the way, what is seen of it.
+
+Run by test_window.py; see drive_window.py for the result and the pictures.
+"""
+import os
+import sys
+import time
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import FreeCAD  # noqa: E402
+import FreeCADGui as Gui  # noqa: E402
+import numpy as np  # noqa: E402
+import ObjectsFem  # noqa: E402
+import window  # noqa: E402
+from PySide import QtGui  # noqa: E402
+from window import click, figures, panel, picture, pixels, spin, wait_for  # noqa: E402
+
+
+
+def add_analysis(document, part):
+    """The plate held at one end and pushed down at the other."""
+    from analyses import add_material, add_solver, quantity
+    from statics_cases import STEEL, edges_along, faces_at
+    analysis = ObjectsFem.makeAnalysis(document, "Analysis")
+    add_solver(document, analysis)
+    add_material(document, analysis, "Steel", STEEL)
+    box = part.Shape.BoundBox
+    fixed = ObjectsFem.makeConstraintFixed(document, "Fixed")
+    fixed.References = [(part, faces_at(part, 0, box.XMin))]
+    force = ObjectsFem.makeConstraintForce(document, "Force")
+    force.References = [(part, faces_at(part, 0, box.XMax))]
+    force.Force = quantity(1000, "N")
+    force.Direction = (part, edges_along(part, 2)[:1])
+    force.Reversed = True
+    analysis.addObject(fixed)
+    analysis.addObject(force)
+    for obj in (fixed, force):
+        obj.ViewObject.Visibility = False
+    return analysis
+
+
+def hues(seen):
+    """How many pixels have a strong colour."""
+    return int(((seen.max(axis=2) - seen.min(axis=2)) > 90).sum())
+
+
+def greens(seen):
+    """How many pixels are green, which neither the background nor FreeCAD's own colour of a mesh is."""
+    return int((seen[:, :, 1] - seen[:, :, (0, 2)].max(axis=2) > 50).sum())
+
+
+def check_command(document, live_panel, mesh):
+    """The command adds the object, solves beside the window, and shows the result in colours with its largest value."""
+    from freecad.featuremesh import live_result, statics
+    live = live_panel.live
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE, 60)
+    spin()
+    _, report = statics.solve(live.Proxy.analysis(live))
+    largest = report["responses"]["max_mises_mpa"]
+    assert abs(live.MaxMises / largest - 1) < 1e-6, (live.MaxMises, largest)
+    words = live_panel.largest.text()
+    assert "%.4g MPa" % largest in words and report["responses"]["max_mises_at"]["on"] in words, words
+    assert live_panel.legend.labels[-1] == "%.3g MPa" % largest, live_panel.legend.labels
+    assert not live_panel.button.isEnabled() and not live_panel.bar.isVisible()
+    assert not mesh.ViewObject.Visibility
+    seen = pixels()
+    picture("live_mises")
+    assert hues(seen) > 3000, hues(seen)
+    return live
+
+
+def check_settings(live_panel, live):
+    """Each widget changes the picture, and what it says."""
+    seen = [pixels()]
+    live_panel.field.setCurrentIndex(1)
+    spin()
+    assert "%.4g mm" % live.MaxDisplacement in live_panel.largest.text(), live_panel.largest.text()
+    seen.append(pixels())
+    picture("live_displacement")
+    live_panel.scale.setValue(1)
+    assert "drawn 1 times" in live_panel.largest.text(), live_panel.largest.text()
+    seen.append(pixels())
+    live_panel.scale.setValue(0)
+    live_panel.field.setCurrentIndex(0)
+    live_panel.top.setValue(live.MaxMises / 3)
+    assert live_panel.legend.labels[-1] == "%.3g MPa" % (live.MaxMises / 3)
+    seen.append(pixels())
+    live_panel.cut.setChecked(True)
+    seen.append(pixels())
+    picture("live_cut")
+    live_panel.cut.setChecked(False)
+    live_panel.top.setValue(0)
+    assert all(np.abs(one - other).sum() > 10000 for one, other in zip(seen, seen[1:]))
+
+
+def check_edit(document, live_panel, live):
+    """After an edit the old picture is grey until the new one is there; then the change since the last result is at a click."""
+    from freecad.featuremesh import live_overlay, live_result
+    before, largest = live.Proxy.solution, live.MaxMises
+    document.getObject("HoleSketch").setDatum("X", FreeCAD.Units.Quantity("26 mm"))
+    document.recompute()
+    assert live.Status != live_result.UP_TO_DATE and live.MaxMises == largest
+    live_panel.refresh()
+    assert live_panel.legend.labels == ["out of date"] and not live_panel.largest.text()
+    drawn = live.ViewObject.Proxy.drawn
+    assert np.ptp(drawn.node_colours, axis=1).max() < 1e-12   # grey
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE, 60)
+    spin()
+    assert live.MaxMises != largest and hues(pixels()) > 3000
+    assert live.Proxy.before is before
+    assert live_panel.difference.isEnabled()
+    click(live_panel.difference)
+    assert live_panel.difference.isChecked()
+    values = live.ViewObject.Proxy.drawn.values
+    new = live.Proxy.solution
+    old_row = {number: row for row, number in enumerate(before.arrays["node_numbers"].tolist())}
+    known = 0
+    for row, number in enumerate(new.arrays["node_numbers"].tolist()):
+        if number in old_row:
+            known += 1
+            assert values[row] == new.von_mises[row] - before.von_mises[old_row[number]]
+        else:
+            assert np.isnan(values[row])
+    assert 0.5 < known / len(values) < 1, known / len(values)
+    spin()
+    picture("live_difference")
+    click(live_panel.difference)
+    assert live_overlay.FIELDS[live_panel.field.currentIndex()] == "von_mises"
+
+
+def check_edits_on_the_way(document, live, mesh):
+    """A finer mesh takes longer: edits come while it is solved, the window lives, Cancel cancels, and the last edit wins."""
+    from freecad.featuremesh import live_result
+    from freecad.featuremesh.gui import live_runner
+    mesh.Size = 1.2
+    document.recompute()
+    wait_for(lambda: live_runner.run_of(live) is not None and live_runner.run_of(live).running is not None, 60)
+    run = live_runner.run_of(live)
+    first = run.running
+    bars = [widget for widget in Gui.getMainWindow().statusBar().findChildren(QtGui.QWidget) if widget.objectName() == "FeatureMeshLiveBar"]
+    wait_for(lambda: bars or first.is_done() or [w for w in Gui.getMainWindow().statusBar().findChildren(QtGui.QWidget)
+                                                  if w.objectName() == "FeatureMeshLiveBar"], 20)
+    picture("live_solving")
+    for x in (24, 23, 22):
+        document.getObject("HoleSketch").setDatum("X", FreeCAD.Units.Quantity("%g mm" % x))
+        start = time.monotonic()
+        document.recompute()
+        figures.append("recompute while a solution is under way: %.2f s" % (time.monotonic() - start))
+        spin(0.1)
+    assert live.Status != live_result.UP_TO_DATE
+    steps = []
+    start = longest = time.monotonic()
+    gap = 0.0
+    while live.Status != live_result.UP_TO_DATE:
+        QtGui.QApplication.processEvents()
+        now = time.monotonic()
+        gap, longest = max(gap, now - longest), now
+        run = live_runner.run_of(live)
+        if run is not None and run.running is not None and run.running.step not in steps:
+            steps.append(run.running.step)
+        assert now - start < 100
+        time.sleep(0.005)
+    figures.append("%d tets: from the edit to the picture %.2f s, longest stop of the window %.2f s, steps %s; %s" % (
+        mesh.TetCount, time.monotonic() - start, gap, ", ".join(filter(None, steps)), live.Report[live.Report.index('"seconds"'):]))
+    assert {"assemble", "solve"} & set(steps), steps
+    assert not [w for w in Gui.getMainWindow().statusBar().findChildren(QtGui.QWidget) if w.objectName() == "FeatureMeshLiveBar"]
+    solution = live.Proxy.solution
+    assert np.array_equal(solution.arrays["points"], mesh.Proxy.arrays(mesh)["points"])
+
+
+def check_cancel(document, live_panel, live):
+    """Cancel in the panel ends the solution and says so; the same button solves again."""
+    from freecad.featuremesh import live_result
+    from freecad.featuremesh.gui import live_runner
+    document.Force.Force = document.Force.Force * 2
+    assert live.Status == live_result.OUT_OF_DATE
+    document.recompute()
+    wait_for(lambda: live_runner.run_of(live) is not None, 20)
+    live_panel.refresh()
+    assert live_panel.button.isEnabled() and live_panel.bar.isVisible()
+    click(live_panel.button)
+    assert live.Status == live_result.CANCELLED, live.Status
+    assert live_runner.run_of(live) is None
+    spin(0.5)
+    picture("live_cancelled")
+    assert live_panel.legend.labels == ["out of date"]
+    before = live.MaxMises
+    click(live_panel.button)
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE, 100)
+    assert abs(live.MaxMises / before - 2) < 1e-3, (live.MaxMises, before)
+
+
+def check_free_motion(document, live_panel, live):
+    """A support that is missing is said with the motion, and the motion is drawn."""
+    from freecad.featuremesh import live_result
+    analysis, fixed = document.Analysis, document.Fixed
+    analysis.removeObject(fixed)
+    document.recompute()
+    wait_for(lambda: live.Status.startswith("failed"), 60)
+    spin(0.5)
+    assert "can still move along x, y and z and turn about x, y and z: add a support" in live_panel.status.text(), live_panel.status.text()
+    drawn = live.ViewObject.Proxy.drawn
+    assert np.abs(drawn.points - drawn.arrays["points"]).max() > 1
+    picture("live_motion")
+    analysis.addObject(fixed)
+    document.recompute()
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE, 100)
+    assert hues(pixels()) > 3000
+
+
+def check_ten_nodes(document, live_panel, live, mesh):
+    """The remark on 4-node tets comes with a button."""
+    from freecad.featuremesh import live_result
+    mesh.Size = 2.5
+    document.recompute()
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE, 100)
+    live_panel.refresh()
+    assert "too stiff in bending" in live_panel.remarks.text(), live_panel.remarks.text()
+    stiff = live.MaxDisplacement
+    click(live_panel.ten_nodes)
+    wait_for(lambda: mesh.Order == "2nd" and live.Status == live_result.UP_TO_DATE, 100)
+    spin()
+    assert live.MaxDisplacement > stiff
+    assert not live_panel.remarks.text() and not live_panel.ten_nodes.isVisible(), live_panel.remarks.text()
+    drawn = live.ViewObject.Proxy.drawn
+    corners, _ = drawn.drawn()
+    assert len(corners) == 4 * len(drawn.arrays["triangles"])
+    picture("live_ten_nodes")
+
+
+def check_freecads_own(document, live_panel, live):
+    """FreeCAD's result panel opens the result object, and colours its mesh; that is taken away when it is out of date."""
+    from freecad.featuremesh import live_result
+    live_panel.reject()
+    spin()
+    live.ViewObject.Visibility = False
+    assert hues(pixels()) < 300
+    Gui.activeDocument().setEdit(live.Result.Name)
+    spin()
+    shown, = [widget for widget in Gui.getMainWindow().findChildren(QtGui.QRadioButton) if widget.objectName() == "rb_vm_stress"]
+    shown.click()
+    spin(0.5)
+    picture("live_freecads_panel")
+    green = greens(pixels())
+    assert green > 1000, green
+    Gui.activeDocument().resetEdit()
+    Gui.Control.closeDialog()
+    live.Result.Mesh.ViewObject.Visibility = True
+    document.Force.Force = document.Force.Force * 1.5
+    assert live.Status == live_result.OUT_OF_DATE
+    spin()
+    picture("live_freecads_panel_out_of_date")
+    assert greens(pixels()) < green / 10, (greens(pixels()), green)
+    live.Result.Mesh.ViewObject.Visibility = False
+    document.recompute()
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE, 100)
+    live.ViewObject.Visibility = True
+
+
+def check_ends(document, live):
+    """The drawing is there without the panel, is hidden with the eye in the tree, and the panel closes with the object."""
+    spin()
+    seen = pixels()
+    assert hues(seen) > 3000
+    live.ViewObject.Visibility = False
+    assert hues(pixels()) < 300
+    live.ViewObject.Visibility = True
+    assert abs(hues(pixels()) - hues(seen)) < 0.1 * hues(seen)
+    live.ViewObject.Proxy.doubleClicked(live.ViewObject)
+    spin()
+    panel("LivePanel")
+    document.removeObject(live.Name)
+    wait_for(lambda: not Gui.Control.activeDialog(), 5)
+
+
+def drive():
+    from freecad.featuremesh import api
+    from parts import plate_with_hole
+    Gui.getMainWindow().setGeometry(0, 0, 1280, 800)
+    Gui.activateWorkbench("FeatureMeshWorkbench")
+    spin()
+    window.open_dialog().close()
+    document = FreeCAD.newDocument("Live")
+    document.UndoMode = 1
+    body = plate_with_hole(document)
+    analysis = add_analysis(document, body)
+    mesh = api.add_mesh(body, 2.5, order=1)
+    document.recompute()
+    assert mesh in analysis.Group
+    Gui.activeDocument().activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    Gui.runCommand("FeatureMesh_LiveResult")
+    spin()
+    shown = panel("LivePanel")
+    live = check_command(document, shown, mesh)
+    check_settings(shown, live)
+    check_edit(document, shown, live)
+    check_edits_on_the_way(document, live, mesh)
+    check_cancel(document, shown, live)
+    check_free_motion(document, shown, live)
+    check_ten_nodes(document, shown, live, mesh)
+    check_freecads_own(document, shown, live)
+    check_ends(document, live)
+
+
+window.run(drive)

@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Drives the overlays in FreeCAD's real window: many elements, measures, limits, the cut, edits under an open panel, the end of the mesh.
+
+Run by test_window.py; see drive_window.py for the result and the pictures.
+"""
+import os
+import sys
+import time
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import FreeCAD  # noqa: E402
+import FreeCADGui as Gui  # noqa: E402
+import numpy as np  # noqa: E402
+import window  # noqa: E402
+from PySide import QtGui  # noqa: E402
+from window import figures, panel, picture, pixels, spin, wait_for  # noqa: E402
+
+
+def count_of(colour, seen, spread=0.18):
+    """How many pixels have about the hue of a colour, whatever light falls on it."""
+    wanted = np.array(colour) / np.linalg.norm(colour)
+    lengths = np.linalg.norm(seen, axis=2)
+    hues = seen / np.maximum(lengths, 1)[:, :, None]
+    return int(((np.abs(hues - wanted).max(axis=2) < spread / 2) & (lengths > 60)).sum())
+
+
+def show(command, kind):
+    Gui.runCommand(command)
+    spin()
+    return panel(kind)
+
+
+def close(shown):
+    shown.reject()
+    spin()
+    assert not Gui.Control.activeDialog()
+
+
+def move_hole(document, x):
+    document.getObject("HoleSketch").setDatum("X", FreeCAD.Units.Quantity("%g mm" % x))
+    document.recompute()
+    spin()
+
+
+def check_kept(document, mesh):
+    """Both colours are on the screen, and after an edit under the open panel those of the new mesh."""
+    from freecad.featuremesh import overlays
+    plain = pixels()
+    shown = show("FeatureMesh_ShowKept", "KeptPanel")
+    kept_colour, new_colour, active_colour = overlays.kept_legend()
+    seen = pixels()
+    picture("overlay_kept")
+    for colour in (kept_colour, new_colour):
+        assert count_of(colour, seen) > 1000 + count_of(colour, plain), (colour, count_of(colour, seen), count_of(colour, plain))
+    check_kept_numbers(shown, mesh)
+    before = [label.text() for label in shown.labels]
+    move_hole(document, 30)
+    check_kept_numbers(shown, mesh)
+    assert [label.text() for label in shown.labels] != before, before
+    assert set(shown.overlay.numbers.tolist()) == set(mesh.FemMesh.Volumes)
+    assert mesh.ViewObject.Proxy.elements(mesh).overlay is shown.overlay
+    assert np.abs(pixels() - seen).sum() > 0
+    seen = pixels()
+    shown.cut.setChecked(True)
+    assert np.abs(pixels() - seen).sum() > 1000
+    picture("overlay_kept_cut")
+    document.undo()
+    spin()
+    check_kept_numbers(shown, mesh, is_known=False)
+    close(shown)
+    assert np.abs(pixels() - plain).max(axis=2).astype(bool).mean() < 0.2
+    assert mesh.ViewObject.Proxy.elements(mesh).overlay is None
+
+
+def check_kept_numbers(shown, mesh, is_known=True):
+    """The legend tells of the mesh as it is, or says why it cannot."""
+    if shown.overlay is None:
+        assert shown.note.text() and not is_known and not shown.labels[0].text(), shown.note.text()
+    else:
+        count = int(shown.overlay.kept.sum())
+        assert len(shown.overlay.kept) == mesh.TetCount and str(count) in shown.labels[0].text(), \
+            (shown.labels[0].text(), count, len(shown.overlay.kept), mesh.TetCount, mesh.Status)
+
+
+def check_quality(document, mesh):
+    """Each measure has its histogram, limits and worst elements; the mesh is followed."""
+    from freecad.featuremesh import overlays
+    from freecad.featuremesh.quality import MEASURES
+    shown = show("FeatureMesh_ShowQuality", "QualityPanel")
+    assert shown.note.text() == ""
+    pictures = []
+    for index, name in enumerate(MEASURES):
+        shown.measure.setCurrentIndex(index)
+        spin()
+        assert sum(shown.histogram.counts) == mesh.TetCount and shown.worst.count() == 20, name
+        number, value = overlays.worst_tets(mesh, 1, name)[0]
+        assert shown.worst.item(0).text() == "%d:  %s" % (number, MEASURES[name].in_words(value)), shown.worst.item(0).text()
+        pictures.append(pixels())
+        picture("overlay_" + name)
+    assert all(np.abs(one - other).sum() > 0 for one, other in zip(pictures, pictures[1:]))
+    shown.measure.setCurrentIndex(1)
+    assert ";\n0 of " in shown.summary.text(), shown.summary.text()
+    shown.bad.setValue(0.6)   # limits of one's own
+    values = shown.overlay.values
+    assert ";\n%d of %d " % ((values < 0.6).sum(), len(values)) in shown.summary.text() and (values < 0.6).any(), shown.summary.text()
+    red = count_of(MEASURES["radius_ratio"].colours(np.zeros(1))[0], pixels())
+    shown.bad.setValue(0.0)
+    assert red > 100 + count_of(MEASURES["radius_ratio"].colours(np.zeros(1))[0], pixels())
+    shown.worst.setCurrentRow(0)
+    picture("overlay_worst")
+    number = int(shown.worst.item(0).text().split(":")[0])
+    move_hole(document, 24)
+    assert sum(shown.histogram.counts) == mesh.TetCount and (number not in mesh.FemMesh.Volumes or shown.worst.count() == 20)
+    assert all(int(shown.worst.item(i).text().split(":")[0]) in mesh.FemMesh.Volumes for i in range(20))
+    mesh.Automatic = False
+    move_hole(document, 25)
+    wait_for(lambda: "last mesh" in shown.note.text())
+    picture("overlay_out_of_date")
+    mesh.Automatic = True
+    document.recompute()
+    wait_for(lambda: shown.note.text() == "")
+    assert sum(shown.histogram.counts) == mesh.TetCount
+    return shown
+
+
+def check_cut(shown, mesh):
+    """The slider drags the plane: whole elements, or the cut filled; the axis, the other side and the number do likewise."""
+    whole = pixels()
+    cut = shown.cut
+    cut.setChecked(True)
+    seen = [pixels()]
+    cut.slider.setValue(100)
+    seen.append(pixels())
+    assert abs(cut.at() - 2.5) < 0.1, cut.at()   # a quarter of the plate's 10 mm
+    picture("overlay_cut_whole")
+    cut.axis.setCurrentIndex(1)
+    cut.place.setProperty("rawValue", 20)
+    seen.append(pixels())
+    cut.filled.setChecked(True)
+    seen.append(pixels())
+    picture("overlay_cut_filled")
+    cut.above.setChecked(True)
+    seen.append(pixels())
+    picture("overlay_cut_other_side")
+    assert all(np.abs(one - other).sum() > 1000 for one, other in zip([whole, *seen], seen))
+    mesh.ViewObject.Visibility = False
+    hidden = pixels()
+    mesh.ViewObject.Visibility = True
+    assert np.abs(pixels() - seen[-1]).sum() < np.abs(hidden - seen[-1]).sum() / 20   # hidden with the mesh, and there again
+    cut.setChecked(False)
+    assert np.abs(pixels() - whole).max(axis=2).astype(bool).mean() < 0.02
+
+
+def check_ends(document, mesh):
+    """The panel closes with the mesh, and with the document."""
+    document.openTransaction("Delete")
+    document.removeObject(mesh.Name)
+    document.commitTransaction()
+    wait_for(lambda: not Gui.Control.activeDialog())
+    document.undo()
+    spin()
+    mesh, = [obj for obj in document.Objects if obj.Name == "FeatureMesh"]
+    show("FeatureMesh_ShowQuality", "QualityPanel")
+    FreeCAD.closeDocument(document.Name)
+    wait_for(lambda: not Gui.Control.activeDialog())
+
+
+def check_many(path):
+    """Seconds of the processor until many elements are shown in colours, and for each step of a drag, against the number of them."""
+    document = FreeCAD.openDocument(path)
+    Gui.activeDocument().activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    mesh, = [obj for obj in document.Objects if obj.Name == "FeatureMesh"]
+    mesh.Proxy.arrays(mesh)
+    spin(2)
+    start, wall = time.process_time(), time.monotonic()
+    Gui.runCommand("FeatureMesh_ShowQuality")
+    QtGui.QApplication.processEvents()
+    Gui.updateGui()
+    figures.append("quality of %d elements: %.2f s of the processor, %.2f s" % (mesh.TetCount, time.process_time() - start, time.monotonic() - wall))
+    shown = panel("QualityPanel")
+    Gui.SendMsgToActiveView("ViewFit")   # only now is the mesh shown
+    picture("many")
+    for filled in (False, True):
+        shown.cut.filled.setChecked(filled)
+        shown.cut.setChecked(True)
+        start = time.process_time()
+        for step in range(50, 350, 30):
+            shown.cut.slider.setValue(step)
+            QtGui.QApplication.processEvents()
+        figures.append("a step of a drag%s: %.2f s" % (", filled" if filled else "", (time.process_time() - start) / 10))
+        picture("many_cut_%d" % filled)
+        shown.cut.setChecked(False)
+    close(shown)
+
+
+def drive():
+    from freecad.featuremesh import api
+    from parts import plate_with_hole
+    Gui.getMainWindow().setGeometry(0, 0, 1280, 800)
+    Gui.activateWorkbench("FeatureMeshWorkbench")
+    spin()
+    window.open_dialog().close()
+    document = FreeCAD.newDocument("Overlays")
+    document.UndoMode = 1
+    body = plate_with_hole(document)
+    mesh = api.add_mesh(body, 2.5, order=1)
+    document.recompute()
+    body.ViewObject.Visibility = False
+    Gui.activeDocument().activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    move_hole(document, 24)
+    document.openTransaction("Move the hole")
+    move_hole(document, 26)
+    document.commitTransaction()
+    check_kept(document, mesh)
+    shown = check_quality(document, mesh)
+    check_cut(shown, mesh)
+    check_ends(document, mesh)
+    if os.environ.get("FEATUREMESH_MANY"):
+        check_many(os.environ["FEATUREMESH_MANY"])
+
+
+window.run(drive)

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where a load belongs after an edit, told without the engine: points of its face before, each carried by what the edit did to the feature it is on.
+
+A point on the side or cap of a sweep goes with the sketch's geometry that is nearest to it, and with the sweep's height; one on a primitive keeps its
+place relative to the primitive's box. What is on no such feature (a fillet, a pattern, an import) is not judged.
+"""
+import FreeCAD
+import Part
+
+NEAR = 2e-4
+ACROSS = 7
+_PRIMITIVES = ("Part::Box", "Part::Cylinder", "Part::Sphere", "Part::Torus")
+_SWEEPS = ("PartDesign::Pad", "PartDesign::Pocket")
+
+
+def points_of(face):
+    """Points spread over a face, none at its border."""
+    first_u, last_u, first_v, last_v = face.ParameterRange
+    found = []
+    for i in range(ACROSS):
+        for j in range(ACROSS):
+            u, v = first_u + (last_u - first_u) * (i + 0.5) / ACROSS, first_v + (last_v - first_v) * (j + 0.5) / ACROSS
+            if face.isPartOfDomain(u, v):
+                found.append(face.valueAt(u, v))
+    return found
+
+
+def is_on(point, face):
+    box = FreeCAD.BoundBox(face.BoundBox)
+    box.enlarge(NEAR)
+    return box.isInside(point) and face.distToShape(Part.Vertex(point))[0] < NEAR
+
+
+class Feature:
+    """One feature as it is in the document now, in the part's frame."""
+
+    def __init__(self, obj, part):
+        self.name = obj.Name
+        in_body = obj.isDerivedFrom("PartDesign::Feature")
+        outer = part.Placement if obj is not part else FreeCAD.Placement()
+        self.frame = outer.multiply(obj.Placement)
+        shape = obj.AddSubShape.copy() if in_body else obj.Shape.copy()
+        if not in_body:
+            shape.Placement = FreeCAD.Placement()
+        self.faces, self.box = shape.Faces, shape.BoundBox
+        self.curves = None
+        if obj.TypeId in _SWEEPS:
+            sketch = obj.Profile[0] if isinstance(obj.Profile, tuple) else obj.Profile
+            self.frame = outer.multiply(sketch.Placement)
+            to_sketch = sketch.Placement.inverse().multiply(obj.Placement)
+            moved = shape.copy()
+            moved.Placement = to_sketch.multiply(moved.Placement)
+            self.faces, self.box = moved.Faces, moved.BoundBox
+            self.curves = [curve.toShape() for curve in sketch.Geometry if not _is_construction(curve)]
+
+    def has(self, point):
+        """Is the point on the surface of the feature's own volume?"""
+        local = self.frame.inverse().multVec(point)
+        return any(is_on(local, face) for face in self.faces)
+
+    def carry(self, point, after):
+        """To the same place of the feature as it is `after`."""
+        local = self.frame.inverse().multVec(point)
+        if self.curves is None or after.curves is None or len(self.curves) != len(after.curves):
+            return after.frame.multVec(_relative(local, self.box, after.box))
+        height = _share(local.z, self.box.ZMin, self.box.ZMax)
+        z = after.box.ZMin + height * (after.box.ZMax - after.box.ZMin)
+        flat = FreeCAD.Vector(local.x, local.y, 0)
+        distances = [curve.distToShape(Part.Vertex(flat)) for curve in self.curves]
+        nearest = min(range(len(distances)), key=lambda i: distances[i][0])
+        if distances[nearest][0] < NEAR:
+            was, now = self.curves[nearest].Edges[0], after.curves[nearest].Edges[0]
+            share = _share(was.Curve.parameter(flat), was.FirstParameter, was.LastParameter)
+            to = now.valueAt(now.FirstParameter + share * (now.LastParameter - now.FirstParameter))
+        else:   # inside a cap: between the curves around it
+            was, now = (Part.Compound(f.curves).BoundBox for f in (self, after))
+            to = _relative(flat, was, now)
+        return after.frame.multVec(FreeCAD.Vector(to.x, to.y, z))
+
+
+def features_of(part):
+    """{name: Feature} of what the oracle knows about."""
+    known = part.Group if part.TypeId == "PartDesign::Body" else part.Document.Objects
+    found = {}
+    for obj in known:
+        if obj.TypeId in _PRIMITIVES or obj.TypeId in _SWEEPS or obj.TypeId.startswith(("PartDesign::Additive", "PartDesign::Subtractive")) \
+                and obj.TypeId.endswith(("Box", "Cylinder")):
+            shape = getattr(obj, "AddSubShape", None) or getattr(obj, "Shape", None)
+            if shape is not None and not shape.isNull():
+                found[obj.Name] = Feature(obj, part)
+    return found
+
+
+class Oracle:
+    """Judges what an edit did to loads."""
+
+    def __init__(self, part):
+        self.part = part
+        self.before = features_of(part)
+        self.shape = part.Shape.copy()
+
+    def judge(self, old_names, new_names):
+        """Of a load that was on faces of the part before and is on others now: "right", "stranger", "not all of it", "lost", "lost, but there" or
+        "not judged"."""
+        after = features_of(self.part)
+        expected, known, total = {}, 0, 0
+        for name in old_names:
+            for point in points_of(self.shape.getElement(name)):
+                total += 1
+                carried = self._carried(point, after)
+                known += bool(carried)
+                for place in carried:
+                    for number, face in enumerate(self.part.Shape.Faces, 1):
+                        if is_on(place, face):
+                            expected["Face%d" % number] = expected.get("Face%d" % number, 0) + 1
+        if known < total or not total:
+            return "not judged"
+        strangers = [name for name in new_names if not expected.get(name)]
+        if strangers:
+            return "stranger"
+        wanted = [name for name, count in expected.items() if count > 0.3 * total]
+        if not new_names:
+            return "lost, but there" if wanted else "lost"
+        return "right" if all(name in new_names for name in wanted) else "not all of it"
+
+    def _carried(self, point, after):
+        """Where the point is now, by each of the features that it was on; empty when one of them is not known any more."""
+        owners = [feature for feature in self.before.values() if feature.has(point)]
+        if not owners or not all(feature.name in after for feature in owners):
+            return []
+        return [feature.carry(point, after[feature.name]) for feature in owners]
+
+
+def _is_construction(curve):
+    import Sketcher
+    return Sketcher.GeometryFacade(curve).Construction or isinstance(curve, Part.Point)
+
+
+def _share(value, low, high):
+    return (value - low) / (high - low) if high - low > 1e-9 else 0.5
+
+
+def _relative(point, was, now):
+    return FreeCAD.Vector(*(low + _share(value, first, last) * (high - low) for value, first, last, low, high in (
+        (point.x, was.XMin, was.XMax, now.XMin, now.XMax), (point.y, was.YMin, was.YMax, now.YMin, now.YMax),
+        (point.z, was.ZMin, was.ZMax, now.ZMin, now.ZMax))))

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""No clock and no number of threads decides what a mesh is: the examples and an edit of each, the same bytes by clocks that run a
+thousand times too fast and too slow, and with 1, 2 and 4 threads."""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import FreeCAD
+from freecad.featuremesh import api, reading, worker
+
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLES = ROOT / "resources" / "examples"
+sys.path.insert(0, str(ROOT / "tests" / "benchmarks"))
+
+from raw_files import write_raw  # noqa: E402
+
+ELEMENTS = 25          # along the part's diagonal
+EDITS = {              # example: (document after, its edit, element order)
+    "bracket": ("bracket", ["HoleSketch.Hole6X=105"], 2),
+    "block_and_cylinder": ("block_and_cylinder", ["Cylinder.Placement.Base.x=35"], 1),
+    "csg_flange": ("csg_flange", ["Bolt.Radius=4.5"], 1),
+    "tool": ("tool_with_stiffener", [], 1),
+}
+FAST, SLOW = 1000, 0.001
+
+
+class Clock(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+
+    def raw(self, example, edits, name):
+        """The file with what is read of the example's part after the edits, and a size for it."""
+        document = FreeCAD.openDocument(str(EXAMPLES / (example + ".FCStd")))
+        try:
+            if edits:
+                api.set_parameters(document, edits)
+                api.recompute(document)
+            part = document.getObject("Body") or document.getObject("Flange")
+            path = self.folder / (name + ".json")
+            write_raw(path, reading.read_document(part))
+            return path, api.default_size(part, ELEMENTS)
+        finally:
+            FreeCAD.closeDocument(document.Name)
+
+    def made(self, old, new, size, order, threads=1, clock=None):
+        environment = {**os.environ, "PYTHONPATH": os.environ["FEATUREMESH_ENGINE"]}
+        if clock is not None:
+            environment.update(LD_PRELOAD=os.environ["FEATUREMESH_OTHER_CLOCK"], FEATUREMESH_CLOCK_FACTOR=str(clock))
+        done = subprocess.run([worker.interpreters()[0], str(ROOT / "tests/clock/meshes_of_part.py"), old, new, str(size), str(order), str(threads)],
+                              env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=500)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout.splitlines()[-1])
+
+    def test_same_bytes_by_every_clock_and_with_any_number_of_threads(self):
+        for example, (after, edits, order) in EDITS.items():
+            with self.subTest(example=example):
+                old, size = self.raw(example, [], "old")
+                new, _ = self.raw(after, edits, "new")
+                usual = self.made(old, new, size, order)
+                self.assertGreater(usual["tets"], 500)
+                self.assertGreater(min(usual["kept"]), 0.2)
+                for threads in (2, 4):
+                    self.assertEqual(self.made(old, new, size, order, threads)["digest"], usual["digest"], f"{threads} threads")
+                fast, slow = (self.made(old, new, size, order, clock=clock) for clock in (FAST, SLOW))
+                self.assertGreater(fast["clock"], 50)   # by these a tenth of a second is another time
+                self.assertLess(slow["clock"], 0.05)
+                self.assertEqual(fast["digest"], usual["digest"], "by a fast clock")
+                self.assertEqual(slow["digest"], usual["digest"], "by a slow clock")

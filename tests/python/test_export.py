@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every format is read back by another program's reader, FreeCAD's, meshio's or Gmsh's: nodes, elements, their order, and groups."""
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+import Fem
+import meshio
+import numpy as np
+import ObjectsFem
+from freecad.featuremesh import api, versions
+from freecad.featuremesh.errors import UserError
+from freecad.featuremesh.formats import connectivity, is_single_entity
+from parts import new_document, plate_with_hole
+
+PAIRS = ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))   # whose middles are the nodes 4 to 9
+# What FreeCAD reads, and what of it with groups; its reader of BDF knows 10-node tets only.
+READ_BY_FREECAD = {1: ("unv", "med", "inp", "z88", "vtk", "vtu"), 2: ("unv", "med", "inp", "z88", "vtk", "vtu", "bdf")}
+WITH_GROUPS = ("unv", "med")
+READ_BY_MESHIO = ("vtu", "vtk", "inp", "bdf", "msh", "med")
+TO_A_FEW_DIGITS = {"bdf": 1e-7, "z88": 1e-5, "unv": 1e-7}   # mm
+
+
+class Truth:
+    """The mesh as it is, for comparison with what was read."""
+
+    def __init__(self, mesh):
+        self.arrays = mesh.Proxy.arrays(mesh)
+        self.points = self.arrays["points"]
+        self.blocks = {1: connectivity(self.arrays, "segments", "segment_mids"), 2: connectivity(self.arrays, "triangles", "triangle_mids"),
+                       3: connectivity(self.arrays, "tets", "tet_mids")}
+        self.groups = {name: self._nodes_of(kind, members) for name, kind, members in groups_of(mesh.FemMesh)}
+
+    def _nodes_of(self, kind, members):
+        """A group as a set of node indices, or of sets of them for its elements."""
+        if kind == "Node":
+            return set(np.flatnonzero(np.isin(self.arrays["node_numbers"], members)).tolist())
+        dimension = {"Edge": 1, "Face": 2, "Volume": 3}[kind]
+        numbers = self.arrays[{1: "segment", 2: "triangle", 3: "tet"}[dimension] + "_numbers"]
+        return elements_as_sets(self.blocks[dimension][np.isin(numbers, members)])
+
+    def rows_of(self, points, tolerance):
+        """For each of the points the index of the node in its place."""
+        direction = np.array([0.31, 0.83, 0.47])   # along which hardly two nodes are in one place
+        order = np.argsort(self.points @ direction)
+        near = np.searchsorted((self.points @ direction)[order], points @ direction)
+        rows = np.full(len(points), -1)
+        for step in range(-3, 3):
+            candidates = order[np.clip(near + step, 0, len(order) - 1)]
+            fits = np.abs(self.points[candidates] - points).max(axis=1) <= tolerance
+            rows[fits] = candidates[fits]
+        return rows
+
+
+def elements_as_sets(nodes):
+    return {frozenset(element) for element in np.asarray(nodes).tolist()}
+
+
+def middles(tets):
+    """{pair of corners: mid-side node} of 10-node tets."""
+    return {frozenset((tet[i], tet[j])): tet[4 + k] for tet in tets.tolist() for k, (i, j) in enumerate(PAIRS)} if tets.shape[1] == 10 else {}
+
+
+def volumes(points, tets):
+    p = points[tets[:, :4]]
+    return np.einsum("ij,ij->i", p[:, 1] - p[:, 0], np.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 0])) / 6
+
+
+def groups_of(fem_mesh):
+    return [(fem_mesh.getGroupName(group), fem_mesh.getGroupElementType(group), sorted(fem_mesh.getGroupElements(group))) for group in fem_mesh.Groups]
+
+
+class Export(unittest.TestCase):
+    order = 1
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.mkdtemp()
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        document = new_document()
+        body = plate_with_hole(document)
+        analysis = ObjectsFem.makeAnalysis(document, "Analysis")
+        cls.mesh = mesh = api.add_mesh(body, 5.0, cls.order)
+        for make, name, faces in ((ObjectsFem.makeConstraintFixed, "Held", ("Face1", "Face2")), (ObjectsFem.makeConstraintForce, "Pulled", ("Face7",))):
+            constraint = make(document, name)
+            constraint.References = [(body, face) for face in faces]
+            analysis.addObject(constraint)
+        group = ObjectsFem.makeMeshGroup(document, mesh, name="Sides")
+        group.References = [(body, ("Face3", "Face4"))]
+        document.recompute()
+        document.HoleSketch.setDatum("X", 22)   # so that the numbers have gaps
+        document.recompute()
+        cls.truth = Truth(mesh)
+        assert {"Held_Nodes", "Pulled_Nodes", "Sides", "Feature_Plate"} <= set(cls.truth.groups), sorted(cls.truth.groups)
+
+    def exported(self, name):
+        path = os.path.join(self.folder, "A plate." + name)
+        api.export_mesh(self.mesh, path)
+        return path
+
+    def check_tets(self, name, points, tets, is_positive=True):
+        """The same nodes in the same places, the same tets, middles between the same corners, and not inside out. Returns the rows of the nodes."""
+        rows = self.truth.rows_of(points, TO_A_FEW_DIGITS.get(name, 1e-9))
+        self.assertEqual(sorted(rows), list(range(len(self.truth.points))), name)
+        self.assertEqual(elements_as_sets(rows[tets]), elements_as_sets(self.truth.blocks[3]), name)
+        self.assertEqual(len(tets), len(self.truth.blocks[3]), name)
+        self.assertEqual(middles(rows[tets]), middles(self.truth.blocks[3]), name)
+        self.assertGreater((volumes(points, tets) * (1 if is_positive else -1)).min(), 0, name)
+        return rows
+
+    def test_freecad_reads_it(self):
+        for name in READ_BY_FREECAD[self.order]:
+            with self.subTest(name):
+                read = Fem.read(self.exported(name))
+                places = read.Nodes
+                numbers = np.array(sorted(places))
+                points = np.array([tuple(places[number]) for number in numbers.tolist()])
+                tets = np.searchsorted(numbers, [read.getElementNodes(number) for number in read.Volumes])
+                turns_vtk = versions.version() >= (1, 0)   # before, FreeCAD took VTK's order for its own, which is the mirrored one
+                rows = self.check_tets(name, points, tets, is_positive=name in ("vtk", "vtu") and not turns_vtk)
+                if name in WITH_GROUPS:
+                    self.assertEqual((read.EdgeCount, read.FaceCount), (len(self.truth.blocks[1]), len(self.truth.blocks[2])))
+                    found = {group: self.members(read, kind, members, numbers, rows) for group, kind, members in groups_of(read)}
+                    self.assertEqual(found, self.truth.groups)
+
+    @staticmethod
+    def members(read, kind, members, numbers, rows):
+        if kind == "Node":
+            return set(rows[np.searchsorted(numbers, members)].tolist())
+        return elements_as_sets([rows[np.searchsorted(numbers, read.getElementNodes(member))] for member in members])
+
+    def test_meshio_reads_it(self):
+        for name in READ_BY_MESHIO:
+            with self.subTest(name):
+                read = meshio.read(self.exported(name))
+                kind = {1: "tetra", 2: "tetra10"}[self.order]
+                tets = np.concatenate([cells.data for cells in read.cells if cells.type == kind])
+                rows = self.check_tets(name, read.points, tets, is_positive=name != "med")   # MED's own order is the mirrored one
+                if name in ("vtu", "vtk", "inp", "msh"):
+                    self.assertEqual(self.wanted_groups(name), getattr(self, "groups_of_" + name)(read, rows), name)
+
+    def wanted_groups(self, name):
+        """Groups as a format has them: Gmsh none of nodes alone, Abaqus no elements but tets, VTK those of single entities in one array."""
+        if name == "msh":
+            return {group: self.truth.groups[group] for group in self.truth.groups if not group.endswith("_Nodes")}
+        if name == "inp":
+            return {group: nodes for group, nodes in self.truth.groups.items() if re.match(r"Solid|Feature", group) or group.endswith("_Nodes")}
+        return {group: nodes for group, nodes in self.truth.groups.items() if not group.endswith("_Nodes") or not is_single_entity(group)}
+
+    @staticmethod
+    def groups_of_vtu(read, rows):
+        found = {}
+        for block, cells in enumerate(read.cells):
+            nodes = rows[cells.data]
+            for name, data in read.cell_data.items():
+                if name not in ("Number", "Dimension", "Entity") and np.any(data[block]):
+                    found.setdefault(name, set()).update(elements_as_sets(nodes[np.asarray(data[block]).reshape(-1) == 1]))
+            for entity in np.unique(read.cell_data["Entity"][block]):
+                stem = {1: "Edge", 2: "Face", 3: "Solid"}[int(read.cell_data["Dimension"][block][0].item())]
+                found["%s%d" % (stem, entity)] = elements_as_sets(nodes[np.asarray(read.cell_data["Entity"][block]).reshape(-1) == entity])
+        for name, data in read.point_data.items():
+            if name != "Number":
+                found[name] = set(rows[np.asarray(data).reshape(-1) == 1].tolist())
+        return found
+
+    groups_of_vtk = groups_of_vtu
+
+    @staticmethod
+    def groups_of_inp(read, rows):
+        found = {name: set(rows[nodes].tolist()) for name, nodes in read.point_sets.items() if name != "Nall"}
+        for name, blocks in read.cell_sets.items():
+            if name != "Eall":
+                found[name] = set().union(*(elements_as_sets(rows[cells.data[members]]) for cells, members in zip(read.cells, blocks) if members is not None and len(members)))
+        return found
+
+    @staticmethod
+    def groups_of_msh(read, rows):
+        found = {}
+        for name, blocks in read.cell_sets.items():
+            if name.endswith("_Nodes") or name.startswith("gmsh:"):
+                continue
+            for cells, members in zip(read.cells, blocks):
+                if members is not None and len(members):
+                    found.setdefault(name, set()).update(elements_as_sets(rows[cells.data[members]]))
+        return found
+
+    def test_gmsh_reads_it(self):
+        path = self.exported("msh")
+        again = os.path.join(self.folder, "again.bdf")
+        done = subprocess.run(["gmsh", path, "-save", "-format", "bdf", "-o", again], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertNotRegex(done.stdout, "Error|Warning")
+        names = dict(re.findall(r'^2 (\d+) "(.*)"$', open(path, encoding="utf-8").read(), re.MULTILINE))
+        self.assertTrue({"Held_Nodes", "Pulled_Nodes", "Sides", "Face1"} <= set(names.values()), names)
+        listed = subprocess.run(["gmsh", path, "-save", "-format", "msh2", "-o", again + ".msh"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+        self.assertEqual(listed.returncode, 0)
+        read = meshio.read(again + ".msh")
+        self.assertEqual(len(read.points), len(self.truth.points))
+
+    def test_nastrans_sets(self):
+        text = open(self.exported("bdf"), encoding="ascii").read()
+        nodes, numbers = self.truth.arrays["node_numbers"], self.truth.arrays["tet_numbers"]
+        found = {}
+        for name, card in re.findall(r"^\$ (\S+)\nSET1    (.*?)(?=^\$|^ENDDATA)", text, re.MULTILINE | re.DOTALL):
+            members = [int(word) for word in card.replace("+\n+", "").split()][1:]
+            if name.endswith("_Nodes"):
+                found[name] = set(np.searchsorted(nodes, sorted(members)).tolist()) if np.all(np.diff(nodes) > 0) else {int(np.flatnonzero(nodes == m)[0]) for m in members}
+            else:
+                found[name] = elements_as_sets(self.truth.blocks[3][np.isin(numbers, members)])
+        self.assertEqual(found, self.wanted_groups("inp"))
+
+    def test_the_surface(self):
+        read = meshio.read(self.exported("stl"))
+        faces = np.concatenate([cells.data for cells in read.cells])
+        self.assertEqual(len(faces), len(self.truth.arrays["triangles"]) * (4 if self.order == 2 else 1))
+        corners = read.points[faces].astype(float)
+        volume = np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])).sum() / 6
+        inside = volumes(self.truth.points, self.truth.blocks[3]).sum()
+        self.assertAlmostEqual(volume / inside, 1, 5 if self.order == 1 else 2)
+        rows = self.truth.rows_of(read.points.astype(float), 1e-5)
+        self.assertEqual(set(rows.tolist()), set(self.truth.blocks[2].reshape(-1).tolist()))
+        self.assertEqual(Fem.read(self.exported("stl")).FaceCount, len(faces))
+
+
+class QuadraticExport(Export):
+    order = 2
+
+    def test_a_name_too_long_for_med(self):
+        with self.assertRaisesRegex(UserError, "64 characters"):
+            api.export_mesh(self.mesh, os.path.join(self.folder, 70 * "x" + ".med"))
+        self.assertFalse([name for name in os.listdir(self.folder) if name.startswith((".", "xxx"))])

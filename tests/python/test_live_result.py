@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The live result as a script sees it: what of the analysis it follows, when it is out of date, and what of it FreeCAD takes."""
+import json
+import os
+import tempfile
+import unittest
+
+import Fem
+import FreeCAD
+import numpy as np
+import ObjectsFem
+from analyses import quantity
+from freecad.featuremesh import api, live_result, results, statics
+from statics_cases import HAS_SOLVER, STEEL, Case, faces_at
+
+
+@unittest.skipUnless(HAS_SOLVER, "PETSc is not installed")
+class Live(Case):
+    def cantilever(self, size=4.0):
+        part = self.box()
+        analysis = self.analysis()
+        self.fix(analysis, part, faces_at(part, 0, 0))
+        self.force(analysis, part, faces_at(part, 0, 40))
+        self.mesh(part, size)
+        return part, analysis, api.live_result(analysis)
+
+    def check_is_fresh(self, analysis, live):
+        fields, report = statics.solve(analysis)
+        self.assertEqual(live.Status, live_result.UP_TO_DATE)
+        self.assertEqual(len(live.Result.NodeNumbers), len(fields["von_mises"]))
+        self.assertEqual(live.Result.Mesh.FemMesh.NodeCount, len(fields["von_mises"]))
+        self.assertAlmostEqual(live.MaxMises / report["responses"]["max_mises_mpa"], 1, delta=1e-6)
+        self.assertAlmostEqual(max(live.Result.vonMises) / live.MaxMises, 1, delta=1e-12)
+        self.assertAlmostEqual(max(live.Result.DisplacementLengths) / report["responses"]["max_displacement_mm"], 1, delta=1e-6)
+
+    def test_follows_each_recompute_and_nothing_else(self):
+        part, analysis, live = self.cantilever()
+        self.check_is_fresh(analysis, live)
+        self.assertIs(api.live_result(analysis), live)
+        self.assertEqual([obj.Name for obj in self.document.Objects if "Touched" in obj.State and obj is not analysis], [])
+        before = live.Report
+        self.document.recompute()
+        self.assertEqual(live.Report, before)   # nothing changed, nothing was solved
+        part.Length = 44
+        self.document.recompute()
+        self.assertNotEqual(live.Report, before)
+        self.check_is_fresh(analysis, live)
+        self.assertTrue(json.loads(live.Report)["reused"]["start_share"] > 0)
+        self.document.recompute()
+        self.assertEqual(sum(obj.isDerivedFrom("Fem::FemResultObject") for obj in self.document.Objects), 1)
+
+    def test_freecads_vtk_writer_takes_the_result(self):
+        """As its pipeline does, by the same code."""
+        part, analysis, live = self.cantilever()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "result.vtk")
+            Fem.writeResult(path, live.Result)
+            back = ObjectsFem.makeResultMechanical(self.document, "Back")
+            Fem.readResult(path, back.Name)
+            read = next(obj for obj in self.document.Objects if obj.isDerivedFrom("Fem::FemResultObject") and obj is not live.Result and len(obj.vonMises))
+            np.testing.assert_allclose(sorted(read.vonMises), 1e6 * np.sort(live.Result.vonMises), rtol=1e-5)   # it writes Pa
+
+    def test_what_changed_but_was_not_solved_yet_is_out_of_date(self):
+        part, analysis, live = self.cantilever()
+        for change in (lambda: setattr(self.document.Force, "Force", quantity(2000, "N")),
+                       lambda: setattr(self.document.Steel, "Material", dict(STEEL, YoungsModulus="70000 MPa")),
+                       lambda: self.add(analysis, ObjectsFem.makeConstraintPressure, "Pressure", [(part, faces_at(part, 2, 10))], Pressure=quantity(2.0, "MPa"))):
+            change()
+            self.assertEqual(live.Status, live_result.OUT_OF_DATE)
+            self.assertTrue(results.is_old(live.Result), live.Result.Label)
+            self.document.recompute()
+            self.check_is_fresh(analysis, live)
+            self.assertFalse(results.is_old(live.Result), live.Result.Label)
+
+    def test_by_hand(self):
+        part, analysis, live = self.cantilever()
+        live.Automatic = False
+        self.document.recompute()
+        self.assertEqual(live.Status, live_result.OUT_OF_DATE)
+        api.solve_live(live)
+        self.check_is_fresh(analysis, live)
+        part.Length = 42
+        self.document.recompute()
+        self.assertEqual(live.Status, live_result.OUT_OF_DATE)
+        api.solve_live(live)
+        self.check_is_fresh(analysis, live)
+
+    def test_what_cannot_be_solved_says_why_and_comes_back(self):
+        part, analysis, live = self.cantilever()
+        analysis.removeObject(self.document.Fixed)
+        self.document.recompute()
+        self.assertRegex(live.Status, "failed: the part can still move along x, y and z and turn about x, y and z: add a support")
+        motion = live.Proxy.motion
+        self.assertEqual(motion.shape, (self.document.FeatureMesh.NodeCount, 3))
+        lengths = np.linalg.norm(motion, axis=1)
+        self.assertTrue(0.1 < lengths.max() < 40, lengths.max())
+        self.assertTrue(results.is_old(live.Result), live.Result.Label)
+        analysis.addObject(self.document.Fixed)
+        self.document.recompute()
+        self.check_is_fresh(analysis, live)
+
+    def test_mesh_that_is_out_of_date_is_not_solved(self):
+        part, analysis, live = self.cantilever()
+        self.document.FeatureMesh.Automatic = False
+        part.Length = 44
+        self.document.recompute()
+        self.assertIn("update it before solving", live.Status)
+        api.update_mesh(self.document.FeatureMesh)
+        self.document.recompute()
+        self.assertTrue(results.is_old(live.Result), live.Result.Label)   # by hand the mesh asks for no recompute
+        api.solve_live(live)
+        self.check_is_fresh(analysis, live)
+
+    def test_is_there_again_when_the_document_is_opened(self):
+        part, analysis, live = self.cantilever()
+        largest = live.MaxMises
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "part.FCStd")
+            self.document.saveAs(path)
+            FreeCAD.closeDocument(self.document.Name)
+            self.document = FreeCAD.openDocument(path)
+            live = self.document.Live
+            self.assertEqual((live.Status, live.MaxMises), (live_result.UP_TO_DATE, largest))
+            self.assertAlmostEqual(live.Proxy.shown(live).von_mises.max(), largest, places=9)
+            self.document.Box.Length = 44
+            self.document.recompute()
+            self.check_is_fresh(self.document.Analysis, live)
+
+    def test_undo_is_out_of_date_until_it_is_solved(self):
+        self.document.UndoMode = 1
+        part, analysis, live = self.cantilever()
+        largest = live.MaxMises
+        self.document.openTransaction("Longer")
+        part.Length = 60
+        self.document.recompute()
+        self.document.commitTransaction()
+        self.assertGreater(live.MaxMises, largest)
+        self.document.undo()
+        self.assertEqual(self.document.FeatureMesh.Proxy.arrays(self.document.FeatureMesh)["points"].max(), 40)
+        self.assertEqual(live.Status, live_result.OUT_OF_DATE)
+        api.solve_live(live)
+        self.check_is_fresh(analysis, live)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""References as a click makes them and as a script does: both mean the same faces of the meshed part."""
+import os
+import shutil
+import tempfile
+import unittest
+
+import FreeCAD
+import ObjectsFem
+from freecad.featuremesh import api, resolving
+from freecad.featuremesh.errors import UserError
+from parts import new_document, placement
+
+EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples")
+
+
+def open_example(case, name):
+    """A copy of an example; the documents of earlier tests are closed first."""
+    new_document()
+    folder = tempfile.mkdtemp()
+    case.addCleanup(shutil.rmtree, folder)
+    shutil.copyfile(os.path.join(EXAMPLES, name + ".FCStd"), os.path.join(folder, name + ".FCStd"))
+    return FreeCAD.openDocument(os.path.join(folder, name + ".FCStd"))
+
+
+def groups_of(mesh):
+    fem = mesh.FemMesh
+    return {fem.getGroupName(g): set(fem.getGroupElements(g)) for g in fem.Groups}
+
+
+def names_of(obj):
+    """The (object name, sub-element) pairs of its references."""
+    return [(target.Name, sub) for target, sub in resolving.pairs_of(obj)]
+
+
+class Resolving(unittest.TestCase):
+    """What a reference of any kind means."""
+
+    def setUp(self):
+        self.document = open_example(self, "bracket")
+        self.body = self.document.Body
+        self.fillet = self.body.Tip
+
+    def names(self, obj, sub, part=None):
+        return resolving.Resolver(part or self.body).names(obj, sub)
+
+    def test_the_tip_has_its_bodys_numbers(self):
+        self.assertEqual(self.names(self.fillet, "Face19"), ["Face19"])
+        self.assertEqual(self.names(self.fillet, "Edge7"), ["Edge7"])
+        self.assertEqual(self.names(self.body, "Fillet.Face19"), ["Face19"])
+        self.assertEqual(self.names(self.body, "Face19", self.fillet), ["Face19"])
+
+    def test_a_feature_before_the_tip_has_its_faces_on_the_final_shape(self):
+        for placed in (FreeCAD.Placement(), placement(10, 20, 30, 40, (1, 2, 3))):
+            self.body.Placement = placed
+            self.document.recompute()
+            found = 0
+            for number, face in enumerate(self.document.Plate.Shape.Faces, 1):
+                moved = face.copy()
+                moved.Placement = placed.multiply(moved.Placement)
+                for name in self.names(self.document.Plate, "Face%d" % number):
+                    found += 1
+                    common = self.body.Shape.getElement(name).common(moved)
+                    self.assertAlmostEqual(common.Area / self.body.Shape.getElement(name).Area, 1, 5)
+            self.assertGreaterEqual(found, 6)
+
+    def test_paths_through_links_and_containers(self):
+        container = self.document.addObject("App::Part", "Assembly")
+        container.addObject(self.body)
+        container.Placement = placement(5, 6, 7, 30)
+        link = self.document.addObject("App::Link", "Link")
+        link.LinkedObject = self.body
+        self.document.recompute()
+        self.assertEqual(self.names(container, "Body.Fillet.Face19"), ["Face19"])
+        self.assertEqual(self.names(link, "Fillet.Face19"), ["Face19"])
+        self.assertEqual(self.names(self.fillet, "Face19", link), ["Face19"])
+        self.assertEqual(self.names(link, "Face19", link), ["Face19"])
+        self.assertEqual(self.names(self.document.Plate, "Face1", link), self.names(self.document.Plate, "Face1"))
+
+    def test_another_copy_is_another_thing(self):
+        links = [self.document.addObject("App::Link", name) for name in ("One", "Two")]
+        for link in links:
+            link.LinkedObject = self.body
+        links[1].Placement.Base.x = 500
+        self.document.recompute()
+        self.assertEqual(self.names(links[0], "Fillet.Face19", links[0]), ["Face19"])
+        self.assertIsNone(self.names(links[1], "Fillet.Face19", links[0]))
+        other = self.document.addObject("Part::Box", "Other")
+        self.document.recompute()
+        self.assertIsNone(self.names(other, "Face1"))
+
+    def test_bodies_of_a_container_that_a_link_shows(self):
+        container = self.document.addObject("App::Part", "Assembly")
+        container.addObject(self.body)
+        other = self.document.addObject("PartDesign::Body", "Body001")
+        box = other.newObject("PartDesign::AdditiveBox", "Box")
+        box.Length = box.Width = box.Height = 7
+        box.Placement.Base.z = 300
+        container.addObject(other)
+        link = self.document.addObject("App::Link", "Link")
+        link.LinkedObject = container
+        link.Placement = placement(400, 0, 0, 90)
+        self.document.recompute()
+        for number in range(1, 7):
+            (name,) = self.names(link, "Body001.Box.Face%d" % number, link)
+            wanted = link.getSubObject("Body001.Box.Face%d" % number)
+            self.assertLess((link.Shape.getElement(name).CenterOfMass - wanted.CenterOfMass).Length, 1e-6)
+
+
+class AsClicked(unittest.TestCase):
+    """The window gives the tip of the body; everything of the mesh understands it as it does the body itself."""
+
+    def setUp(self):
+        self.document = open_example(self, "bracket")
+        self.body = self.document.Body
+        self.fillet = self.body.Tip
+        self.analysis = self.document.Analysis
+        self.mesh = api.add_mesh(self.body, 6)
+        self.mesh.Automatic = False
+
+    def update(self):
+        self.document.recompute()
+        return api.update_mesh(self.mesh)
+
+    def test_loads_supports_and_groups(self):
+        self.document.Force.References = [(self.fillet, "Face19")]
+        self.document.Fixed.References = [(self.document.Plate, "Face1"), (self.body, "Fillet.Face4")]
+        group = ObjectsFem.makeMeshGroup(self.document, self.mesh, False, "Clamp")
+        group.References = [(self.fillet, ("Face2", "Edge5"))]
+        self.update()
+        groups = groups_of(self.mesh)
+        self.assertEqual(groups["Force_Nodes"], groups["Face19_Nodes"])
+        self.assertEqual(groups["Clamp_Nodes"], groups["Face2_Nodes"] | groups["Edge5_Nodes"])
+        (plate,) = resolving.Resolver(self.body).names(self.document.Plate, "Face1")
+        self.assertEqual(groups["Fixed_Nodes"], groups[plate + "_Nodes"] | groups["Face4_Nodes"])
+        self.assertNotEqual(plate, "Face4")
+        self.assertEqual(names_of(self.document.Force), [("Body", "Face19")])
+
+    def test_refinements(self):
+        region = ObjectsFem.makeMeshRegion(self.document, self.mesh, 2.0, "Fine")
+        region.References = [(self.fillet, "Face19")]
+        self.update()
+        many = len(groups_of(self.mesh)["Face19_Nodes"])
+        self.document.removeObject(region.Name)
+        self.update()
+        self.assertGreater(many, 2 * len(groups_of(self.mesh)["Face19_Nodes"]))
+
+    def test_a_refinement_of_another_object_is_refused_by_name(self):
+        other = self.document.addObject("Part::Box", "Other")
+        region = ObjectsFem.makeMeshRegion(self.document, self.mesh, 2.0, "Fine")
+        region.References = [(other, "Face1")]
+        self.document.recompute()
+        with self.assertRaisesRegex(UserError, "Fine.*Other:Face1"):
+            api.update_mesh(self.mesh)
+
+    def test_the_selection_of_a_local_size(self):
+        region = api.add_local_size(self.mesh, [(self.fillet, "Face19"), (self.document.Plate, "Face1")], 2.0)
+        self.assertEqual({name for name, _ in names_of(region)}, {"Body"})
+        self.assertIn(("Body", "Face19"), names_of(region))
+        other = self.document.addObject("Part::Box", "Other")
+        self.document.recompute()
+        with self.assertRaisesRegex(UserError, "Other:Face1"):
+            api.add_local_size(self.mesh, [(other, "Face1")])
+
+    def test_the_selection_of_a_group(self):
+        some = api.add_group(self.mesh, [(self.fillet, "Face19"), (self.body, "Edge1")], "Some")
+        whole = api.add_group(self.mesh, [(self.body, "")], "Whole")
+        empty = api.add_group(self.mesh, None, "Empty")
+        self.assertEqual([names_of(group) for group in (some, whole, empty)],
+                         [[("Body", "Face19"), ("Body", "Edge1")], [("Body", "Solid1")], []])
+        self.assertEqual(self.mesh.MeshGroupList, [some, whole, empty])
+        with self.assertRaisesRegex(UserError, "select solids, faces, edges or vertices of Body"):
+            api.add_group(self.mesh, [])
+        with self.assertRaisesRegex(UserError, "a local size is for faces, edges or vertices"):
+            api.add_local_size(self.mesh, [(self.body, "")])
+
+    def test_materials(self):
+        material = ObjectsFem.makeMaterialSolid(self.document, "Second")
+        self.analysis.addObject(material)
+        material.References = [(self.fillet, "Solid1")]
+        self.update()
+        self.assertEqual(groups_of(self.mesh).get("Second_Volumes"), groups_of(self.mesh)["Solid1"])
+
+    def test_a_reference_that_is_being_edited_is_not_rewritten(self):
+        from freecad.featuremesh import references
+        self.document.Force.References = [(self.fillet, "Face19")]
+        references.is_in_edit = lambda obj: obj is self.document.Force
+        self.addCleanup(setattr, references, "is_in_edit", None)
+        self.update()
+        self.assertEqual(names_of(self.document.Force), [(self.fillet.Name, "Face19")])
+        self.assertEqual(groups_of(self.mesh)["Force_Nodes"], groups_of(self.mesh)["Face19_Nodes"])
+
+
+class Written(unittest.TestCase):
+    """FreeCAD's own writer puts the same nodes under the same loads, wherever the body stands."""
+
+    def loads(self, clicked, placed):
+        """Lines of the input file that hold the boundary nodes and the loads."""
+        from analyses import add_solver, quantity
+        from femtools import ccxtools
+        document = open_example(self, "bracket")
+        body, analysis = document.Body, document.Analysis
+        body.Placement = placed
+        document.recompute()
+        target = body.Tip if clicked else body
+        pressure = ObjectsFem.makeConstraintPressure(document, "Pressure")
+        pressure.References, pressure.Pressure = [(target, "Face3")], quantity(1, "MPa")
+        analysis.addObject(pressure)
+        document.Fixed.References = [(target, document.Fixed.References[0][1])]
+        document.Force.References = [(target, document.Force.References[0][1])]
+        mesh = api.add_mesh(body, 8)
+        api.update_mesh(mesh)
+        solver = next((m for m in analysis.Group if m.isDerivedFrom("Fem::FemSolverObjectPython")), None) or add_solver(document, analysis)
+        tools = ccxtools.FemToolsCcx(analysis, solver, test_mode=True)
+        with tempfile.TemporaryDirectory() as folder:
+            tools.setup_working_dir(folder)
+            tools.update_objects()
+            self.assertEqual(tools.check_prerequisites(), "")
+            tools.write_inp_file()
+            with open(tools.inp_file_name, encoding="utf-8") as stream:
+                text = stream.read()
+        kept, keep = [], False
+        for line in text.splitlines():
+            if line.startswith("*") and not line.startswith("**"):
+                keep = line.upper().startswith(("*CLOAD", "*DLOAD", "*NSET", "*BOUNDARY"))
+            if keep and not line.startswith("**"):
+                kept.append(line)
+        return kept
+
+    def test_loads_of_a_placed_body_are_written(self):
+        self.maxDiff = 2000
+        for placed in (FreeCAD.Placement(), placement(10, 20, 30, 40, (1, 2, 3))):
+            scripted, clicked = self.loads(False, placed), self.loads(True, placed)
+            self.assertEqual(clicked, scripted)
+            self.assertGreater(sum("BF" in line or ",P" in line.replace(" ", "") for line in clicked), 0)
+            self.assertGreater(len(clicked), 50)

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Scripts of a user's own: what `./featuremesh run` prints, how it tells of errors, and api.solve."""
+import os
+import shutil
+import tempfile
+import unittest
+
+import ObjectsFem
+from analyses import quantity
+from freecad.featuremesh import api, cli, mesh_object
+from freecad.featuremesh.errors import UserError
+from parts import new_document, plate_with_hole
+
+FIXED, PULLED = "Face1", "Face3"
+
+
+def analysis_of(document, body):
+    """The plate held at one side and pulled at the other, with a mesh."""
+    analysis = ObjectsFem.makeAnalysis(document, "Analysis")
+    mesh = api.add_mesh(body, 6, order=1)
+    held, pulled = ObjectsFem.makeConstraintFixed(document, "Held"), ObjectsFem.makeConstraintForce(document, "Pulled")
+    steel = ObjectsFem.makeMaterialSolid(document, "Steel")
+    steel.Material = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.30", "Density": "7900 kg/m^3"}
+    held.References, pulled.References = [(body, FIXED)], [(body, PULLED)]
+    pulled.Force = quantity(1000.0, "N")
+    for member in (held, pulled, steel):
+        analysis.addObject(member)
+    document.recompute()
+    return analysis, mesh
+
+
+class Run(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.script = os.path.join(self.folder, "script.py")
+
+    def run_script(self, text, part=None):
+        """The answer, and what the script printed."""
+        with open(self.script, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        printed = os.path.join(self.folder, "printed")
+        task = {"command": "run", "script": self.script, "part": part, "output": os.open(printed, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)}
+        answer = cli.run(task)
+        with open(printed, encoding="utf-8") as stream:
+            return answer, stream.read()
+
+    def test_only_what_the_script_prints(self):
+        document = new_document()
+        plate_with_hole(document)
+        path = os.path.join(self.folder, "part.FCStd")
+        document.saveAs(path)
+        new_document()
+        answer, printed = self.run_script("mesh = api.add_mesh(document.Body, 8)\nreport = api.update_mesh(mesh)\nprint(report['tets'] > 0, __name__)\n", path)
+        self.assertEqual((answer["exit_code"], answer["message"], printed), (0, "", "True __main__\n"))
+
+    def test_without_a_document(self):
+        answer, printed = self.run_script("import sys\nprint(document, len(sys.argv))\n")
+        self.assertEqual((answer["exit_code"], printed), (0, "None 1\n"))
+
+    def test_errors_name_the_line(self):
+        for text, words in (("print(1)\n1 / 0\n", "script.py, line 2: ZeroDivisionError: division by zero"), ("x = (\n", "script.py, line 1: SyntaxError"),
+                            ("api.add_mesh(None)\n", "no object of a document"), ("import sys\nsys.exit(3)\n", "script.py ended with 3")):
+            answer, _ = self.run_script(text)
+            self.assertEqual(answer["exit_code"], 2, answer)
+            self.assertIn(words, answer["message"])
+
+    def test_the_end_asked_for_is_no_error(self):
+        self.assertEqual(self.run_script("import sys\nprint(1)\nsys.exit()\n")[0]["exit_code"], 0)
+
+
+@unittest.skipUnless(shutil.which("ccx"), "needs CalculiX")
+class Solve(unittest.TestCase):
+    def setUp(self):
+        self.document = new_document()
+        self.body = plate_with_hole(self.document)
+        self.analysis, self.mesh = analysis_of(self.document, self.body)
+
+    def test_solves_with_a_solver_of_its_own_and_again_after_an_edit(self):
+        first = api.solve(self.analysis)
+        displacement = first.figures["displacement"]
+        self.assertEqual(set(first.figures) - {"temperature"}, {"displacement", "stress"})
+        self.assertEqual(first.figures["displacement"], max(vector.Length for vector in first.result.DisplacementVectors))
+        solvers = [member for member in self.analysis.Group if "olver" in member.Name or member.Name.startswith("CalculiX")]
+        self.document.HoleSketch.setDatum("Radius", 9)
+        self.document.recompute()
+        second = api.solve(self.analysis)
+        self.assertGreater(second.figures["displacement"], 1.02 * displacement)   # less material
+        self.assertEqual([member for member in self.analysis.Group if "olver" in member.Name or member.Name.startswith("CalculiX")], solvers)
+
+    def test_a_mesh_out_of_date_is_not_solved(self):
+        self.mesh.Automatic = False
+        self.document.HoleSketch.setDatum("X", 24)
+        self.document.recompute()
+        self.assertNotEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        with self.assertRaisesRegex(UserError, "out of date.*before solving"):
+            api.solve(self.analysis)
+
+    def test_what_is_missing_is_said(self):
+        self.document.removeObject("Steel")
+        with self.assertRaisesRegex(UserError, "Analysis cannot be solved: .*material"):
+            api.solve(self.analysis)
+        with self.assertRaisesRegex(UserError, "Body is no analysis"):
+            api.solve(self.body)

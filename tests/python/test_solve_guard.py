@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What does not fit the part is not solved, by none of FreeCAD's ways, and a result says when it is from before the last edit."""
+import importlib
+import shutil
+import tempfile
+import unittest
+
+import FreeCAD
+import ObjectsFem
+from femtools import ccxtools
+from freecad.featuremesh import api, references, results, solve_guard, versions
+from freecad.featuremesh.errors import UserError
+from parts import new_document
+from test_document_solving import STEEL, analysis_of
+
+
+class SolveGuard(unittest.TestCase):
+
+    def setUp(self):
+        self.document = new_document()
+        self.document.UndoMode = 1
+        self.part = self.document.addObject("Part::Box", "Beam")
+        self.part.Length, self.part.Width, self.part.Height = 40, 10, 10
+        self.document.recompute()
+        self.analysis = analysis_of(self.document, self.part, [("Steel", STEEL, [])])
+        self.mesh = api.add_mesh(self.part, 5)
+        self.document.recompute()
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def solver(self):
+        return self.document.getObject("Solver")
+
+    def problem(self):
+        """What FreeCAD's panel of CalculiX asks before it writes the input, and shows."""
+        tools = ccxtools.FemToolsCcx(self.analysis, self.solver(), test_mode=True)
+        tools.setup_working_dir(self.folder)
+        tools.update_objects()
+        return tools.check_prerequisites()
+
+    def edit(self, length):
+        self.document.openTransaction("Edit")
+        self.part.Length = length
+        self.document.recompute()
+        self.document.commitTransaction()
+
+    def add_result(self):
+        """As FreeCAD's reader of CalculiX results does."""
+        result = ObjectsFem.makeResultMechanical(self.document, "CCX_Results")
+        self.analysis.addObject(result)
+        return result
+
+    def test_an_up_to_date_mesh_may_be_solved(self):
+        self.assertEqual((solve_guard.reason(self.analysis), self.problem()), ("", ""))
+
+    def test_an_old_mesh_is_solved_by_no_way(self):
+        self.mesh.Automatic = False
+        self.edit(50)
+        self.refuses("out of date")
+        api.update_mesh(self.mesh)
+        self.assertEqual(self.problem(), "")
+
+    def test_a_failed_mesh_is_solved_by_no_way(self):
+        self.mesh.Size = 0
+        self.document.recompute()
+        self.refuses("last update failed: the property Size|last update failed: .*larger than zero")
+        self.mesh.Size = 5
+        self.document.recompute()
+        self.assertEqual(self.problem(), "")
+
+    def test_settings_that_are_not_meshed_yet(self):
+        self.mesh.Size = 6
+        self.refuses("settings changed, not meshed yet")
+        self.mesh.Size = 5
+        self.assertEqual(self.problem(), "")
+
+    def test_a_load_that_lost_its_face_is_solved_by_no_way(self):
+        force = self.document.getObject("Force")
+        force.addProperty("App::PropertyStringList", references.MARK)
+        setattr(force, references.MARK, ["Face2"])
+        force.References = []
+        self.refuses("Force refers to Face2, which is gone")
+        force.References = [(self.part, "Face2")]
+        self.assertEqual(self.problem(), "")
+
+    def refuses(self, pattern):
+        """CalculiX's panel, the command that runs a solver, the newer solvers' tools, our own functions; an old result stays."""
+        result = self.document.getObject("CCX_Results") or self.add_result()
+        self.assertRegex(self.problem(), pattern)
+        from femsolver.run import run_fem_solver   # as the command does
+        run_fem_solver(self.solver())
+        self.assertIn(result, self.analysis.Group)
+        for solve in (api.solve, api.solve_analysis):
+            with self.assertRaisesRegex(UserError, pattern):
+                solve(self.analysis)
+        for module, name, make in (("femsolver.calculix.calculixtools", "CalculiXTools", "makeSolverCalculiX"),
+                                   ("femsolver.elmer.elmertools", "ElmerTools", "makeSolverElmer")):
+            if versions.version() < (1, 1):
+                continue
+            solver = getattr(ObjectsFem, make)(self.document, name)
+            self.analysis.addObject(solver)
+            with self.assertRaisesRegex(UserError, pattern):
+                getattr(importlib.import_module(module), name)(solver).prepare()
+            self.document.removeObject(solver.Name)
+
+    def test_other_solvers_of_the_task_chain_ask_too(self):
+        make = getattr(ObjectsFem, "makeSolverZ88", None)
+        solver = make(self.document, "Other")
+        self.analysis.addObject(solver)
+        if not hasattr(solver.Proxy, "createMachine"):
+            self.skipTest("this FreeCAD has no solver of that kind")
+        self.mesh.Size = 6
+        from femsolver.report import Report
+        check = solver.Proxy.createMachine(solver, self.folder, True).check
+        check.solver, check.report = solver, Report()
+        self.assertFalse(check.check_mesh_exists())
+        self.assertIn("settings changed", " ".join(str(entry) for entry in check.report.errors))
+
+    def test_results_say_when_they_are_from_before_the_last_edit(self):
+        result = self.add_result()
+        label = result.Label
+        self.assertFalse(results.is_old(result))
+        self.document.recompute()
+        self.assertEqual(result.Label, label)
+        self.edit(50)
+        self.assertEqual(result.Label, label + " (before the last edit)")
+        newer = self.add_result()
+        self.assertEqual([results.is_old(one) for one in (result, newer)], [True, False])
+        self.edit(60)
+        self.assertEqual([results.is_old(one) for one in (result, newer)], [True, True])
+        self.document.undo()
+        self.assertEqual([results.is_old(one) for one in (result, newer)], [True, False])
+        self.document.undo()
+        self.assertEqual([results.is_old(one) for one in (result, newer)], [False, True])
+
+    def test_an_old_result_is_told_after_saving(self):
+        result = self.add_result()
+        path = self.folder + "/solved.FCStd"
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        document = FreeCAD.openDocument(path)
+        result = document.getObject("CCX_Results")
+        self.assertFalse(results.is_old(result))
+        document.getObject("FeatureMesh").Automatic = False
+        document.getObject("Beam").Length = 50
+        document.recompute()
+        self.assertTrue(results.is_old(result))
+        FreeCAD.closeDocument(document.Name)
+
+    def test_a_result_belongs_to_the_mesh_that_its_input_was_written_from(self):
+        self.assertEqual(self.problem(), "")   # the panel asks this and writes the input
+        self.edit(50)
+        self.assertTrue(results.is_old(self.add_result()))
+        self.assertEqual(self.problem(), "")
+        self.assertFalse(results.is_old(self.add_result()))
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+    def test_solved_anew_the_result_is_no_longer_old(self):
+        first = api.solve(self.analysis).result
+        self.assertFalse(results.is_old(first))
+        self.edit(50)
+        self.assertTrue(results.is_old(first))
+        self.assertFalse(results.is_old(api.solve(self.analysis).result))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How the code is written, as far as tools tell: clang-format (.clang-format) and flake8 (.flake8) have nothing to say. Runs in plain Python."""
+import shutil
+import subprocess
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+FOLDERS = ("src", "bindings", "tests", "resources", "Mod")
+CLANG_FORMAT = "clang-format-14"   # others break lines elsewhere
+
+
+def files(*suffixes):
+    return [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*")) if path.suffix in suffixes]
+
+
+def complaints(*command):
+    return subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True).stdout
+
+
+class Style(unittest.TestCase):
+    @unittest.skipUnless(shutil.which(CLANG_FORMAT), f"this Debian has no {CLANG_FORMAT}")
+    def test_clang_format_would_change_nothing(self):
+        sources = files(".h", ".cpp")
+        self.assertGreater(len(sources), 300)
+        self.assertEqual(complaints(CLANG_FORMAT, "--style=file", "--dry-run", *sources), "")
+
+    def test_flake8_has_nothing_to_say(self):
+        scripts = files(".py")
+        self.assertGreater(len(scripts), 80)
+        self.assertEqual(complaints("flake8", *scripts), "")
+
+
+if __name__ == "__main__":
+    unittest.main()
