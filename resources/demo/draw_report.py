@@ -10,6 +10,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "Mod" / "FeatureMesh" / "freecad" / "featuremesh"))
 
 import pictures  # noqa: E402
+import quality  # noqa: E402
 from report_page import Page  # noqa: E402
 
 HOLE = (107.5, 70, 7.5)
@@ -36,7 +37,7 @@ def draw(folder):
 
 
 def quality_series(name, mesh):
-    smallest, _, ratios = pictures.tet_quality(mesh["points"], mesh["tets"])
+    smallest, _, ratios = quality.tet_quality(mesh["points"], mesh["tets"])
     return name, smallest, ratios
 
 
@@ -65,14 +66,14 @@ def write_page(folder, numbers):
                 f"In this part {numbers['edit']}. The mesh is not made again: it is kept where nothing changed and filled anew around the hole.")
     page.add_tiles([(f"{update['kept']['nodes_share']:.1%}", "of the nodes kept, bit for bit, with their numbers", True),
                     (f"{seconds['update'] / seconds['full']:.0%}", f"of a full mesh's time ({seconds['update']:.2f} s against {seconds['full']:.2f} s)", True),
-                    (f"{update['tets']:,}", f"tets of size {numbers['size']:g} mm", False),
+                    (f"{update['tets']:,}", f"elements of size {numbers['size']:g} mm", False),
                     (f"{update['quality']['min_dihedral']:.1f}°", f"smallest dihedral angle (full mesh: {full['quality']['min_dihedral']:.1f}°)", False)])
     page.add_heading("What was kept")
     page.add_figure(folder / "pictures" / "kept.png", "The part cut open through the middle of the moved hole; every tet is drawn whole.")
     page.add_figure(folder / "pictures" / "kept_close.png", "The same close up. Active nodes survived as start positions and were then moved to where they serve best.")
     add_difference(page, numbers)
     add_meshes(page, numbers)
-    page.add_figure(folder / "pictures" / "quality.png", "Quality of all tets of the mesh before and after the update.")
+    page.add_figure(folder / "pictures" / "quality.png", "Quality of all elements of the mesh before and after the update.")
     add_results(page, numbers)
     page.add_figure(folder / "pictures" / "stress.png", "Both solutions in the same colours, deformations drawn at the same scale.")
     page.write(folder / "report.html", "Made by ./featuremesh demo. Times are those of this run on this machine.")
@@ -98,22 +99,23 @@ def add_meshes(page, numbers):
         report, quality = numbers[name], numbers[name]["quality"]
         rows.append((title, f"{report['nodes']:,}", f"{report['tets']:,}", f"{report['seconds']['engine_total']:.2f}",
                      f"{quality['min_dihedral']:.1f}°", f"{quality['mean_min_dihedral']:.1f}°", f"{quality['mean_radius_ratio']:.3f}", quality["below_20"]))
-    page.add_table(("", "nodes", "tets", "seconds", "smallest dihedral", "mean of smallest", "mean radius ratio", "below 20°"), rows)
+    page.add_table(("", "nodes", "elements", "seconds", "smallest dihedral", "mean of smallest", "mean radius ratio", "below 20°"), rows)
     steps = sorted({step for name in ("update", "full") for step in numbers[name]["seconds"]} & set(STEPS), key=STEPS.index)
     page.add_table(("seconds by step", *steps),
                    [(title, *(f"{numbers[name]['seconds'].get(step, 0):.3f}" for step in steps))
                     for title, name in (("update", "update"), ("full mesh", "full"))])
 
 
-STEPS = ["read", "cells", "difference", "keep", "surface", "volume", "optimise", "validate", "engine_total"]
+STEPS = ["read", "difference", "keep", "surface", "volume", "optimise", "validate", "measure", "engine_total"]
 
 
 def add_results(page, numbers):
     page.add_heading("Solved before and after")
     page.add_text("The analysis was not touched: the fixed face, the force and the material found their nodes and elements in the updated mesh.")
-    rows = [(title, f"{numbers[name]['displacement']:.4f}", f"{numbers[name]['stress']:.1f}", f"{numbers[name]['seconds']:.1f}")
-            for title, name in (("before the edit", "first_solution"), ("after the update", "second_solution"))]
-    page.add_table(("CalculiX", "largest displacement, mm", "largest von Mises stress, MPa", "seconds"), rows)
+    rows = [(solver, title, f"{numbers[name]['displacement']:.4f}", f"{numbers[name]['stress']:.1f}", f"{numbers[name]['seconds']:.1f}")
+            for solver, title, name in (("CalculiX", "before the edit", "first_solution"), ("CalculiX", "after the update", "second_solution"),
+                                        ("live", "before the edit", "first_live"), ("live", "after the update", "second_live")) if numbers[name]]
+    page.add_table(("solver", "state", "largest displacement, mm", "largest von Mises stress, MPa", "seconds"), rows)
 
 
 draw(Path(sys.argv[1]))

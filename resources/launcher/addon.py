@@ -7,6 +7,7 @@ from freecad_task import run_script
 from layout import RELEASE, WORKBENCH, Failure, UserError
 
 NAME = "FeatureMesh"
+LIVE_SOLVER = "featuremesh_petsc.so"
 OURS = Path("freecad") / "featuremesh" / "api.py"
 
 
@@ -26,6 +27,8 @@ def install_into(folder):
     shutil.rmtree(fresh, ignore_errors=True)
     shutil.copytree(WORKBENCH, fresh, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copy2(engines[-1], fresh)
+    if (RELEASE / "bindings" / LIVE_SOLVER).exists():
+        shutil.copy2(RELEASE / "bindings" / LIVE_SOLVER, fresh)
     if target.exists():
         shutil.rmtree(target)
     fresh.rename(target)

@@ -3,6 +3,7 @@
 import argparse
 
 import commands
+import study_arguments
 
 PROGRAM = "featuremesh"
 DESCRIPTION = "Tetrahedral FEM meshes of FreeCAD parts that are updated locally when the part is edited. Lengths in mm."
@@ -24,8 +25,9 @@ def parse(words):
     parser = Parser(prog=PROGRAM, description=DESCRIPTION, usage=f"{PROGRAM} [-h] COMMAND ...",
                     formatter_class=one_line_each)
     subparsers = parser.add_subparsers(prog=PROGRAM, dest="command", metavar="COMMAND ...", required=True, parser_class=Parser)
-    for add in (add_demo, add_test, add_mesh, add_adopt, add_update, add_transfer, add_renumber, add_diff, add_tree, add_export, add_gui, add_bench,
-                add_install, add_uninstall):
+    for add in (add_demo, add_test, add_mesh, add_adopt, add_update, add_solve, add_transfer, add_renumber, add_diff, add_tree, add_export, add_picture, add_script,
+                add_gui, add_bench, add_study,
+                add_install, add_uninstall, add_package, add_about):
         add(subparsers)
     return parser.parse_args(words)
 
@@ -46,14 +48,16 @@ def add_test(subparsers):
     test.add_argument("--freecad", metavar="VERSION", help="FreeCAD to test with: 1.0 or 1.1, in a root of another Debian release (default: this machine's)")
     test.add_argument("--long", action="store_true", help="also what takes minutes (all FEM examples, fine meshes), with its tables")
     test.add_argument("--in-freecad", action="store_true", help="only what runs in FreeCAD: the engine is built, the tests of its modules are not")
+    test.add_argument("--packages", action="store_true", help="make the packages and install them in roots without anything to build with")
+    test.add_argument("--python", action="append", default=[], metavar="PROGRAM", help=argparse.SUPPRESS)   # as for package
     test.add_argument("--only", metavar="PATTERN", help="run only tests whose name matches this regular expression")
 
 
 def add_mesh(subparsers):
     mesh = command(subparsers, "mesh", commands.mesh, "add a mesh to a document's part")
     add_part(mesh)
-    mesh.add_argument("--size", type=float, metavar="H", help="edge length of the tets (default: chosen from the part)")
-    mesh.add_argument("--order", type=int, choices=(1, 2), help="1: 4-node tets, 2: 10-node tets (default: 1)")
+    mesh.add_argument("--size", type=float, metavar="H", help="edge length of the elements (default: chosen from the part)")
+    mesh.add_argument("--order", type=int, choices=(1, 2), help="1: 4-node tetrahedra, too stiff in bending; 2: 10-node tetrahedra (default: 2, or as the document's mesh has it)")
     add_run(mesh)
 
 
@@ -62,8 +66,19 @@ def add_update(subparsers):
     add_part(update)
     update.add_argument("--set", action="append", default=[], metavar="OBJECT.PROPERTY=VALUE",
                         help="an edit: a property, Sketch.CONSTRAINT, Spreadsheet.ALIAS or Object.Placement.Base.x; may be repeated")
+    update.add_argument("--solve", action="store_true", help="solve the analysis afterwards, as `solve` does")
     update.add_argument("--full", action="store_true", help="mesh the edited part from scratch instead, for comparison")
     add_run(update)
+
+
+def add_solve(subparsers):
+    solve = command(subparsers, "solve", commands.solve, "solve a meshed part's analysis, live (linear statics) or with CalculiX")
+    solve.add_argument("part", metavar="PART.FCStd", help="a document with a mesh and an analysis")
+    solve.add_argument("--analysis", metavar="NAME", help="the analysis (default: the only one of the document)")
+    which = solve.add_mutually_exclusive_group()
+    which.add_argument("--live", action="store_true", help="only the live solver, no CalculiX for what it does not know")
+    which.add_argument("--ccx", action="store_true", help="only CalculiX")
+    add_run(solve)
 
 
 def add_adopt(subparsers):
@@ -110,13 +125,36 @@ def add_tree(subparsers):
 def add_export(subparsers):
     export = command(subparsers, "export", commands.export, "write a document's mesh with its groups to a file")
     export.add_argument("part", metavar="PART.FCStd", help="a document with a mesh")
-    export.add_argument("--format", required=True, choices=("vtu", "inp", "unv", "med"), help="format of the file")
+    export.add_argument("--format", required=True, choices=("vtu", "vtk", "inp", "bdf", "msh", "stl", "unv", "med", "z88"), help="format of the file")
     export.add_argument("out", metavar="OUT", help="the file to write")
+
+
+def add_picture(subparsers):
+    picture = command(subparsers, "picture", commands.picture, "draw a document's mesh, coloured by a measure of quality, perhaps cut open")
+    add_part(picture)
+    picture.add_argument("--quality", default="dihedral_angle", metavar="MEASURE", choices=(
+        "dihedral_angle", "radius_ratio", "aspect_ratio", "scaled_jacobian", "skewness", "size_ratio"),
+        help="dihedral_angle (default), radius_ratio, aspect_ratio, scaled_jacobian, skewness or size_ratio")
+    picture.add_argument("--limits", type=float, nargs=2, metavar=("BAD", "GOOD"), help="where the colours end (default: the measure's own)")
+    picture.add_argument("--cut", metavar="PLANE", help="what stays: z=5 or z<5 below a plane, z>5 above it; x and y likewise")
+    picture.add_argument("--filled", action="store_true", help="cut through the elements instead of showing whole ones")
+    picture.add_argument("--out", metavar="OUT.png", help="the picture to write (default: the document's name with .png)")
+
+
+def add_script(subparsers):
+    script = command(subparsers, "run", commands.run, "run a Python script in FreeCAD, with `api` and the open `document`")
+    script.add_argument("script", metavar="SCRIPT.py", help="the script; what it prints is all that is printed")
+    script.add_argument("part", metavar="PART.FCStd", nargs="?", help="a document to open for it")
 
 
 def add_gui(subparsers):
     gui = command(subparsers, "gui", commands.gui, "open FreeCAD with the FeatureMesh workbench")
     gui.add_argument("part", metavar="PART.FCStd", nargs="?", help="a document to open")
+
+
+def add_study(subparsers):
+    study = command(subparsers, "study", None, "run many variants of a part and compare them: study run, status, resume, report and more")
+    study_arguments.add_commands(study, command, add_object)
 
 
 def add_bench(subparsers):
@@ -136,6 +174,16 @@ def add_install(subparsers):
 
 def add_uninstall(subparsers):
     command(subparsers, "uninstall", commands.uninstall, "remove the workbench from FreeCAD's folder for add-ons")
+
+
+def add_package(subparsers):
+    package = command(subparsers, "package", commands.package, "make wheels, addon, portable zip and Debian package in dist")
+    package.add_argument("--python", action="append", default=[], metavar="PROGRAM",
+                         help="one more Python to make a wheel for, which has its headers; may be repeated")
+
+
+def add_about(subparsers):
+    command(subparsers, "about", commands.about, "tell the versions of everything, for a bug report")
 
 
 def add_part(parser):

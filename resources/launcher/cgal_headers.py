@@ -5,6 +5,7 @@ It comes through apt with its signature checked, from the mirror that the machin
 that neither the machine's packages nor its package sources change.
 """
 import shutil
+import subprocess
 import tempfile
 from pathlib import Path
 
@@ -35,30 +36,35 @@ def fetch_cgal():
     say("fetching the CGAL headers from Debian testing (into build/deps, nothing is installed)")
     source = debian_source(SYSTEM_SOURCES)
     with tempfile.TemporaryDirectory(prefix="featuremesh-apt-") as folder:
-        package = download("libcgal-dev", source, Path(folder))
         unpacked = CGAL.with_name("cgal.new")
-        shutil.rmtree(unpacked, ignore_errors=True)
-        unpacked.mkdir(parents=True)
-        run_logged(["dpkg", "-x", package, unpacked], "unpacking the CGAL headers")
+        unpack(["libcgal-dev"], source, Path(folder), unpacked)
     if version_of(unpacked) < OLDEST:
         raise Failure(f"the mirror's libcgal-dev is older than CGAL {OLDEST[0]}.{OLDEST[1]}")
     shutil.rmtree(CGAL, ignore_errors=True)
     unpacked.rename(CGAL)
 
 
-def download(package, source, folder):
-    """Downloads a package of Debian testing into a folder, through private lists."""
+def unpack(packages, source, folder, target):
+    """Downloads packages of Debian testing into a folder, through private lists, and unpacks them into `target`. Gives the names of those
+    that there are; one that ends with `?` may be absent."""
     folder.chmod(0o755)
     lists = folder / "lists"
     (lists / "partial").mkdir(parents=True)
     sources_list = folder / "testing.list"
     sources_list.write_text(testing_line(source), encoding="utf-8")
-    apt = ["apt-get", "-q", "-o", f"Dir::Etc::SourceList={sources_list}", "-o", "Dir::Etc::SourceParts=/nonexistent",
-           "-o", f"Dir::State::Lists={lists}", "-o", "Dir::Cache::pkgcache=", "-o", "Dir::Cache::srcpkgcache=",
-           "-o", "Acquire::Languages=none", "-o", "APT::Update::Error-Mode=any"]
-    apt = read_lists(apt, source)
-    run_logged([*apt, "download", package], f"downloading {package} of Debian testing", cwd=folder)
-    return next(folder.glob(package + "_*.deb"))
+    private = ["-o", f"Dir::Etc::SourceList={sources_list}", "-o", "Dir::Etc::SourceParts=/nonexistent",
+               "-o", f"Dir::State::Lists={lists}", "-o", "Dir::Cache::pkgcache=", "-o", "Dir::Cache::srcpkgcache=",
+               "-o", "Acquire::Languages=none", "-o", "APT::Update::Error-Mode=any"]
+    apt = read_lists(["apt-get", "-q", *private], source)
+    of_testing = [*private, "-o", "Dir::State::status=/dev/null"]   # without what is installed here, which testing may not have
+    known = set(subprocess.run(["apt-cache", *of_testing, "pkgnames"], stdout=subprocess.PIPE, text=True, check=True).stdout.split())
+    names = [name.rstrip("?") for name in packages if not name.endswith("?") or name.rstrip("?") in known]
+    run_logged([*apt, "download", *(name + "/testing" for name in names)], f"downloading {' '.join(names)} of Debian testing", cwd=folder)
+    shutil.rmtree(target, ignore_errors=True)
+    target.mkdir(parents=True)
+    for package in sorted(folder.glob("*.deb")):
+        run_logged(["dpkg", "-x", package, target], f"unpacking {package.name}")
+    return names
 
 
 def testing_line(source):

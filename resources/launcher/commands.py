@@ -3,16 +3,20 @@
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import addon
 import freecad_roots
+import package_tests
 import packages
+import published
+import wheels
 from engine_build import PYTHON, set_up
 from freecad_task import freecad_environment, run_script, run_task
-from layout import RELEASE, ROOT, WORKBENCH, Failure, UserError
+from layout import EXAMPLES, RELEASE, ROOT, WORKBENCH, Failure, UserError
 from setup_log import say
 
 CLOSING_LINES = 30
@@ -34,7 +38,16 @@ def adopt(given):
 
 def update(given):
     part = existing_file(given.part)
-    return finish(task(given, part=part, object=given.object, set=given.set, full=given.full, threads=given.threads,
+    if given.solve:
+        set_up(packages.SOLVER_PACKAGES)
+    return finish(task(given, part=part, object=given.object, set=given.set, full=given.full, solve=given.solve, threads=given.threads,
+                       out=written_file(given.out), json=written_file(given.json)))
+
+
+def solve(given):
+    part = existing_file(given.part)
+    set_up(() if given.ccx else packages.SOLVER_PACKAGES)
+    return finish(task(given, part=part, analysis=given.analysis, live=given.live, ccx=given.ccx, threads=given.threads,
                        out=written_file(given.out), json=written_file(given.json)))
 
 
@@ -67,15 +80,48 @@ def export(given):
     return finish(task(given, part=part, format=given.format, out=written_file(given.out)))
 
 
+def picture(given):
+    part = existing_file(given.part)
+    set_up(packages.PICTURE_PACKAGES)
+    return finish(task(given, part=part, object=given.object, quality=given.quality, limits=given.limits, cut=given.cut, filled=given.filled,
+                       out=written_file(given.out or Path(given.part).stem + ".png")))
+
+
+def run(given):
+    """The script's own output goes through a descriptor of its own, beside FreeCAD's lines, which go to the log."""
+    script, part = existing_file(given.script), existing_file(given.part) if given.part else None
+    sys.stdout.flush()
+    output = os.dup(1)
+    try:
+        return finish(task(given, script=script, part=part, output=output))
+    finally:
+        os.close(output)
+
+
 def demo(given):
     out = written_file(given.out)
     if Path(out).is_file():
         raise UserError(f"{given.out} is a file; give a folder with --out")
-    set_up(packages.PICTURE_PACKAGES)
+    set_up(packages.PICTURE_PACKAGES + packages.STUDY_PACKAGES)
     result = run_script(ROOT / "resources" / "demo" / "run_demo.py", {"FEATUREMESH_DEMO_OUT": out}, lines_to=sys.stdout)
     if result["exit_code"] == 0:
         draw_report(out)
+        study_of_demo(out)
     return finish(result)
+
+
+def study_of_demo(folder):
+    """A small study of the same bracket, by the very commands that the user's guide names."""
+    from arguments import parse   # which needs this module first
+    study = Path(folder) / "study"
+    shutil.rmtree(study, ignore_errors=True)
+    print("Study          six brackets from one base mesh: a hole and a fillet are varied", flush=True)
+    for words in (["run", str(EXAMPLES / "bracket.FCStd"), "--vary", "HoleSketch.Hole6X=95:110", "--vary", "Fillet.Radius=2:5", "--sampling", "lhs",
+                   "--cases", "6", "--responses", "mass,max_mises,max_displacement", "--size", "8", "--order", "1", "--solver", "ccx",
+                   "--folder", str(study)], ["report", str(study)]):
+        given = parse(["study", *words])
+        if given.run(given):
+            raise Failure(f"the study failed; see {study}")
 
 
 def draw_report(folder):
@@ -86,9 +132,12 @@ def draw_report(folder):
 
 
 def test(given):
+    if given.packages:
+        return test_packages(given)
     if given.freecad is not None:
         return test_elsewhere(given)
-    set_up(packages.PICTURE_PACKAGES + packages.PEER_PACKAGES, everything=not given.in_freecad)
+    extra = () if given.in_freecad else packages.STYLE_PACKAGES + packages.WINDOWS_PACKAGES + packages.SOLVER_PACKAGES + packages.CLUSTER_PACKAGES
+    set_up(packages.PICTURE_PACKAGES + packages.PEER_PACKAGES + packages.READER_PACKAGES + packages.STUDY_PACKAGES + extra, everything=not given.in_freecad)
     say("running the tests" + (" in FreeCAD" if given.in_freecad else ""))
     options = [*(["-R", given.only] if given.only else []), *(["-L", IN_FREECAD] if given.in_freecad else [])]
     environment = dict(os.environ)
@@ -112,6 +161,15 @@ def test(given):
     if code:
         raise Failure(f"tests failed; everything they said: {log_file}")
     return 0
+
+
+def test_packages(given):
+    """Makes the packages and installs them as a user does, beside every FreeCAD or the one that is asked for."""
+    versions = [given.freecad] if given.freecad else list(freecad_roots.USERS_RELEASE_OF)
+    if versions[0] not in freecad_roots.USERS_RELEASE_OF:
+        raise UserError(f"--freecad {given.freecad}: packages are tested beside {', '.join(freecad_roots.USERS_RELEASE_OF)}")
+    package(given)
+    return package_tests.run(versions, given.only)
 
 
 def test_elsewhere(given):
@@ -148,16 +206,21 @@ def bench(given):
 
 
 def gui(given):
-    part = [existing_file(given.part)] if given.part else []
+    # The first word must be no option: Debian's FreeCAD lets Python read those before it. Of "-" it makes nothing.
+    first = existing_file(given.part) if given.part else "-"
     set_up(packages.WINDOW_PACKAGES)
     if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
         raise UserError("there is no screen (neither DISPLAY nor WAYLAND_DISPLAY is set)")
     program = os.environ.get("FREECAD", "freecad")
-    code = subprocess.run([program, f"--module-path={WORKBENCH}", *part], env=freecad_environment()).returncode
+    code = subprocess.run([program, first, f"--module-path={WORKBENCH}"], env=freecad_environment()).returncode
     if code:
         raise Failure(f"FreeCAD ended with exit code {code}")
     print("FreeCAD was closed")
     return 0
+
+
+def about(given):
+    return finish(task(given))
 
 
 def install(given):
@@ -170,6 +233,14 @@ def install(given):
 
 def uninstall(given):
     print(f"FeatureMesh was removed from {addon.remove_from(addon.addon_folder())}")
+    return 0
+
+
+def package(given):
+    set_up(packages.PACKAGING_PACKAGES)
+    wheels.fetch_tools()
+    for path in published.make_all(ROOT / "dist", given.python):
+        print(f"{path.stat().st_size / 1e6:5.1f} MB  {path.relative_to(ROOT)}")
     return 0
 
 
@@ -189,7 +260,8 @@ def finish(result, print_json=False):
     if code == 0 and print_json:
         print(json.dumps(result["data"], indent=1))
     else:
-        print(result["message"], file=sys.stderr if code else sys.stdout, flush=True)
+        if result["message"]:
+            print(result["message"], file=sys.stderr if code else sys.stdout, flush=True)
     for line in result["data"].get("warnings", []):
         print(f"warning: {line}", file=sys.stderr)
     return code

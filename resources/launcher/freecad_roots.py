@@ -9,7 +9,6 @@ import datetime
 import fcntl
 import json
 import os
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -19,6 +18,7 @@ from layout import ROOT, SETUP_LOG, Failure, Unavailable
 from setup_log import run_logged, say
 
 RELEASE_OF = {"1.0": "trixie", "1.1": "testing"}
+USERS_RELEASE_OF = {"0.20": "bookworm", **RELEASE_OF}   # of roots as users have them, without anything to build with
 # Debian 13 has no CalculiX; Debian 12's works there with the libraries beside it. Installed, it would take FreeCAD's own away.
 FROM_BEFORE = {"trixie": {"release": "bookworm", "unpacked": ("calculix-ccx", "libspooles2.2"), "libraries": ("libarpack2t64", "libopenmpi40")}}
 CACHE = Path(os.environ.get("FEATUREMESH_CACHE", "/var/cache/featuremesh"))
@@ -44,7 +44,7 @@ mkdir -p {CHECKOUT}/build
 {{ apt-get -q update && apt-get -q -y install --no-install-recommends python3; }} >> {CHECKOUT}/build/setup.log 2>&1 || exit 1
 exec /usr/bin/python3 -B -c "import sys; sys.path.insert(0, '{CHECKOUT}/resources/launcher')
 import packages
-packages.install_missing(packages.BUILD_PACKAGES + packages.RUN_PACKAGES + packages.PICTURE_PACKAGES + packages.PEER_PACKAGES)"
+packages.install_missing(packages.$1)"
 """
 # A root that breaks is made anew: nothing is waited for until it is on the disk, and nobody reads manuals there.
 THROWAWAY = "force-unsafe-io\npath-exclude=/usr/share/doc/*\npath-exclude=/usr/share/man/*\n"
@@ -73,9 +73,22 @@ def run_in_root(version, command):
     root = CACHE / RELEASE_OF[version]
     with alone(prefix):
         if not is_fresh(root):
-            make_root(RELEASE_OF[version], root, prefix)
+            make_root(RELEASE_OF[version], root, prefix, "FOR_TESTS")
     try:
         return run_mounted(prefix, root, [f"FEATUREMESH_BUILD={CHECKOUT}/build/freecad-{version}"], command)
+    finally:
+        give_back(prefix)
+
+
+def run_in_users_root(version, command):
+    """Runs a command in a root that has that FreeCAD and pip, but nothing to build with; gives its exit code. Throws Unavailable."""
+    prefix = prepare_machine()
+    root = CACHE / (USERS_RELEASE_OF[version] + "-users")
+    with alone(prefix):
+        if not is_fresh(root):
+            make_root(USERS_RELEASE_OF[version], root, prefix, "FOR_USERS")
+    try:
+        return run_mounted(prefix, root, [], command)
     finally:
         give_back(prefix)
 
@@ -121,9 +134,9 @@ def is_fresh(root, now=None):
     return datetime.timedelta(0) <= (now or datetime.datetime.now()) - made < datetime.timedelta(days=FRESH_DAYS)
 
 
-def make_root(name, root, prefix):
-    """Makes the root anew beside its place and moves it there when it is whole."""
-    say(f"making a root of Debian {name} in {root} (about 3 GB with its packages, kept for {FRESH_DAYS} days)")
+def make_root(name, root, prefix, wanted):
+    """Makes the root anew beside its place, with that group of `packages`, and moves it there when it is whole."""
+    say(f"making a root of Debian {name} in {root} (up to 3 GB with its packages, kept for {FRESH_DAYS} days)")
     fresh = root.with_name(root.name + ".new")
     try:
         source = debian_source(SYSTEM_SOURCES)
@@ -138,9 +151,9 @@ def make_root(name, root, prefix):
     write(prefix, fresh / "etc/apt/apt.conf.d/99machine", "".join(machine_settings()))
     if Path("/", CERTIFICATES).is_file():
         write(prefix, fresh / CERTIFICATES, Path("/", CERTIFICATES).read_text(encoding="utf-8"))
-    if run_mounted(prefix, fresh, [], ["sh", "-c", INSTALL]):
+    if run_mounted(prefix, fresh, [], ["sh", "-c", INSTALL, "sh", wanted]):
         raise Unavailable(f"no root of Debian {name}: its packages could not be installed, see {SETUP_LOG}")
-    if name in FROM_BEFORE and run_mounted(prefix, fresh, [], ["sh", "-c", UNPACK, "sh", *from_before(name, source)]):
+    if wanted == "FOR_TESTS" and name in FROM_BEFORE and run_mounted(prefix, fresh, [], ["sh", "-c", UNPACK, "sh", *from_before(name, source)]):
         say(f"Debian {name} lacks a package that could not be taken from the release before, see {SETUP_LOG}; what needs it is skipped")
     write(prefix, fresh / NOTE, json.dumps({"made": datetime.datetime.now().isoformat(), "release": name}))
     run_logged([*prefix, "rm", "-rf", "--one-file-system", root], "removing the old root")

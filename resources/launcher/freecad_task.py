@@ -21,13 +21,15 @@ MARK = "featuremesh:"
 
 def run_task(task):
     """The result of a task: {"exit_code", "message", "data"}."""
-    return run_script(TASK_SCRIPT, {"FEATUREMESH_TASK": json.dumps(task)})
+    inherited = (task["output"],) if "output" in task else ()
+    return run_script(TASK_SCRIPT, {"FEATUREMESH_TASK": json.dumps(task)}, inherited=inherited)
 
 
-def run_script(script, variables, lines_to=None):
+def run_script(script, variables, lines_to=None, inherited=()):
     """Runs a script inside freecadcmd and gives the JSON object that it wrote to the file named by FEATUREMESH_RESULT.
 
-    Lines of its standard error that start with `featuremesh:` are progress on a terminal, or go to `lines_to` as they come.
+    Lines of its standard error that start with `featuremesh:` are progress on a terminal, or go to `lines_to` as they come. It inherits
+    the descriptors `inherited`.
     """
     BUILD.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
@@ -35,7 +37,8 @@ def run_script(script, variables, lines_to=None):
         environment = freecad_environment(FEATUREMESH_RESULT=str(result_file), **variables)
         command = [freecadcmd(), str(script), f"--module-path={WORKBENCH}"]
         with open(FREECAD_LOG, "w", encoding="utf-8") as log, subprocess.Popen(
-                command, env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.PIPE) as process:
+                command, env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.PIPE,
+                pass_fds=inherited) as process:
             try:
                 pass_on(process.stderr, log, lines_to)
             except KeyboardInterrupt:

@@ -15,16 +15,36 @@ BUILD_PACKAGES = (
 RUN_PACKAGES = ("freecad-python3", "python3-numpy", "calculix-ccx")
 PICTURE_PACKAGES = ("python3-vtk9", "python3-matplotlib", "xvfb", "xauth", "libgl1-mesa-dri")
 PEER_PACKAGES = ("gmsh",)
+READER_PACKAGES = ("python3-meshio", "python3-h5py")
+STYLE_PACKAGES = ("clang-format-14", "flake8")
+SOLVER_PACKAGES = ("pkg-config", "libpetsc-real-dev")   # optional: without them the engine is built without its live solver
+STUDY_PACKAGES = ("python3-scipy", "python3-matplotlib")
+CLUSTER_PACKAGES = ("python3-distributed",)   # optional: studies on other machines
+OPTUNA_PACKAGES = ("python3-optuna",)   # optional: another way to look for the best case
 NETGEN_PACKAGES = ("python3-netgen",)
+WINDOWS_PACKAGES = ("g++-mingw-w64-x86-64-posix",)
 WINDOW_PACKAGES = ("freecad", "python3-pivy")
-NOT_EVERYWHERE = ("calculix-ccx",)  # not in Debian 13; what needs it is skipped where its program is not there otherwise
+PACKAGING_PACKAGES = ("patchelf", "binutils", "debhelper", "dpkg-dev", "lintian", "fakeroot")
+# What roots of other Debian releases have: those for the tests, and those that are as FreeCAD's users have them.
+FOR_TESTS = BUILD_PACKAGES + RUN_PACKAGES + PICTURE_PACKAGES + PEER_PACKAGES + READER_PACKAGES
+FOR_USERS = ("freecad", "freecad-python3", "python3-numpy", "python3-pip", "xvfb", "xauth", "libgl1-mesa-dri", "unzip")
+# Not in Debian 13 (CalculiX) or of Debian 12 only; what needs them is skipped where the program is not there otherwise.
+NOT_EVERYWHERE = ("calculix-ccx", "clang-format-14")
 
 REASONS = (
     (BUILD_PACKAGES, "to build the engine"),
     (RUN_PACKAGES, "to run in FreeCAD and to solve with CalculiX"),
     (PICTURE_PACKAGES, "to draw the pictures of reports"),
     (PEER_PACKAGES, "to compare with another mesher"),
+    (READER_PACKAGES, "to read exported files back in tests"),
+    (STYLE_PACKAGES, "to check how the code is written"),
+    (SOLVER_PACKAGES, "to solve with PETSc"),
+    (STUDY_PACKAGES, "to sample the cases of studies and to draw what they found"),
+    (CLUSTER_PACKAGES, "to run studies on a Dask cluster"),
+    (OPTUNA_PACKAGES, "to optimise by Optuna"),
     (NETGEN_PACKAGES, "to measure Netgen, too"),
+    (WINDOWS_PACKAGES, "to see that parts of the engine compile for Windows"),
+    (PACKAGING_PACKAGES, "to make packages"),
     (WINDOW_PACKAGES, "to open FreeCAD's window"),
 )
 
