@@ -98,9 +98,7 @@ def load_by_hand(document):
 def mesh_by_hand(document):
     """Our button in FEM's toolbar, a size in the panel, OK."""
     from freecad.featuremesh import api, mesh_object
-    end = Gui.getMainWindow().findChild(QtGui.QToolBar, "Mesh").findChild(QtGui.QToolButton, "qt_toolbar_ext_button")
-    if end.isVisible():
-        click(end)
+    window.button_of("FeatureMesh_MeshPart")
     film("4_toolbar")
     click_button_of("FeatureMesh_MeshPart")
     close_toolbars()

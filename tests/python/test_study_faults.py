@@ -78,10 +78,10 @@ class Faults(StudyTest):
         self.assertIn("case 2 was ended 2 times", err)
 
     def test_calculix_is_killed(self):
-        """A program in CalculiX's place that is ended the first time, and CalculiX then."""
+        """A program in CalculiX's place that is ended the first time that it is to solve, and CalculiX then. FreeCAD starts it without a model to see that it is there."""
         program, flag = self.folder / "bin" / "ccx", self.folder / "was-killed"
         program.parent.mkdir()
-        program.write_text("#!/bin/sh\n[ -e %s ] || { touch %s; kill -9 $$; }\nexec %s \"$@\"\n" % (flag, flag, shutil.which("ccx")), encoding="utf-8")
+        program.write_text("#!/bin/sh\n[ \"$1\" != -i ] || [ -e %s ] || { touch %s; kill -9 $$; }\nexec %s \"$@\"\n" % (flag, flag, shutil.which("ccx")), encoding="utf-8")
         program.chmod(0o755)
         self.environment["PATH"] = "%s:%s" % (program.parent, os.environ["PATH"])
         self.toml('responses = ["max_mises"]', 'solver = "ccx"')

@@ -97,7 +97,7 @@ def send_key(widget, key, modifiers=QtCore.Qt.NoModifier, text=""):
     QtGui.QApplication.processEvents()
 
 
-def click_button_of(command):
+def button_of(command):
     """The button of a command, by its name, in its toolbar, which is opened at its end where it has no room for all."""
     bar, action = next((bar, action) for bar in Gui.getMainWindow().findChildren(QtGui.QToolBar) if bar.isVisible()
                        for action in bar.actions() if command in (action.objectName(), action.data()))
@@ -105,7 +105,13 @@ def click_button_of(command):
     if not button.isVisible():
         click(bar.findChild(QtGui.QToolButton, "qt_toolbar_ext_button"))
         wait_for(button.isVisible)
-    wait_for(button.isEnabled)   # FreeCAD looks now and then what is possible
+    return button
+
+
+def click_button_of(command):
+    """Clicks the button of a command as soon as that is possible, of which FreeCAD looks now and then."""
+    button = button_of(command)
+    wait_for(button.isEnabled)
     click(button)
 
 

@@ -10,7 +10,7 @@ class TetSplit : public Operation {
   public:
     TetSplit(LocalMesh& mesh, const Objective& objective) : complex_(mesh.complex()), objective_(objective) {}
 
-    std::string_view name() const override { return "tet split"; }
+    std::string_view name() const override { return "split"; }
     bool moves_boundary() const override { return true; }  // so that a tet with a forced angle is looked at, too
 
     bool plan(int tet, Change& change) override {
