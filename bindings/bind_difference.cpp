@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bindings.h"
+#include "brep/shape_stream.h"
 #include "core/errors.h"
 #include "difference/followed_faces.h"
 #include "difference/place_partners.h"

@@ -9,13 +9,13 @@
 #include <optional>
 #include <set>
 
+#include "brep/booleans/shape_difference.h"
+#include "brep/solid_probe.h"
 #include "cells/final_faces.h"
 #include "cells/fuse.h"
 #include "cells/replay.h"
 #include "core/errors.h"
 #include "core/work.h"
-#include "features/shape_difference.h"
-#include "features/solid_probe.h"
 
 namespace featuremesh {
 

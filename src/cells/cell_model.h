@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "brep/brep.h"
 #include "core/run_context.h"
-#include "features/brep.h"
 #include "features/feature_tree.h"
 
 namespace featuremesh {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "features/flux.h"
-#include "features/shape_print.h"
+#include "brep/shape_print.h"
+#include "brep/volumes/flux.h"
 
 namespace featuremesh {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "brep/face_probe.h"
 #include "core/box_tree.h"
-#include "features/face_probe.h"
 
 namespace featuremesh {
 

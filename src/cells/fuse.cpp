@@ -14,13 +14,13 @@
 #include <cmath>
 #include <map>
 
+#include "brep/booleans/work_limit.h"
+#include "brep/occt_geometry.h"
+#include "brep/volumes/flux.h"
 #include "cells/section_filler.h"
 #include "cells/solid_splitter.h"
 #include "core/errors.h"
 #include "core/on_threads.h"
-#include "features/flux.h"
-#include "features/occt_geometry.h"
-#include "features/work_limit.h"
 
 namespace featuremesh {
 

@@ -2,7 +2,7 @@
 // The kernel's intersection, without the work for sections of faces that are edges of both faces already.
 #pragma once
 
-#include "features/counted_filler.h"
+#include "brep/booleans/counted_filler.h"
 
 namespace featuremesh {
 

@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
+#include "brep/brep.h"
+#include "brep/solid_probe.h"
 #include "difference/carriers.h"
-#include "features/brep.h"
-#include "features/solid_probe.h"
 
 namespace featuremesh {
 

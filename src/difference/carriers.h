@@ -13,8 +13,8 @@
 #include <gp_Trsf.hxx>
 #include <memory>
 
+#include "brep/occt_geometry.h"
 #include "core/geometry.h"
-#include "features/occt_geometry.h"
 
 namespace featuremesh {
 

@@ -3,9 +3,9 @@
 #include <GCPnts_AbscissaPoint.hxx>
 #include <cmath>
 
+#include "brep/occt_geometry.h"
+#include "brep/solid_probe.h"
 #include "difference/feature_difference.h"
-#include "features/occt_geometry.h"
-#include "features/solid_probe.h"
 
 namespace featuremesh {
 

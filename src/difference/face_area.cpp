@@ -12,8 +12,8 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 
+#include "brep/occt_geometry.h"
 #include "difference/boundary_model.h"
-#include "features/occt_geometry.h"
 
 namespace featuremesh {
 namespace {

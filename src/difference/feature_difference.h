@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "brep/brep.h"
 #include "cells/cell_model.h"
 #include "core/geometry.h"
 #include "core/run_context.h"
-#include "features/brep.h"
 #include "features/feature_tree.h"
 
 namespace featuremesh {

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <set>
 
+#include "brep/occt_geometry.h"
 #include "difference/made_partners.h"
 #include "difference/place_partners.h"
-#include "features/occt_geometry.h"
 
 namespace featuremesh {
 

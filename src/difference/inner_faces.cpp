@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "brep/solid_probe.h"
 #include "difference/feature_difference.h"
-#include "features/solid_probe.h"
 
 namespace featuremesh {
 

@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "brep/face_probe.h"
 #include "difference/carriers.h"
 #include "difference/feature_difference.h"
-#include "features/face_probe.h"
 
 namespace featuremesh {
 

@@ -8,8 +8,8 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 
-#include "features/occt_geometry.h"
-#include "features/solid_probe.h"
+#include "brep/occt_geometry.h"
+#include "brep/solid_probe.h"
 
 namespace featuremesh {
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "brep/face_probe.h"
 #include "cells/cell_model.h"
 #include "difference/carriers.h"
-#include "features/face_probe.h"
 
 namespace featuremesh {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <gp_Ax2.hxx>
 
-#include "features/occt_geometry.h"
+#include "brep/occt_geometry.h"
+#include "brep/same_solids.h"
 #include "features/pattern_placements.h"
-#include "features/same_solids.h"
 
 namespace featuremesh {
 

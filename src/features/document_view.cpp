@@ -3,6 +3,8 @@
 
 #include <TopExp_Explorer.hxx>
 
+#include "brep/shape_stream.h"
+
 namespace featuremesh {
 
 namespace {

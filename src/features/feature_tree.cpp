@@ -6,15 +6,15 @@
 #include <map>
 #include <set>
 
+#include "brep/booleans/shape_difference.h"
+#include "brep/occt_geometry.h"
+#include "brep/same_solids.h"
 #include "core/activity.h"
 #include "core/errors.h"
 #include "features/copied_volumes.h"
 #include "features/document_view.h"
 #include "features/feature_types.h"
-#include "features/occt_geometry.h"
 #include "features/pattern_instances.h"
-#include "features/same_solids.h"
-#include "features/shape_difference.h"
 
 namespace featuremesh {
 

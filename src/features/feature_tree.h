@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "brep/booleans/shape_difference.h"
 #include "core/geometry.h"
 #include "core/ids.h"
 #include "core/run_context.h"
 #include "features/raw_document.h"
-#include "features/shape_difference.h"
 
 namespace featuremesh {
 

@@ -4,11 +4,11 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
-#include "features/face_probe.h"
-#include "features/occt_geometry.h"
+#include "brep/face_probe.h"
+#include "brep/occt_geometry.h"
+#include "brep/same_faces.h"
+#include "brep/solid_probe.h"
 #include "features/pattern_placements.h"
-#include "features/same_faces.h"
-#include "features/solid_probe.h"
 
 namespace featuremesh {
 

@@ -18,7 +18,7 @@
 #include <numbers>
 #include <optional>
 
-#include "features/occt_geometry.h"
+#include "brep/occt_geometry.h"
 
 namespace featuremesh {
 

@@ -2,15 +2,12 @@
 // What was read from a FreeCAD document, before anybody says what it means.
 #pragma once
 
+#include <cstddef>
 #include <map>
-#include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "core/geometry.h"
-
-class TopoDS_Shape;
 
 namespace featuremesh {
 
@@ -43,11 +40,5 @@ struct RawDocument {
     std::vector<std::byte> shapes;
     bool operator==(const RawDocument&) const = default;
 };
-
-/// The children of the compound in FreeCAD's binary BREP form. Throws StateError when it is not one. The kernel trusts
-/// what follows its header, so whoever stores the bytes guards them with a checksum.
-std::vector<TopoDS_Shape> read_shapes(std::span<const std::byte> bytes);
-/// The same bytes form, for shapes made here (tests, saved states).
-std::vector<std::byte> write_shapes(std::span<const TopoDS_Shape> shapes);
 
 }  // namespace featuremesh

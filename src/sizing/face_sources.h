@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "features/brep.h"
+#include "brep/brep.h"
 #include "sizing/sizing_field.h"
 #include "sizing/source_tree.h"
 #include "sizing/wall_rays.h"

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <optional>
 
-#include "features/occt_geometry.h"
+#include "brep/occt_geometry.h"
 
 namespace featuremesh {
 namespace {

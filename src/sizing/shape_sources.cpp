@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-#include "features/occt_geometry.h"
+#include "brep/occt_geometry.h"
 #include "sizing/face_sources.h"
 #include "sizing/lost_sizes.h"
 #include "sizing/narrow_faces.h"

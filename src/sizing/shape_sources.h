@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "features/brep.h"
+#include "brep/brep.h"
 #include "sizing/sizing_field.h"
 #include "sizing/source_tree.h"
 

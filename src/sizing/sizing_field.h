@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "brep/brep.h"
 #include "core/geometry.h"
 #include "core/ids.h"
 #include "core/run_context.h"
-#include "features/brep.h"
 
 namespace featuremesh {
 

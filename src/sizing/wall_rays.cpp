@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "features/occt_geometry.h"
+#include "brep/occt_geometry.h"
 
 namespace featuremesh {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "features/brep.h"
+#include "brep/brep.h"
 #include "surface/projection.h"
 
 namespace featuremesh {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "features/occt_geometry.h"
+#include "brep/occt_geometry.h"
 
 namespace featuremesh {
 

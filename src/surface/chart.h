@@ -5,8 +5,8 @@
 #include <array>
 #include <memory>
 
+#include "brep/brep.h"
 #include "core/geometry.h"
-#include "features/brep.h"
 
 namespace featuremesh {
 

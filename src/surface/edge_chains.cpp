@@ -12,10 +12,10 @@
 #include <map>
 #include <optional>
 
+#include "brep/occt_geometry.h"
+#include "brep/vertex_places.h"
 #include "core/activity.h"
 #include "core/errors.h"
-#include "features/occt_geometry.h"
-#include "features/vertex_places.h"
 
 namespace featuremesh {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "brep/brep.h"
 #include "core/run_context.h"
-#include "features/brep.h"
 #include "mesh/mesh.h"
 #include "surface/chain_neighbours.h"
 #include "surface/merged_entities.h"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "features/brep.h"
+#include "brep/brep.h"
 #include "mesh/mesh.h"
 #include "surface/chart.h"
 #include "surface/edge_chains.h"

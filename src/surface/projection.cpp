@@ -22,7 +22,7 @@
 #include <cmath>
 #include <limits>
 
-#include "features/occt_geometry.h"
+#include "brep/occt_geometry.h"
 
 namespace featuremesh {
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
+#include "brep/brep.h"
 #include "core/geometry.h"
-#include "features/brep.h"
 
 namespace featuremesh {
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "brep/brep.h"
 #include "core/run_context.h"
-#include "features/brep.h"
 #include "mesh/mesh.h"
 
 namespace featuremesh {

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "features/occt_geometry.h"
+#include "brep/occt_geometry.h"
 #include "surface/projection.h"
 
 namespace featuremesh {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "brep/brep.h"
 #include "core/run_context.h"
-#include "features/brep.h"
 #include "mesh/mesh.h"
 
 namespace featuremesh {

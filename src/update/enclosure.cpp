@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "features/solid_probe.h"
+#include "brep/solid_probe.h"
 
 namespace featuremesh {
 

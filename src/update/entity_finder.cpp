@@ -4,7 +4,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
-#include "features/occt_geometry.h"
+#include "brep/occt_geometry.h"
 
 namespace featuremesh {
 

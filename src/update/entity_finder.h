@@ -7,7 +7,7 @@
 #include <iterator>
 #include <vector>
 
-#include "features/brep.h"
+#include "brep/brep.h"
 #include "surface/projection.h"
 
 namespace featuremesh {

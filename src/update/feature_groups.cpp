@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "features/occt_geometry.h"
+#include "brep/occt_geometry.h"
 #include "update/enclosure.h"
 
 namespace featuremesh {

@@ -9,8 +9,8 @@
 
 #include "core/errors.h"
 #include "mesh/tets_at_nodes.h"
-#include "surface/mid_side_nodes.h"
 #include "surface/turned_triangles.h"
+#include "volume/curved/mid_side_nodes.h"
 
 namespace featuremesh {
 

@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "brep/brep.h"
 #include "core/run_context.h"
-#include "features/brep.h"
 #include "mesh/mesh.h"
 #include "mesh/validation.h"
 #include "sizing/sizing_field.h"

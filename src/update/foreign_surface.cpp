@@ -4,7 +4,7 @@
 #include <TopoDS_Face.hxx>
 #include <limits>
 
-#include "features/occt_geometry.h"
+#include "brep/occt_geometry.h"
 #include "mesh/second_order.h"
 #include "mesh/side_table.h"
 #include "mesh/triangle_uses.h"

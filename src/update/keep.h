@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
+#include "brep/brep.h"
 #include "core/run_context.h"
 #include "difference/feature_difference.h"
-#include "features/brep.h"
 #include "mesh/mesh.h"
 #include "sizing/sizing_field.h"
 #include "surface/merged_entities.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "features/occt_geometry.h"
+#include "brep/occt_geometry.h"
 #include "update/entity_finder.h"
 
 namespace featuremesh {

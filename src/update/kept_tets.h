@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "brep/brep.h"
 #include "difference/feature_difference.h"
-#include "features/brep.h"
 #include "mesh/mesh.h"
 
 namespace featuremesh {

@@ -18,12 +18,12 @@
 #include "core/peak_memory.h"
 #include "mesh/validation.h"
 #include "sizing/lost_sizes.h"
-#include "surface/mid_side_nodes.h"
 #include "update/adopted_sizes.h"
 #include "update/fill_part.h"
 #include "update/foreign_fit.h"
 #include "update/keep.h"
 #include "update/thin_tets.h"
+#include "volume/curved/mid_side_nodes.h"
 
 namespace featuremesh {
 

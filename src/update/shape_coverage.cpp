@@ -6,7 +6,7 @@
 #include <TopoDS_Face.hxx>
 #include <cmath>
 
-#include "features/occt_geometry.h"
+#include "brep/occt_geometry.h"
 #include "mesh/second_order.h"
 #include "update/enclosure.h"
 

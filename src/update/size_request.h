@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "brep/brep.h"
 #include "core/ids.h"
-#include "features/brep.h"
 #include "mesh/mesh.h"
 #include "sizing/sizing_field.h"
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "features/brep.h"
+#include "brep/brep.h"
 
 namespace featuremesh {
 

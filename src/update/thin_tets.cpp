@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 
+#include "brep/brep.h"
 #include "core/numbers_in_words.h"
-#include "features/brep.h"
 #include "mesh/short_sides.h"
 
 namespace featuremesh {

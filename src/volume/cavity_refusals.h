@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "brep/brep.h"
 #include "core/errors.h"
-#include "features/brep.h"
 #include "volume/cavity.h"
 #include "volume/fill_cavity.h"
 #include "volume/obstacle.h"

@@ -9,9 +9,9 @@
 
 #include "core/run_context.h"
 #include "volume/cavity.h"
-#include "volume/lattice_seeds.h"
-#include "volume/tet_complex.h"
-#include "volume/triangulation.h"
+#include "volume/delaunay/lattice_seeds.h"
+#include "volume/delaunay/triangulation.h"
+#include "volume/tets/tet_complex.h"
 
 namespace featuremesh {
 

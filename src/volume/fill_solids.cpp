@@ -12,16 +12,16 @@
 
 #include "core/errors.h"
 #include "surface/projection.h"
-#include "volume/boundary_recovery.h"
 #include "volume/cavity_refusals.h"
+#include "volume/delaunay/optimise_odt.h"
 #include "volume/fill_cavity.h"
-#include "volume/flip_facets.h"
 #include "volume/improvement/improve.h"
+#include "volume/improvement/lean_needles.h"
 #include "volume/improvement/operations.h"
-#include "volume/improvement/seam_mending.h"
-#include "volume/lean_needles.h"
-#include "volume/opposite_walls.h"
-#include "volume/optimise_odt.h"
+#include "volume/improvement/opposite_walls.h"
+#include "volume/interface/seam_mending.h"
+#include "volume/recovery/boundary_recovery.h"
+#include "volume/recovery/flip_facets.h"
 #include "volume/short_edges.h"
 
 namespace featuremesh {

@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "brep/brep.h"
 #include "core/run_context.h"
-#include "features/brep.h"
 #include "mesh/mesh.h"
 #include "sizing/sizing_field.h"
 #include "volume/obstacle.h"

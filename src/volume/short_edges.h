@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "features/brep.h"
+#include "brep/brep.h"
 #include "mesh/mesh.h"
 
 namespace featuremesh {

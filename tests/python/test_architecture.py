@@ -10,10 +10,10 @@ ROOT = Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "src"
 WORKBENCH = ROOT / "Mod" / "FeatureMesh" / "freecad" / "featuremesh"
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
-ORDER = ["core", "features", "cells", "difference", "mesh", "sizing", "surface", "volume", "update", "statics"]
+ORDER = ["core", "brep", "mesh", "sizing", "surface", "volume", "features", "cells", "difference", "update", "statics"]
 # Which modules know which library, and which of these may show it in their headers.
-KNOW_OCCT = {"features", "cells", "difference", "sizing", "surface", "update"}
-SHOW_OCCT = {"features", "cells", "difference", "update"}
+KNOW_OCCT = {"brep", "sizing", "surface", "features", "cells", "difference", "update"}
+SHOW_OCCT = {"brep", "features", "cells", "difference", "update"}
 KNOW_CGAL = {"surface", "volume"}
 NAME = re.compile(r"[A-Za-z_]\w*")
 KERNEL_NAMES = ("BOP", "BRep", "Geom_", "Message_")

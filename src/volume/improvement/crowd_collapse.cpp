@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "volume/delaunay/lattice_seeds.h"
 #include "volume/improvement/operations.h"
-#include "volume/lattice_seeds.h"
 
 namespace featuremesh {
 

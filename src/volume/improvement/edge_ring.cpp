@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "volume/edge_removal.h"
 #include "volume/improvement/operations.h"
+#include "volume/tets/edge_removal.h"
 
 namespace featuremesh {
 

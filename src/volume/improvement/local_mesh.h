@@ -8,11 +8,11 @@
 #include <span>
 #include <vector>
 
-#include "features/brep.h"
+#include "brep/brep.h"
 #include "surface/projection.h"
-#include "volume/cavity_editor.h"
 #include "volume/improvement/operation.h"
-#include "volume/tet_complex.h"
+#include "volume/tets/cavity_editor.h"
+#include "volume/tets/tet_complex.h"
 
 namespace featuremesh {
 

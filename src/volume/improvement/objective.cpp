@@ -2,7 +2,7 @@
 #include "volume/improvement/objective.h"
 
 #include "mesh/quality.h"
-#include "volume/tet_topology.h"
+#include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
 

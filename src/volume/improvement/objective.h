@@ -10,8 +10,8 @@
 #include <span>
 #include <utility>
 
-#include "volume/tet_complex.h"
-#include "volume/tet_measures.h"
+#include "volume/tets/tet_complex.h"
+#include "volume/tets/tet_measures.h"
 
 namespace featuremesh {
 

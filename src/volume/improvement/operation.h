@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "volume/improvement/objective.h"
-#include "volume/tet_topology.h"
+#include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
 

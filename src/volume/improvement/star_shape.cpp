@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "volume/tet_topology.h"
+#include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
 

@@ -23,7 +23,7 @@
 #include <TopTools_ListOfShape.hxx>
 #include <gp_GTrsf.hxx>
 
-#include "features/occt_geometry.h"
+#include "brep/occt_geometry.h"
 
 namespace featuremesh::test {
 

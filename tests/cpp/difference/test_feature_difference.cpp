@@ -14,10 +14,10 @@
 #include <map>
 #include <set>
 
+#include "brep/occt_geometry.h"
 #include "catch.h"
 #include "core/errors.h"
 #include "difference/sample_parts.h"
-#include "features/occt_geometry.h"
 
 using namespace featuremesh;
 using namespace featuremesh::test;

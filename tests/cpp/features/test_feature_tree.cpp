@@ -15,13 +15,13 @@
 #include <numbers>
 #include <set>
 
+#include "brep/booleans/shape_difference.h"
+#include "brep/occt_geometry.h"
+#include "brep/same_faces.h"
+#include "brep/volumes/flux.h"
 #include "catch.h"
 #include "core/errors.h"
 #include "documents.h"
-#include "features/flux.h"
-#include "features/occt_geometry.h"
-#include "features/same_faces.h"
-#include "features/shape_difference.h"
 
 using namespace featuremesh;
 using namespace featuremesh::test;

@@ -107,7 +107,7 @@ SurfaceResult mesh_surface(const Brep& brep, double size, Mesh kept, int threads
     return fill_surface(brep, make_sizing(brep, options, {}, context), std::move(kept), context);
 }
 
-std::vector<std::string> findings(const Brep& brep, const Mesh& mesh) {
+std::vector<std::string> surface_findings(const Brep& brep, const Mesh& mesh) {
     std::vector<std::string> found;
     const Projector projector(brep);
     std::vector<int> vertex_nodes(brep.vertex_count(), 0);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "features/brep.h"
+#include "brep/brep.h"
 #include "mesh/mesh.h"
 #include "surface/fill_surface.h"
 
@@ -28,7 +28,7 @@ SurfaceResult mesh_surface(const Brep& brep, double size, Mesh kept = {}, int th
 
 /// Nodes on their entities, chains complete, triangles the right way round, every side shared as the shape says. In
 /// words; empty when all is well.
-std::vector<std::string> findings(const Brep& brep, const Mesh& mesh);
+std::vector<std::string> surface_findings(const Brep& brep, const Mesh& mesh);
 int euler_characteristic(const Mesh& mesh);
 /// Degrees.
 double smallest_angle(const Mesh& mesh);

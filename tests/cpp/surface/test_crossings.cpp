@@ -61,7 +61,7 @@ TEST_CASE("a thin tube is meshed finer than asked where its walls would cross") 
             .Shape();
     const Brep brep(tube);
     const SurfaceResult result = mesh_surface(brep, 20);
-    CHECK(findings(brep, result.mesh).empty());
+    CHECK(surface_findings(brep, result.mesh).empty());
     CHECK(euler_characteristic(result.mesh) == 0);
     CHECK(!result.report.warnings.empty());
     RunContext context;
@@ -107,7 +107,7 @@ TEST_CASE("solids that overlap or touch have each a mesh of its own, and a warni
         builder.Add(two, other);
         const Brep brep(two);
         const SurfaceResult result = mesh_surface(brep, 2);
-        CHECK(findings(brep, result.mesh).empty());
+        CHECK(surface_findings(brep, result.mesh).empty());
         REQUIRE(result.report.warnings.size() == 1);
         CHECK(result.report.warnings[0].find("Solid1 and Solid2") != std::string::npos);
     }

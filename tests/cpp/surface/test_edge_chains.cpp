@@ -105,7 +105,7 @@ TEST_CASE("an edge that ends before its vertex has a node of its own, so that a 
     const auto nodes_on_edges = [](double gap) {
         const Brep brep(prism_with_gap(gap));
         const Mesh mesh = mesh_surface(brep, 12).mesh;
-        CHECK(findings(brep, mesh).empty());
+        CHECK(surface_findings(brep, mesh).empty());
         CHECK(euler_characteristic(mesh) == 2);
         std::vector<Vec3> found;
         for (std::size_t n = 0; n < mesh.node_count(); ++n)
@@ -131,7 +131,7 @@ TEST_CASE("an edge that ends at the close of a curve has a node of its own") {
     wire.Add(BRepBuilderAPI_MakeEdge(drop, parted, 1).Edge());
     const Brep brep(BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()).Face(), gp_Vec(0, 0, 10)).Shape());
     const Mesh mesh = mesh_surface(brep, 12).mesh;
-    CHECK(findings(brep, mesh).empty());
+    CHECK(surface_findings(brep, mesh).empty());
     const auto is_on_short_piece = [&](std::size_t n) {
         return mesh.entities[n].dim == 1 && mesh.points[n].z == 0 && mesh.parameters[n][0] < parted;
     };
@@ -145,7 +145,7 @@ TEST_CASE("where two edges of a solid touch between their vertices neither has a
     for (const double size : {1.78, 0.89, 0.446}) {
         INFO(size);
         const Mesh mesh = mesh_surface(brep, size).mesh;
-        CHECK(findings(brep, mesh).empty());
+        CHECK(surface_findings(brep, mesh).empty());
         const auto is_at_contact = [](const Vec3& p) { return distance(p, {0, 4, 3}) < 1e-3; };
         CHECK(std::none_of(mesh.points.begin(), mesh.points.end(), is_at_contact));
         CHECK(euler_characteristic(mesh) == 2);
@@ -163,7 +163,7 @@ TEST_CASE("edges with a step of a hundredth of an element between them get nodes
         SurfaceOptions options;
         options.narrow = narrow;
         const SurfaceResult result = fill_surface(brep, make_sizing(brep, sizing, {}, context), {}, context, options);
-        CHECK(findings(brep, result.mesh).empty());
+        CHECK(surface_findings(brep, result.mesh).empty());
         CHECK(result.report.has_opposite_nodes == (narrow != NarrowFaces::own_chains));
         const std::array<std::vector<Vec3>, 2> circles = nodes_at_step(brep, result.mesh, 10);
         if (narrow == NarrowFaces::own_chains) {
@@ -199,7 +199,7 @@ TEST_CASE("a kept chain beside a new one gets it opposite its nodes") {
         }
         REQUIRE(kept.node_count() > 40);
         const SurfaceResult result = fill_surface(brep, field, kept, context);
-        CHECK(findings(brep, result.mesh).empty());
+        CHECK(surface_findings(brep, result.mesh).empty());
         const std::array<std::vector<Vec3>, 2> circles = nodes_at_step(brep, result.mesh, 10);
         CHECK(circles[0].size() == circles[1].size());
     }

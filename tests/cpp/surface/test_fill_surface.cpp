@@ -87,7 +87,7 @@ std::vector<std::pair<std::string, TopoDS_Shape>> plates_touched_from_within() {
 TEST_CASE("a face with a wild parametrisation is meshed evenly") {
     const Brep brep(wild_spline_block());
     const Mesh mesh = mesh_surface(brep, 1.5).mesh;
-    CHECK(findings(brep, mesh) == std::vector<std::string>{});
+    CHECK(surface_findings(brep, mesh) == std::vector<std::string>{});
     CHECK(euler_characteristic(mesh) == 2);
     // The edges enclose 21 degrees at one corner, and no more than the triangle there may be as sharp.
     std::vector<TriangleId> sharp;
@@ -124,7 +124,7 @@ TEST_CASE("every kind of face is covered by a closed, well-shaped surface mesh")
         INFO(s.name);
         const Brep brep(s.shape);
         const SurfaceResult result = mesh_surface(brep, s.size);
-        const auto broken = findings(brep, result.mesh);
+        const auto broken = surface_findings(brep, result.mesh);
         INFO((broken.empty() ? std::string() : broken.front()));
         CHECK(broken.empty());
         CHECK(euler_characteristic(result.mesh) == s.euler);
@@ -143,7 +143,7 @@ TEST_CASE("a vertex inside a face has a node, in the triangles of all the faces 
         INFO(name);
         const Brep brep(shape);
         const Mesh mesh = mesh_surface(brep, 2).mesh;
-        CHECK(findings(brep, mesh) == std::vector<std::string>{});
+        CHECK(surface_findings(brep, mesh) == std::vector<std::string>{});
         std::set<FaceId> faces;
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
             for (const NodeId n : mesh.triangles[t])
@@ -186,7 +186,7 @@ TEST_CASE("a coarse mesh is still a closed surface") {
         const Brep brep(s.shape);
         const Mesh mesh = mesh_surface(brep, 0.1 * brep.box().diagonal()).mesh;
         CHECK(euler_characteristic(mesh) == s.euler);
-        const auto broken = findings(brep, mesh);
+        const auto broken = surface_findings(brep, mesh);
         INFO((broken.empty() ? std::string() : broken.front()));
         CHECK(broken.empty());
     }
@@ -198,7 +198,7 @@ TEST_CASE("no triangle reaches around the tip of a slender cone") {
     const double radius = 10 * std::tan(half_angle_deg * std::numbers::pi / 180);
     const Brep brep(BRepPrimAPI_MakeCone(radius, 0, 10).Shape());
     const SurfaceResult result = mesh_surface(brep, size);
-    CHECK(findings(brep, result.mesh) == std::vector<std::string>{});
+    CHECK(surface_findings(brep, result.mesh) == std::vector<std::string>{});
     RunContext context;
     CHECK(turned_triangles(brep, result.mesh, {}, context).empty());
 }
@@ -221,7 +221,7 @@ TEST_CASE("where a border passes close by a cone's apex no ring of tiny triangle
     const double beyond = GENERATE(0.002, 0.1);
     const Brep brep(BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(10 + beyond, 20, 8).Shape(), cone).Shape());
     const Mesh mesh = mesh_surface(brep, 1).mesh;
-    CHECK(findings(brep, mesh).empty());
+    CHECK(surface_findings(brep, mesh).empty());
     const auto near = std::count_if(mesh.points.begin(), mesh.points.end(), [](const Vec3& p) {
         return distance(p, {10, 10, 6}) < 0.3;
     });
@@ -235,7 +235,7 @@ TEST_CASE("round the poles of a free-form face no side is split again and again"
         SizingOptions options;
         options.size = 1.5;
         const Mesh mesh = fill_surface(brep, make_sizing(brep, options, {}, context), {}, context).mesh;
-        CHECK(findings(brep, mesh).empty());
+        CHECK(surface_findings(brep, mesh).empty());
         CHECK(smallest_angle(mesh) > 20);
     }
 }
@@ -261,7 +261,7 @@ TEST_CASE("a face between an arc and what lies within its height gets more piece
     border.Add(BRepBuilderAPI_MakeEdge(within, b));
     const Brep brep(BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(border.Wire()).Face(), gp_Vec(0, 0, 6)).Shape());
     const SurfaceResult result = mesh_surface(brep, 4);
-    CHECK(findings(brep, result.mesh).empty());
+    CHECK(surface_findings(brep, result.mesh).empty());
     CHECK_FALSE(result.report.warnings.empty());
 }
 
@@ -290,7 +290,7 @@ TEST_CASE("a strip far thinner than the size gets no nodes but those of its edge
     for (const double width : {0.01, 1e-4}) {
         const Brep brep(BRepPrimAPI_MakeBox(width, 6, 10).Shape());
         const Mesh mesh = mesh_surface(brep, 1).mesh;
-        CHECK(findings(brep, mesh).empty());
+        CHECK(surface_findings(brep, mesh).empty());
         for (std::size_t n = 0; n < mesh.node_count(); ++n) {
             if (mesh.entities[n].dim < 2) continue;
             CHECK((mesh.points[n].x == 0 || mesh.points[n].x == width));

@@ -76,7 +76,7 @@ TEST_CASE("holes cut into a surface mesh are filled and the rest stays bit for b
             const Mesh kept = outside_ball(mesh, centre, radius);
             const SurfaceResult again = mesh_surface(brep, s.size, kept);
             check_kept(again.mesh, kept);
-            const auto broken = findings(brep, again.mesh);
+            const auto broken = surface_findings(brep, again.mesh);
             INFO((broken.empty() ? std::string() : broken.front()));
             CHECK(broken.empty());
             CHECK(euler_characteristic(again.mesh) == s.euler);
@@ -98,7 +98,7 @@ TEST_CASE("a finer surface beside triangles kept at a pole does not reach into t
         const Mesh kept = outside_ball(mesh, centre, reach);
         const SurfaceResult again = mesh_surface(brep, finer * size, kept);
         check_kept(again.mesh, kept);
-        CHECK(findings(brep, again.mesh) == std::vector<std::string>{});
+        CHECK(surface_findings(brep, again.mesh) == std::vector<std::string>{});
         CHECK(smallest_angle(again.mesh) > 20);
     }
 }
@@ -130,7 +130,7 @@ TEST_CASE("kept nodes without triangles become nodes of the filling") {
     kept.next_node_number = mesh.next_node_number;
     const Mesh again = mesh_surface(brep, s.size, kept).mesh;
     check_kept(again, kept);
-    CHECK(findings(brep, again).empty());
+    CHECK(surface_findings(brep, again).empty());
     std::vector<char> used(again.node_count(), 0);
     for (const auto& t : again.triangles)
         for (const NodeId n : t) used[n.index()] = 1;

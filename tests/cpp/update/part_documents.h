@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "brep/shape_stream.h"
 #include "features/raw_document.h"
 
 namespace featuremesh {

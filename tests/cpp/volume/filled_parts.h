@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "features/brep.h"
+#include "brep/brep.h"
 #include "mesh/validation.h"
 #include "sizing/sizing_field.h"
 #include "surface/fill_surface.h"

@@ -4,7 +4,7 @@
 #include "core/tolerances.h"
 #include "filled_parts.h"
 #include "hard_shapes.h"
-#include "surface/mid_side_nodes.h"
+#include "volume/curved/mid_side_nodes.h"
 
 using namespace featuremesh;
 using namespace featuremesh::testing;

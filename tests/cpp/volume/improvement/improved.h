@@ -2,9 +2,9 @@
 // The mechanism of improvement as the tests call it.
 #pragma once
 
-#include "volume/box_of_tets.h"
 #include "volume/improvement/improve.h"
 #include "volume/improvement/operations.h"
+#include "volume/tets/box_of_tets.h"
 
 namespace featuremesh {
 

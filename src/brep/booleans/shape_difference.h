@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a feature added and removed, from the shapes before and after it.
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+#include <vector>
+
+#include "brep/same_faces.h"
+#include "core/run_context.h"
+#include "core/work.h"
+
+namespace featuremesh {
+
+struct ShapeDifference {
+    std::vector<TopoDS_Shape> added, removed;  ///< solids
+    bool closed = false;                       ///< their volumes account for the change of volume
+    bool is_hopeless = false;                  ///< not closed, and not because the work was over
+    ChangeOutline outline = {};                ///< of the faces between which they lie
+    Work work = 0;                             ///< that the kernel did for it
+};
+
+/// Works on the faces only that the two shapes do not share (see same_faces.h): they bound all that was added or
+/// removed, and the rest of the part costs nothing. Where that does not account for the change of volume, whole
+/// booleans. All attempts together may take the work `most`. Either shape may be null: nothing before, or
+/// nothing left. `known`, of an earlier state of the feature, is the answer where the outline is the same, also when
+/// nothing could be told then. Throws Cancelled.
+ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& after, Work most, RunContext& context,
+                              const ShapeDifference* known = nullptr);
+
+}  // namespace featuremesh

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brep/brep.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_Solid.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "brep/occt_geometry.h"
+#include "brep/vertex_places.h"
+#include "brep/volumes/flux.h"
+#include "core/errors.h"
+
+namespace featuremesh {
+
+struct Brep::Data {
+    TopoDS_Shape shape;
+    TopTools_IndexedMapOfShape solids, faces, edges, vertices;  // orientation ignored, numbers as FreeCAD's
+    std::vector<TopoDS_Solid> solid;
+    std::vector<TopoDS_Face> face;
+    std::vector<TopoDS_Edge> edge;
+    std::vector<TopoDS_Vertex> vertex;
+    std::vector<std::vector<EdgeId>> edges_of_face, edges_of_vertex;
+    std::vector<std::vector<FaceEdge>> uses_in_face;
+    std::vector<std::vector<VertexId>> vertices_inside;
+    std::multimap<VertexId, FaceId> face_around;  ///< of each vertex inside one
+    std::vector<std::vector<FaceId>> faces_of_edge;
+    std::vector<std::array<VertexId, 2>> ends;
+    std::vector<std::array<SolidId, 2>> sides;
+    std::vector<double> volumes;
+    std::vector<Box> box_of_face;
+    std::vector<Vec3> points;
+    std::vector<char> is_degenerated;
+    Box box;
+};
+
+namespace {
+
+/// Numbers what is met first on the way through the shape and all within it, each kind by itself: as TopExp does.
+template <class MapOf>
+void number_all(const TopoDS_Shape& shape, const MapOf& map_of) {
+    if (TopTools_IndexedMapOfShape* map = map_of(shape.ShapeType())) {
+        const int before = map->Extent();
+        map->Add(shape);
+        if (map->Extent() == before) return;  // and so is all within it
+    }
+    for (TopoDS_Iterator child(shape); child.More(); child.Next()) number_all(child.Value(), map_of);
+}
+
+template <class Shape, class Cast>
+std::vector<Shape> listed(const TopTools_IndexedMapOfShape& map, Cast cast) {
+    std::vector<Shape> list;
+    for (int i = 1; i <= map.Extent(); ++i) list.push_back(cast(map(i)));
+    return list;
+}
+
+template <class Kind>
+Id<Kind> id_in(const TopTools_IndexedMapOfShape& map, const TopoDS_Shape& shape) {
+    return Id<Kind>(static_cast<std::int32_t>(map.FindIndex(shape) - 1));
+}
+
+template <class T>
+void add_once(std::vector<T>& list, T item) {
+    if (std::find(list.begin(), list.end(), item) == list.end()) list.push_back(item);
+}
+
+/// A plane or cylinder between lines and conics.
+bool is_elementary(const TopoDS_Face& face) {
+    if (BRepAdaptor_Surface(face, false).GetType() > GeomAbs_Cylinder) return false;
+    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+        const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+        if (!BRep_Tool::Degenerated(edge) && BRepAdaptor_Curve(edge).GetType() > GeomAbs_Parabola) return false;
+    }
+    return true;
+}
+
+/// Tight but for free-form faces and edges, where the kernel would search for the extremes for seconds.
+Box tight_box_of(const std::vector<TopoDS_Face>& faces) {
+    Bnd_Box bounds;
+    for (const TopoDS_Face& face : faces) {
+        if (is_elementary(face))
+            BRepBndLib::AddOptimal(face, bounds, false, false);
+        else
+            add_bounds(face, bounds);
+    }
+    return to_box(bounds);
+}
+
+}  // namespace
+
+Brep::Brep(const TopoDS_Shape& shape) {
+    if (shape.IsNull())
+        throw InputError("The shape is empty. Recompute the document and mesh an object that has a solid.");
+    auto data = std::make_shared<Data>();
+    data->shape = shape;
+    number_all(shape, [&](TopAbs_ShapeEnum kind) {
+        return kind == TopAbs_SOLID    ? &data->solids
+               : kind == TopAbs_FACE   ? &data->faces
+               : kind == TopAbs_EDGE   ? &data->edges
+               : kind == TopAbs_VERTEX ? &data->vertices
+                                       : nullptr;
+    });
+    data->solid = listed<TopoDS_Solid>(data->solids, [](auto& s) { return TopoDS::Solid(s); });
+    data->face = listed<TopoDS_Face>(data->faces, [](auto& s) { return TopoDS::Face(s); });
+    data->edge = listed<TopoDS_Edge>(data->edges, [](auto& s) { return TopoDS::Edge(s.Oriented(TopAbs_FORWARD)); });
+    data->vertex = listed<TopoDS_Vertex>(data->vertices, [](auto& s) { return TopoDS::Vertex(s); });
+    if (data->solid.empty())
+        throw InputError("The shape has no solid. Mesh a body or a Part object whose result is a solid.");
+
+    data->edges_of_face.resize(data->face.size());
+    data->uses_in_face.resize(data->face.size());
+    data->faces_of_edge.resize(data->edge.size());
+    data->edges_of_vertex.resize(data->vertex.size());
+    data->sides.resize(data->face.size());
+    for (std::size_t f = 0; f < data->face.size(); ++f) {
+        data->box_of_face.push_back(featuremesh::box_of(data->face[f]));
+        for (TopExp_Explorer it(data->face[f], TopAbs_EDGE); it.More(); it.Next()) {
+            const auto edge = id_in<EdgeKind>(data->edges, it.Current());
+            const TopAbs_Orientation orientation = it.Current().Orientation();
+            data->uses_in_face[f].push_back(
+                {edge, orientation == TopAbs_FORWARD, orientation == TopAbs_INTERNAL, orientation == TopAbs_EXTERNAL});
+            if (auto& faces = data->faces_of_edge[edge.index()]; faces.empty() || faces.back() != FaceId(f)) {
+                faces.emplace_back(f);
+                data->edges_of_face[f].push_back(edge);
+            }
+        }
+    }
+    for (std::size_t e = 0; e < data->edge.size(); ++e) {
+        data->is_degenerated.push_back(BRep_Tool::Degenerated(data->edge[e]));
+        TopoDS_Vertex first, last;
+        TopExp::Vertices(data->edge[e], first, last);
+        data->ends.push_back({id_in<VertexKind>(data->vertices, first), id_in<VertexKind>(data->vertices, last)});
+        for (const VertexId end : data->ends.back())
+            if (end.is_valid()) add_once(data->edges_of_vertex[end.index()], EdgeId(e));
+    }
+    data->vertices_inside.resize(data->face.size());
+    for (std::size_t f = 0; f < data->face.size(); ++f) {
+        for (TopoDS_Iterator it(data->face[f]); it.More(); it.Next())
+            if (it.Value().ShapeType() == TopAbs_VERTEX)
+                add_once(data->vertices_inside[f], id_in<VertexKind>(data->vertices, it.Value()));
+        for (const VertexId v : data->vertices_inside[f]) data->face_around.emplace(v, f);
+    }
+    data->points = vertex_places(data->vertex, data->edge, data->ends, data->face, data->faces_of_edge);
+    data->box = tight_box_of(data->face);
+    for (std::size_t s = 0; s < data->solid.size(); ++s) {
+        std::vector<int> uses(data->edge.size(), 0);
+        double volume = 0;
+        for (TopExp_Explorer it(data->solid[s], TopAbs_FACE); it.More(); it.Next()) {
+            const auto face = id_in<FaceKind>(data->faces, it.Current());
+            const bool behind = it.Current().Orientation() == data->face[face.index()].Orientation();
+            if (it.Current().Orientation() != TopAbs_INTERNAL) data->sides[face.index()][behind ? 0 : 1] = SolidId(s);
+            // An edge within a face (where another feature is tangent to it) is no border and needs no second face.
+            for (const FaceEdge& use : data->uses_in_face[face.index()])
+                uses[use.edge.index()] += use.is_internal ? 2 : 1;
+            if (it.Current().Orientation() == TopAbs_FORWARD || it.Current().Orientation() == TopAbs_REVERSED)
+                volume +=
+                    flux(TopoDS::Face(it.Current()), data->box.center(), data->box_of_face[face.index()].diagonal());
+        }
+        for (std::size_t e = 0; e < uses.size(); ++e)
+            if (uses[e] == 1 && !data->is_degenerated[e])
+                throw InputError("The shell of " + name_of(entity_of(SolidId(s))) + " is open at " +
+                                 name_of(entity_of(EdgeId(e))) +
+                                 ". Close the gap (Part: Check geometry, then sew or rebuild the feature there).");
+        data->volumes.push_back(volume);
+        if (!(volume > 0))
+            throw InputError(name_of(entity_of(SolidId(s))) +
+                             " has no positive volume. Its faces point inwards or cross each other; check the "
+                             "feature that made it (Part: Check geometry).");
+    }
+    data_ = std::move(data);
+}
+
+const TopoDS_Shape& Brep::shape() const { return data_->shape; }
+std::size_t Brep::solid_count() const { return data_->solid.size(); }
+std::size_t Brep::face_count() const { return data_->face.size(); }
+std::size_t Brep::edge_count() const { return data_->edge.size(); }
+std::size_t Brep::vertex_count() const { return data_->vertex.size(); }
+const TopoDS_Solid& Brep::solid(SolidId id) const { return data_->solid[id.index()]; }
+const TopoDS_Face& Brep::face(FaceId id) const { return data_->face[id.index()]; }
+const TopoDS_Edge& Brep::edge(EdgeId id) const { return data_->edge[id.index()]; }
+const TopoDS_Vertex& Brep::vertex(VertexId id) const { return data_->vertex[id.index()]; }
+FaceId Brep::find(const TopoDS_Face& face) const { return id_in<FaceKind>(data_->faces, face); }
+EdgeId Brep::find(const TopoDS_Edge& edge) const { return id_in<EdgeKind>(data_->edges, edge); }
+VertexId Brep::find(const TopoDS_Vertex& vertex) const { return id_in<VertexKind>(data_->vertices, vertex); }
+std::span<const EdgeId> Brep::edges_of(FaceId face) const { return data_->edges_of_face[face.index()]; }
+std::span<const FaceEdge> Brep::uses_in(FaceId face) const { return data_->uses_in_face[face.index()]; }
+std::span<const FaceId> Brep::faces_of(EdgeId edge) const { return data_->faces_of_edge[edge.index()]; }
+std::span<const EdgeId> Brep::edges_of(VertexId vertex) const { return data_->edges_of_vertex[vertex.index()]; }
+std::span<const VertexId> Brep::vertices_inside(FaceId face) const { return data_->vertices_inside[face.index()]; }
+std::array<VertexId, 2> Brep::ends_of(EdgeId edge) const { return data_->ends[edge.index()]; }
+std::array<SolidId, 2> Brep::sides_of(FaceId face) const { return data_->sides[face.index()]; }
+const std::vector<std::array<SolidId, 2>>& Brep::sides_of_faces() const { return data_->sides; }
+std::vector<FaceId> Brep::faces_at(Entity entity) const {
+    std::vector<FaceId> faces;
+    const auto add_faces_of = [&](EdgeId e) { faces.insert(faces.end(), faces_of(e).begin(), faces_of(e).end()); };
+    if (entity.dim == 2) faces.emplace_back(entity.index);
+    if (entity.dim == 1) add_faces_of(EdgeId(entity.index));
+    if (entity.dim == 0) {
+        for (const EdgeId e : edges_of(VertexId(entity.index))) add_faces_of(e);
+        const auto [first, last] = data_->face_around.equal_range(VertexId(entity.index));
+        for (auto it = first; it != last; ++it) faces.push_back(it->second);
+    }
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
+}
+bool Brep::is_degenerated(EdgeId id) const { return data_->is_degenerated[id.index()]; }
+bool Brep::is_seam(EdgeId edge_id, FaceId face_id) const {
+    const auto uses = uses_in(face_id);
+    return std::count_if(uses.begin(), uses.end(), [&](const FaceEdge& use) { return use.edge == edge_id; }) == 2 &&
+           BRepTools::IsReallyClosed(edge(edge_id), face(face_id));
+}
+
+Vec3 Brep::point_of(VertexId id) const { return data_->points[id.index()]; }
+double Brep::distance_from(VertexId id, const Vec3& p) const {
+    return std::min(distance(point_of(id), p), distance(to_vec3(BRep_Tool::Pnt(vertex(id))), p));
+}
+const Box& Brep::box_of(FaceId face) const { return data_->box_of_face[face.index()]; }
+const Box& Brep::box() const { return data_->box; }
+Tolerances Brep::tolerances() const { return {data_->box.diagonal()}; }
+double Brep::volume_of(SolidId solid) const { return data_->volumes[solid.index()]; }
+double Brep::volume() const { return std::accumulate(data_->volumes.begin(), data_->volumes.end(), 0.0); }
+
+std::string name_of(Entity entity) {
+    static constexpr const char* kinds[] = {"Vertex", "Edge", "Face", "Solid"};
+    return kinds[entity.dim] + std::to_string(entity.index + 1);
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/curved/curved_tet_repair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesh/quality.h"
+#include "mesh/second_order.h"
+#include "volume/curved/curved_tet_descent.h"
+
+namespace featuremesh {
+namespace {
+
+constexpr std::size_t grain = 1 << 13;
+
+/// Lower bound of the scaled Jacobian without subdivision. Nothing is worse than a tet whose corners are turned over.
+double quick_bound(const std::array<Vec3, 10>& nodes) {
+    const double straight = 6 * signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]);
+    if (!(straight > 0)) return -std::numeric_limits<double>::infinity();
+    const auto coefficients = jacobian_coefficients(nodes);
+    return *std::min_element(coefficients.begin(), coefficients.end()) / straight;
+}
+
+/// Cheap where all coefficients are large enough; the subdivision decides the rest.
+bool is_at_most(const Mesh& mesh, TetId tet, double limit) {
+    if (!has_curved_side(mesh, tet)) return false;
+    const auto nodes = tet_nodes(mesh, tet);
+    return quick_bound(nodes) <= limit && min_scaled_jacobian(nodes) <= limit;
+}
+
+/// The 26 directions to the neighbours in a cubic lattice.
+std::vector<Vec3> search_directions() {
+    std::vector<Vec3> directions;
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            for (int z = -1; z <= 1; ++z)
+                if (x || y || z) directions.push_back(normalized(Vec3(x, y, z)));
+    return directions;
+}
+
+/// Tets around the nodes that may have to move.
+class Stars {
+  public:
+    Stars(const Mesh& mesh, const std::vector<NodeId>& nodes, const RunContext& context)
+        : place_(mesh.points.size(), -1) {
+        for (NodeId n : nodes)
+            if (place_[n.index()] < 0) place_[n.index()] = static_cast<std::int32_t>(count_++);
+        tets_.resize(count_);
+        const auto note = [&](NodeId n, std::size_t t) {
+            if (place_[n.index()] >= 0) tets_[static_cast<std::size_t>(place_[n.index()])].push_back(TetId(t));
+        };
+        RoundWatch watch(context);
+        for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+            watch();
+            for (NodeId n : mesh.tets[t]) note(n, t);
+            for (NodeId n : mesh.tet_mids[t]) note(n, t);
+        }
+    }
+    const std::vector<TetId>& of(NodeId n) const { return tets_[static_cast<std::size_t>(place_[n.index()])]; }
+
+  private:
+    std::vector<std::int32_t> place_;
+    std::size_t count_ = 0;
+    std::vector<std::vector<TetId>> tets_;
+};
+
+class Unfolding {
+  public:
+    Unfolding(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable, const CurvedTetAims& aims,
+              const RunContext& context)
+        : mesh_(mesh),
+          projector_(projector),
+          is_movable_(is_movable),
+          target_(aims.scaled_jacobian),
+          least_volume_(aims.least_volume),
+          context_(context),
+          placed_(mesh.points),
+          directions_(search_directions()) {}
+
+    /// Bends the inner sides, and those on planes, that end on the boundary as the curved sides near them are bent.
+    /// Several of them have to move at once in a thin curved wall, which moving one node at a time does not find.
+    void bend_along(const std::vector<TetId>& bad) {
+        std::vector<NodeId> nodes = movable_nodes(bad);
+        nodes.erase(
+            std::remove_if(nodes.begin(), nodes.end(), [&](NodeId n) { return n.index() < mesh_.corner_count; }),
+            nodes.end());
+        const Stars stars(mesh_, nodes, context_);
+        std::vector<Vec3> bends;
+        for (NodeId n : nodes) bends.push_back(mesh_.entities[n.index()].dim == 1 ? Vec3{} : bend_of(n, stars.of(n)));
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const Place start = place(nodes[i], {});
+            if (squared_length(bends[i]) > 0) move(nodes[i], {}, start, bends[i]);
+        }
+    }
+
+    /// What a move has to raise.
+    enum class Aim { smallest_bound, sum_of_shortfalls };
+
+    /// One pass over the nodes of the bad tets; whether anything moved. The smallest bound around a node tells best
+    /// which way, but stops where one tet gains what another loses; the sum of what all lack goes on from there.
+    bool pass(const std::vector<TetId>& bad, Aim aim) {
+        aim_ = aim;
+        const std::vector<NodeId> nodes = movable_nodes(bad);
+        const Stars stars(mesh_, nodes, context_);
+        bool moved = false;
+        for (NodeId n : nodes) moved |= improve(n, stars.of(n));
+        return moved;
+    }
+
+  private:
+    /// Inner mid-side nodes first, then those on faces, then inner corners, then mid-side nodes on CAD edges.
+    std::vector<NodeId> movable_nodes(const std::vector<TetId>& bad) const {
+        std::vector<NodeId> inner, on_faces, corners, on_edges;
+        const std::array<std::vector<NodeId>*, 4> mids{nullptr, &on_edges, &on_faces, &inner};
+        for (TetId t : bad) {
+            for (NodeId n : mesh_.tet_mids[t.index()])
+                if (is_movable_[n.index()]) mids[static_cast<std::size_t>(mesh_.entities[n.index()].dim)]->push_back(n);
+            for (NodeId n : mesh_.tets[t.index()])
+                if (is_movable_[n.index()] && mesh_.entities[n.index()].dim == 3) corners.push_back(n);
+        }
+        std::vector<NodeId> all;
+        for (auto* list : {&inner, &on_faces, &corners, &on_edges}) {
+            std::sort(list->begin(), list->end());
+            list->erase(std::unique(list->begin(), list->end()), list->end());
+            all.insert(all.end(), list->begin(), list->end());
+        }
+        return all;
+    }
+
+    struct BentSide {
+        Vec3 along, bend;
+    };
+    /// From the middle of its corners to the mid-side node.
+    BentSide side_of(TetId t, int s) const {
+        const auto& corners = mesh_.tets[t.index()];
+        const Vec3 &a = mesh_.point(corners[tet_sides[s][0]]), &b = mesh_.point(corners[tet_sides[s][1]]);
+        return {b - a, mesh_.point(mesh_.tet_mids[t.index()][s]) - (a + b) * 0.5};
+    }
+
+    /// How a still straight side between two boundary nodes would be bent if it curved like the bent sides of its tets,
+    /// the nearest ones above all: the bend goes with the square of the length along them. In a tet as thin as an edge
+    /// of a millionth of the part, only the sides beside it count.
+    Vec3 bend_of(NodeId mid, const std::vector<TetId>& star) const {
+        Vec3 sum, own, middle;
+        double weights = 0;
+        for (TetId t : star)
+            for (int s = 0; s < 6; ++s)
+                if (mesh_.tet_mids[t.index()][s] == mid) {
+                    own = side_of(t, s).along;
+                    middle = mesh_.point(mid) - side_of(t, s).bend;
+                    if (squared_length(side_of(t, s).bend) > 1e-12 * squared_length(own)) return {};
+                    for (int end : tet_sides[s])
+                        if (mesh_.entities[mesh_.tets[t.index()][end].index()].dim == 3) return {};
+                }
+        for (TetId t : star)
+            for (int s = 0; s < 6; ++s) {
+                const BentSide side = side_of(t, s);
+                const double squared = squared_length(side.along), along = dot(own, side.along);
+                if (squared_length(side.bend) <= 1e-12 * squared) continue;
+                const Vec3 apart = mesh_.point(mesh_.tet_mids[t.index()][s]) - side.bend - middle;
+                const double share = along * along / (squared * squared),
+                             weight = along * along / (squared * squared_length(own) * squared_length(apart));
+                sum += weight * share * side.bend;
+                weights += weight;
+            }
+        return weights > 0 ? sum / weights : Vec3{};
+    }
+
+    /// What a move has to raise, at most what is enough: what is good enough need not get better. Stops early, with
+    /// some value no larger than `limit`, once it is down to that.
+    double worst(const std::vector<TetId>& star, double limit = -std::numeric_limits<double>::infinity()) const {
+        const double enough = target_ + 0.1;
+        if (aim_ == Aim::smallest_bound) return smallest_bound(star, enough, limit);
+        double shortfalls = 0;
+        for (TetId t : star) {
+            const double bound = quick_bound(tet_nodes(mesh_, t));
+            if (bound < enough) shortfalls += shortfall(enough, bound);
+            if (enough - shortfalls <= limit) break;
+        }
+        return enough - shortfalls;
+    }
+    /// The tet that stopped the last look is the likeliest to stop the next.
+    double smallest_bound(const std::vector<TetId>& star, double enough, double limit) const {
+        if (refusing_ >= star.size()) refusing_ = 0;
+        double low = std::min(enough, quick_bound(tet_nodes(mesh_, star[refusing_])));
+        for (std::size_t i = 0; i < star.size() && low > limit; ++i) {
+            const double bound = quick_bound(tet_nodes(mesh_, star[i]));
+            low = std::min(low, bound);
+            if (low <= limit) refusing_ = i;
+        }
+        return low;
+    }
+    /// Grows slowly where a tet is folded many times over, as a needle is, so that it does not hide the others.
+    static double shortfall(double enough, double bound) {
+        return bound >= 0 ? (enough - bound) * (enough - bound) / enough : enough + 2 * std::log1p(-bound);
+    }
+    double worst_angle(const std::vector<TetId>& star) const {
+        double low = 180;
+        for (TetId t : star) {
+            const auto& n = mesh_.tets[t.index()];
+            const DihedralRange range =
+                dihedral_range(mesh_.point(n[0]), mesh_.point(n[1]), mesh_.point(n[2]), mesh_.point(n[3]));
+            low = std::min({low, range.smallest_deg, 180 - range.largest_deg});
+        }
+        return low;
+    }
+
+    double smallest_volume(const std::vector<TetId>& star) const {
+        double low = std::numeric_limits<double>::infinity();
+        for (TetId t : star) {
+            const auto& n = mesh_.tets[t.index()];
+            low = std::min(low,
+                           signed_volume(mesh_.point(n[0]), mesh_.point(n[1]), mesh_.point(n[2]), mesh_.point(n[3])));
+        }
+        return low;
+    }
+
+    /// The side that a mid-side node belongs to.
+    BentSide side_at(NodeId mid, const std::vector<TetId>& star) const {
+        const auto& mids = mesh_.tet_mids[star.front().index()];
+        return side_of(star.front(), static_cast<int>(std::find(mids.begin(), mids.end(), mid) - mids.begin()));
+    }
+    /// An inner side that is bent more than this would spoil what it is to repair; a node on the boundary that slides
+    /// to a quarter of its side would make the element singular.
+    bool is_bent_too_much(NodeId n, const std::vector<TetId>& star) const {
+        constexpr double most_bend = 0.3, most_slide = 0.15;
+        if (n.index() < mesh_.corner_count) return false;
+        const BentSide side = side_at(n, star);
+        const double squared = squared_length(side.along);
+        const int dim = mesh_.entities[n.index()].dim;
+        if (dim < 3 && std::abs(dot(side.bend, side.along)) > most_slide * squared) return true;
+        const Vec3 off = dim == 3 ? side.bend : mesh_.point(n) - placed_[n.index()];
+        return dim > 1 && squared_length(off) > most_bend * most_bend * squared;
+    }
+
+    double longest_side_at(NodeId n, const std::vector<TetId>& star) const {
+        double longest = 0;
+        for (TetId t : star)
+            for (NodeId other : mesh_.tets[t.index()])
+                longest = std::max(longest, distance(mesh_.point(n), mesh_.point(other)));
+        return longest;
+    }
+
+    bool improve(NodeId n, const std::vector<TetId>& star) {
+        const double before = worst(star);
+        double best = before;
+        for (double step = 0.2 * longest_side_at(n, star), last = 0.02 * step; step > last && best <= target_;
+             step *= 0.5)
+            for (int tries = 0; tries < 4 && best <= target_ + 0.05; ++tries)
+                if (!best_step(n, star, step, best)) break;
+        return best > before + 1e-4;
+    }
+
+    /// Tries all directions at one step length and takes the best one.
+    bool best_step(NodeId n, const std::vector<TetId>& star, double step, double& best) {
+        const Place start = place(n, star);
+        const bool is_corner = n.index() < mesh_.corner_count;
+        const double angle = is_corner ? std::min(worst_angle(star), 20.0) : 0;
+        const double volume = is_corner ? std::min(smallest_volume(star), least_volume_) : 0;
+        const auto keeps_corners_good = [&] {
+            return worst_angle(star) >= angle - 1e-9 && smallest_volume(star) >= volume;
+        };
+        Place found = start;
+        double found_value = best;
+        for (const Vec3& direction : directions_) {
+            if (move(n, star, start, step * direction) && !is_bent_too_much(n, star)) {
+                const double value = worst(star, found_value + 1e-6);
+                if (value > found_value + 1e-6 && (!is_corner || keeps_corners_good())) {
+                    found_value = value;
+                    found = place(n, star);
+                }
+            }
+            restore(n, start);
+        }
+        if (found_value <= best) return false;
+        restore(n, found);
+        best = found_value;
+        return true;
+    }
+
+    /// A node's position; for a corner also those of the inner mid-side nodes of its sides, which go along.
+    struct Place {
+        Vec3 point;
+        std::array<double, 2> parameters;
+        std::vector<std::pair<NodeId, Vec3>> followers;
+    };
+    Place place(NodeId n, const std::vector<TetId>& star) const {
+        Place now{mesh_.point(n), mesh_.parameters[n.index()], {}};
+        if (n.index() >= mesh_.corner_count) return now;
+        for (TetId t : star)
+            for (int s = 0; s < 6; ++s) {
+                const auto& corners = mesh_.tets[t.index()];
+                if (corners[tet_sides[s][0]] != n && corners[tet_sides[s][1]] != n) continue;
+                const NodeId mid = mesh_.tet_mids[t.index()][s];
+                if (mesh_.entities[mid.index()].dim == 3 && std::none_of(now.followers.begin(), now.followers.end(),
+                                                                         [&](const auto& f) { return f.first == mid; }))
+                    now.followers.emplace_back(mid, mesh_.point(mid));
+            }
+        return now;
+    }
+    void restore(NodeId n, const Place& to) {
+        mesh_.points[n.index()] = to.point;
+        mesh_.parameters[n.index()] = to.parameters;
+        for (const auto& [mid, point] : to.followers) mesh_.points[mid.index()] = point;
+    }
+    bool move(NodeId n, const std::vector<TetId>&, const Place& from, const Vec3& by) {
+        const Entity entity = mesh_.entities[n.index()];
+        if (entity.dim == 3) {
+            mesh_.points[n.index()] = from.point + by;
+            for (const auto& [mid, point] : from.followers) mesh_.points[mid.index()] = point + by * 0.5;
+            return true;
+        }
+        Place to = from;
+        if (entity.dim == 1) {
+            const OnEdge on = projector_.nearest(EdgeId(entity.index), from.point + by, from.parameters[0]);
+            to = {on.point, {on.t, 0}, {}};
+        } else {
+            const auto on = projector_.nearest_by_steps(FaceId(entity.index), from.point + by, from.parameters);
+            if (!on) return false;
+            to = {on->point, on->uv, {}};
+        }
+        // a step across the curve or surface comes back to where it began
+        if (distance(to.point, from.point) < 0.3 * length(by)) return false;
+        restore(n, to);
+        return true;
+    }
+
+    Mesh& mesh_;
+    const Projector& projector_;
+    const std::vector<bool>& is_movable_;
+    const double target_, least_volume_;
+    const RunContext& context_;
+    Aim aim_ = Aim::smallest_bound;
+    mutable std::size_t refusing_ = 0;  ///< place in the star
+    const std::vector<Vec3> placed_;    ///< where the nodes were at first
+    const std::vector<Vec3> directions_;
+};
+
+}  // namespace
+
+std::vector<TetId> tets_at_most(const Mesh& mesh, double limit, RunContext& context) {
+    std::vector<std::vector<TetId>> parts((mesh.tets.size() + grain - 1) / grain);
+    parallel_for(context, mesh.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t)
+            if (is_at_most(mesh, TetId(t), limit)) parts[begin / grain].push_back(TetId(t));
+    });
+    std::vector<TetId> found;
+    for (const auto& part : parts) found.insert(found.end(), part.begin(), part.end());
+    return found;
+}
+
+std::vector<TetId> unfold_tets(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable,
+                               const CurvedTetAims& aims, RunContext& context) {
+    constexpr int most_passes = 6;
+    const double target = aims.scaled_jacobian;
+    constexpr std::size_t most_together = 500;  // more trouble is refined first
+    std::vector<TetId> bad = tets_at_most(mesh, target, context);
+    if (bad.empty()) return bad;
+    Unfolding unfolding(mesh, projector, is_movable, aims, context);
+    const std::vector<Vec3> points = mesh.points;
+    const std::vector<std::array<double, 2>> parameters = mesh.parameters;
+    unfolding.bend_along(bad);
+    if (std::vector<TetId> bent = tets_at_most(mesh, target, context); bent.size() < bad.size()) {
+        bad = std::move(bent);
+    } else {
+        mesh.points = points;
+        mesh.parameters = parameters;
+    }
+    using Aim = Unfolding::Aim;
+    for (const Aim aim : {Aim::smallest_bound, Aim::sum_of_shortfalls, Aim::smallest_bound}) {
+        for (int pass = 0; pass < most_passes && !bad.empty(); ++pass) {
+            context.check_cancelled();
+            if (!unfolding.pass(bad, aim)) break;
+            bad = tets_at_most(mesh, target, context);
+        }
+        if (bad.empty() || bad.size() > most_together) break;
+        descend(mesh, projector, is_movable, bad, {target + 0.05, aims.least_volume}, context);
+        bad = tets_at_most(mesh, target, context);
+    }
+    return bad;
+}
+
+}  // namespace featuremesh

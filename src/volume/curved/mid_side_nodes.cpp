@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/curved/mid_side_nodes.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <TopoDS_Edge.hxx>
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/errors.h"
+#include "mesh/second_order.h"
+#include "surface/projection.h"
+#include "volume/curved/curved_tet_repair.h"
+#include "volume/curved/curved_tet_split.h"
+
+namespace featuremesh {
+namespace {
+
+/// The parameter of a segment's end: chains run from the edge's first parameter to its last, so an end on a vertex is
+/// the first or the last one, unless the edge goes on there (MergedEntities::vertices_on).
+double parameter_at(const Mesh& mesh, std::size_t segment, bool is_start, const BRepAdaptor_Curve& curve,
+                    const Projector& projector, double negligible) {
+    const NodeId node = mesh.segments[segment][is_start ? 0 : 1];
+    if (mesh.entities[node.index()].dim == 1) return mesh.parameters[node.index()][0];
+    const double end = is_start ? curve.FirstParameter() : curve.LastParameter();
+    const gp_Pnt p = curve.Value(end);
+    const double off = distance({p.X(), p.Y(), p.Z()}, mesh.point(node));
+    if (off <= negligible) return end;
+    const OnEdge nearest = projector.nearest(mesh.segment_edges[segment], mesh.point(node));
+    return nearest.distance + negligible < off ? nearest.t : end;
+}
+
+/// The parameter half way between two parameters in arc length.
+double half_way(const BRepAdaptor_Curve& curve, double from, double to) {
+    const double middle = 0.5 * (from + to);
+    if (curve.GetType() == GeomAbs_Line || curve.GetType() == GeomAbs_Circle) return middle;
+    const double half_length = 0.5 * GCPnts_AbscissaPoint::Length(curve, from, to);
+    GCPnts_AbscissaPoint search(curve, half_length, from, middle);
+    return search.IsDone() && search.Parameter() > from && search.Parameter() < to ? search.Parameter() : middle;
+}
+
+void place_on_edges(const Brep& brep, const Projector& projector, const std::vector<bool>& is_new, Mesh& mesh) {
+    std::vector<std::optional<BRepAdaptor_Curve>> curves(brep.edge_count());
+    const double negligible = brep.tolerances().negligible();
+    for (std::size_t i = 0; i < mesh.segments.size(); ++i) {
+        const NodeId mid = mesh.segment_mids[i];
+        if (!is_new[mid.index()]) continue;
+        const EdgeId edge = mesh.segment_edges[i];
+        auto& curve = curves[edge.index()];
+        if (!curve) curve.emplace(brep.edge(edge));
+        const double t = half_way(*curve, parameter_at(mesh, i, true, *curve, projector, negligible),
+                                  parameter_at(mesh, i, false, *curve, projector, negligible));
+        mesh.points[mid.index()] = projector.on_edge(edge, t);
+        mesh.parameters[mid.index()] = {t, 0};
+    }
+}
+
+/// Parameters on the face of a node of the triangle, to start a projection from.
+std::optional<std::array<double, 2>> start_parameters(const Mesh& mesh, std::size_t triangle) {
+    for (NodeId n : mesh.triangles[triangle])
+        if (mesh.entities[n.index()] == entity_of(mesh.triangle_faces[triangle])) return mesh.parameters[n.index()];
+    return std::nullopt;
+}
+
+/// The point of the face nearest to the middle of a side. Where the face bends so much that this point is towards one
+/// end of the side, the point of the face as far from one end as from the other.
+OnFace above_middle(const Projector& projector, FaceId face, const Vec3& a, const Vec3& b,
+                    const std::optional<std::array<double, 2>>& start) {
+    constexpr double most_slide = 0.05, enough = 0.01;
+    constexpr int most_steps = 20;
+    const Vec3 middle = 0.5 * (a + b), along = b - a;
+    const auto slide_of = [&](const OnFace& on) { return dot(on.point - middle, along) / squared_length(along); };
+    OnFace best = projector.nearest(face, middle, start);
+    if (std::abs(slide_of(best)) < most_slide) return best;
+    // Newton's steps from one end may have gone astray
+    if (const OnFace global = projector.nearest(face, middle); global.distance < best.distance) best = global;
+    OnFace on = best;
+    double least = slide_of(best);
+    if (std::abs(least) < most_slide) return best;
+    for (int step = 0; step < most_steps && std::abs(least) > enough; ++step) {
+        on = projector.nearest(face, on.point - slide_of(on) * along, on.uv);
+        if (std::abs(slide_of(on)) < std::abs(least)) best = on, least = slide_of(on);
+    }
+    return best;
+}
+
+void place_on_faces(const Projector& projector, std::vector<bool> is_new, Mesh& mesh, RunContext& context) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        if (i % 1024 == 0) context.check_cancelled();
+        for (int s = 0; s < 3; ++s) {
+            const NodeId mid = mesh.triangle_mids[i][s];
+            if (!is_new[mid.index()] || mesh.entities[mid.index()].dim != 2) continue;
+            is_new[mid.index()] = false;
+            const auto& corners = mesh.triangles[i];
+            const OnFace on = above_middle(projector, mesh.triangle_faces[i], mesh.point(corners[s]),
+                                           mesh.point(corners[(s + 1) % 3]), start_parameters(mesh, i));
+            mesh.points[mid.index()] = on.point;
+            mesh.parameters[mid.index()] = on.uv;
+        }
+    }
+}
+
+/// A face at a corner of the tet, for messages.
+std::string place_of(const Mesh& mesh, TetId tet) {
+    const auto& corners = mesh.tets[tet.index()];
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        for (NodeId n : mesh.triangles[i])
+            if (std::find(corners.begin(), corners.end(), n) != corners.end())
+                return name_of(entity_of(mesh.triangle_faces[i]));
+    return "the inside of " + name_of(entity_of(mesh.tet_solids[tet.index()]));
+}
+
+/// How many elements in front are kept: their numbers are older than the kept mesh's next one.
+KeptCounts kept_counts(const Mesh& mesh, const Mesh* kept) {
+    if (!kept) return {};
+    const auto count = [&](const std::vector<Number>& numbers) {
+        std::size_t n = 0;
+        while (n < numbers.size() && numbers[n] < kept->next_element_number) ++n;
+        return n;
+    };
+    return {count(mesh.segment_numbers), count(mesh.triangle_numbers), count(mesh.tet_numbers)};
+}
+
+struct Curved {
+    Mesh mesh;
+    std::vector<TetId> low, folded;  ///< below the target, and those of them that are no valid elements
+    double smallest = 1;             ///< scaled Jacobian
+};
+
+/// Gives the mesh its mid-side nodes and moves nodes until every element reaches the target, if that can be.
+Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh* kept, RunContext& context) {
+    // an element whose Jacobian varies more than this makes the solution worse
+    constexpr double wanted_scaled_jacobian = 0.2;
+    context.check_cancelled();
+    std::vector<bool> is_movable(mesh.points.size(), true);
+    if (kept)
+        for (std::size_t n = 0; n < mesh.points.size(); ++n)
+            is_movable[n] = mesh.node_numbers[n] >= kept->next_node_number;
+    const std::vector<NodeId> added = add_mid_side_nodes(mesh, kept, context);
+    std::vector<bool> is_new(mesh.points.size(), false);
+    for (NodeId n : added) is_new[n.index()] = true;
+    place_on_edges(brep, projector, is_new, mesh);
+    place_on_faces(projector, is_new, mesh, context);
+    std::copy(is_movable.begin(), is_movable.end(), is_new.begin());
+    Curved result{std::move(mesh), {}, {}, 1};
+    result.low = unfold_tets(result.mesh, projector, is_new, {wanted_scaled_jacobian, brep.tolerances().least_volume()},
+                             context);
+    for (const TetId t : result.low) {
+        const double scaled_jacobian = min_scaled_jacobian(tet_nodes(result.mesh, t));
+        result.smallest = std::min(result.smallest, scaled_jacobian);
+        if (!(scaled_jacobian > 0)) result.folded.push_back(t);
+    }
+    return result;
+}
+
+/// Half of what the folded tets' sides are long.
+std::vector<SizeSource> shorter_lengths(const Mesh& mesh, const std::vector<TetId>& folded) {
+    std::vector<SizeSource> wanted;
+    for (const TetId t : folded) {
+        const auto& n = mesh.tets[t.index()];
+        double longest = 0;
+        for (const auto& [a, b] : tet_sides) longest = std::max(longest, distance(mesh.point(n[a]), mesh.point(n[b])));
+        wanted.push_back(
+            {0.25 * (mesh.point(n[0]) + mesh.point(n[1]) + mesh.point(n[2]) + mesh.point(n[3])), 0.5 * longest});
+    }
+    return wanted;
+}
+
+/// The new tets with a strongly bent side, when the corners alone are far from filling the part: then they are too few,
+/// however well the curved sides fit.
+std::vector<TetId> too_coarse(const Brep& brep, const Mesh& curved, std::size_t kept_tets, const RunContext& context) {
+    constexpr double strong_bend = 0.17, least_share = 0.5;
+    std::vector<TetId> bent;
+    RoundWatch watch(context);
+    for (std::size_t t = kept_tets; t < curved.tets.size(); ++t) {
+        watch();
+        const auto nodes = tet_nodes(curved, TetId(t));
+        for (int s = 0; s < 6; ++s) {
+            const Vec3 &a = nodes[tet_sides[s][0]], &b = nodes[tet_sides[s][1]];
+            if (squared_length(nodes[4 + s] - (a + b) * 0.5) < strong_bend * strong_bend * squared_length(b - a))
+                continue;
+            bent.emplace_back(t);
+            break;
+        }
+    }
+    if (bent.empty()) return {};
+    std::vector<double> volumes(brep.solid_count(), 0);
+    for (std::size_t t = 0; t < curved.tets.size(); ++t) {
+        watch();
+        const auto& n = curved.tets[t];
+        volumes[curved.tet_solids[t].index()] +=
+            signed_volume(curved.point(n[0]), curved.point(n[1]), curved.point(n[2]), curved.point(n[3]));
+    }
+    for (std::size_t s = 0; s < volumes.size(); ++s)
+        if (volumes[s] < least_share * brep.volume_of(SolidId(s))) return bent;
+    return {};
+}
+
+/// Kept elements stay as they are, whatever they miss.
+SecondOrder result_of(Curved curved, const KeptCounts& kept) {
+    std::vector<TetId> low = curved.low;
+    std::erase_if(low, [&](TetId t) { return t.index() < kept.tets; });
+    std::vector<SizeSource> shorter = shorter_lengths(curved.mesh, low);
+    std::string place = place_of(curved.mesh, curved.low.front());
+    return {std::move(curved.mesh), std::move(shorter), std::move(place), curved.smallest};
+}
+
+}  // namespace
+
+SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {
+    constexpr int most_refinements = 12, most_without_gain = 3;
+    RunContext::Step step(context, "surface");
+    const Projector projector(brep);
+    const KeptCounts counts = kept_counts(mesh, kept);
+    std::optional<Curved> best;
+    SecondOrder failed;
+    std::size_t trouble_at_first = 0;
+    int last_gain = 0;
+    for (int refinement = 0;; ++refinement) {
+        Curved curved = curve(brep, projector, mesh, kept, context);
+        if (refinement == 0)
+            if (const std::vector<TetId> bent = too_coarse(brep, curved.mesh, counts.tets, context); !bent.empty())
+                return {{}, shorter_lengths(curved.mesh, bent), place_of(curved.mesh, bent.front()), 0};
+        if (curved.low.empty()) return {std::move(curved.mesh), {}, {}, 1};
+        const std::vector<TetId> trouble = curved.folded.empty() ? curved.low : curved.folded;
+        const std::string place = place_of(curved.mesh, trouble.front());
+        if (refinement == 0) {
+            trouble_at_first = trouble.size();
+            if (!curved.folded.empty()) failed = {{}, shorter_lengths(curved.mesh, trouble), place, 0};
+        }
+        // refining that makes more trouble than it ends would go on for ever
+        const bool is_hopeless = refinement == most_refinements || trouble.size() > 4 * trouble_at_first + 50 ||
+                                 (best && refinement > last_gain + most_without_gain);
+        const bool is_split =
+            !is_hopeless && split_folded_tets(mesh, curved.mesh, trouble, counts, brep.tolerances().least_volume()) > 0;
+        if (curved.folded.empty() && (!best || curved.smallest > best->smallest)) {
+            best = std::move(curved);
+            last_gain = refinement;
+        }
+        if (!is_split && best) return result_of(std::move(*best), counts);
+        if (!is_split) return failed;
+        context.log(std::to_string(trouble.size()) + " elements are refined near " + place +
+                    " so that their curved sides do not fold them.");
+    }
+}
+
+Mesh curve_to_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {
+    SecondOrder result = try_second_order(brep, std::move(mesh), kept, context);
+    if (!result.is_valid())
+        throw MeshError(
+            std::to_string(result.shorter.size()) + " 10-node tetrahedra would be folded near " + result.place +
+            ": the face bends too much within one element. Ask for a smaller size there, or for 4-node tetrahedra.");
+    return std::move(result.mesh);
+}
+
+}  // namespace featuremesh

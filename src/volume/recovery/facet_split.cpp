@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/recovery/facet_split.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "core/sorted_pair.h"
+
+namespace featuremesh {
+
+namespace {
+
+using NodePair = std::array<NodeId, 2>;
+
+template <class T>
+bool is_odd(const std::array<T, 3>& c) {
+    return ((c[0] > c[1]) + (c[0] > c[2]) + (c[1] > c[2])) % 2 == 1;
+}
+
+NodePair pair_of(const FacetSplit::Added& added, const Cavity& cavity) {
+    return sorted_pair(cavity.nodes[added.edge[0]], cavity.nodes[added.edge[1]]);
+}
+
+/// The added points by the edge they are on.
+std::map<NodePair, std::vector<int>> points_by_edge(const FacetSplit& split, const Cavity& cavity) {
+    std::map<NodePair, std::vector<int>> by_edge;
+    for (std::size_t i = 0; i < split.added.size(); ++i)
+        if (split.added[i].edge[0] >= 0) by_edge[pair_of(split.added[i], cavity)].push_back(static_cast<int>(i));
+    return by_edge;
+}
+
+/// Cuts the triangle (a, b, c) at given points of its sides (-1: not cut), keeping its turn.
+void cut_triangle(std::array<int, 3> corners, std::array<int, 3> mids, int facet,
+                  std::vector<FacetSplit::Piece>& pieces) {
+    const auto count = std::count_if(mids.begin(), mids.end(), [](int m) { return m >= 0; });
+    if (count == 0) return;
+    const auto rotate_until = [&](auto is_right) {
+        while (!is_right()) {
+            std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+            std::rotate(mids.begin(), mids.begin() + 1, mids.end());
+        }
+    };
+    const auto add = [&](int a, int b, int c) { pieces.push_back({{a, b, c}, facet}); };
+    if (count == 3) {
+        for (int k = 0; k < 3; ++k) add(corners[k], mids[k], mids[(k + 2) % 3]);
+        return add(mids[0], mids[1], mids[2]);
+    }
+    if (count == 1) {
+        rotate_until([&] { return mids[0] >= 0; });
+        add(corners[0], mids[0], corners[2]);
+        return add(mids[0], corners[1], corners[2]);
+    }
+    rotate_until([&] { return mids[2] < 0; });
+    add(mids[0], corners[1], mids[1]);
+    add(corners[0], mids[0], mids[1]);
+    add(corners[0], mids[1], corners[2]);
+}
+
+/// Which CAD entity an added point belongs to, and where on it.
+class Placement {
+  public:
+    Placement(const Cavity& cavity, const Projector& projector, double on_entity, const Mesh& mesh)
+        : cavity_(cavity), projector_(projector), on_entity_(on_entity) {
+        for (std::size_t i = 0; i < mesh.segments.size(); ++i)
+            edge_of_.emplace(sorted_pair(mesh.segments[i][0], mesh.segments[i][1]), mesh.segment_edges[i]);
+    }
+
+    NodeId add(const FacetSplit::Added& added, FaceId face, Mesh& mesh) const {
+        if (added.edge[0] >= 0) {
+            const auto edge = edge_of_.find(pair_of(added, cavity_));
+            if (edge != edge_of_.end()) {
+                const OnEdge on = projector_.nearest(edge->second, added.point);
+                return mesh.add_node(on.distance < on_entity_ ? added.point : on.point, entity_of(edge->second),
+                                     {on.t, 0});
+            }
+        }
+        const OnFace on = projector_.nearest(face, added.point);
+        return mesh.add_node(on.distance < on_entity_ ? added.point : on.point, entity_of(face), on.uv);
+    }
+
+  private:
+    const Cavity& cavity_;
+    const Projector& projector_;
+    double on_entity_;  ///< a point this near stays, so that exact decisions about it hold
+    std::map<NodePair, EdgeId> edge_of_;
+};
+
+/// By added point: a CAD face whose triangles have it.
+std::vector<FaceId> faces_of_points(const FacetSplit& split, const Cavity& cavity, const Mesh& mesh) {
+    std::vector<FaceId> faces(split.added.size());
+    const int given = static_cast<int>(cavity.points.size());
+    for (const auto& piece : split.pieces)
+        for (const int c : piece.corners)
+            if (c >= given) faces[c - given] = mesh.triangle_faces[cavity.triangle_of_facet[piece.facet].index()];
+    return faces;
+}
+
+void cut_segments(const FacetSplit& split, const Cavity& cavity, const std::vector<NodeId>& nodes, Mesh& mesh) {
+    const auto by_edge = points_by_edge(split, cavity);
+    const std::size_t count = mesh.segments.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const NodeId first = mesh.segments[i][0], last = mesh.segments[i][1];
+        const auto found = by_edge.find(sorted_pair(first, last));
+        if (found == by_edge.end()) continue;
+        std::vector<int> along = found->second;
+        const Vec3 direction = mesh.point(last) - mesh.point(first);
+        std::sort(along.begin(), along.end(), [&](int a, int b) {
+            return dot(direction, split.added[a].point) < dot(direction, split.added[b].point);
+        });
+        mesh.segments[i][1] = nodes[along.front()];
+        mesh.segment_numbers[i] = mesh.next_element_number++;
+        for (std::size_t k = 0; k < along.size(); ++k)
+            mesh.add_segment({nodes[along[k]], k + 1 < along.size() ? nodes[along[k + 1]] : last},
+                             mesh.segment_edges[i]);
+    }
+}
+
+void cut_triangles(const FacetSplit& split, const Cavity& cavity, const std::vector<NodeId>& nodes, Mesh& mesh) {
+    const int given = static_cast<int>(cavity.points.size());
+    int cut = -1;
+    bool is_reversed = false;
+    for (const auto& piece : split.pieces) {
+        const std::size_t triangle = cavity.triangle_of_facet[piece.facet].index();
+        const bool is_first = piece.facet != cut;
+        if (is_first) is_reversed = is_odd(mesh.triangles[triangle]) != is_odd(cavity.facets[piece.facet].corners);
+        std::array<NodeId, 3> corners;
+        for (int k = 0; k < 3; ++k)
+            corners[k] = piece.corners[k] < given ? cavity.nodes[piece.corners[k]] : nodes[piece.corners[k] - given];
+        if (is_reversed) std::swap(corners[1], corners[2]);
+        if (is_first) {
+            mesh.triangles[triangle] = corners;
+            mesh.triangle_numbers[triangle] = mesh.next_element_number++;
+        } else {
+            mesh.add_triangle(corners, mesh.triangle_faces[triangle]);
+        }
+        cut = piece.facet;
+    }
+}
+
+}  // namespace
+
+FacetSplit halve_longest_edges(const Cavity& cavity, std::span<const int> facets) {
+    FacetSplit split;
+    std::map<std::array<int, 2>, int> point_on;
+    for (const int facet : facets) {
+        const auto& c = cavity.facets[facet].corners;
+        int longest = 0;
+        for (int k = 1; k < 3; ++k)
+            if (distance(cavity.points[c[k]], cavity.points[c[(k + 1) % 3]]) >
+                distance(cavity.points[c[longest]], cavity.points[c[(longest + 1) % 3]]))
+                longest = k;
+        const auto edge = sorted_pair(c[longest], c[(longest + 1) % 3]);
+        if (!point_on.emplace(edge, static_cast<int>(cavity.points.size() + split.added.size())).second) continue;
+        split.added.push_back({(cavity.points[edge[0]] + cavity.points[edge[1]]) * 0.5, edge, -1});
+    }
+    for (std::size_t i = 0; i < cavity.facets.size(); ++i) {
+        const auto& c = cavity.facets[i].corners;
+        std::array<int, 3> mids;
+        for (int k = 0; k < 3; ++k) {
+            const auto found = point_on.find(sorted_pair(c[k], c[(k + 1) % 3]));
+            mids[k] = found == point_on.end() ? -1 : found->second;
+        }
+        cut_triangle(c, mids, static_cast<int>(i), split.pieces);
+    }
+    return split;
+}
+
+std::vector<TetId> tets_in_the_way(const FacetSplit& split, const Cavity& cavity, const Mesh& mesh,
+                                   std::span<const std::uint8_t> is_released,
+                                   std::optional<std::span<const TetId>> near) {
+    std::set<NodePair> edges;
+    std::set<std::array<NodeId, 3>> triangles;
+    std::vector<std::uint8_t> is_touched(mesh.node_count(), 0);
+    const auto touch = [&](NodeId n) { is_touched[n.index()] = 1; };
+    for (const auto& added : split.added)
+        if (added.edge[0] >= 0) {
+            const NodePair pair = pair_of(added, cavity);
+            edges.insert(pair), touch(pair[0]), touch(pair[1]);
+        }
+    for (const auto& piece : split.pieces) {
+        const auto& c = cavity.facets[piece.facet].corners;
+        std::array<NodeId, 3> nodes{cavity.nodes[c[0]], cavity.nodes[c[1]], cavity.nodes[c[2]]};
+        std::sort(nodes.begin(), nodes.end());
+        triangles.insert(nodes);
+        for (const NodeId n : nodes) touch(n);
+    }
+    const auto is_cut = [&](std::array<NodeId, 4> tet) {
+        std::sort(tet.begin(), tet.end());
+        for (int i = 0; i < 4; ++i)
+            for (int j = i + 1; j < 4; ++j)
+                if (edges.contains({tet[i], tet[j]})) return true;
+        return triangles.contains({tet[1], tet[2], tet[3]}) || triangles.contains({tet[0], tet[2], tet[3]}) ||
+               triangles.contains({tet[0], tet[1], tet[3]}) || triangles.contains({tet[0], tet[1], tet[2]});
+    };
+    std::vector<TetId> found;
+    const std::size_t count = near ? near->size() : mesh.tets.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t t = near ? (*near)[i].index() : i;
+        if (!is_released.empty() && is_released[t]) continue;
+        int touched = 0;
+        for (const NodeId n : mesh.tets[t]) touched += is_touched[n.index()];
+        if (touched >= 2 && is_cut(mesh.tets[t])) found.push_back(TetId(t));
+    }
+    return found;
+}
+
+std::vector<NodeId> apply_split(const FacetSplit& split, const Cavity& cavity, const Projector& projector,
+                                double on_entity, Mesh& mesh, const RunContext& context) {
+    const std::vector<FaceId> faces = faces_of_points(split, cavity, mesh);
+    const Placement placement(cavity, projector, on_entity, mesh);
+    std::vector<NodeId> nodes;
+    for (std::size_t i = 0; i < split.added.size(); ++i) {
+        context.check_cancelled();
+        nodes.push_back(placement.add(split.added[i], faces[i], mesh));
+    }
+    cut_segments(split, cavity, nodes, mesh);
+    cut_triangles(split, cavity, nodes, mesh);
+    mesh.corner_count = mesh.points.size();
+    return nodes;
+}
+
+}  // namespace featuremesh
