@@ -12,6 +12,7 @@
 #include <ElSLib.hxx>
 #include <Extrema_ExtPC.hxx>
 #include <Extrema_ExtPS.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
 #include <ShapeAnalysis_Surface.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -285,6 +286,20 @@ Projector::~Projector() = default;
 Projector::Projector(Projector&&) noexcept = default;
 
 Vec3 Projector::on_edge(EdgeId edge, double t) const { return to_vec3(data_->curve(edge).adaptor.Value(t)); }
+
+std::array<double, 2> Projector::range(EdgeId edge) const {
+    const BRepAdaptor_Curve& curve = data_->curve(edge).adaptor;
+    return {curve.FirstParameter(), curve.LastParameter()};
+}
+
+double Projector::half_way(EdgeId edge, double from, double to) const {
+    const BRepAdaptor_Curve& curve = data_->curve(edge).adaptor;
+    const double middle = 0.5 * (from + to);
+    if (curve.GetType() == GeomAbs_Line || curve.GetType() == GeomAbs_Circle) return middle;
+    const double half_length = 0.5 * GCPnts_AbscissaPoint::Length(curve, from, to);
+    GCPnts_AbscissaPoint search(curve, half_length, from, middle);
+    return search.IsDone() && search.Parameter() > from && search.Parameter() < to ? search.Parameter() : middle;
+}
 
 Vec3 Projector::tangent(EdgeId edge, double t) const {
     gp_Pnt p;

@@ -30,6 +30,10 @@ class Projector {
     Projector(Projector&&) noexcept;
 
     Vec3 on_edge(EdgeId edge, double t) const;
+    /// The edge's first and last parameter.
+    std::array<double, 2> range(EdgeId edge) const;
+    /// The parameter half way between two parameters in arc length.
+    double half_way(EdgeId edge, double from, double to) const;
     /// Unit tangent; zero where the edge has none.
     Vec3 tangent(EdgeId edge, double t) const;
     Vec3 on_face(FaceId face, std::array<double, 2> uv) const;

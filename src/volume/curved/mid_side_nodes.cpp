@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/curved/mid_side_nodes.h"
 
-#include <BRepAdaptor_Curve.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
-#include <TopoDS_Edge.hxx>
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -20,38 +17,25 @@ namespace {
 
 /// The parameter of a segment's end: chains run from the edge's first parameter to its last, so an end on a vertex is
 /// the first or the last one, unless the edge goes on there (MergedEntities::vertices_on).
-double parameter_at(const Mesh& mesh, std::size_t segment, bool is_start, const BRepAdaptor_Curve& curve,
-                    const Projector& projector, double negligible) {
+double parameter_at(const Mesh& mesh, std::size_t segment, bool is_start, const Projector& projector,
+                    double negligible) {
     const NodeId node = mesh.segments[segment][is_start ? 0 : 1];
     if (mesh.entities[node.index()].dim == 1) return mesh.parameters[node.index()][0];
-    const double end = is_start ? curve.FirstParameter() : curve.LastParameter();
-    const gp_Pnt p = curve.Value(end);
-    const double off = distance({p.X(), p.Y(), p.Z()}, mesh.point(node));
+    const EdgeId edge = mesh.segment_edges[segment];
+    const double end = projector.range(edge)[is_start ? 0 : 1];
+    const double off = distance(projector.on_edge(edge, end), mesh.point(node));
     if (off <= negligible) return end;
-    const OnEdge nearest = projector.nearest(mesh.segment_edges[segment], mesh.point(node));
+    const OnEdge nearest = projector.nearest(edge, mesh.point(node));
     return nearest.distance + negligible < off ? nearest.t : end;
 }
 
-/// The parameter half way between two parameters in arc length.
-double half_way(const BRepAdaptor_Curve& curve, double from, double to) {
-    const double middle = 0.5 * (from + to);
-    if (curve.GetType() == GeomAbs_Line || curve.GetType() == GeomAbs_Circle) return middle;
-    const double half_length = 0.5 * GCPnts_AbscissaPoint::Length(curve, from, to);
-    GCPnts_AbscissaPoint search(curve, half_length, from, middle);
-    return search.IsDone() && search.Parameter() > from && search.Parameter() < to ? search.Parameter() : middle;
-}
-
-void place_on_edges(const Brep& brep, const Projector& projector, const std::vector<bool>& is_new, Mesh& mesh) {
-    std::vector<std::optional<BRepAdaptor_Curve>> curves(brep.edge_count());
-    const double negligible = brep.tolerances().negligible();
+void place_on_edges(const Projector& projector, double negligible, const std::vector<bool>& is_new, Mesh& mesh) {
     for (std::size_t i = 0; i < mesh.segments.size(); ++i) {
         const NodeId mid = mesh.segment_mids[i];
         if (!is_new[mid.index()]) continue;
         const EdgeId edge = mesh.segment_edges[i];
-        auto& curve = curves[edge.index()];
-        if (!curve) curve.emplace(brep.edge(edge));
-        const double t = half_way(*curve, parameter_at(mesh, i, true, *curve, projector, negligible),
-                                  parameter_at(mesh, i, false, *curve, projector, negligible));
+        const double t = projector.half_way(edge, parameter_at(mesh, i, true, projector, negligible),
+                                            parameter_at(mesh, i, false, projector, negligible));
         mesh.points[mid.index()] = projector.on_edge(edge, t);
         mesh.parameters[mid.index()] = {t, 0};
     }
@@ -141,7 +125,7 @@ Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh
     const std::vector<NodeId> added = add_mid_side_nodes(mesh, kept, context);
     std::vector<bool> is_new(mesh.points.size(), false);
     for (NodeId n : added) is_new[n.index()] = true;
-    place_on_edges(brep, projector, is_new, mesh);
+    place_on_edges(projector, brep.tolerances().negligible(), is_new, mesh);
     place_on_faces(projector, is_new, mesh, context);
     std::copy(is_movable.begin(), is_movable.end(), is_new.begin());
     Curved result{std::move(mesh), {}, {}, 1};
