@@ -12,9 +12,9 @@ import packages
 from layout import BUILD, CGAL, RELEASE, ROOT, SETUP_LOG
 from setup_log import run_logged, say
 
-SOURCE_FOLDERS = ("src", "bindings", "tests/cpp", "tests/python", "tests/benchmarks", "resources/launcher")
+SOURCE_FOLDERS = ("src", "bindings", "tests/clock", "tests/cpp", "tests/python", "tests/benchmarks", "resources/launcher")
 SOURCE_FILES = ("CMakeLists.txt", "CMakePresets.json", "tests/CMakeLists.txt")
-ENGINE_TARGET = "featuremesh_engine"
+IN_FREECAD_TARGETS = ("featuremesh_engine", "featuremesh_other_clock")   # the engine, and what a test of it in FreeCAD loads
 PYTHON = "/usr/bin/python3"
 MEMORY_PER_COMPILER = 2 << 30
 
@@ -67,7 +67,7 @@ def build(everything):
     say("building " + ("the engine and the tests" if everything else "the engine"))
     run_logged(["cmake", "--preset", "release", "-B", RELEASE, f"-DPython_EXECUTABLE={PYTHON}", f"-DPython3_EXECUTABLE={PYTHON}",
                 f"-DPYTHON_EXECUTABLE={PYTHON}", f"-DFEATUREMESH_CGAL_DIR={CGAL / 'usr'}"], "configuring the build", cwd=ROOT)
-    target = [] if everything else ["--target", ENGINE_TARGET]
+    target = [] if everything else ["--target", *IN_FREECAD_TARGETS]
     run_logged(["cmake", "--build", RELEASE, "-j", str(compilers_at_once()), *target], "building", cwd=ROOT)
 
 
