@@ -19,6 +19,7 @@ sys.path.insert(0, str(ROOT / "resources" / "launcher"))
 import study_commands  # noqa: E402
 
 study_commands.workbench()
+_OURS = b"FEATUREMESH_STUDY_WORKER=", b"FEATUREMESH_TASK="   # variables of workers, and of the FreeCAD that makes a study's base
 VARIED = ("--vary", "HoleSketch.Radius=4:8", "--vary", "Plate.Length=8:12")
 
 
@@ -56,7 +57,7 @@ class StudyTest(unittest.TestCase):
     def study(self, *words, code=0, **options):
         """Runs `featuremesh study ...` in the folder. Returns what it said on standard output and on standard error."""
         process = self.start(*words, **options)
-        out, err = process.communicate(timeout=300)
+        out, err = process.communicate(timeout=600)
         self.assertEqual(process.returncode, code, out + err)
         self.assertNotIn("Traceback", err)
         return out, err
@@ -93,7 +94,7 @@ class StudyTest(unittest.TestCase):
     def states(self, folder="study-study"):
         return [row["state"] for row in self.rows(folder)]
 
-    def wait_for(self, condition, what, seconds=60):
+    def wait_for(self, condition, what, seconds=300):
         """Waits until `condition()` is true."""
         end = time.monotonic() + seconds
         while not condition():
@@ -110,9 +111,9 @@ class StudyTest(unittest.TestCase):
                     state = Path("/proc/%s/stat" % name).read_text(encoding="utf-8", errors="replace").rpartition(")")[2].split()[0]
                 except OSError:
                     continue
-                if state != "Z" and str(self.folder).encode() in environment and b"FEATUREMESH_STUDY_WORKER" in environment:
+                if state != "Z" and str(self.folder).encode() in environment and any(name in environment for name in _OURS):
                     found[int(name)] = command.decode(errors="replace")
         return found
 
     def assert_nothing_left_behind(self):
-        self.wait_for(lambda: not self.processes(), "end of all processes: %s" % self.processes(), 10)
+        self.wait_for(lambda: not self.processes(), "end of all processes: %s" % self.processes(), 60)

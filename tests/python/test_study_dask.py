@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A study on a Dask scheduler with two workers, one of which is killed while it runs. Runs in plain Python."""
+"""A study on a Dask scheduler with two workers, of which one is killed twice while it runs. Runs in plain Python."""
 import os
 import re
 import shutil
 import signal
 import subprocess
 import unittest
+from pathlib import Path
 
 from study_tests import StudyTest
 
@@ -23,8 +24,11 @@ class Dask(StudyTest):
             if found:
                 break
         self.address = found.group()
-        self.workers = [self.start_program("dask-worker", self.address, "--nthreads", "1", "--no-dashboard", "--no-nanny", "--local-directory",
-                                           str(self.folder / ("dask%d" % number)), "--resources", "cores=2 GB=8") for number in range(2)]
+        self.workers = {number: self.start_worker(number) for number in range(2)}
+
+    def start_worker(self, number):
+        return self.start_program("dask-worker", self.address, "--nthreads", "1", "--no-dashboard", "--no-nanny", "--local-directory",
+                                  str(self.folder / ("dask%d" % number)), "--resources", "cores=2 GB=8")
 
     def start_program(self, *words):
         program = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, cwd=self.folder)
@@ -32,31 +36,58 @@ class Dask(StudyTest):
         self.addCleanup(program.kill)
         return program
 
-    def done(self, folder):
-        return (self.folder / folder / "study.sqlite").exists() and self.states(folder).count("done")
+    def hold(self):
+        """Every case writes who runs it and waits for `let_go`."""
+        return self.response_file("(HERE / ('case-%d.new' % case.id)).write_text(str(os.getppid()))",
+                                  "os.replace(HERE / ('case-%d.new' % case.id), HERE / ('case-%d' % case.id))",
+                                  "while not (HERE / 'go').exists():", "    time.sleep(0.02)", "return float(case.id)")
 
-    def test_a_worker_is_killed_and_the_results_have_the_same_bits(self):
-        self.response_file("time.sleep(0.5)", "return 1.0")
-        self.study("run", "study.toml", "--folder", "here")
+    def let_go(self):
+        (self.folder / "go").touch()
+
+    def freecad_of(self, case):
+        """The id of the FreeCAD that runs it, None before."""
+        path = self.folder / ("case-%d" % case)
+        return int(path.read_text()) if path.exists() else None
+
+    def kill_the_worker_of(self, case, seen):
+        """Kills the Dask worker that runs the case in a FreeCAD that is not among those `seen`, and starts another in its place."""
+        self.wait_for(lambda: self.freecad_of(case) not in (None, *seen), "case %d in another FreeCAD than %s" % (case, seen))
+        seen.append(self.freecad_of(case))
+        owner = int(Path("/proc/%d/stat" % seen[-1]).read_text(encoding="utf-8").rpartition(")")[2].split()[1])
+        number, = [number for number, worker in self.workers.items() if worker.pid == owner]
+        os.kill(owner, signal.SIGKILL)
+        self.workers[number].wait()
+        self.workers[number] = self.start_worker(number)
+
+    def test_a_worker_is_killed_twice_and_the_results_have_the_same_bits_as_by_one_process_and_by_two(self):
+        self.hold()
         process = self.start("run", "study.toml", "--folder", "there", "--scheduler", self.address)
         self.addCleanup(process.kill)
-        self.wait_for(lambda: self.done("there"), "finished case")
-        os.kill(self.workers[0].pid, signal.SIGKILL)
-        out, err = process.communicate(timeout=120)
+        seen = []
+        self.wait_for(lambda: self.freecad_of(1) and self.freecad_of(2), "two cases at once")
+        for _ in range(2):
+            self.kill_the_worker_of(2, seen)
+        self.wait_for(lambda: self.freecad_of(2) not in seen, "third start of case 2")
+        self.let_go()
+        out, err = process.communicate(timeout=600)
         self.assertEqual(process.returncode, 0, out + err)
         self.assertEqual(self.states("there"), ["done"] * 4)
-        self.assertEqual(self.results("there"), self.results("here"))
+        for jobs in (1, 2):
+            self.study("run", "study.toml", "--folder", "here%d" % jobs, "--jobs", jobs)
+            self.assertEqual(self.results("there"), self.results("here%d" % jobs))
 
     def test_ctrl_c_ends_what_runs_there(self):
-        self.response_file("time.sleep(3)", "return 1.0")
+        self.hold()
         process = self.start("run", "study.toml", "--folder", "there", "--scheduler", self.address, start_new_session=True)
         self.addCleanup(process.kill)
-        self.wait_for(lambda: self.done("there"), "finished case")
+        self.wait_for(lambda: self.freecad_of(1) and self.freecad_of(2), "two cases at once")
         os.killpg(process.pid, signal.SIGINT)
-        _, err = process.communicate(timeout=60)
+        _, err = process.communicate(timeout=600)
         self.assertIn("go on with: featuremesh study resume there", err)
-        self.assertNotIn("running", self.states("there"))
+        self.assertEqual(self.states("there"), ["waiting"] * 4)
         self.assert_nothing_left_behind()
+        self.let_go()
         self.study("resume", "there", "--scheduler", self.address)
         self.assertEqual(self.states("there"), ["done"] * 4)
 

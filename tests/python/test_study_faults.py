@@ -9,22 +9,24 @@ from pathlib import Path
 
 from study_tests import StudyTest
 
-SLOWLY = "time.sleep(0.4)"
 LONGEST_FILE = 30_000_000   # bytes, on the disk that is full: the base document fits
 
 
 @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
 class Faults(StudyTest):
 
-    def started_slowly(self, *words, done=1, **options):
-        """A study of four slow cases, once some of them are done."""
-        self.response_file(SLOWLY, "return 1.0")
+    def started(self, *words, **options):
+        """A study of four cases of which the first is done, and the second is held in its middle until `let_go`."""
+        self.response_file("(HERE / ('case-%d' % case.id)).touch()", "while case.id > 1 and not (HERE / 'go').exists():", "    time.sleep(0.02)", "return 1.0")
         process = self.start("run", "study.toml", "--jobs", "1", *words, **options)
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
-        database = self.folder / "study-study" / "study.sqlite"
-        self.wait_for(lambda: database.exists() and self.states().count("done") >= done, "finished case")
+        self.wait_for((self.folder / "case-2").exists, "second case")
+        self.assertEqual(self.states(), ["done", "running", "waiting", "waiting"])
         return process
+
+    def let_go(self):
+        (self.folder / "go").touch()
 
     def workers(self):
         """Ids of the FreeCADs that stay open, not of their copies."""
@@ -34,6 +36,7 @@ class Faults(StudyTest):
 
     def assert_resumed(self, *words):
         """The study goes on and is then as one that was never disturbed."""
+        self.let_go()
         before = {key: value for key, value in self.results().items() if value}
         self.study("resume", "study-study", *words)
         self.assertEqual(self.states(), ["done"] * 4)
@@ -43,32 +46,47 @@ class Faults(StudyTest):
         self.assert_nothing_left_behind()
 
     def test_the_runner_is_killed(self):
-        process = self.started_slowly()
+        process = self.started()
         process.send_signal(signal.SIGKILL)
         process.wait()
         self.assert_nothing_left_behind()
-        self.assertIn("running", self.states())
+        self.assertEqual(self.states(), ["done", "running", "waiting", "waiting"])
         self.assert_resumed()
         self.assertEqual({row["attempts"] for row in self.rows()}, {1})
 
+    def test_the_runner_is_killed_while_it_makes_the_base(self):
+        self.response_file("return 1.0")
+        process = self.start("run", "study.toml")
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        self.wait_for(self.processes, "FreeCAD")
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        self.assert_nothing_left_behind()
+        self.assertIn("holds no study", self.study("resume", "study-study", code=2)[1])
+        self.study("run", "study.toml")
+        self.assertEqual(self.states(), ["done"] * 4)
+
     def test_ctrl_c_says_how_to_go_on(self):
-        process = self.started_slowly(start_new_session=True)
+        process = self.started(start_new_session=True)
         os.killpg(process.pid, signal.SIGINT)
-        _, err = process.communicate(timeout=30)
+        _, err = process.communicate(timeout=300)
         self.assertEqual(process.returncode, 1)
-        self.assertRegex(err, r"stopped: \d of 4 cases are done and kept; go on with: featuremesh study resume study-study")
+        self.assertRegex(err, r"stopped: 1 of 4 cases are done and kept; go on with: featuremesh study resume study-study")
         self.assertNotIn("Traceback", err)
         self.assert_nothing_left_behind()
         self.assertNotIn("running", self.states())
         self.assert_resumed()
 
     def test_a_worker_is_killed_which_costs_a_retry(self):
-        process = self.started_slowly()
+        process = self.started()
         worker, = self.workers()
         os.kill(worker, signal.SIGKILL)
-        process.communicate(timeout=120)
+        self.wait_for(lambda: self.rows()[1]["attempts"] == 2, "second attempt")
+        self.let_go()
+        process.communicate(timeout=300)
         self.assertEqual(process.returncode, 0)
-        self.assertEqual(sorted(row["attempts"] for row in self.rows()), [1, 1, 1, 2])
+        self.assertEqual([row["attempts"] for row in self.rows()], [1, 2, 1, 1])
         self.assert_resumed()
 
     def test_a_case_that_is_killed_each_time_fails_and_the_others_do_not(self):
@@ -93,13 +111,14 @@ class Faults(StudyTest):
     def test_calculix_that_never_ends_goes_with_its_case(self):
         program = self.folder / "bin" / "ccx"
         program.parent.mkdir()
-        program.write_text("#!/bin/sh\nsleep 1000 &\nsleep 1000\n", encoding="utf-8")
+        program.write_text("#!/bin/sh\ntouch %s\nsleep 1000 &\nsleep 1000\n" % (self.folder / "began"), encoding="utf-8")
         program.chmod(0o755)
         self.environment["PATH"] = "%s:%s" % (program.parent, os.environ["PATH"])
         out, err = self.study("run", "part.FCStd", "--vary", "Plate.Length=9,10", "--sampling", "grid", "--solver", "ccx", "--responses", "max_mises",
-                              "--time-limit", "8", "--folder", "study-study", code=1)
+                              "--time-limit", "20", "--folder", "study-study", code=1)
         self.assertIn("2 failed", out)
-        self.assertIn("case 1: it took longer than the limit of 8 s", err)
+        self.assertTrue((self.folder / "began").exists())
+        self.assertIn("case 1: it took longer than the limit of 20 s", err)
         self.assert_nothing_left_behind()
 
     def test_a_case_that_crashes_or_ends_freecad(self):
@@ -119,20 +138,22 @@ class Faults(StudyTest):
         self.assertIn("case 1: it took more memory than the limit of 2 GB", err)
 
     def test_two_runners_on_one_folder(self):
-        process = self.started_slowly()
+        process = self.started()
         _, err = self.study("resume", "study-study", code=2)
         self.assertRegex(err, r"is being run already, by process %d\n" % process.pid)
-        process.communicate(timeout=120)
+        self.let_go()
+        process.communicate(timeout=300)
         self.assertEqual(self.states(), ["done"] * 4)
 
     def test_the_document_is_changed(self):
         before = self.part.read_bytes()
-        process = self.started_slowly()
+        process = self.started()
         self.part.write_bytes(before + b"\0")
-        _, err = process.communicate(timeout=120)
+        _, err = process.communicate(timeout=300)
         self.assertEqual(process.returncode, 1)
         self.assertRegex(err, "part.FCStd was changed since the study began")
-        self.assertNotIn("running", self.states())
+        self.assertEqual(self.states(), ["done", "waiting", "waiting", "waiting"])
+        self.let_go()
         self.assertIn("was changed", self.study("resume", "study-study", code=1)[1])
         self.study("resume", "study-study", "--keep-base")
         self.part.write_bytes(before)

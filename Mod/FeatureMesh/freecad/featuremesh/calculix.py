@@ -33,6 +33,7 @@ _SHOWN = 600     # characters of what CalculiX says when it fails
 
 def solve(analysis):
     """Runs CalculiX and leaves FreeCAD's result object in the analysis. Returns the report, keys as statics.solve. Throws UserError."""
+    program()   # refuses before anything is written
     solver, start = solver_of(analysis), time.perf_counter()
     tools, known = ccxtools.FemToolsCcx(analysis, solver, test_mode=False), as_arrays(analysis)
     with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder, contextlib.redirect_stdout(sys.__stderr__):   # FreeCAD's tools print what they write
@@ -76,7 +77,6 @@ def write_input(tools, folder, analysis):
     """FreeCAD's input file, in the folder. Throws UserError."""
     tools.setup_working_dir(folder)
     tools.update_objects()
-    tools.setup_ccx(ccx_binary=program())
     problem = tools.check_prerequisites()
     if problem:
         raise UserError("CalculiX cannot solve %s: %s" % (describe(analysis), " ".join(problem.split())))

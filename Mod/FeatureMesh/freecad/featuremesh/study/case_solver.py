@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Solves the analysis of one case, live or with CalculiX, and gives its fields by the rows of the mesh's arrays."""
 
-import ctypes
 import glob
 import os
 import shutil
@@ -15,9 +14,7 @@ from femtools import ccxtools
 from .. import calculix, frd, statics
 from ..errors import UserError
 from ..reading import describe
-from . import modes
-
-_DIE_WITH_PARENT = 1   # PR_SET_PDEATHSIG
+from . import modes, parent_process
 
 
 class Killed(RuntimeError):
@@ -82,17 +79,14 @@ def _run(base, threads):
     program = calculix.program()
     log = base + ".log"
     environment = {**os.environ, "OMP_NUM_THREADS": str(threads)}
+    parent = os.getpid()
     with open(log, "wb") as stream:
         code = subprocess.run([program, "-i", os.path.basename(base)], cwd=os.path.dirname(base), env=environment, stdin=subprocess.DEVNULL,
-                              stdout=stream, stderr=subprocess.STDOUT, preexec_fn=_die_with_parent).returncode
+                              stdout=stream, stderr=subprocess.STDOUT, preexec_fn=lambda: parent_process.end_with(parent)).returncode
     if code in (-signal.SIGKILL, -signal.SIGTERM):
         raise Killed("CalculiX was ended from outside (%s)" % signal.Signals(-code).name)
     if code:
         raise UserError("CalculiX failed (exit code %d): %s" % (code, _complaint(log)))
-
-
-def _die_with_parent():
-    ctypes.CDLL(None).prctl(_DIE_WITH_PARENT, signal.SIGKILL)
 
 
 def _complaint(log):

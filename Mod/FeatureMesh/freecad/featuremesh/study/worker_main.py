@@ -5,7 +5,6 @@ A copy (fork) starts from the base's very bits, so no case can touch another; wh
 Requests and answers are lines of JSON on two descriptors, which FEATUREMESH_STUDY_WORKER names with all else.
 """
 
-import ctypes
 import json
 import os
 import select
@@ -14,7 +13,6 @@ import sys
 import time
 import traceback
 
-_DIE_WITH_PARENT = 1    # PR_SET_PDEATHSIG
 _LOOK_EVERY = 0.2       # s
 _ASKED_TO_END = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGHUP)
 
@@ -22,7 +20,8 @@ _ASKED_TO_END = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGHUP)
 def main():
     """Serves until the requests end."""
     said = json.loads(os.environ["FEATUREMESH_STUDY_WORKER"])
-    _die_with(said["parent"])
+    from freecad.featuremesh.study import parent_process
+    parent_process.end_with(said["parent"])
     requests, answers = os.fdopen(said["requests"], "r", encoding="utf-8"), os.fdopen(said["answers"], "w", encoding="utf-8")
     from freecad.featuremesh.study import case_run
     try:
@@ -60,7 +59,8 @@ def _in_copy(work, parent, folder, writer):
     """Never returns."""
     try:
         os.setpgid(0, 0)
-        _die_with(parent)
+        from freecad.featuremesh.study import parent_process
+        parent_process.end_with(parent)
         log = os.open(os.path.join(folder, "freecad.log"), os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o644)
         os.dup2(log, 1)
         os.dup2(log, 2)
@@ -120,13 +120,6 @@ def _how_it_ended(status):
     if code < 0:
         return {"state": "failed", "message": "FreeCAD crashed (%s)" % signal.Signals(-code).name}
     return {"state": "failed", "message": "FreeCAD ended with exit code %d" % code}
-
-
-def _die_with(parent):
-    """This process ends when its parent does, even when that is killed."""
-    ctypes.CDLL(None).prctl(_DIE_WITH_PARENT, signal.SIGKILL)
-    if os.getppid() != parent:
-        os._exit(1)
 
 
 def _answer(stream, value):
