@@ -14,7 +14,7 @@ import package_tests
 import packages
 import published
 import wheels
-from engine_build import PYTHON, set_up
+from engine_build import EVERYTHING, PYTHON, TESTS_IN_FREECAD, set_up
 from freecad_task import freecad_environment, run_script, run_task
 from layout import EXAMPLES, RELEASE, ROOT, WORKBENCH, Failure, UserError
 from setup_log import say
@@ -136,8 +136,9 @@ def test(given):
         return test_packages(given)
     if given.freecad is not None:
         return test_elsewhere(given)
-    extra = () if given.in_freecad else packages.STYLE_PACKAGES + packages.WINDOWS_PACKAGES + packages.SOLVER_PACKAGES + packages.CLUSTER_PACKAGES
-    set_up(packages.PICTURE_PACKAGES + packages.PEER_PACKAGES + packages.READER_PACKAGES + packages.STUDY_PACKAGES + extra, everything=not given.in_freecad)
+    extra = () if given.in_freecad else packages.STYLE_PACKAGES + packages.WINDOWS_PACKAGES + packages.CLUSTER_PACKAGES
+    set_up(packages.PICTURE_PACKAGES + packages.PEER_PACKAGES + packages.READER_PACKAGES + packages.STUDY_PACKAGES + packages.SOLVER_PACKAGES + extra,
+           TESTS_IN_FREECAD if given.in_freecad else EVERYTHING)
     say("running the tests" + (" in FreeCAD" if given.in_freecad else ""))
     options = [*(["-R", given.only] if given.only else []), *(["-L", IN_FREECAD] if given.in_freecad else [])]
     environment = dict(os.environ)

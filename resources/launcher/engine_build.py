@@ -14,15 +14,15 @@ from setup_log import run_logged, say
 
 SOURCE_FOLDERS = ("src", "bindings", "tests/clock", "tests/cpp", "tests/python", "tests/benchmarks", "resources/launcher")
 SOURCE_FILES = ("CMakeLists.txt", "CMakePresets.json", "tests/CMakeLists.txt")
-IN_FREECAD_TARGETS = ("featuremesh_engine", "featuremesh_other_clock")   # the engine, and what a test of it in FreeCAD loads
+ENGINE, TESTS_IN_FREECAD, EVERYTHING = TARGETS = ("featuremesh_engine", "featuremesh_in_freecad", "all")   # each holds those before it
 PYTHON = "/usr/bin/python3"
 MEMORY_PER_COMPILER = 2 << 30
 
 
-def set_up(extra_packages=(), everything=False):
-    """Installs, fetches and builds what is missing: the engine, or everything that the tests need."""
+def set_up(extra_packages=(), target=ENGINE):
+    """Installs, fetches and builds what is missing: the engine, what the tests in FreeCAD need, too, or everything."""
     wanted = (*packages.BUILD_PACKAGES, *packages.RUN_PACKAGES, *extra_packages)
-    if is_done(wanted, everything):
+    if is_done(wanted, target):
         return
     BUILD.mkdir(exist_ok=True)
     with alone():
@@ -32,8 +32,8 @@ def set_up(extra_packages=(), everything=False):
         packages.install_missing(wanted)
         cgal_headers.fetch_cgal()
         # Taken before the build, so that a source that changes meanwhile is built the next time.
-        stamp = {"fingerprint": fingerprint(), "packages": wanted, "everything": everything}
-        build(everything)
+        stamp = {"fingerprint": fingerprint(), "packages": wanted, "target": target}
+        build(target)
         stamp_file().write_text(json.dumps(stamp), encoding="utf-8")
 
 
@@ -41,13 +41,13 @@ def stamp_file():
     return RELEASE / "setup-stamp.json"
 
 
-def is_done(wanted, everything):
+def is_done(wanted, target):
     """Was all that is wanted set up, and has nothing changed since?"""
     try:
         stamp = json.loads(stamp_file().read_text(encoding="utf-8"))
-    except (FileNotFoundError, json.JSONDecodeError):
+    except (FileNotFoundError, json.JSONDecodeError, KeyError):
         return False
-    return (set(wanted) <= set(stamp["packages"]) and (stamp["everything"] or not everything)
+    return (set(wanted) <= set(stamp["packages"]) and TARGETS.index(target) <= TARGETS.index(stamp["target"])
             and stamp["fingerprint"] == fingerprint())
 
 
@@ -63,12 +63,11 @@ def alone():
         yield
 
 
-def build(everything):
-    say("building " + ("the engine and the tests" if everything else "the engine"))
+def build(target):
+    say("building " + ("the engine" if target == ENGINE else "the engine and the tests"))
     run_logged(["cmake", "--preset", "release", "-B", RELEASE, f"-DPython_EXECUTABLE={PYTHON}", f"-DPython3_EXECUTABLE={PYTHON}",
                 f"-DPYTHON_EXECUTABLE={PYTHON}", f"-DFEATUREMESH_CGAL_DIR={CGAL / 'usr'}"], "configuring the build", cwd=ROOT)
-    target = [] if everything else ["--target", *IN_FREECAD_TARGETS]
-    run_logged(["cmake", "--build", RELEASE, "-j", str(compilers_at_once()), *target], "building", cwd=ROOT)
+    run_logged(["cmake", "--build", RELEASE, "-j", str(compilers_at_once()), "--target", target], "building", cwd=ROOT)
 
 
 def compilers_at_once():

@@ -26,7 +26,7 @@ WINDOWS_PACKAGES = ("g++-mingw-w64-x86-64-posix",)
 WINDOW_PACKAGES = ("freecad", "python3-pivy")
 PACKAGING_PACKAGES = ("patchelf", "binutils", "debhelper", "dpkg-dev", "lintian", "fakeroot")
 # What roots of other Debian releases have: those for the tests, and those that are as FreeCAD's users have them.
-FOR_TESTS = BUILD_PACKAGES + RUN_PACKAGES + PICTURE_PACKAGES + PEER_PACKAGES + READER_PACKAGES
+FOR_TESTS = BUILD_PACKAGES + RUN_PACKAGES + PICTURE_PACKAGES + PEER_PACKAGES + READER_PACKAGES + STUDY_PACKAGES + SOLVER_PACKAGES
 FOR_USERS = ("freecad", "freecad-python3", "python3-numpy", "python3-pip", "xvfb", "xauth", "libgl1-mesa-dri", "unzip")
 # Not in Debian 13 (CalculiX) or of Debian 12 only; what needs them is skipped where the program is not there otherwise.
 NOT_EVERYWHERE = ("calculix-ccx", "clang-format-14")

@@ -299,17 +299,19 @@ class SetUp(unittest.TestCase):
             for module, name, value in ((engine_build, "BUILD", Path(folder)), (engine_build, "RELEASE", Path(folder)),
                                         (packages, "install_missing", lambda wanted: steps.append("install")),
                                         (cgal_headers, "fetch_cgal", lambda: None), (engine_build, "say", lambda line: None),
-                                        (engine_build, "build", lambda everything: steps.append(f"build {everything}"))):
+                                        (engine_build, "build", lambda target: steps.append(f"build {target}"))):
                 patches.enter_context(mock.patch.object(module, name, value))
-            for extra, everything, expected in (((), False, ["install", "build False"]), ((), False, []),
-                                                (("more",), False, ["install", "build False"]), ((), False, []),
-                                                ((), True, ["install", "build True"]), ((), False, []), ((), True, [])):
+            engine, in_freecad, everything = engine_build.TARGETS
+            for extra, target, expected in (((), engine, ["install", f"build {engine}"]), ((), engine, []),
+                                            (("more",), engine, ["install", f"build {engine}"]), ((), engine, []),
+                                            ((), in_freecad, ["install", f"build {in_freecad}"]), ((), engine, []),
+                                            ((), everything, ["install", f"build {everything}"]), ((), in_freecad, []), ((), everything, [])):
                 steps.clear()
-                engine_build.set_up(extra, everything)
+                engine_build.set_up(extra, target)
                 self.assertEqual(steps, expected)
             (Path(folder) / "setup-stamp.json").write_text("{", encoding="utf-8")
             engine_build.set_up()
-            self.assertEqual(steps, ["install", "build False"])
+            self.assertEqual(steps, ["install", f"build {engine}"])
 
     def test_only_one_set_up_at_a_time(self):
         steps = []
