@@ -14,13 +14,13 @@ import package_tests
 import packages
 import published
 import wheels
-from engine_build import EVERYTHING, PYTHON, TESTS_IN_FREECAD, set_up
+from engine_build import ALL, IN_FREECAD, PYTHON, set_up
 from freecad_task import freecad_environment, run_script, run_task
 from layout import EXAMPLES, RELEASE, ROOT, WORKBENCH, Failure, UserError
 from setup_log import say
 
 CLOSING_LINES = 30
-IN_FREECAD = "in_freecad"   # the label of those tests
+IN_FREECAD_LABEL = "in_freecad"   # of the tests that run in FreeCAD
 TABLE_LINE = re.compile(r"\d+: (?=\| )")
 
 
@@ -136,11 +136,10 @@ def test(given):
         return test_packages(given)
     if given.freecad is not None:
         return test_elsewhere(given)
-    extra = () if given.in_freecad else packages.STYLE_PACKAGES + packages.WINDOWS_PACKAGES + packages.CLUSTER_PACKAGES
-    set_up(packages.PICTURE_PACKAGES + packages.PEER_PACKAGES + packages.READER_PACKAGES + packages.STUDY_PACKAGES + packages.SOLVER_PACKAGES + extra,
-           TESTS_IN_FREECAD if given.in_freecad else EVERYTHING)
+    extra = () if given.in_freecad else packages.STYLE_PACKAGES + packages.WINDOWS_PACKAGES + packages.SOLVER_PACKAGES + packages.CLUSTER_PACKAGES
+    set_up(packages.PICTURE_PACKAGES + packages.PEER_PACKAGES + packages.READER_PACKAGES + packages.STUDY_PACKAGES + extra, IN_FREECAD if given.in_freecad else ALL)
     say("running the tests" + (" in FreeCAD" if given.in_freecad else ""))
-    options = [*(["-R", given.only] if given.only else []), *(["-L", IN_FREECAD] if given.in_freecad else [])]
+    options = [*(["-R", given.only] if given.only else []), *(["-L", IN_FREECAD_LABEL] if given.in_freecad else [])]
     environment = dict(os.environ)
     if given.long:
         options.append("--verbose")

@@ -12,15 +12,17 @@ import packages
 from layout import BUILD, CGAL, RELEASE, ROOT, SETUP_LOG
 from setup_log import run_logged, say
 
-SOURCE_FOLDERS = ("src", "bindings", "tests/clock", "tests/cpp", "tests/python", "tests/benchmarks", "resources/launcher")
+SOURCE_FOLDERS = ("src", "bindings", "tests/cpp", "tests/python", "tests/benchmarks", "resources/launcher")
 SOURCE_FILES = ("CMakeLists.txt", "CMakePresets.json", "tests/CMakeLists.txt")
-ENGINE, TESTS_IN_FREECAD, EVERYTHING = TARGETS = ("featuremesh_engine", "featuremesh_in_freecad", "all")   # each holds those before it
+# What can be built, each with all of those before.
+ENGINE, IN_FREECAD, ALL = TARGETS = ("featuremesh_engine", "featuremesh_tests_in_freecad", "all")
+WHAT = {ENGINE: "the engine", IN_FREECAD: "the engine and what its tests in FreeCAD need", ALL: "the engine and the tests"}
 PYTHON = "/usr/bin/python3"
 MEMORY_PER_COMPILER = 2 << 30
 
 
 def set_up(extra_packages=(), target=ENGINE):
-    """Installs, fetches and builds what is missing: the engine, what the tests in FreeCAD need, too, or everything."""
+    """Installs, fetches and builds what is missing."""
     wanted = (*packages.BUILD_PACKAGES, *packages.RUN_PACKAGES, *extra_packages)
     if is_done(wanted, target):
         return
@@ -45,9 +47,9 @@ def is_done(wanted, target):
     """Was all that is wanted set up, and has nothing changed since?"""
     try:
         stamp = json.loads(stamp_file().read_text(encoding="utf-8"))
-    except (FileNotFoundError, json.JSONDecodeError, KeyError):
+    except (FileNotFoundError, json.JSONDecodeError):
         return False
-    return (set(wanted) <= set(stamp["packages"]) and TARGETS.index(target) <= TARGETS.index(stamp["target"])
+    return (set(wanted) <= set(stamp["packages"]) and stamp.get("target") in TARGETS[TARGETS.index(target):]
             and stamp["fingerprint"] == fingerprint())
 
 
@@ -64,7 +66,7 @@ def alone():
 
 
 def build(target):
-    say("building " + ("the engine" if target == ENGINE else "the engine and the tests"))
+    say(f"building {WHAT[target]}")
     run_logged(["cmake", "--preset", "release", "-B", RELEASE, f"-DPython_EXECUTABLE={PYTHON}", f"-DPython3_EXECUTABLE={PYTHON}",
                 f"-DPYTHON_EXECUTABLE={PYTHON}", f"-DFEATUREMESH_CGAL_DIR={CGAL / 'usr'}"], "configuring the build", cwd=ROOT)
     run_logged(["cmake", "--build", RELEASE, "-j", str(compilers_at_once()), "--target", target], "building", cwd=ROOT)

@@ -19,10 +19,8 @@ constexpr const char* prefix = "featuremesh_";
 void check(PetscErrorCode code) {
     if (!code) return;
     const char* text = nullptr;
-    char* particular = nullptr;
-    PetscErrorMessage(code, &text, &particular);
-    throw KernelError(std::string("PETSc could not solve: ") + (text ? text : "unknown error") +
-                      (particular && *particular ? std::string(", ") + particular : ""));
+    PetscErrorMessage(code, &text, nullptr);
+    throw KernelError(std::string("PETSc could not solve: ") + (text ? text : "unknown error"));
 }
 
 /// An object of PETSc that is destroyed with this one.

@@ -301,17 +301,17 @@ class SetUp(unittest.TestCase):
                                         (cgal_headers, "fetch_cgal", lambda: None), (engine_build, "say", lambda line: None),
                                         (engine_build, "build", lambda target: steps.append(f"build {target}"))):
                 patches.enter_context(mock.patch.object(module, name, value))
-            engine, in_freecad, everything = engine_build.TARGETS
-            for extra, target, expected in (((), engine, ["install", f"build {engine}"]), ((), engine, []),
-                                            (("more",), engine, ["install", f"build {engine}"]), ((), engine, []),
-                                            ((), in_freecad, ["install", f"build {in_freecad}"]), ((), engine, []),
-                                            ((), everything, ["install", f"build {everything}"]), ((), in_freecad, []), ((), everything, [])):
+            engine, in_freecad, everything = (["install", f"build {target}"] for target in engine_build.TARGETS)
+            for extra, target, expected in (((), engine_build.ENGINE, engine), ((), engine_build.ENGINE, []),
+                                            (("more",), engine_build.ENGINE, engine), ((), engine_build.ENGINE, []),
+                                            ((), engine_build.IN_FREECAD, in_freecad), ((), engine_build.ENGINE, []),
+                                            ((), engine_build.ALL, everything), ((), engine_build.IN_FREECAD, []), ((), engine_build.ALL, [])):
                 steps.clear()
                 engine_build.set_up(extra, target)
                 self.assertEqual(steps, expected)
             (Path(folder) / "setup-stamp.json").write_text("{", encoding="utf-8")
             engine_build.set_up()
-            self.assertEqual(steps, ["install", f"build {engine}"])
+            self.assertEqual(steps, engine)
 
     def test_only_one_set_up_at_a_time(self):
         steps = []

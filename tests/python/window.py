@@ -5,6 +5,7 @@ import gc
 import os
 import time
 import traceback
+import unittest
 
 import FreeCADGui as Gui
 import numpy as np
@@ -163,7 +164,7 @@ def open_dialog():
 
 
 def run(drive):
-    """Ends FreeCAD after `drive`, with its result in the file FEATUREMESH_RESULT: "ok" and what was measured, or what went wrong.
+    """Ends FreeCAD after `drive`, with its result in the file FEATUREMESH_RESULT: "ok" and what was measured, why it was skipped, or what went wrong.
 
     After FEATUREMESH_SECONDS it ends, too, and the file beside that one, with .stuck, says where it was.
     """
@@ -174,6 +175,8 @@ def run(drive):
     try:
         drive()
         result = "\n".join(["ok", *figures])
+    except unittest.SkipTest as reason:
+        result = "skipped: %s" % reason
     except BaseException:
         result = traceback.format_exc() + "\nmessages: %s" % messages
     with open(result_file, "w", encoding="utf-8") as stream:

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""VTK's XML form of unstructured grids, with raw binary data."""
+"""VTK's XML form of unstructured grids, with binary data in base64."""
+
+import base64
 
 import numpy as np
 
@@ -16,32 +18,24 @@ def write(path, arrays, groups):
 
 
 def _write_xml(path, points, cells, point_data, cell_data):
-    offset, payload = 0, []
-
-    def array(name, values, components=1):
-        nonlocal offset
-        values = np.ascontiguousarray(values)
-        kind = {"f": "Float", "i": "Int", "u": "UInt"}[values.dtype.kind] + str(8 * values.dtype.itemsize)
-        line = '<DataArray type="%s" Name="%s" NumberOfComponents="%d" format="appended" offset="%d"/>\n' % (
-            kind, _xml(name), components, offset)
-        payload.append(values)
-        offset += 8 + values.nbytes
-        return line
-
     lines = ['<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" '
              'header_type="UInt64">\n<UnstructuredGrid>\n<Piece NumberOfPoints="%d" NumberOfCells="%d">\n'
              % (len(points), len(cells[2][1])),
-             "<Points>\n", array("Points", points, 3), "</Points>\n<Cells>\n"]
-    lines += [array(name, values) for name, values in cells] + ["</Cells>\n<PointData>\n"]
-    lines += [array(name, values) for name, values in point_data] + ["</PointData>\n<CellData>\n"]
-    lines += [array(name, values) for name, values in cell_data]
-    lines.append('</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding="raw">\n_')
-    with open(path, "wb") as stream:
-        stream.write("".join(lines).encode())
-        for values in payload:
-            stream.write(np.uint64(values.nbytes).tobytes())
-            stream.write(values.tobytes())
-        stream.write(b"\n</AppendedData>\n</VTKFile>\n")
+             "<Points>\n", _array("Points", points, 3), "</Points>\n<Cells>\n"]
+    lines += [_array(name, values) for name, values in cells] + ["</Cells>\n<PointData>\n"]
+    lines += [_array(name, values) for name, values in point_data] + ["</PointData>\n<CellData>\n"]
+    lines += [_array(name, values) for name, values in cell_data]
+    lines.append("</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n")
+    with open(path, "w", encoding="utf-8", newline="\n") as stream:
+        stream.writelines(lines)
+
+
+def _array(name, values, components=1):
+    """Each array by itself: meshio cannot read arrays that are appended one after the other with Python 3.14, whose base64 goes on behind an end."""
+    values = np.ascontiguousarray(values)
+    kind = {"f": "Float", "i": "Int", "u": "UInt"}[values.dtype.kind] + str(8 * values.dtype.itemsize)
+    data = base64.b64encode(np.uint64(values.nbytes).tobytes() + values.tobytes()).decode("ascii")
+    return '<DataArray type="%s" Name="%s" NumberOfComponents="%d" format="binary">\n%s\n</DataArray>\n' % (kind, _xml(name), components, data)
 
 
 def _xml(text):
