@@ -181,7 +181,8 @@ class Scene:
         grab.SetInput(self._window)
         grab.ReadFrontBufferOff()
         grab.Update()
-        self._window.Finalize()   # lets go of the screen, which may be gone when Python frees the scene
+        self._window.Finalize()
+        self._window = None   # VTK 9.5 lets go of the screen only with the window, and the screen may be gone when Python frees the scene
         image = grab.GetOutput()
         width, rows, _ = image.GetDimensions()
         return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, width, -1)[::-1, :, :3].copy()
