@@ -45,6 +45,7 @@ def move_hole(document, x):
 def check_kept(document, mesh):
     """Both colours are on the screen, and after an edit under the open panel those of the new mesh."""
     from freecad.featuremesh import overlays
+    mesh.ViewObject.ShapeColor = (0.6, 0.6, 0.6)   # of 1.1 it is that of new elements
     plain = pixels()
     shown = show("FeatureMesh_ShowKept", "KeptPanel")
     kept_colour, new_colour, active_colour = overlays.kept_legend()
