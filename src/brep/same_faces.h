@@ -19,10 +19,10 @@ std::vector<TopoDS_Shape> without_common_holes(const std::vector<TopoDS_Shape>& 
                                                const std::vector<TopoDS_Shape>& others);
 
 /// What tells a change of a shape by its vanished and its appeared faces: of each the surface's kind, its edges that no
-/// face of the other kind has, and the side of material along them. On its carrier the difference of the trims is
-/// bounded by those edges, so equal outlines bound the same volumes, whatever else became of the faces elsewhere (a
-/// hole moved in a face from which a fillet takes a corner). Of a plane without such edges (a hole was made in it) its
-/// place.
+/// face of the other kind has, and the side of material along them. On its underlying surface the difference of the
+/// trims is bounded by those edges, so equal outlines bound the same volumes, whatever else became of the faces
+/// elsewhere (a hole moved in a face from which a fillet takes a corner). Of a plane without such edges (a hole was
+/// made in it) its place.
 class ChangeOutline {
   public:
     ChangeOutline() = default;

@@ -7,7 +7,7 @@
 
 namespace featuremesh {
 
-double period_of(const CurveCarrier& curve) {
+double period_of(const UnderlyingCurve& curve) {
     const bool closed = curve.kind == CurveKind::circle || curve.kind == CurveKind::ellipse;
     return closed ? 2 * std::numbers::pi : 0.0;
 }
@@ -53,7 +53,7 @@ class Matcher {
   public:
     explicit Matcher(const BoundaryPair& pair)
         : pair_(pair), motion_(to_trsf(pair.motion)), window_(20 * pair.sameness.length) {
-        // Not at a point of symmetry: different carriers shall have different keys.
+        // Not at a point of symmetry: different underlying surfaces shall have different keys.
         const double reach = pair.sameness.reach;
         reference_ = pair.sameness.centre + Vec3{0.3137 * reach, 0.2281 * reach, 0.1739 * reach};
     }
@@ -62,7 +62,7 @@ class Matcher {
         match_vertices();
         group_curves();
         group_faces();
-        for (CarrierGroup& group : match_.groups) {
+        for (SurfaceGroup& group : match_.groups) {
             if (!group.in_domain) continue;
             find_changed_pieces(group);
             find_changed_points(group);
@@ -112,7 +112,7 @@ class Matcher {
             if (!new_edges[e].is_degenerated) items.push_back({sort_key(new_edges[e].curve, reference_), true, e});
         int count = 0;
         const std::vector<int> group = group_equals(items, window_, count, [&](const Keyed& a, const Keyed& b) {
-            return same_carrier(curve_of(a), curve_of(b), pair_.sameness);
+            return same_underlying(curve_of(a), curve_of(b), pair_.sameness);
         });
         match_.curves.resize(std::size_t(count));
         match_.old_edges.resize(old_edges.size());
@@ -126,7 +126,7 @@ class Matcher {
         join_equal_paths(items, group);
     }
 
-    const CurveCarrier& curve_of(const Keyed& item) const {
+    const UnderlyingCurve& curve_of(const Keyed& item) const {
         return item.is_new ? pair_.new_model.edges()[item.index].curve : old_curves_[item.index];
     }
     Stretch& stretch_of(const Keyed& item) {
@@ -134,8 +134,8 @@ class Matcher {
     }
 
     Stretch stretch(const Keyed& item, int curve) const {
-        const CurveCarrier& own = curve_of(item);
-        const CurveCarrier& shared = match_.curves[std::size_t(curve)];
+        const UnderlyingCurve& own = curve_of(item);
+        const UnderlyingCurve& shared = match_.curves[std::size_t(curve)];
         if (own.kind == CurveKind::free_form) return {curve, own.first, own.last, true};
         Stretch s{curve, 0, 0, same_direction(shared, own)};
         const Vec3 start = point_at(own, s.along ? own.first : own.last);
@@ -157,7 +157,7 @@ class Matcher {
         for (const int g : group) ++members[std::size_t(g)];
         std::vector<Keyed> lonely;
         for (std::size_t i = 0; i < items.size(); ++i) {
-            const CurveCarrier& curve = curve_of(items[i]);
+            const UnderlyingCurve& curve = curve_of(items[i]);
             if (curve.kind != CurveKind::free_form || members[std::size_t(group[i])] > 1) continue;
             const double key =
                 distance(point_at(curve, curve.first), reference_) + distance(point_at(curve, curve.last), reference_);
@@ -174,8 +174,8 @@ class Matcher {
                 leader = int(i);
                 continue;
             }
-            const CurveCarrier& shared = curve_of(lonely[std::size_t(leader)]);
-            const CurveCarrier& own = curve_of(lonely[i]);
+            const UnderlyingCurve& shared = curve_of(lonely[std::size_t(leader)]);
+            const UnderlyingCurve& own = curve_of(lonely[i]);
             const Vec3 start = point_at(own, own.first);
             Stretch joined = stretch_of(lonely[std::size_t(leader)]);
             joined.along =
@@ -190,14 +190,15 @@ class Matcher {
         old_surfaces_.resize(old_faces.size());
         std::vector<Keyed> items;
         for (std::size_t f = 0; f < old_faces.size(); ++f) {
-            old_surfaces_[f] = moved(old_faces[f].carrier, motion_);
+            old_surfaces_[f] = moved(old_faces[f].underlying, motion_);
             items.push_back({sort_key(old_surfaces_[f], reference_), false, f});
         }
         for (std::size_t f = 0; f < new_faces.size(); ++f)
-            items.push_back({sort_key(new_faces[f].carrier, reference_), true, f});
+            items.push_back({sort_key(new_faces[f].underlying, reference_), true, f});
         int count = 0;
         const std::vector<int> group = group_equals(items, window_, count, [&](const Keyed& a, const Keyed& b) {
-            return same_carrier(surface_of(a), surface_of(b), pair_.sameness) && material_of(a, a) == material_of(b, a);
+            return same_underlying(surface_of(a), surface_of(b), pair_.sameness) &&
+                   material_of(a, a) == material_of(b, a);
         });
         match_.groups.resize(std::size_t(count));
         std::vector<const Keyed*> leader(std::size_t(count), nullptr);
@@ -206,7 +207,7 @@ class Matcher {
         match_.old_normal_as_group.assign(old_faces.size(), 0);
         match_.new_normal_as_group.assign(new_faces.size(), 0);
         for (std::size_t i = 0; i < items.size(); ++i) {
-            CarrierGroup& g = match_.groups[std::size_t(group[i])];
+            SurfaceGroup& g = match_.groups[std::size_t(group[i])];
             if (!leader[std::size_t(group[i])]) leader[std::size_t(group[i])] = &items[i];
             (items[i].is_new ? match_.new_normal_as_group : match_.old_normal_as_group)[items[i].index] =
                 normal_as_leader(items[i], *leader[std::size_t(group[i])]);
@@ -214,7 +215,7 @@ class Matcher {
             (items[i].is_new ? g.new_faces : g.old_faces).push_back(FaceId(items[i].index));
             g.in_domain = g.in_domain || in_domain(face_of(items[i]).box, items[i].is_new);
         }
-        for (CarrierGroup& g : match_.groups) {
+        for (SurfaceGroup& g : match_.groups) {
             std::sort(g.old_faces.begin(), g.old_faces.end());
             std::sort(g.new_faces.begin(), g.new_faces.end());
         }
@@ -223,8 +224,8 @@ class Matcher {
     const BoundaryFace& face_of(const Keyed& item) const {
         return (item.is_new ? pair_.new_model : pair_.old_model).faces()[item.index];
     }
-    const SurfaceCarrier& surface_of(const Keyed& item) const {
-        return item.is_new ? pair_.new_model.faces()[item.index].carrier : old_surfaces_[item.index];
+    const UnderlyingSurface& surface_of(const Keyed& item) const {
+        return item.is_new ? pair_.new_model.faces()[item.index].underlying : old_surfaces_[item.index];
     }
 
     bool normal_as_leader(const Keyed& item, const Keyed& leader) const {
@@ -269,13 +270,13 @@ class Matcher {
     }
 
     double parameter_tolerance(int curve) const {
-        const CurveCarrier& c = match_.curves[std::size_t(curve)];
+        const UnderlyingCurve& c = match_.curves[std::size_t(curve)];
         if (c.kind == CurveKind::line) return tolerance();
         if (c.kind == CurveKind::free_form) return 1e-9 * (1 + std::abs(c.last) + std::abs(c.first));
         return tolerance() / (c.kind == CurveKind::ellipse ? c.second : c.radius);
     }
 
-    void find_changed_pieces(CarrierGroup& group) {
+    void find_changed_pieces(SurfaceGroup& group) {
         std::vector<Cover> covers;
         for (const FaceId f : group.old_faces) add_covers(f, false, covers);
         for (const FaceId f : group.new_faces) add_covers(f, true, covers);
@@ -312,7 +313,7 @@ class Matcher {
         }
     }
 
-    void find_changed_points(CarrierGroup& group) const {
+    void find_changed_points(SurfaceGroup& group) const {
         const std::vector<VertexId> old_ends = vertices_of(group.old_faces, pair_.old_model);
         std::vector<VertexId> new_ends = vertices_of(group.new_faces, pair_.new_model);
         std::vector<VertexId> matched;
@@ -349,8 +350,8 @@ class Matcher {
     double window_;
     Vec3 reference_;
     BoundaryMatch match_;
-    std::vector<CurveCarrier> old_curves_;
-    std::vector<SurfaceCarrier> old_surfaces_;
+    std::vector<UnderlyingCurve> old_curves_;
+    std::vector<UnderlyingSurface> old_surfaces_;
 };
 }  // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Old boundary, moved, against new boundary: which faces lie on the same carrier, and where the borders of their trims
-// differ.
+// Old boundary, moved, against new boundary: which faces lie on the same underlying surface, and where the borders of
+// their trims differ.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace featuremesh {
 
-/// The old boundary under a motion and the new one; only carriers with a face that touches `domain` matter, all when
-/// there is none.
+/// The old boundary under a motion and the new one; only underlying surfaces with a face that touches `domain` matter,
+/// all when there is none.
 struct BoundaryPair {
     const BoundaryModel& old_model;
     const BoundaryModel& new_model;
@@ -34,8 +34,8 @@ struct ChangedPiece {
     bool is_border = false;  ///< exactly one side of it is in the symmetric difference of the trims
 };
 
-/// All faces of both states on one carrier with material on the same side.
-struct CarrierGroup {
+/// All faces of both states on one underlying surface with material on the same side.
+struct SurfaceGroup {
     std::vector<FaceId> old_faces, new_faces;
     std::vector<ChangedPiece> pieces;
     std::vector<Vec3> points;  ///< vertices that one side does not have, in the new state's place
@@ -46,10 +46,10 @@ struct CarrierGroup {
 };
 
 struct BoundaryMatch {
-    std::vector<CurveCarrier> curves;           ///< in the new state's place
+    std::vector<UnderlyingCurve> curves;        ///< in the new state's place
     std::vector<Stretch> old_edges, new_edges;  ///< by EdgeId
     std::vector<VertexId> new_vertex_of;        ///< by old VertexId
-    std::vector<CarrierGroup> groups;
+    std::vector<SurfaceGroup> groups;
     std::vector<int> group_of_old_face, group_of_new_face;
     std::vector<char> old_normal_as_group,
         new_normal_as_group;  ///< by FaceId: the oriented normal is the one the group counts by
@@ -61,6 +61,6 @@ BoundaryMatch match_boundaries(const BoundaryPair& pair);
 Box moved(const Box& box, const RigidMotion& motion);
 
 /// 2 pi for circles and ellipses, 0 for curves that do not come round.
-double period_of(const CurveCarrier& curve);
+double period_of(const UnderlyingCurve& curve);
 
 }  // namespace featuremesh

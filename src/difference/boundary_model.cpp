@@ -33,7 +33,7 @@ void BoundaryModel::take_edge(EdgeId id) {
     BoundaryEdge edge;
     edge.is_degenerated = brep_.is_degenerated(id);
     if (!edge.is_degenerated) {
-        edge.curve = carrier_of(brep_.edge(id));
+        edge.curve = underlying_of(brep_.edge(id));
         edge.first = point_at(edge.curve, edge.curve.first);
         edge.last = point_at(edge.curve, edge.curve.last);
         edge.box = box_of_edge(edge, brep_.edge(id));
@@ -43,7 +43,7 @@ void BoundaryModel::take_edge(EdgeId id) {
 
 void BoundaryModel::take_face(FaceId id) {
     BoundaryFace face;
-    face.carrier = carrier_of(brep_.face(id));
+    face.underlying = underlying_of(brep_.face(id));
     for (const FaceEdge& use : brep_.uses_in(id))
         if (!edges_[use.edge.index()].is_degenerated)
             face.uses.push_back({use.edge, use.is_forward, use.is_internal || use.is_external});
@@ -57,7 +57,7 @@ void BoundaryModel::take_face(FaceId id) {
 
 // A point of a plane, a cylinder or a cone lies between two points of the border, so the edges' box holds the face.
 Box BoundaryModel::box_of_face(const BoundaryFace& face, FaceId id) const {
-    const SurfaceCarrier& c = face.carrier;
+    const UnderlyingSurface& c = face.underlying;
     if (c.kind == SurfaceKind::free_form) return brep_.box_of(id);
     Box box;
     if (c.kind == SurfaceKind::sphere || c.kind == SurfaceKind::torus) {
@@ -80,11 +80,11 @@ void BoundaryModel::find_sense(FaceId id, BoundaryFace& face) const {
         const gp_Pnt2d uv = trace->Value(0.4 * first + 0.6 * last);
         gp_Pnt point;
         gp_Vec du, dv;
-        face.carrier.surface->D1(uv.X(), uv.Y(), point, du, dv);
-        point.Transform(face.carrier.placement);
-        const gp_Vec normal = du.Crossed(dv).Transformed(face.carrier.placement);
+        face.underlying.surface->D1(uv.X(), uv.Y(), point, du, dv);
+        point.Transform(face.underlying.placement);
+        const gp_Vec normal = du.Crossed(dv).Transformed(face.underlying.placement);
         if (normal.Magnitude() <= 1e-12 * (du.Magnitude() * dv.Magnitude())) continue;
-        const double along = dot(to_vec3(normal), outward_at(face.carrier, to_vec3(point), to_vec3(normal)));
+        const double along = dot(to_vec3(normal), outward_at(face.underlying, to_vec3(point), to_vec3(normal)));
         face.normal_is_outward = (along > 0) == (shape.Orientation() != TopAbs_REVERSED);
         return;
     }

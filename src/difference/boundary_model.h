@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The boundary of a final shape as trimmed carriers, ready to be compared under any motion.
+// The boundary of a final shape as trimmed underlying surfaces, ready to be compared under any motion.
 #pragma once
 
 #include <BRepTopAdaptor_FClass2d.hxx>
@@ -8,7 +8,7 @@
 
 #include "brep/brep.h"
 #include "brep/solid_probe.h"
-#include "difference/carriers.h"
+#include "difference/underlying_geometry.h"
 
 namespace featuremesh {
 
@@ -20,7 +20,7 @@ struct EdgeUse {
 };
 
 struct BoundaryFace {
-    SurfaceCarrier carrier;
+    UnderlyingSurface underlying;
     bool normal_is_outward = true;                         ///< the oriented face's normal has the sense of `outward_at`
     bool material_behind = true, material_before = false;  ///< against and along the oriented normal
     std::vector<EdgeUse> uses;                             ///< without degenerated edges
@@ -28,7 +28,7 @@ struct BoundaryFace {
 };
 
 struct BoundaryEdge {
-    CurveCarrier curve;
+    UnderlyingCurve curve;
     Vec3 first, last;  ///< at the ends of the range
     Box box;
     bool is_degenerated = false;

@@ -81,7 +81,7 @@ class EdgeVerdicts {
     const Brep& old_shape_;
     const Brep& new_shape_;
     const SolidProbe old_probe_, new_probe_;
-    double same_ = 0;  // mm; a vertex lies less exactly than a carrier
+    double same_ = 0;  // mm; a vertex lies less exactly than an underlying surface
 };
 
 }  // namespace

@@ -18,7 +18,7 @@
 namespace featuremesh {
 namespace {
 /// Integral over v, from 0, of the area of the surface element.
-double strip(const SurfaceCarrier& c, double v) {
+double strip(const UnderlyingSurface& c, double v) {
     switch (c.kind) {
         case SurfaceKind::plane:
             return v;
@@ -37,7 +37,7 @@ double strip(const SurfaceCarrier& c, double v) {
 }
 
 /// Integral of `strip` du along the edge's trace, by eight Gauss points on each of some parts.
-double along_trace(const SurfaceCarrier& c, Handle(Geom2d_Curve) trace, double first, double last) {
+double along_trace(const UnderlyingSurface& c, Handle(Geom2d_Curve) trace, double first, double last) {
     constexpr double x[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
     constexpr double w[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
     if (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(trace); !trimmed.IsNull())
@@ -64,8 +64,8 @@ double along_trace(const SurfaceCarrier& c, Handle(Geom2d_Curve) trace, double f
 constexpr double not_adaptive = 1e-3;
 
 double area_of(const TopoDS_Face& face) {
-    const SurfaceCarrier carrier = carrier_of(face);
-    if (carrier.kind == SurfaceKind::free_form) {
+    const UnderlyingSurface underlying = underlying_of(face);
+    if (underlying.kind == SurfaceKind::free_form) {
         GProp_GProps properties;
         BRepGProp::SurfaceProperties(face, properties, not_adaptive);
         return std::abs(properties.Mass());
@@ -79,7 +79,7 @@ double area_of(const TopoDS_Face& face) {
         const Handle(Geom2d_Curve) trace =
             BRep_Tool::CurveOnSurface(edge, TopoDS::Face(face.Oriented(TopAbs_FORWARD)), first, last);
         if (trace.IsNull()) continue;
-        sum += (edge.Orientation() == TopAbs_FORWARD ? 1 : -1) * along_trace(carrier, trace, first, last);
+        sum += (edge.Orientation() == TopAbs_FORWARD ? 1 : -1) * along_trace(underlying, trace, first, last);
     }
     return std::abs(sum);
 }
@@ -90,14 +90,14 @@ double area_of(const BoundaryModel& model, FaceId id) {
         const CurveKind kind = model.edges()[use.edge.index()].curve.kind;
         return kind == CurveKind::line || kind == CurveKind::circle;
     };
-    if (face.carrier.kind != SurfaceKind::plane || !std::all_of(face.uses.begin(), face.uses.end(), is_simple))
+    if (face.underlying.kind != SurfaceKind::plane || !std::all_of(face.uses.begin(), face.uses.end(), is_simple))
         return area_of(model.brep().face(id));
-    const Vec3 origin = to_vec3(face.carrier.position.Location());
+    const Vec3 origin = to_vec3(face.underlying.position.Location());
     Vec3 doubled;  // the integral of r x dr along the border
     for (const EdgeUse& use : face.uses) {
         if (use.both_sides) continue;
         const BoundaryEdge& edge = model.edges()[use.edge.index()];
-        const CurveCarrier& curve = edge.curve;
+        const UnderlyingCurve& curve = edge.curve;
         Vec3 share = cross(edge.first - origin, edge.last - origin);
         if (curve.kind == CurveKind::circle)
             share =
@@ -105,7 +105,7 @@ double area_of(const BoundaryModel& model, FaceId id) {
                 curve.radius * curve.radius * (curve.last - curve.first) * to_vec3(gp_Vec(curve.position.Direction()));
         doubled += use.forward ? share : -share;
     }
-    return 0.5 * std::abs(dot(doubled, to_vec3(gp_Vec(face.carrier.position.Direction()))));
+    return 0.5 * std::abs(dot(doubled, to_vec3(gp_Vec(face.underlying.position.Direction()))));
 }
 
 }  // namespace featuremesh

@@ -65,7 +65,7 @@ CarriedRegion find_region(const BoundaryPair& pair, BoundaryMatch& match) {
 
 ChangedBoundary changed_boundary(const BoundaryPair& pair, const BoundaryMatch& match, const Resolution& resolution) {
     std::vector<SpaceTriangle> triangles;
-    for (const CarrierGroup& group : match.groups) append_trim_difference(pair, match, group, resolution, triangles);
+    for (const SurfaceGroup& group : match.groups) append_trim_difference(pair, match, group, resolution, triangles);
     return pair.domain ? ChangedBoundary(std::move(triangles), *pair.domain) : ChangedBoundary(std::move(triangles));
 }
 

@@ -100,7 +100,8 @@ struct CarriedRegion {
     /// In the new state's place: old boundary under the motion against the new one. All of space for another motion
     /// than the identity that carries no volume.
     ChangedBoundary changed;
-    std::vector<FaceId> new_face_of;      ///< by old FaceId: the new face on the same carrier under the motion; none
+    std::vector<FaceId>
+        new_face_of;  ///< by old FaceId: the new face on the same underlying surface under the motion; none
     std::vector<EdgeId> new_edge_of;      ///< by old EdgeId, same curve under the motion (trims may differ); none
     std::vector<VertexId> new_vertex_of;  ///< by old VertexId; none
     /// All new faces (edges) that overlap the old one, the likeliest first, so that [0] is the one above: a face may

@@ -20,11 +20,11 @@ Box VolumeOutline::box() const {
 VolumeOutline outline_of(const TopoDS_Shape& volume) {
     VolumeOutline outline;
     for (TopExp_Explorer f(volume, TopAbs_FACE); f.More(); f.Next()) {
-        outline.faces.push_back(carrier_of(TopoDS::Face(f.Current())));
+        outline.faces.push_back(underlying_of(TopoDS::Face(f.Current())));
         for (TopExp_Explorer e(f.Current(), TopAbs_EDGE); e.More(); e.Next()) {
             const TopoDS_Edge& edge = TopoDS::Edge(e.Current());
             if (BRep_Tool::Degenerated(edge)) continue;
-            const CurveCarrier curve = carrier_of(edge);
+            const UnderlyingCurve curve = underlying_of(edge);
             for (const double share : {0.0, 0.5, 1.0})
                 outline.points.push_back(point_at(curve, curve.first + share * (curve.last - curve.first)));
         }
@@ -38,7 +38,7 @@ bool same_in_order(const VolumeOutline& from, const VolumeOutline& to, const Rig
         if (distance(motion.apply(from.points[i]), to.points[i]) > s.length) return false;
     const gp_Trsf trsf = to_trsf(motion);
     for (std::size_t i = 0; i < from.faces.size(); ++i)
-        if (!same_carrier(moved(from.faces[i], trsf), to.faces[i], s)) return false;
+        if (!same_underlying(moved(from.faces[i], trsf), to.faces[i], s)) return false;
     return true;
 }
 
@@ -60,10 +60,10 @@ bool points_have_images(const std::vector<Vec3>& from, const std::vector<Vec3>& 
 bool faces_have_images(const VolumeOutline& from, const VolumeOutline& to, const RigidMotion& motion,
                        const Sameness& s) {
     const gp_Trsf trsf = to_trsf(motion);
-    return std::all_of(from.faces.begin(), from.faces.end(), [&](const SurfaceCarrier& face) {
-        const SurfaceCarrier image = moved(face, trsf);
+    return std::all_of(from.faces.begin(), from.faces.end(), [&](const UnderlyingSurface& face) {
+        const UnderlyingSurface image = moved(face, trsf);
         return std::any_of(to.faces.begin(), to.faces.end(),
-                           [&](const SurfaceCarrier& f) { return same_carrier(image, f, s); });
+                           [&](const UnderlyingSurface& f) { return same_underlying(image, f, s); });
     });
 }
 

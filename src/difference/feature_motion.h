@@ -6,19 +6,20 @@
 #include <optional>
 #include <vector>
 
-#include "difference/carriers.h"
+#include "difference/underlying_geometry.h"
 
 namespace featuremesh {
 
-/// What a volume is known by: points of its edges in the order of its faces, and the carriers of its faces.
+/// What a volume is known by: points of its edges in the order of its faces, and the underlying surfaces of its faces.
 struct VolumeOutline {
     std::vector<Vec3> points;
-    std::vector<SurfaceCarrier> faces;
+    std::vector<UnderlyingSurface> faces;
     Box box() const;
 };
 VolumeOutline outline_of(const TopoDS_Shape& volume);
 
-/// Whether `motion` takes one to the other: every point and every carrier of either has its image in the other.
+/// Whether `motion` takes one to the other: every point and every underlying surface of either has its image in the
+/// other.
 bool is_image(const VolumeOutline& from, const VolumeOutline& to, const RigidMotion& motion, const Sameness& sameness);
 
 /// The rigid motion that takes one to the other: the identity, a shift, the hint, or one derived from corresponding

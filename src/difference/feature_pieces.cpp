@@ -79,7 +79,7 @@ std::string place_of(const FeaturePiece& piece, const Box& part) {
 /// The one radius that all cylinders of a piece share; 0 when there is none.
 double radius_of(const FeaturePiece& piece) {
     double radius = 0;
-    for (const SurfaceCarrier& face : piece.outline.faces) {
+    for (const UnderlyingSurface& face : piece.outline.faces) {
         if (face.kind != SurfaceKind::cylinder) continue;
         if (radius != 0 && std::abs(face.radius - radius) > 1e-9 * radius) return 0;
         radius = face.radius;

@@ -2,8 +2,8 @@
 // What happened to each feature, by its own volumes first and by its faces in the final shape then.
 #pragma once
 
-#include "difference/carriers.h"
 #include "difference/feature_difference.h"
+#include "difference/underlying_geometry.h"
 
 namespace featuremesh {
 

@@ -134,17 +134,17 @@ class FaceFollower {
 
     /// To the same place relative to the bounds of the made face.
     static Vec3 carried(const Vec3& p, const MadeFace& from, const MadeFace& to) {
-        if (from.carrier.kind == SurfaceKind::free_form || to.carrier.kind != from.carrier.kind) return p;
+        if (from.underlying.kind == SurfaceKind::free_form || to.underlying.kind != from.underlying.kind) return p;
         std::array<double, 4> a{}, b{};
         BRepTools::UVBounds(from.face, a[0], a[1], a[2], a[3]);
         BRepTools::UVBounds(to.face, b[0], b[1], b[2], b[3]);
-        std::array<double, 2> uv = parameters_of(from.carrier, p);
+        std::array<double, 2> uv = parameters_of(from.underlying, p);
         for (std::size_t i = 0; i < 2; ++i) {
             const double low = a[2 * i], high = a[2 * i + 1];
             if (uv[i] < low - 1e-9) uv[i] += 2 * std::numbers::pi;
             uv[i] = b[2 * i] + (high > low ? (uv[i] - low) / (high - low) : 0.5) * (b[2 * i + 1] - b[2 * i]);
         }
-        return point_at(to.carrier, uv[0], uv[1]);
+        return point_at(to.underlying, uv[0], uv[1]);
     }
 
     // By its place
@@ -230,7 +230,7 @@ class FaceFollower {
 
     /// Can both come from one feature, as far as their own volumes tell, with a surface of the same kind?
     bool may_be(FaceId f, FaceId g) const {
-        if (carrier_of(old_.brep.face(f)).kind != carrier_of(new_.brep.face(g)).kind) return false;
+        if (underlying_of(old_.brep.face(f)).kind != underlying_of(new_.brep.face(g)).kind) return false;
         const std::set<std::string> olds = features_of(was_, f), news = features_of(is_, g);
         return olds.empty() || news.empty() ||
                std::any_of(olds.begin(), olds.end(), [&](const std::string& name) { return news.contains(name); });

@@ -29,15 +29,15 @@ bool is_swept_from(const SketchElement& element, const FaceProbe& face) {
 }
 
 /// A plane along which the sketch lies: all its elements are on it, but none made it.
-bool is_cap(const SurfaceCarrier& carrier, const Vec3& normal) {
-    return carrier.kind == SurfaceKind::plane &&
-           std::abs(dot(to_vec3(gp_Vec(carrier.position.Direction())), normal)) > same_normal;
+bool is_cap(const UnderlyingSurface& underlying, const Vec3& normal) {
+    return underlying.kind == SurfaceKind::plane &&
+           std::abs(dot(to_vec3(gp_Vec(underlying.position.Direction())), normal)) > same_normal;
 }
 
-bool is_axis_through(const SurfaceCarrier& carrier, const Vec3& centre) {
-    if (carrier.kind != SurfaceKind::cylinder && carrier.kind != SurfaceKind::cone) return false;
-    const Vec3 to = centre - to_vec3(carrier.position.Location());
-    return length(cross(to, to_vec3(gp_Vec(carrier.position.Direction())))) < on_surface;
+bool is_axis_through(const UnderlyingSurface& underlying, const Vec3& centre) {
+    if (underlying.kind != SurfaceKind::cylinder && underlying.kind != SurfaceKind::cone) return false;
+    const Vec3 to = centre - to_vec3(underlying.position.Location());
+    return length(cross(to, to_vec3(gp_Vec(underlying.position.Direction())))) < on_surface;
 }
 
 double distance_to(const Box& box, const Vec3& p) {
@@ -91,7 +91,7 @@ void MadeFaces::take_volume(FeatureId feature, const FeatureVolume& volume, int&
         for (TopExp_Explorer it(solids.Current(), TopAbs_FACE); it.More(); it.Next()) {
             const TopoDS_Face& face = TopoDS::Face(it.Current());
             pieces_.back().faces.push_back(int(faces_.size()));
-            faces_.push_back({piece, face, carrier_of(face), FaceProbe(face), {}, 0});
+            faces_.push_back({piece, face, underlying_of(face), FaceProbe(face), {}, 0});
         }
     }
 }
@@ -137,9 +137,9 @@ void MadeFaces::give(const PlacedElement& placed, std::span<const int> pieces) {
         for (const int f : pieces_[std::size_t(p)].faces) {
             MadeFace& face = faces_[std::size_t(f)];
             face.height = dot(face.probe.box().center(), placed.normal);
-            if (placed.element.centre && is_axis_through(face.carrier, *placed.element.centre))
+            if (placed.element.centre && is_axis_through(face.underlying, *placed.element.centre))
                 add_once(pieces_[std::size_t(p)].elements, placed.name);
-            if (is_cap(face.carrier, placed.normal) || !is_swept_from(placed.element, face.probe)) continue;
+            if (is_cap(face.underlying, placed.normal) || !is_swept_from(placed.element, face.probe)) continue;
             swept.emplace_back(face.probe.contains(middle, on_surface) ? 0 : distance_to(face.probe.box(), middle), f);
             nearest = std::min(nearest, swept.back().first);
         }
@@ -156,12 +156,13 @@ const std::vector<int>& MadeFaces::made(FaceId final_face) const {
     known = std::make_unique<std::vector<int>>();
     const TopoDS_Face& face = state_.brep.face(final_face);
     const Box box = box_of(face);
-    const SurfaceCarrier carrier = carrier_of(face);
+    const UnderlyingSurface underlying = underlying_of(face);
     const Sameness sameness{boolean_tolerance, box.center(), 0.5 * box.diagonal()};
     const std::vector<Vec3> points = points_over(face);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
         const MadeFace& made = faces_[f];
-        if (!made.probe.box().grown(boolean_tolerance).overlaps(box) || !same_carrier(made.carrier, carrier, sameness))
+        if (!made.probe.box().grown(boolean_tolerance).overlaps(box) ||
+            !same_underlying(made.underlying, underlying, sameness))
             continue;
         if (std::any_of(points.begin(), points.end(),
                         [&](const Vec3& p) { return made.probe.contains(p, boolean_tolerance); }))

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "brep/face_probe.h"
-#include "difference/carriers.h"
 #include "difference/feature_difference.h"
+#include "difference/underlying_geometry.h"
 
 namespace featuremesh {
 
@@ -39,7 +39,7 @@ using SketchElements = std::map<std::string, std::vector<SketchElement>>;
 struct MadeFace {
     int piece = 0;  ///< index into MadeFaces::pieces
     TopoDS_Face face;
-    SurfaceCarrier carrier;
+    UnderlyingSurface underlying;
     FaceProbe probe;
     std::vector<ElementName>
         elements;       ///< sketch elements that it was swept from, sorted; none for a cap, or without a sketch

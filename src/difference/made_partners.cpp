@@ -111,11 +111,11 @@ class PieceMatcher {
         const std::vector<int>&from = old_piece(o).faces, &to = new_piece(n).faces;
         if (from.size() != to.size()) return;
         for (std::size_t i = 0; i < from.size(); ++i)
-            if (!points_likewise(old_face(from[i]).carrier, new_face(to[i]).carrier, motion)) return;
+            if (!points_likewise(old_face(from[i]).underlying, new_face(to[i]).underlying, motion)) return;
         for (std::size_t i = 0; i < from.size(); ++i) add(from[i], to[i]);
     }
 
-    static bool points_likewise(const SurfaceCarrier& was, const SurfaceCarrier& is, const RigidMotion& motion) {
+    static bool points_likewise(const UnderlyingSurface& was, const UnderlyingSurface& is, const RigidMotion& motion) {
         if (was.kind != is.kind) return false;
         if (was.kind == SurfaceKind::free_form || was.kind == SurfaceKind::sphere) return true;
         const Vec3 before = motion.rotate(to_vec3(gp_Vec(was.position.Direction())));

@@ -63,7 +63,7 @@ class PartnerFinder {
     void find_faces(CarriedRegion& region) const {
         region.new_face_of.assign(match_.group_of_old_face.size(), FaceId());
         region.new_faces_of.assign(match_.group_of_old_face.size(), {});
-        for (const CarrierGroup& group : match_.groups)
+        for (const SurfaceGroup& group : match_.groups)
             for (const FaceId f : group.in_domain ? group.old_faces : std::vector<FaceId>{}) {
                 std::vector<std::pair<double, FaceId>> found;
                 const bool alone = group.is_unchanged() && group.old_faces.size() == 1 && group.new_faces.size() == 1;
@@ -122,7 +122,7 @@ class PartnerFinder {
     }
 
     double tolerance(int curve) const {
-        const CurveCarrier& c = match_.curves[std::size_t(curve)];
+        const UnderlyingCurve& c = match_.curves[std::size_t(curve)];
         return period_of(c) > 0 ? pair_.sameness.length / c.radius : pair_.sameness.length;
     }
 
@@ -137,7 +137,7 @@ class PartnerFinder {
     }
 
     double length_of(int curve, double share) const {
-        const CurveCarrier& c = match_.curves[std::size_t(curve)];
+        const UnderlyingCurve& c = match_.curves[std::size_t(curve)];
         return period_of(c) > 0 ? share * c.radius : share;
     }
 
@@ -192,15 +192,15 @@ class PartnerFinder {
         const BoundaryModel& model = is_new ? pair_.new_model : pair_.old_model;
         const BoundaryModel& other_model = is_new ? pair_.old_model : pair_.new_model;
         const BoundaryFace& target = other_model.faces()[other.index()];
-        if (target.carrier.kind == SurfaceKind::free_form) return true;
+        if (target.underlying.kind == SurfaceKind::free_form) return true;
         const RigidMotion motion = is_new ? pair_.motion.inverse() : pair_.motion;
         for (const EdgeUse& use : model.faces()[id.index()].uses) {
             if (runs_along_border(use.edge, is_new, target)) continue;
-            const CurveCarrier& curve = model.edges()[use.edge.index()].curve;
+            const UnderlyingCurve& curve = model.edges()[use.edge.index()].curve;
             for (int i = 0; i < 8; ++i) {
                 const Vec3 p = motion.apply(point_at(curve, curve.first + (curve.last - curve.first) * i / 8));
                 if (target.box.grown(pair_.sameness.length).contains(p) &&
-                    other_model.classify(other, parameters_of(target.carrier, p)) == Side::inside)
+                    other_model.classify(other, parameters_of(target.underlying, p)) == Side::inside)
                     return true;
             }
         }

@@ -16,7 +16,7 @@
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_TrimmedCurve.hxx>
 
-#include "difference/carriers.h"
+#include "difference/underlying_geometry.h"
 
 namespace featuremesh {
 namespace {

@@ -4,7 +4,7 @@
 #include <BRepTools.hxx>
 #include <algorithm>
 
-#include "difference/carrier_chart.h"
+#include "difference/surface_chart.h"
 #include "difference/triangle_distance.h"
 
 namespace featuremesh {
@@ -29,7 +29,7 @@ struct ToldCell {
 
 class TrimRaster {
   public:
-    TrimRaster(const BoundaryPair& pair, const BoundaryMatch& match, const CarrierGroup& group,
+    TrimRaster(const BoundaryPair& pair, const BoundaryMatch& match, const SurfaceGroup& group,
                const Resolution& resolution, std::vector<SpaceTriangle>& triangles)
         : pair_(pair),
           match_(match),
@@ -38,13 +38,13 @@ class TrimRaster {
           leaf_(resolution.finest),
           triangles_(triangles),
           to_old_(pair.motion.inverse()),
-          chart_(carrier()) {}
+          chart_(underlying()) {}
 
     void run() {
-        if (chart_.carrier().kind == SurfaceKind::free_form) chart_.start_searches_in(natural_box());
+        if (chart_.underlying().kind == SurfaceKind::free_form) chart_.start_searches_in(natural_box());
         const bool known = take_borders();
         root_ = root_box();
-        if (chart_.carrier().kind == SurfaceKind::plane && !clip_root_to_domain()) return;
+        if (chart_.underlying().kind == SurfaceKind::plane && !clip_root_to_domain()) return;
         chart_.scale_for(root_);
         step_ = chart_.step_for_sag(resolution_.finest / 8);
         least_free_form_cell_ = std::hypot(root_.size(0) * chart_.scale()[0], root_.size(1) * chart_.scale()[1]) / 150;
@@ -61,12 +61,12 @@ class TrimRaster {
   private:
     bool has_new() const { return !group_.new_faces.empty(); }
 
-    SurfaceCarrier carrier() const {
-        if (has_new()) return pair_.new_model.faces()[group_.new_faces[0].index()].carrier;
-        return moved(pair_.old_model.faces()[group_.old_faces[0].index()].carrier, to_trsf(pair_.motion));
+    UnderlyingSurface underlying() const {
+        if (has_new()) return pair_.new_model.faces()[group_.new_faces[0].index()].underlying;
+        return moved(pair_.old_model.faces()[group_.old_faces[0].index()].underlying, to_trsf(pair_.motion));
     }
 
-    /// The parameters of all faces of a free-form carrier.
+    /// The parameters of all faces of a free-form underlying surface.
     UvBox natural_box() const {
         UvBox box;
         const auto add = [&](const BoundaryModel& model, FaceId f) {
@@ -83,7 +83,7 @@ class TrimRaster {
     bool take_borders() {
         double total = 0;
         for (const ChangedPiece& piece : group_.pieces) {
-            const CurveCarrier& curve = match_.curves[std::size_t(piece.curve)];
+            const UnderlyingCurve& curve = match_.curves[std::size_t(piece.curve)];
             const double speed = curve.kind == CurveKind::circle || curve.kind == CurveKind::ellipse ? curve.radius : 1;
             total += speed * (piece.last - piece.first);
         }
@@ -99,7 +99,7 @@ class TrimRaster {
     }
 
     bool take_piece(const ChangedPiece& piece) {
-        const CurveCarrier& curve = match_.curves[std::size_t(piece.curve)];
+        const UnderlyingCurve& curve = match_.curves[std::size_t(piece.curve)];
         const int count = samples_of(curve, piece);
         std::vector<Vec3> points;
         std::vector<Uv> trace;
@@ -120,24 +120,24 @@ class TrimRaster {
         return true;
     }
 
-    /// Parameters of the end of an earlier piece at the same place: on a free-form carrier a search from nothing is
-    /// dear.
+    /// Parameters of the end of an earlier piece at the same place: on a free-form underlying surface a search from
+    /// nothing is dear.
     std::optional<Uv> end_near(const Vec3& p) const {
-        if (chart_.carrier().kind != SurfaceKind::free_form) return std::nullopt;
+        if (chart_.underlying().kind != SurfaceKind::free_form) return std::nullopt;
         for (const auto& [end, uv] : ends_)
             if (distance(end, p) <= gap) return uv;
         return std::nullopt;
     }
 
-    double resolution_along(const CurveCarrier& curve, const ChangedPiece& piece) const {
+    double resolution_along(const UnderlyingCurve& curve, const ChangedPiece& piece) const {
         double least = resolution_.at(point_at(curve, piece.first));
         for (int i = 1; resolution_.coarser && i <= 16; ++i)
             least = std::min(least, resolution_.at(point_at(curve, piece.first + (piece.last - piece.first) * i / 16)));
         return least;
     }
 
-    int samples_of(const CurveCarrier& curve, const ChangedPiece& piece) const {
-        const SurfaceKind kind = chart_.carrier().kind;
+    int samples_of(const UnderlyingCurve& curve, const ChangedPiece& piece) const {
+        const SurfaceKind kind = chart_.underlying().kind;
         if (curve.kind == CurveKind::line && kind != SurfaceKind::free_form) return 1;
         // No chord strays from its curve by more than an eighth of the resolution.
         const double resolution = resolution_along(curve, piece),
@@ -158,9 +158,9 @@ class TrimRaster {
     }
 
     // A difference ends at changed pieces, so its extent is theirs, except round a sphere or a torus or on a closed
-    // free-form carrier.
+    // free-form underlying surface.
     UvBox root_box() {
-        const SurfaceKind kind = chart_.carrier().kind;
+        const SurfaceKind kind = chart_.underlying().kind;
         if (kind == SurfaceKind::free_form) return natural_box();
         constexpr double pi = 3.14159265358979323846;
         if (kind == SurfaceKind::sphere) return cut_to_borders(UvBox{{0, -pi / 2}, {2 * pi, pi / 2}});
@@ -176,7 +176,8 @@ class TrimRaster {
         return box;
     }
 
-    // Round a closed carrier an arc without borders is wholly inside or wholly outside the difference: ask there.
+    // Round a closed underlying surface an arc without borders is wholly inside or wholly outside the difference: ask
+    // there.
     UvBox cut_to_borders(UvBox box) const {
         for (int k = 0; k < 2; ++k) {
             const double full = chart_.period(k);
@@ -203,9 +204,9 @@ class TrimRaster {
     UvBox domain_in_plane() const {
         UvBox box;
         for (int corner = 0; corner < 8; ++corner)
-            box.add(parameters_of(chart_.carrier(), {corner & 1 ? pair_.domain->high.x : pair_.domain->low.x,
-                                                     corner & 2 ? pair_.domain->high.y : pair_.domain->low.y,
-                                                     corner & 4 ? pair_.domain->high.z : pair_.domain->low.z}));
+            box.add(parameters_of(chart_.underlying(), {corner & 1 ? pair_.domain->high.x : pair_.domain->low.x,
+                                                        corner & 2 ? pair_.domain->high.y : pair_.domain->low.y,
+                                                        corner & 4 ? pair_.domain->high.z : pair_.domain->low.z}));
         return box;
     }
 
@@ -223,11 +224,11 @@ class TrimRaster {
 
     /// A whole circle in a plane that does not come near the domain: every point there is outside it.
     bool is_far_loop(const ChangedPiece& piece) const {
-        const CurveCarrier& curve = match_.curves[std::size_t(piece.curve)];
-        if (!pair_.domain || chart_.carrier().kind != SurfaceKind::plane || curve.kind != CurveKind::circle ||
+        const UnderlyingCurve& curve = match_.curves[std::size_t(piece.curve)];
+        if (!pair_.domain || chart_.underlying().kind != SurfaceKind::plane || curve.kind != CurveKind::circle ||
             piece.last - piece.first < period_of(curve) - 1e-9)
             return false;
-        const Uv centre = parameters_of(chart_.carrier(), to_vec3(curve.position.Location()));
+        const Uv centre = parameters_of(chart_.underlying(), to_vec3(curve.position.Location()));
         const UvBox domain = domain_in_plane();
         const double reach = curve.radius + leaf_;
         return centre[0] + reach < domain.low[0] || centre[0] - reach > domain.high[0] ||
@@ -328,9 +329,9 @@ class TrimRaster {
         return !pair_.domain->grown(0.5 * std::hypot(width, height) + resolution_.finest).contains(centre);
     }
 
-    /// On these carriers the difference ends along every line u = const.
+    /// On these underlying surfaces the difference ends along every line u = const.
     bool has_open_lines() const {
-        const SurfaceKind kind = chart_.carrier().kind;
+        const SurfaceKind kind = chart_.underlying().kind;
         return kind == SurfaceKind::plane || kind == SurfaceKind::cylinder || kind == SurfaceKind::cone;
     }
 
@@ -403,7 +404,7 @@ class TrimRaster {
     /// The parity of the borders between the point and infinity, on a cone away from the apex; nothing when a border
     /// starts there.
     std::optional<bool> differs_by_crossings(const Uv& uv) const {
-        const SurfaceCarrier& c = chart_.carrier();
+        const UnderlyingSurface& c = chart_.underlying();
         const double cone_side = (c.radius + uv[1] * std::sin(c.second)) * std::sin(c.second);
         const double away = c.kind == SurfaceKind::cone && cone_side < 0 ? -1 : 1;
         const double slack = gap / chart_.scale()[0];
@@ -430,8 +431,8 @@ class TrimRaster {
         for (const FaceId f : faces) {
             const BoundaryFace& face = model.faces()[f.index()];
             if (!face.box.grown(pair_.sameness.length).contains(p)) continue;
-            const bool free = face.carrier.kind == SurfaceKind::free_form;
-            const Side here = model.classify(f, free ? uv : parameters_of(face.carrier, p));
+            const bool free = face.underlying.kind == SurfaceKind::free_form;
+            const Side here = model.classify(f, free ? uv : parameters_of(face.underlying, p));
             if (here == Side::inside) return here;
             if (here == Side::on) result = Side::on;
         }
@@ -439,7 +440,7 @@ class TrimRaster {
     }
 
     void emit(const UvBox& cell) {
-        if (chart_.carrier().kind == SurfaceKind::free_form) return emit_free_form(cell);
+        if (chart_.underlying().kind == SurfaceKind::free_form) return emit_free_form(cell);
         const auto parts = [&](int k) { return std::max(1, int(std::ceil(cell.size(k) / step_[k] - 1e-9))); };
         const int columns = parts(0), rows = parts(1);
         const auto corner = [&](int i, int j) { return chart_.point(cell.at(double(i) / columns, double(j) / rows)); };
@@ -490,12 +491,12 @@ class TrimRaster {
 
     const BoundaryPair& pair_;
     const BoundaryMatch& match_;
-    const CarrierGroup& group_;
+    const SurfaceGroup& group_;
     const Resolution& resolution_;
     double leaf_, least_free_form_cell_ = 0;
     std::vector<SpaceTriangle>& triangles_;
     RigidMotion to_old_;
-    CarrierChart chart_;
+    SurfaceChart chart_;
     UvBox root_;
     Uv step_{};
     std::vector<Segment> segments_;
@@ -508,7 +509,7 @@ class TrimRaster {
 };
 }  // namespace
 
-void append_trim_difference(const BoundaryPair& pair, const BoundaryMatch& match, const CarrierGroup& group,
+void append_trim_difference(const BoundaryPair& pair, const BoundaryMatch& match, const SurfaceGroup& group,
                             const Resolution& resolution, std::vector<SpaceTriangle>& triangles) {
     if (!group.is_unchanged()) TrimRaster(pair, match, group, resolution, triangles).run();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where exactly one of two trims of a carrier is, as triangles.
+// Where exactly one of two trims of an underlying surface is, as triangles.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ using SpaceTriangle = std::array<Vec3, 3>;
 ///
 /// The parameter plane is halved again and again where a changed piece runs, down to the resolution. A cell that no
 /// changed piece enters lies wholly in the difference or wholly outside it: one point decides.
-void append_trim_difference(const BoundaryPair& pair, const BoundaryMatch& match, const CarrierGroup& group,
+void append_trim_difference(const BoundaryPair& pair, const BoundaryMatch& match, const SurfaceGroup& group,
                             const Resolution& resolution, std::vector<SpaceTriangle>& triangles);
 
 }  // namespace featuremesh

@@ -38,7 +38,8 @@ std::vector<SurfacePoint> points_on(const TopoDS_Face& face, SurfaceKind kind) {
     return points;
 }
 
-/// Of faces on one carrier. Equal free-form surfaces have equal parameters, so that nothing need be projected.
+/// Of faces on one underlying surface. Equal free-form surfaces have equal parameters, so that nothing need be
+/// projected.
 bool holds(const FaceProbe& face, SurfaceKind kind, const SurfacePoint& p) {
     if (!face.box().grown(boolean_tolerance).contains(p.point)) return false;
     return kind == SurfaceKind::free_form ? face.contains(p.u, p.v) : face.contains(p.point, boolean_tolerance);
@@ -51,18 +52,19 @@ VolumeFaces::VolumeFaces(const FeatureTree& tree) {
         for (std::size_t v = 0; v < tree.features[f].volumes.size(); ++v)
             for (TopExp_Explorer it(tree.features[f].volumes[v].shape, TopAbs_FACE); it.More(); it.Next()) {
                 const TopoDS_Face& face = TopoDS::Face(it.Current());
-                faces_.push_back({{FeatureId(f), int(v)}, carrier_of(face), FaceProbe(face)});
+                faces_.push_back({{FeatureId(f), int(v)}, underlying_of(face), FaceProbe(face)});
             }
 }
 
 std::vector<Owner> VolumeFaces::owners_on(const TopoDS_Face& final_face, const Box& box,
                                           std::span<const char> is_wanted) const {
-    const SurfaceCarrier carrier = carrier_of(final_face);
+    const UnderlyingSurface underlying = underlying_of(final_face);
     const Sameness sameness{boolean_tolerance, box.center(), 0.5 * box.diagonal()};
-    std::vector<const OwnedFace*> candidates;  // carriers first: only of those on the same one are the boxes made
+    std::vector<const OwnedFace*>
+        candidates;  // underlying surfaces first: only of those on the same one are the boxes made
     bool is_any_wanted = false;
     for (const OwnedFace& face : faces_)
-        if (same_carrier(face.carrier, carrier, sameness) && face.probe.box().overlaps(box)) {
+        if (same_underlying(face.underlying, underlying, sameness) && face.probe.box().overlaps(box)) {
             candidates.push_back(&face);
             is_any_wanted |= is_wanted[face.owner.feature.index()] != 0;
         }
@@ -70,12 +72,12 @@ std::vector<Owner> VolumeFaces::owners_on(const TopoDS_Face& final_face, const B
     if (std::all_of(candidates.begin(), candidates.end(),
                     [&](const OwnedFace* face) { return face->owner == candidates.front()->owner; }))
         return {candidates.front()->owner};  // nobody else can have made the face
-    const std::vector<SurfacePoint> points = points_on(final_face, carrier.kind);
+    const std::vector<SurfacePoint> points = points_on(final_face, underlying.kind);
     std::vector<Owner> owners;
     for (const OwnedFace* face : candidates)
         if (is_wanted[face->owner.feature.index()] && (owners.empty() || owners.back() != face->owner) &&
             std::any_of(points.begin(), points.end(),
-                        [&](const SurfacePoint& p) { return holds(face->probe, carrier.kind, p); }))
+                        [&](const SurfacePoint& p) { return holds(face->probe, underlying.kind, p); }))
             owners.push_back(face->owner);
     return owners;
 }

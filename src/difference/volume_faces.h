@@ -8,7 +8,7 @@
 
 #include "brep/face_probe.h"
 #include "cells/cell_model.h"
-#include "difference/carriers.h"
+#include "difference/underlying_geometry.h"
 
 namespace featuremesh {
 
@@ -16,15 +16,15 @@ namespace featuremesh {
 class VolumeFaces {
   public:
     explicit VolumeFaces(const FeatureTree& tree);
-    /// Owners, of the features that are marked, of the volume faces on the carrier of a face of the final shape that
-    /// hold some of 36 points spread over it, or the only one who has faces there; sorted. What lies between those
-    /// points is not found. `box` holds the face.
+    /// Owners, of the features that are marked, of the volume faces on the underlying surface of a face of the final
+    /// shape that hold some of 36 points spread over it, or the only one who has faces there; sorted. What lies between
+    /// those points is not found. `box` holds the face.
     std::vector<Owner> owners_on(const TopoDS_Face& final_face, const Box& box, std::span<const char> is_wanted) const;
 
   private:
     struct OwnedFace {
         Owner owner;
-        SurfaceCarrier carrier;
+        UnderlyingSurface underlying;
         FaceProbe probe;
     };
     std::vector<OwnedFace> faces_;  // by owner

@@ -66,7 +66,7 @@ struct ChartDomain::Data {
             find_crossings(boundary);
             return;
         }
-        valid = flood();
+        valid = label_regions();
         if (!valid) {
             find_crossings(boundary);
             return;
@@ -167,7 +167,7 @@ struct ChartDomain::Data {
     }
 
     /// Marks what lies left of the segments and what lies right; false when something lies on both sides.
-    bool flood() {
+    bool label_regions() {
         for (auto f = cdt.all_faces_begin(); f != cdt.all_faces_end(); ++f) f->info() = {};
         std::vector<Face> queue;
         const auto mark = [&](Face f, int side) {
@@ -232,7 +232,7 @@ void ChartDomain::insert(std::span<const Vec2> seeds, const Heartbeat& heart) {
         data_->vertices[before + i] = v;
         v->info() = static_cast<int>(before + i);
     }
-    data_->flood();
+    data_->label_regions();
 }
 
 TrianglePatch ChartDomain::patch() const {

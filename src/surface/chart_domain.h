@@ -18,7 +18,8 @@ struct Crossing {
     std::size_t first = 0, second = 0;  ///< index in FaceBoundary::segments
 };
 
-/// Constrained Delaunay triangulation of the boundary; inside is what is left of its segments, found by flooding.
+/// Constrained Delaunay triangulation of the boundary; inside is what is left of its segments, labelled from triangle
+/// to triangle.
 class ChartDomain {
   public:
     explicit ChartDomain(const FaceBoundary& boundary);

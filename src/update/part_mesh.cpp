@@ -181,7 +181,7 @@ Resolution resolution(const SizingField& sizing, const MeshOptions& options) {
     return {finest, [&sizing](const Vec3& p) { return resolution_of_changes * sizing.at(p); }};
 }
 
-/// Where sizes change along a seam, the tets that have to change with them need more room.
+/// Where sizes change along an interface, the tets that have to change with them need more room.
 double margin_of(const MeshOptions& options, const SizingField& sizing) {
     if (options.keep_margin > 0) return options.keep_margin;
     return sizing.is_uniform() ? 0.9 : 1.5;

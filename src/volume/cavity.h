@@ -17,8 +17,8 @@ struct Cavity {
     std::vector<NodeId> nodes;  ///< the mesh's nodes, ascending
     std::vector<Vec3> points;   ///< mm, by cavity node
     std::vector<Facet> facets;
-    std::vector<TriangleId> triangle_of_facet;  ///< none at the seam
-    std::vector<TetId> tet_of_facet;            ///< the kept tet behind the seam, else none
+    std::vector<TriangleId> triangle_of_facet;  ///< none at the interface
+    std::vector<TetId> tet_of_facet;            ///< the kept tet behind the interface, else none
 };
 
 /// Triangles whose solid sides are not covered by a kept tet, and faces of kept tets that no other kept tet and no

@@ -12,11 +12,11 @@ namespace {
 
 /// In wanted edge lengths; the circumspheres of the lattice's tets have 0.65.
 constexpr double radius_of_a_gap = 0.8;
-/// Beside a seam that is no lattice a point fits in closer than the lattice's distances.
+/// Beside an interface that is no lattice a point fits in closer than the lattice's distances.
 constexpr SeedOptions places_in_gaps{.clearance = 0.5, .spacing = 0.7, .spares_facets = true};
 
-/// By point: whether it is a corner of the seam with kept tets.
-std::vector<char> seam_points(std::size_t point_count, const Cavity& cavity) {
+/// By point: whether it is a corner of the interface with kept tets.
+std::vector<char> interface_points(std::size_t point_count, const Cavity& cavity) {
     std::vector<char> is_seam(point_count, 0);
     for (std::size_t f = 0; f < cavity.facets.size(); ++f)
         if (cavity.tet_of_facet[f].is_valid())
@@ -24,11 +24,11 @@ std::vector<char> seam_points(std::size_t point_count, const Cavity& cavity) {
     return is_seam;
 }
 
-/// Between the lattice and a seam there may be room for a point that neither has. Left empty, the mesh would get
+/// Between the lattice and an interface there may be room for a point that neither has. Left empty, the mesh would get
 /// coarser with every update. Elsewhere a mesh from scratch has such room, too.
 std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<const Vec3> points, const Cavity& cavity,
                                  SeedSpace& space, const WantedSize& size) {
-    const std::vector<char> is_seam = seam_points(points.size(), cavity);
+    const std::vector<char> is_seam = interface_points(points.size(), cavity);
     std::vector<std::pair<double, Vec3>> gaps;
     for (const auto& [a, b, c, d] : triangulation.tets) {
         if (!(is_seam[a] || is_seam[b] || is_seam[c] || is_seam[d])) continue;
@@ -45,15 +45,15 @@ std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<c
     return space.with_room(centers, places_in_gaps);
 }
 
-void flood(const Cavity& cavity, CavityFill& fill, const RunContext& context) {
+void label(const Cavity& cavity, CavityFill& fill, const RunContext& context) {
     if (!fill.places.missing.empty()) return;
-    fill.regions = flood_regions(fill.triangulation, cavity.facets, fill.places, context);
+    fill.regions = label_regions(fill.triangulation, cavity.facets, fill.places, context);
     fill.is_leaky = fill.regions.empty();
 }
 
 }  // namespace
 
-std::vector<Ball> seam_balls(const Mesh& mesh, const Cavity& cavity, const WantedSize& size) {
+std::vector<Ball> interface_balls(const Mesh& mesh, const Cavity& cavity, const WantedSize& size) {
     std::vector<Ball> balls;
     for (const TetId tet : cavity.tet_of_facet) {
         if (!tet.is_valid()) continue;
@@ -77,19 +77,19 @@ bool has_inverted_tet(const CavityFill& fill) {
     return false;
 }
 
-CavityFill flood_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangulation triangulation,
+CavityFill label_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangulation triangulation,
                         const RunContext& context) {
     CavityFill fill;
     fill.points = std::move(points);
     fill.triangulation = std::move(triangulation);
     fill.places = find_facets(fill.triangulation, fill.points.size(), cavity.facets, context);
-    flood(cavity, fill, context);
+    label(cavity, fill, context);
     return fill;
 }
 
-void flood_turned(const Cavity& cavity, CavityFill& fill, const RunContext& context) {
+void label_turned(const Cavity& cavity, CavityFill& fill, const RunContext& context) {
     place_missing(fill.triangulation, fill.points.size(), cavity.facets, fill.places, context);
-    flood(cavity, fill, context);
+    label(cavity, fill, context);
 }
 
 CavityFill fill_cavity(const Cavity& cavity, std::span<const Ball> balls, std::span<const Vec3> active,
@@ -109,7 +109,7 @@ CavityFill fill_cavity(const Cavity& cavity, std::span<const Ball> balls, std::s
             triangulation = delaunay->tets(context);
         }
     }
-    CavityFill fill = flood_cavity(cavity, std::move(points), std::move(triangulation), context);
+    CavityFill fill = label_cavity(cavity, std::move(points), std::move(triangulation), context);
     if (balls.empty() || fill.is_complete()) return fill;
     fill.delaunay = delaunay;
     fill.point_of.resize(fill.points.size());
@@ -139,7 +139,7 @@ CavityFill grow_fill(const Cavity& cavity, std::span<const NodeId> old_nodes, co
     std::vector<int> point_of;
     for (const int p : old.point_of) point_of.push_back(new_place[static_cast<std::size_t>(p)]);
     point_of.insert(point_of.end(), place_of_added.begin(), place_of_added.end());
-    CavityFill fill = flood_cavity(cavity, std::move(points), old.delaunay->tets(context, point_of), context);
+    CavityFill fill = label_cavity(cavity, std::move(points), old.delaunay->tets(context, point_of), context);
     fill.delaunay = old.delaunay;
     fill.point_of = std::move(point_of);
     return fill;

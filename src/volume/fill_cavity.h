@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tets between the facets of one cavity: seeds, Delaunay, flooding. No CAD.
+// Tets between the facets of one cavity: seeds, Delaunay, labels of regions. No CAD.
 #pragma once
 
 #include <memory>
@@ -21,9 +21,9 @@ struct CavityFill {
     FacetPlaces places;
     std::vector<int> regions;                   ///< by tet, -1 for none; empty as long as facets are missing
     bool is_leaky = false;                      ///< all facets are there, and yet regions run into one another
-    std::shared_ptr<GrowingDelaunay> delaunay;  ///< of the points, where kept tets at the seam may have to go
+    std::shared_ptr<GrowingDelaunay> delaunay;  ///< of the points, where kept tets at the interface may have to go
     std::vector<int> point_of;                  ///< by its numbers: the point
-    std::optional<std::vector<int>> withdrawn;  ///< the points that a recovery left inside, where there was one
+    std::optional<std::vector<int>> relocated;  ///< the points that a recovery left inside, where there was one
     bool is_complete() const { return places.missing.empty() && !is_leaky; }
 };
 
@@ -39,19 +39,19 @@ CavityFill grow_fill(const Cavity& cavity, std::span<const NodeId> old_nodes, co
 std::vector<Vec3> seeds_of(const Cavity& cavity, const CavityFill& fill);
 std::vector<Vec3> seeds_among(std::span<const Vec3> active, const Cavity& cavity, const CavityFill& fill);
 
-/// Marks and floods the facets of a triangulation of the points.
-CavityFill flood_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangulation triangulation,
+/// Finds the facets in a triangulation of the points and labels the regions between them.
+CavityFill label_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangulation triangulation,
                         const RunContext& context = {});
 
 /// The same where only facets that were missing have other corners now.
-void flood_turned(const Cavity& cavity, CavityFill& fill, const RunContext& context);
+void label_turned(const Cavity& cavity, CavityFill& fill, const RunContext& context);
 
 /// The tets that lie in a region, for local operations; the cavity's own points are fixed.
 TetComplex make_complex(const Cavity& cavity, const CavityFill& fill, const RunContext& context);
 
-/// The circumspheres of the kept tets at the seam: as long as they are empty, the seam holds by itself. Those with room
-/// for a node are left out: such tets are coarser than wanted or flat, and go if a node needs the room.
-std::vector<Ball> seam_balls(const Mesh& mesh, const Cavity& cavity, const WantedSize& size);
+/// The circumspheres of the kept tets at the interface: as long as they are empty, the interface holds by itself. Those
+/// with room for a node are left out: such tets are coarser than wanted or flat, and go if a node needs the room.
+std::vector<Ball> interface_balls(const Mesh& mesh, const Cavity& cavity, const WantedSize& size);
 
 /// Points that were put on the CAD faces may have turned tets over.
 bool has_inverted_tet(const CavityFill& fill);

@@ -19,7 +19,7 @@
 #include "volume/improvement/lean_needles.h"
 #include "volume/improvement/operations.h"
 #include "volume/improvement/opposite_walls.h"
-#include "volume/interface/seam_mending.h"
+#include "volume/interface/interface_mending.h"
 #include "volume/recovery/boundary_recovery.h"
 #include "volume/recovery/flip_facets.h"
 #include "volume/short_edges.h"
@@ -28,9 +28,9 @@ namespace featuremesh {
 
 namespace {
 
-/// What is further from the seam is filled as well as in a full mesh, or nearly so: more counts where the seam is much
-/// of a small mesh, and costs nothing there.
-constexpr int edges_to_seam = 1, edges_to_seam_if_small = 5;
+/// What is further from the interface is filled as well as in a full mesh, or nearly so: more counts where the
+/// interface is much of a small mesh, and costs nothing there.
+constexpr int edges_to_interface = 1, edges_to_interface_if_small = 5;
 constexpr std::size_t small_cavity = 8000;   // tets
 constexpr std::size_t large_cavity = 20000;  // tets: worth all threads
 /// Of the cube of the smallest wanted length: tets below are mended, and those below are refused.
@@ -75,9 +75,9 @@ class Filling {
         }
         for (std::size_t i = 0; i < cavities_.size(); ++i) require_thick(cavities_[i], regions_[i].complex);
         drop_released();
-        for (const SeamRegion& region : regions_) move_nodes(region);
+        for (const InterfaceRegion& region : regions_) move_nodes(region);
         const std::size_t kept_tets = result_.mesh.tets.size();
-        for (const SeamRegion& region : regions_) append(region);
+        for (const InterfaceRegion& region : regions_) append(region);
         lean(kept_tets);
         return std::move(result_);
     }
@@ -96,9 +96,10 @@ class Filling {
             left += one.angles.left;
         }
         for (std::size_t i = 0; i < cavities_.size(); ++i) refuse_hopeless(i);
-        if (left > 0) mend_seams(regions_, result_.mesh, is_released_, angles_, context_);
+        if (left > 0) mend_interfaces(regions_, result_.mesh, is_released_, angles_, context_);
         if (options_.moves_kept_nodes)
-            report.released_for_shape = relax_seams(regions_, result_.mesh, rim_tets_, is_released_, shapes_, context_);
+            report.released_for_shape =
+                relax_interfaces(regions_, result_.mesh, rim_tets_, is_released_, shapes_, context_);
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
             finish(regions_[i]);
             report.released_for_quality += give_back(regions_[i], result_.mesh, is_released_);
@@ -131,7 +132,7 @@ class Filling {
     }
 
     /// What needs the surface, too: its nodes move, tets without a volume to speak of get one, walls get nodes inside.
-    void finish(SeamRegion& region) {
+    void finish(InterfaceRegion& region) {
         ObjectiveOptions wanted = angles_.options();
         wanted.is_steep = true;
         std::optional<OppositeWalls> walls;
@@ -165,7 +166,7 @@ class Filling {
             note(improve(mesh, all_and_shapes, list_of(vertex_move(mesh, all_and_shapes)), {},
                          {.passes = passes_at_the_end}, context_),
                  context_);
-        if (!region.has_seam())
+        if (!region.has_interface())
             note(improve(mesh, all, list_of(lookahead(mesh, all, context_)), {}, with_lookaheads(region.complex),
                          context_),
                  context_);
@@ -195,10 +196,10 @@ class Filling {
     }
 
     /// With fewer kept tets, or none, there is another way, which a long search here would only put off.
-    static std::size_t most_insertions(const SeamRegion& region) {
+    static std::size_t most_insertions(const InterfaceRegion& region) {
         constexpr std::size_t at_least = 40, tets_per_insertion = 1000;
-        return region.has_seam() ? at_least + region.complex.tets.size() / tets_per_insertion
-                                 : std::numeric_limits<std::size_t>::max();
+        return region.has_interface() ? at_least + region.complex.tets.size() / tets_per_insertion
+                                      : std::numeric_limits<std::size_t>::max();
     }
 
     /// More tets without a volume to speak of than new vertices will be tried for.
@@ -217,12 +218,12 @@ class Filling {
 
     /// What the vertices inside can do.
     Optimised optimise(std::size_t i, RunContext& context) {
-        regions_[i] = SeamRegion(cavities_[i], make_complex(cavities_[i], fills_[i], context_));
+        regions_[i] = InterfaceRegion(cavities_[i], make_complex(cavities_[i], fills_[i], context_));
         TetComplex& complex = regions_[i].complex;
-        if (fills_[i].withdrawn) {
+        if (fills_[i].relocated) {
             LocalMesh mesh(complex);
-            const Improvement done = improve(mesh, shapes_, list_of(crowd_collapse(mesh, shapes_, size_)),
-                                             tets_at(complex, *fills_[i].withdrawn), {}, context);
+            const Improvement done = improve(mesh, shapes_, list_of(close_point_collapse(mesh, shapes_, size_)),
+                                             tets_at(complex, *fills_[i].relocated), {}, context);
             context.log("boundary recovery: " + std::to_string(done.changes) + " points inside taken out again");
         }
         fills_[i] = {};
@@ -233,8 +234,8 @@ class Filling {
                               list_of(edge_ring(mesh, angles_), vertex_move(mesh, angles_), cone_refill(mesh, angles_)),
                               {}, with_refills(complex), context);
         note(done.angles, context);
-        const int edges = complex.tets.size() < small_cavity ? edges_to_seam_if_small : edges_to_seam;
-        if (std::vector<int> near = regions_[i].tets_near_seam(edges); !near.empty())
+        const int edges = complex.tets.size() < small_cavity ? edges_to_interface_if_small : edges_to_interface;
+        if (std::vector<int> near = regions_[i].tets_near_interface(edges); !near.empty())
             improve(mesh, shapes_, list_of(vertex_move(mesh, shapes_)), std::move(near), {.passes = 3}, context);
         return done;
     }
@@ -331,7 +332,7 @@ class Filling {
     }
 
     /// A node that has been moved is a new one in the place of the old.
-    void move_nodes(const SeamRegion& region) {
+    void move_nodes(const InterfaceRegion& region) {
         for (const auto& [node, vertex] : region.moved_nodes(result_.mesh)) {
             result_.mesh.points[node.index()] = region.complex.points[static_cast<std::size_t>(vertex)];
             result_.mesh.node_numbers[node.index()] = result_.mesh.next_node_number++;
@@ -339,7 +340,7 @@ class Filling {
         }
     }
 
-    void append(const SeamRegion& region) {
+    void append(const InterfaceRegion& region) {
         Mesh& mesh = result_.mesh;
         const TetComplex& complex = region.complex;
         std::vector<NodeId> node;
@@ -386,7 +387,7 @@ class Filling {
     std::vector<CavityFill>& fills_ = boundary_.fills;
     std::vector<std::uint8_t>& is_released_ = boundary_.is_released;
     std::vector<TetId>& rim_tets_ = boundary_.rim_tets;
-    std::vector<SeamRegion> regions_;  ///< by cavity
+    std::vector<InterfaceRegion> regions_;  ///< by cavity
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fills the solids that are not meshed yet: seeds, Delaunay, recovery, flooding, ODT, slivers.
+// Fills the solids that are not meshed yet: seeds, Delaunay, recovery, labels of regions, ODT, slivers.
 #pragma once
 
 #include <array>
@@ -27,7 +27,8 @@ struct VolumeOptions {
     /// Smallest length that is asked for, mm, where the sizing has shorter ones for the mesher's own sake: these are no
     /// reason for smaller tets than are allowed otherwise.
     double smallest_asked = 0;
-    bool moves_kept_nodes = false;  ///< those inside, at a seam, where poor shapes gain much by that (relax_seams)
+    bool moves_kept_nodes =
+        false;  ///< those inside, at an interface, where poor shapes gain much by that (relax_interfaces)
     bool operator==(const VolumeOptions&) const = default;
 };
 
@@ -36,8 +37,8 @@ struct VolumeReport {
     std::size_t recovered_triangles = 0,
                 recovery_points =
                     0;  ///< boundary triangles missing at first; points added to get them back, most of them inside
-    std::size_t released_tets = 0;  ///< kept tets that had to go so that the seam holds, or for the quality there
-    std::size_t released_for_quality = 0;  ///< of these: those without which tets at the seam would be bad
+    std::size_t released_tets = 0;  ///< kept tets that had to go so that the interface holds, or for the quality there
+    std::size_t released_for_quality = 0;  ///< of these: those without which tets at the interface would be bad
     std::size_t released_for_shape = 0;    ///< likewise: those of kept nodes that were moved for better shapes
     std::size_t split_wall_tets = 0;
     double odt_energy_before = 0,

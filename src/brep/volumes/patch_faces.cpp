@@ -51,7 +51,7 @@ bool same_parametrisation(const Surface& a, const Surface& b) {
     return true;
 }
 
-bool same_carrier(const Surface& a, const Surface& b) {
+bool same_surface(const Surface& a, const Surface& b) {
     if (a.is_plane() || b.is_plane()) return a.is_plane() && b.is_plane() && same_plane(a, b);
     return same_parametrisation(a, b);
 }
@@ -61,28 +61,28 @@ bool same_carrier(const Surface& a, const Surface& b) {
 std::vector<PatchFace> patch_faces(const std::vector<TopoDS_Shape>& vanished,
                                    const std::vector<TopoDS_Shape>& appeared) {
     std::vector<PatchFace> faces;
-    std::vector<Surface> carriers;
+    std::vector<Surface> surfaces;
     std::vector<char> is_shared;
     for (const TopoDS_Shape& shape : vanished) {
         const Surface surface(TopoDS::Face(shape));
-        const auto known = std::find_if(carriers.begin(), carriers.end(),
-                                        [&](const Surface& carrier) { return same_carrier(carrier, surface); });
-        faces.push_back({surface.face, true, int(known - carriers.begin()), faces.size()});
-        if (known == carriers.end()) carriers.push_back(surface);
+        const auto known = std::find_if(surfaces.begin(), surfaces.end(),
+                                        [&](const Surface& other) { return same_surface(other, surface); });
+        faces.push_back({surface.face, true, int(known - surfaces.begin()), faces.size()});
+        if (known == surfaces.end()) surfaces.push_back(surface);
     }
-    is_shared.assign(carriers.size(), 0);
+    is_shared.assign(surfaces.size(), 0);
     for (const TopoDS_Shape& shape : appeared) {
         const Surface surface(TopoDS::Face(shape));
-        const auto known = std::find_if(carriers.begin(), carriers.end(),
-                                        [&](const Surface& carrier) { return same_carrier(carrier, surface); });
-        const bool is_alone = known == carriers.end();
+        const auto known = std::find_if(surfaces.begin(), surfaces.end(),
+                                        [&](const Surface& other) { return same_surface(other, surface); });
+        const bool is_alone = known == surfaces.end();
         faces.push_back(
-            {surface.face, false, is_alone ? -1 : int(known - carriers.begin()), faces.size() - vanished.size()});
-        if (!is_alone) is_shared[std::size_t(known - carriers.begin())] = 1;
+            {surface.face, false, is_alone ? -1 : int(known - surfaces.begin()), faces.size() - vanished.size()});
+        if (!is_alone) is_shared[std::size_t(known - surfaces.begin())] = 1;
     }
     for (PatchFace& face : faces)
-        if (face.carrier >= 0 && !is_shared[std::size_t(face.carrier)]) face.carrier = -1;
-    const auto rank = [](const PatchFace& f) { return (f.carrier < 0 ? 0 : 2) + (f.vanished ? 1 : 0); };
+        if (face.underlying >= 0 && !is_shared[std::size_t(face.underlying)]) face.underlying = -1;
+    const auto rank = [](const PatchFace& f) { return (f.underlying < 0 ? 0 : 2) + (f.vanished ? 1 : 0); };
     std::stable_sort(faces.begin(), faces.end(),
                      [&](const PatchFace& a, const PatchFace& b) { return rank(a) < rank(b); });
     return faces;

@@ -20,11 +20,11 @@
 
 #include "brep/occt_geometry.h"
 #include "brep/solid_probe.h"
-#include "brep/volumes/carrier_caps.h"
 #include "brep/volumes/flux.h"
 #include "brep/volumes/merged_edges.h"
 #include "brep/volumes/patch_faces.h"
 #include "brep/volumes/sheet_contacts.h"
+#include "brep/volumes/surface_caps.h"
 
 namespace featuremesh {
 
@@ -143,8 +143,8 @@ class PatchShells {
     explicit PatchShells(const PatchInput& input)
         : input_(input), faces_(patch_faces(input.vanished, input.appeared)), edges_(faces_), pieces_(edges_) {
         for (std::size_t f = 0; f < faces_.size(); ++f)
-            if (faces_[f].carrier < 0) add_whole(f);
-        for (const CarrierCap& cap : carrier_caps(faces_, edges_)) add(cap);
+            if (faces_[f].underlying < 0) add_whole(f);
+        for (const SurfaceCap& cap : surface_caps(faces_, edges_)) add(cap);
         for (Sheet& sheet : sheets_) make(sheet);
         if (any_contact(contact_sheets(), faces_, edges_))
             throw Standard_DomainError("faces that meet without an edge");
@@ -215,14 +215,14 @@ class PatchShells {
         }
     }
 
-    void add(const CarrierCap& cap) {
+    void add(const SurfaceCap& cap) {
         Sheet& sheet = sheets_.emplace_back();
         sheet.on = cap.on;
         sheet.vanished = cap.vanished;
         sheet.is_reversed = (faces_[cap.on].face.Orientation() == TopAbs_REVERSED) == cap.vanished;
-        for (const std::vector<CarrierCap::Side>& wire : cap.wires) {
+        for (const std::vector<SurfaceCap::Side>& wire : cap.wires) {
             std::vector<Sheet::Side>& sides = sheet.wires.emplace_back();
-            for (const CarrierCap::Side& side : wire) {
+            for (const SurfaceCap::Side& side : wire) {
                 pieces_.need(side.use, faces_[side.face].face, faces_[cap.on].face, side.shift);
                 sides.push_back({side.use.piece, side.sense});
             }

@@ -25,7 +25,7 @@ struct PatchVolumes {
 /// What lies between the shapes before and after a change, when all that is new in either ends along edges of the
 /// other: a fillet, a chamfer, a pocket. The vanished faces and, turned round, those that appeared bound what was
 /// removed less what was added; where both cover the same surface, only the difference of their trims counts
-/// (carrier_caps.h). The faces that are left are put together to shells along the edges that two of them share; their
+/// (surface_caps.h). The faces that are left are put together to shells along the edges that two of them share; their
 /// orientation says what was removed and what added. Nothing where that is not enough: faces that cross each other,
 /// more than two at an edge.
 std::optional<PatchVolumes> patch_volumes(const PatchInput& input);

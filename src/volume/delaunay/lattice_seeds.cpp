@@ -279,7 +279,7 @@ class SeedOctree {
 
     double wanted_in(const Cube& cube) const { return wanted(box_of(cube).center()); }
 
-    /// The lattice's points in the place. What is split for that alone is given up at once where no seam is: many
+    /// The lattice's points in the place. What is split for that alone is given up at once where no interface is: many
     /// facets make many octants.
     void collect(int i) {
         look_at(i);

@@ -51,9 +51,9 @@ FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_co
 void place_missing(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets,
                    FacetPlaces& places, const RunContext& context = {});
 
-/// By tet: the region it is in, or -1, by flooding from the facets up to the facets. Empty when a region leaks into
-/// another.
-std::vector<int> flood_regions(const Triangulation& triangulation, std::span<const Facet> facets,
+/// By tet: the region it is in, or -1, labelled tet by tet from the facets up to the facets. Empty when a region leaks
+/// into another.
+std::vector<int> label_regions(const Triangulation& triangulation, std::span<const Facet> facets,
                                const FacetPlaces& places, const RunContext& context = {});
 
 }  // namespace featuremesh

@@ -29,7 +29,7 @@ std::unique_ptr<Operation> cone_refill(LocalMesh& mesh, const Objective& objecti
 std::unique_ptr<Operation> tet_split(LocalMesh& mesh, const Objective& objective);
 
 /// Collapses a free corner that is nearer to a neighbour than seeds may be to each other.
-std::unique_ptr<Operation> crowd_collapse(LocalMesh& mesh, const Objective& objective, const WantedSize& size);
+std::unique_ptr<Operation> close_point_collapse(LocalMesh& mesh, const Objective& objective, const WantedSize& size);
 
 /// Improves copies of what is around the tet, with one of its corners first moved for this tet alone, and takes the
 /// best: what takes two changes of which the first harms.

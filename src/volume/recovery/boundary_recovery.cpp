@@ -10,7 +10,7 @@
 #include "volume/recovery/flip_facets.h"
 #include "volume/recovery/flip_recovery.h"
 #include "volume/recovery/local_recovery.h"
-#include "volume/recovery/withdraw_points.h"
+#include "volume/recovery/relocate_points.h"
 
 namespace featuremesh {
 
@@ -21,7 +21,8 @@ namespace {
 constexpr int most_rounds = 12, most_rounds_of_update = 6;
 constexpr int most_halving_rounds = 3;
 constexpr int most_constraining_rounds = 5;  // only around what is missing
-/// Kept tets that are not Delaunay may be many: then a cavity that grows by those at its seam would not end in time.
+/// Kept tets that are not Delaunay may be many: then a cavity that grows by those at its interface would not end in
+/// time.
 constexpr int most_releasing_rounds = 5;
 /// Of the facets: where more are missing, constraints would add points by the thousand. Else they make better tets.
 constexpr double many_missing = 0.1;
@@ -80,7 +81,7 @@ bool BoundaryRecovery::fill_all(int round) {
     finished_.clear();
     outgrown_.clear();
     for (std::size_t i = 0; i < cavities.size(); ++i)
-        if (!fills[i].withdrawn) turn_missing(i, round);
+        if (!fills[i].relocated) turn_missing(i, round);
     return std::all_of(fills.begin(), fills.end(), [](const CavityFill& f) { return f.is_complete(); });
 }
 
@@ -95,7 +96,7 @@ void BoundaryRecovery::fill(std::size_t i) {
         if (known.nodes != cavity.nodes) continue;
         std::vector<Vec3> points = cavity.points;
         points.insert(points.end(), known.seeds.begin(), known.seeds.end());
-        fills[i] = flood_cavity(cavity, std::move(points), std::move(known.triangulation), context_);
+        fills[i] = label_cavity(cavity, std::move(points), std::move(known.triangulation), context_);
         if (known.is_best || (fills[i].is_complete() && !has_inverted_tet(fills[i]))) return;
     }
     for (KnownFill& old : outgrown_)
@@ -105,7 +106,7 @@ void BoundaryRecovery::fill(std::size_t i) {
             return;
         }
     try {
-        fills[i] = fill_cavity(cavity, seam_balls(mesh_, cavity, size_), active_, size_, context_);
+        fills[i] = fill_cavity(cavity, interface_balls(mesh_, cavity, size_), active_, size_, context_);
     } catch (const MeshError&) {
         require_distinct(brep_, mesh_, cavity);  // says it better
         throw;
@@ -126,14 +127,14 @@ void BoundaryRecovery::turn_missing(std::size_t i, int round) {
     for (const FacetSplit::Piece& piece : flips.pieces) cavity.facets[piece.facet].corners = piece.corners;
     log("diagonals changed", flips.pieces.size() / 2);
     if (round == 0) report_.recovered_triangles += flips.pieces.size();
-    flood_turned(cavity, fill, context_);
+    label_turned(cavity, fill, context_);
 }
 
 /// Whether there was a tet without height to get rid of, so that another round is due.
 bool BoundaryRecovery::flip_flat_tets() {
     bool is_changed = false;
     for (std::size_t i = 0; i < cavities.size(); ++i) {
-        if (fills[i].withdrawn) continue;
+        if (fills[i].relocated) continue;
         const FacetSplit flips = flip_flat(cavities[i], fills[i], mesh_);
         if (flips.pieces.empty()) continue;
         is_changed = true;
@@ -159,7 +160,7 @@ std::optional<Obstacle> BoundaryRecovery::recover(std::size_t i, int round) {
 }
 
 bool BoundaryRecovery::keep_whole_fill(Gap& gap) {
-    if (gap.fill.withdrawn)
+    if (gap.fill.relocated)
         finished_.push_back({gap.cavity.nodes, std::move(gap.fill)});
     else if (gap.fill.is_complete())
         known_.push_back({gap.cavity.nodes, std::move(gap.seeds), std::move(gap.fill.triangulation), true});
@@ -168,7 +169,7 @@ bool BoundaryRecovery::keep_whole_fill(Gap& gap) {
     return true;
 }
 
-/// Gives up the kept tets behind seam facets that are missing.
+/// Gives up the kept tets behind interface facets that are missing.
 bool BoundaryRecovery::release_kept_tets(Gap& gap) {
     if (gap.round >= most_releasing_rounds && !is_flat(gap.fill)) return false;
     bool is_changed = false;
@@ -220,7 +221,7 @@ bool BoundaryRecovery::constrain(Gap& gap) {
     if (!constrained->failed.empty()) gap.failed = std::move(constrained->failed);
     if (constrained->is_given_up || !gap.failed.empty()) return false;
     log("points that constraints added", constrained->split.added.size());
-    withdraw(gap, std::move(*constrained));
+    relocate(gap, std::move(*constrained));
     return true;
 }
 
@@ -242,9 +243,9 @@ bool BoundaryRecovery::flip(Gap& gap) {
 }
 
 /// The points that constraints added leave the boundary; where they find no room they stay on it.
-void BoundaryRecovery::withdraw(Gap& gap, ConstrainedTriangulation constrained) {
+void BoundaryRecovery::relocate(Gap& gap, ConstrainedTriangulation constrained) {
     const std::size_t added_count = constrained.split.added.size();
-    if (auto whole = withdraw_points(gap.cavity, constrained, gap.seeds, context_)) {
+    if (auto whole = relocate_points(gap.cavity, constrained, gap.seeds, context_)) {
         report_.recovery_points += added_count;
         finished_.push_back({gap.cavity.nodes, std::move(*whole)});
         return;

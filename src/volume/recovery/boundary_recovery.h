@@ -22,7 +22,7 @@
 namespace featuremesh {
 
 /// Fills all cavities of a mesh, round by round. What is missing in one is brought back by the first of a few means
-/// that can (docs/design/volume.md, "Recovery"), and filled again.
+/// that can (docs/design/recovery.md), and filled again.
 class BoundaryRecovery {
   public:
     /// References stay in use. The mesh's surface may get other diagonals and points.
@@ -92,7 +92,7 @@ class BoundaryRecovery {
     bool halve_stuck(Gap& gap);
 
     bool flip(Gap& gap);
-    void withdraw(Gap& gap, ConstrainedTriangulation constrained);
+    void relocate(Gap& gap, ConstrainedTriangulation constrained);
     bool halve(Gap& gap, std::span<const int> facets, Obstacle obstacle);
     void release(TetId tet);
     int round_limit() const;
@@ -108,7 +108,7 @@ class BoundaryRecovery {
     bool is_rim_wider_ = false;                   ///< so that there may be more tets at it
     std::optional<std::span<const TetId>> near_;  ///< all kept tets at the cavities are among them; none: not known
     std::vector<KnownTriangulation> known_;
-    std::vector<KnownFill> finished_;  ///< by withdrawn points; nothing outside
+    std::vector<KnownFill> finished_;  ///< by relocated points; nothing outside
     std::vector<KnownFill> outgrown_;
     int halving_rounds_ = 0, constraining_rounds_ = 0;
     int last_halving_ = -1, last_constraining_ = -1;  ///< rounds

@@ -449,7 +449,7 @@ FlippedTriangulation recover_by_flips(const Cavity& cavity, const CavityFill& fi
     levelled.places = find_facets(levelled.triangulation, levelled.points.size(), cavity.facets, context);
     FlippedTriangulation second = recover_all(cavity, levelled, context);
     if (second.tets) {
-        const CavityFill as_given = flood_cavity(cavity, fill.points, *second.tets, context);
+        const CavityFill as_given = label_cavity(cavity, fill.points, *second.tets, context);
         if (as_given.is_complete() && !has_inverted_tet(as_given)) return second;
     } else if (second.left.size() < flipped.left.size()) {
         flipped.left = std::move(second.left);

@@ -120,7 +120,7 @@ class Neighbourhood {
         const std::span<const Facet> border(sub_.facets.data(), border_count_);
         const FacetPlaces places =
             find_facets(local.triangulation, sub_.points.size() + local.split.added.size(), border);
-        const std::vector<int> inside = flood_inside(local.triangulation, places);
+        const std::vector<int> inside = label_inside(local.triangulation, places);
         ConstrainedTriangulation whole;
         if (!places.missing.empty() || inside.empty()) {
             whole.failed = fill_.places.missing;
@@ -166,7 +166,7 @@ class Neighbourhood {
     }
 
     /// By local tet: 0 within the border, 1 beyond it; empty when the two meet.
-    std::vector<int> flood_inside(const Triangulation& local, const FacetPlaces& places) const {
+    std::vector<int> label_inside(const Triangulation& local, const FacetPlaces& places) const {
         std::vector<int> state(local.tets.size(), -1), stack;
         const auto agrees = [&](int tet, int value) {
             if (state[tet] < 0) state[tet] = value, stack.push_back(tet);

@@ -41,19 +41,6 @@ inline double flatness_to_reach(double degrees) {
     return flatness_of_angle(degrees + margin);
 }
 
-/// An operation has to bring the squared sine of the worst angle up by this share, else passes would go on for nothing.
-inline constexpr double least_gain = 1e-3;
-/// The flatness that such a gain asks for.
-inline double improved_flatness(double flatness, double gain) {
-    return std::min(flatness, 1.0) - gain * std::max(1e-6, 1 - flatness);
-}
-
-/// What a tet that misses the target weighs against others: 1 / sin of its worst angle, less that of the target; 0
-/// where the target is met. One tet of 5 degrees weighs more than two of 10.
-inline double burden(double flatness, double target) {
-    return flatness <= target ? 0 : 1 / std::sqrt(std::max(1e-6, 1 - flatness)) - 1 / std::sqrt(1 - target);
-}
-
 /// The worst angle, degrees, of a tet of this flatness.
 inline double angle_of_flatness(double value) {
     return value > 1 ? 0.0 : std::acos(std::sqrt(value)) * (180 / 3.14159265358979323846);

@@ -340,7 +340,7 @@ TEST_CASE("of a star that would keep few of its tets beside nodes that go for th
     CHECK(tets.is_rim(left[0].index()));
 }
 
-TEST_CASE("tets at the seam are as good as elsewhere after every update") {
+TEST_CASE("tets at the interface are as good as elsewhere after every update") {
     const int order = GENERATE(1, 2);
     MeshOptions options = options_of(3, order);
     options.keep_margin = 0.8;  // nearer than good tets need, so that there is something to mend

@@ -193,7 +193,7 @@ TEST_CASE("kept tets that hold all nodes of a flat cavity are released, and fill
     CHECK(result.report.released_tets < 20);
 }
 
-TEST_CASE("a seam that is nowhere Delaunay is recovered by constraint before all kept tets are released") {
+TEST_CASE("an interface that is nowhere Delaunay is recovered by constraint before all kept tets are released") {
     const double edge = 20;
     const Part part = prepare(box_part({0, 0, 0}, {edge, edge, edge}), 1.5);
     Mesh full = fill(part).mesh;

@@ -193,7 +193,7 @@ TEST_CASE("a triangulation that points are added to is that of all of them") {
     CHECK(sorted(growing.tets(context, reversed).tets) == sorted(delaunay(other_way, context).tets));
 }
 
-TEST_CASE("flooding stays within closed facets and sees a leak") {
+TEST_CASE("labels stay within closed facets, and a leak is seen") {
     std::vector<Vec3> points{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     std::vector<Facet> facets;
     for (int k = 0; k < 4; ++k) {
@@ -209,7 +209,7 @@ TEST_CASE("flooding stays within closed facets and sees a leak") {
     const Triangulation t = delaunay(points, context);
     const FacetPlaces all = find_facets(t, points.size(), facets);
     REQUIRE(all.missing.empty());
-    const std::vector<int> regions = flood_regions(t, facets, all);
+    const std::vector<int> regions = label_regions(t, facets, all);
     REQUIRE(regions.size() == t.tets.size());
     double volume = 0;
     for (std::size_t i = 0; i < regions.size(); ++i)
@@ -218,5 +218,5 @@ TEST_CASE("flooding stays within closed facets and sees a leak") {
                 signed_volume(points[t.tets[i][0]], points[t.tets[i][1]], points[t.tets[i][2]], points[t.tets[i][3]]);
     CHECK(volume == Approx(4.0 / 3));
     facets.pop_back();
-    CHECK(flood_regions(t, facets, find_facets(t, points.size(), facets)).empty());
+    CHECK(label_regions(t, facets, find_facets(t, points.size(), facets)).empty());
 }

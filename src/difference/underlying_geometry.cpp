@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "difference/carriers.h"
+#include "difference/underlying_geometry.h"
 
 #include <BRep_Tool.hxx>
 #include <ElCLib.hxx>
@@ -26,10 +26,10 @@
 namespace featuremesh {
 
 namespace {
-Vec3 axis_of(const SurfaceCarrier& c) { return to_vec3(gp_Vec(c.position.Direction())); }
-Vec3 axis_of(const CurveCarrier& c) { return to_vec3(gp_Vec(c.position.Direction())); }
-Vec3 origin_of(const SurfaceCarrier& c) { return to_vec3(c.position.Location()); }
-Vec3 origin_of(const CurveCarrier& c) { return to_vec3(c.position.Location()); }
+Vec3 axis_of(const UnderlyingSurface& c) { return to_vec3(gp_Vec(c.position.Direction())); }
+Vec3 axis_of(const UnderlyingCurve& c) { return to_vec3(gp_Vec(c.position.Direction())); }
+Vec3 origin_of(const UnderlyingSurface& c) { return to_vec3(c.position.Location()); }
+Vec3 origin_of(const UnderlyingCurve& c) { return to_vec3(c.position.Location()); }
 
 Vec3 foot_on_axis(const Vec3& origin, const Vec3& axis, const Vec3& p) { return origin + axis * dot(p - origin, axis); }
 
@@ -40,18 +40,18 @@ bool same_axis(const Vec3& origin_a, const Vec3& axis_a, const Vec3& origin_b, c
     return parallel(axis_a, axis_b, s) && distance(foot_on_axis(origin_a, axis_a, q), q) <= s.length;
 }
 
-bool same_plane(const SurfaceCarrier& a, const SurfaceCarrier& b, const Sameness& s) {
+bool same_plane(const UnderlyingSurface& a, const UnderlyingSurface& b, const Sameness& s) {
     const Vec3 q = s.centre - axis_of(b) * dot(s.centre - origin_of(b), axis_of(b));
     return parallel(axis_of(a), axis_of(b), s) && std::abs(dot(q - origin_of(a), axis_of(a))) <= s.length;
 }
 
 /// Radius and slope along the axis at a point of it; the sign of both together has no meaning on a double cone.
-std::array<double, 2> cone_at(const SurfaceCarrier& c, const Vec3& p) {
+std::array<double, 2> cone_at(const UnderlyingSurface& c, const Vec3& p) {
     const double slope = std::tan(c.second);
     return {c.radius + dot(p - origin_of(c), axis_of(c)) * slope, slope};
 }
 
-bool same_cone(const SurfaceCarrier& a, const SurfaceCarrier& b, const Sameness& s) {
+bool same_cone(const UnderlyingSurface& a, const UnderlyingSurface& b, const Sameness& s) {
     if (!same_axis(origin_of(a), axis_of(a), origin_of(b), axis_of(b), s)) return false;
     const Vec3 q = foot_on_axis(origin_of(b), axis_of(b), s.centre);
     const auto [radius_a, slope_a] = cone_at(a, q);
@@ -74,7 +74,7 @@ bool take(const Handle(Geom_Surface) & surface, Handle(Geometry) & result) {
     return !result.IsNull();
 }
 
-void recognise(SurfaceCarrier& c) {
+void recognise(UnderlyingSurface& c) {
     Handle(Geom_Plane) plane;
     Handle(Geom_CylindricalSurface) cylinder;
     Handle(Geom_ConicalSurface) cone;
@@ -95,7 +95,7 @@ void recognise(SurfaceCarrier& c) {
     }
 }
 
-void recognise(CurveCarrier& c) {
+void recognise(UnderlyingCurve& c) {
     if (const auto line = Handle(Geom_Line)::DownCast(c.curve); !line.IsNull()) {
         c.kind = CurveKind::line;
         c.position = gp_Ax2(line->Lin().Location(), line->Lin().Direction());
@@ -108,8 +108,8 @@ void recognise(CurveCarrier& c) {
 }
 }  // namespace
 
-SurfaceCarrier carrier_of(const TopoDS_Face& face) {
-    SurfaceCarrier c;
+UnderlyingSurface underlying_of(const TopoDS_Face& face) {
+    UnderlyingSurface c;
     TopLoc_Location location;
     c.surface = BRep_Tool::Surface(face, location);
     while (!c.surface.IsNull() && c.surface->IsKind(STANDARD_TYPE(Geom_RectangularTrimmedSurface)))
@@ -120,13 +120,13 @@ SurfaceCarrier carrier_of(const TopoDS_Face& face) {
     return c;
 }
 
-SurfaceCarrier moved(SurfaceCarrier c, const gp_Trsf& motion) {
+UnderlyingSurface moved(UnderlyingSurface c, const gp_Trsf& motion) {
     c.position.Transform(motion);
     c.placement = motion * c.placement;
     return c;
 }
 
-bool same_carrier(const SurfaceCarrier& a, const SurfaceCarrier& b, const Sameness& s) {
+bool same_underlying(const UnderlyingSurface& a, const UnderlyingSurface& b, const Sameness& s) {
     if (a.kind != b.kind) return false;
     switch (a.kind) {
         case SurfaceKind::plane:
@@ -147,7 +147,7 @@ bool same_carrier(const SurfaceCarrier& a, const SurfaceCarrier& b, const Samene
     return false;
 }
 
-double sort_key(const SurfaceCarrier& c, const Vec3& reference) {
+double sort_key(const UnderlyingSurface& c, const Vec3& reference) {
     switch (c.kind) {
         case SurfaceKind::plane:
             return std::abs(dot(reference - origin_of(c), axis_of(c)));
@@ -166,7 +166,7 @@ double sort_key(const SurfaceCarrier& c, const Vec3& reference) {
     return distance(to_vec3(c.surface->Value(finite(u0), finite(v0)).Transformed(c.placement)), reference);
 }
 
-Vec3 point_at(const SurfaceCarrier& c, double u, double v) {
+Vec3 point_at(const UnderlyingSurface& c, double u, double v) {
     switch (c.kind) {
         case SurfaceKind::plane:
             return to_vec3(ElSLib::PlaneValue(u, v, c.position));
@@ -184,7 +184,7 @@ Vec3 point_at(const SurfaceCarrier& c, double u, double v) {
     return to_vec3(c.surface->Value(u, v).Transformed(c.placement));
 }
 
-std::array<double, 2> parameters_of(const SurfaceCarrier& c, const Vec3& p) {
+std::array<double, 2> parameters_of(const UnderlyingSurface& c, const Vec3& p) {
     double u = 0, v = 0;
     const gp_Pnt q = to_pnt(p);
     if (c.kind == SurfaceKind::plane) ElSLib::PlaneParameters(c.position, q, u, v);
@@ -195,7 +195,7 @@ std::array<double, 2> parameters_of(const SurfaceCarrier& c, const Vec3& p) {
     return {u, v};
 }
 
-Vec3 outward_at(const SurfaceCarrier& c, const Vec3& p, const Vec3& parametric_normal) {
+Vec3 outward_at(const UnderlyingSurface& c, const Vec3& p, const Vec3& parametric_normal) {
     const Vec3 from_axis = p - foot_on_axis(origin_of(c), axis_of(c), p);
     switch (c.kind) {
         case SurfaceKind::plane:
@@ -213,12 +213,12 @@ Vec3 outward_at(const SurfaceCarrier& c, const Vec3& p, const Vec3& parametric_n
     return parametric_normal;
 }
 
-bool same_side(const SurfaceCarrier& a, const SurfaceCarrier& b) {
+bool same_side(const UnderlyingSurface& a, const UnderlyingSurface& b) {
     return a.kind != SurfaceKind::plane || dot(axis_of(a), axis_of(b)) > 0;
 }
 
-CurveCarrier carrier_of(const TopoDS_Edge& edge) {
-    CurveCarrier c;
+UnderlyingCurve underlying_of(const TopoDS_Edge& edge) {
+    UnderlyingCurve c;
     TopLoc_Location location;
     c.curve = BRep_Tool::Curve(edge, location, c.first, c.last);
     while (!c.curve.IsNull() && c.curve->IsKind(STANDARD_TYPE(Geom_TrimmedCurve)))
@@ -236,14 +236,14 @@ CurveCarrier carrier_of(const TopoDS_Edge& edge) {
     return c;
 }
 
-CurveCarrier moved(CurveCarrier c, const gp_Trsf& motion) {
+UnderlyingCurve moved(UnderlyingCurve c, const gp_Trsf& motion) {
     c.position.Transform(motion);
     c.placement = motion * c.placement;
     c.motion = motion * c.motion;
     return c;
 }
 
-bool same_carrier(const CurveCarrier& a, const CurveCarrier& b, const Sameness& s) {
+bool same_underlying(const UnderlyingCurve& a, const UnderlyingCurve& b, const Sameness& s) {
     if (a.kind != b.kind) return false;
     switch (a.kind) {
         case CurveKind::line:
@@ -262,7 +262,7 @@ bool same_carrier(const CurveCarrier& a, const CurveCarrier& b, const Sameness& 
     return false;
 }
 
-bool same_path(const CurveCarrier& a, const CurveCarrier& b, const Sameness& s) {
+bool same_path(const UnderlyingCurve& a, const UnderlyingCurve& b, const Sameness& s) {
     if (!a.adaptor || !b.adaptor) return false;
     const double tolerance = std::max(s.length, std::min(a.tolerance + b.tolerance, 100 * s.length));
     const auto close = [&](double t, double u) { return distance(point_at(a, t), point_at(b, u)) <= tolerance; };
@@ -281,7 +281,7 @@ bool same_path(const CurveCarrier& a, const CurveCarrier& b, const Sameness& s) 
     return true;
 }
 
-double sort_key(const CurveCarrier& c, const Vec3& reference) {
+double sort_key(const UnderlyingCurve& c, const Vec3& reference) {
     if (c.kind == CurveKind::line) return distance(foot_on_axis(origin_of(c), axis_of(c), reference), reference);
     if (c.kind != CurveKind::free_form) return distance(origin_of(c), reference);
     if (c.curve.IsNull()) return distance(point_at(c, c.first), reference);
@@ -289,7 +289,7 @@ double sort_key(const CurveCarrier& c, const Vec3& reference) {
     return distance(to_vec3(c.curve->Value(std::abs(first) < 1e50 ? first : 0.0).Transformed(c.placement)), reference);
 }
 
-Vec3 point_at(const CurveCarrier& c, double t) {
+Vec3 point_at(const UnderlyingCurve& c, double t) {
     switch (c.kind) {
         case CurveKind::line:
             return to_vec3(ElCLib::LineValue(t, c.position.Axis()));
@@ -303,12 +303,12 @@ Vec3 point_at(const CurveCarrier& c, double t) {
     return to_vec3(c.adaptor->Value(t).Transformed(c.motion));
 }
 
-double parameter_of(const CurveCarrier& c, const Vec3& p) {
+double parameter_of(const UnderlyingCurve& c, const Vec3& p) {
     if (c.kind == CurveKind::line) return ElCLib::LineParameter(c.position.Axis(), to_pnt(p));
     if (c.kind == CurveKind::circle) return ElCLib::CircleParameter(c.position, to_pnt(p));
     return ElCLib::EllipseParameter(c.position, c.radius, c.second, to_pnt(p));
 }
 
-bool same_direction(const CurveCarrier& a, const CurveCarrier& b) { return dot(axis_of(a), axis_of(b)) > 0; }
+bool same_direction(const UnderlyingCurve& a, const UnderlyingCurve& b) { return dot(axis_of(a), axis_of(b)) > 0; }
 
 }  // namespace featuremesh

@@ -28,7 +28,7 @@ std::size_t count_thin(const TetComplex& complex) {
     }));
 }
 
-Improvement thicken(TetComplex& complex, std::size_t most_large_cavities) {
+Improvement improve_near_zero_tets(TetComplex& complex, std::size_t most_large_cavities) {
     RunContext context;
     const Objective objective = objective_for(5, least_volume);
     LocalMesh mesh(complex);
@@ -51,7 +51,7 @@ TEST_CASE("thin tets inside get a volume again, and the outside stays") {
         box.points[vertex] = middle + left * (box.points[vertex] - middle);
         const TetComplex before = box;
         REQUIRE(count_thin(box) > 0);
-        thicken(box, 0);
+        improve_near_zero_tets(box, 0);
         CHECK(count_thin(box) == 0);
         CHECK(find_flaws(box).empty());
         CHECK(outside_of(box) == outside_of(before));
@@ -68,9 +68,9 @@ TEST_CASE("large cavities give room where all vertices are fixed, as often as as
             start.points[v] = start.points[v + 1] - Vec3{1e-3, 0, 0};
         fix_all(start);
         TetComplex box = start;
-        thicken(box, 0);
+        improve_near_zero_tets(box, 0);
         without += count_thin(box);
-        thicken(start, 1000);
+        improve_near_zero_tets(start, 1000);
         CHECK(find_flaws(start).empty());
         with += count_thin(start);
     }
@@ -80,7 +80,7 @@ TEST_CASE("large cavities give room where all vertices are fixed, as often as as
 TEST_CASE("a complex without thin tets is left as it is") {
     TetComplex box = box_of_tets(3, 0.1, 7);
     const TetComplex before = box;
-    CHECK(thicken(box, 1000).changes == 0);
+    CHECK(improve_near_zero_tets(box, 1000).changes == 0);
     CHECK(are_same_bytes(box, before));
 }
 

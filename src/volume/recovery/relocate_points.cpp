@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "volume/recovery/withdraw_points.h"
+#include "volume/recovery/relocate_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,9 +49,9 @@ struct Sector {
     Vec3 place{};
 };
 
-class Withdrawal {
+class Relocation {
   public:
-    Withdrawal(const Cavity& cavity, const FacetSplit& split, CavityFill fill)
+    Relocation(const Cavity& cavity, const FacetSplit& split, CavityFill fill)
         : cavity_(cavity),
           first_(static_cast<int>(cavity.points.size())),
           last_(first_ + static_cast<int>(split.added.size())),
@@ -76,7 +76,7 @@ class Withdrawal {
             std::vector<int> left;
             for (const int p : open) {
                 context.check_cancelled();
-                if (!withdraw(p)) left.push_back(p);
+                if (!relocate(p)) left.push_back(p);
             }
             for (const int p : left) make_room(p);
             open = std::move(left);
@@ -96,9 +96,9 @@ class Withdrawal {
         fill.triangulation = {std::move(complex.tets), std::move(complex.neighbours)};
         fill.places = find_facets(fill.triangulation, fill.points.size(), cavity_.facets);
         fill.regions = std::move(regions);
-        fill.withdrawn.emplace();
+        fill.relocated.emplace();
         for (int p = first_; p < static_cast<int>(fill.points.size()); ++p)
-            if (p < last_ || p >= first_copy_) fill.withdrawn->push_back(p);
+            if (p < last_ || p >= first_copy_) fill.relocated->push_back(p);
         return fill;
     }
 
@@ -125,7 +125,7 @@ class Withdrawal {
                 });
     }
 
-    bool withdraw(int point) {
+    bool relocate(int point) {
         std::vector<Patch> patches = patches_of(point);
         for (Patch& patch : patches)
             if (!fill_patch(patch)) return false;
@@ -306,28 +306,28 @@ class Withdrawal {
 
     const Cavity& cavity_;
     const Objective angles_;
-    double largest_flatness_ = 1;  ///< of the tets round a point that is withdrawn
+    double largest_flatness_ = 1;  ///< of the tets round a point that is relocated
     int first_, last_;             ///< the added points
     int first_copy_;               ///< with the points after it, of added ones between several regions
     std::vector<Vec3> points_;
     std::vector<Tet> tets_;
     std::vector<int> regions_;
     std::vector<std::vector<int>> tets_of_;                  ///< by free point
-    std::vector<std::vector<FacetSplit::Piece>> pieces_of_;  ///< by added point; none once it is withdrawn
+    std::vector<std::vector<FacetSplit::Piece>> pieces_of_;  ///< by added point; none once it is relocated
 };
 
 }  // namespace
 
-std::optional<CavityFill> withdraw_points(const Cavity& cavity, const ConstrainedTriangulation& recovered,
+std::optional<CavityFill> relocate_points(const Cavity& cavity, const ConstrainedTriangulation& recovered,
                                           std::span<const Vec3> seeds, const RunContext& context) {
     const Cavity cut = cut_cavity(cavity, recovered.split);
     std::vector<Vec3> points = cut.points;
     points.insert(points.end(), seeds.begin(), seeds.end());
-    CavityFill fill = flood_cavity(cut, std::move(points), recovered.triangulation, context);
+    CavityFill fill = label_cavity(cut, std::move(points), recovered.triangulation, context);
     if (!fill.is_complete()) return {};
-    Withdrawal withdrawal(cavity, recovered.split, std::move(fill));
-    if (!withdrawal.run(context)) return {};
-    CavityFill result = withdrawal.result();
+    Relocation relocation(cavity, recovered.split, std::move(fill));
+    if (!relocation.run(context)) return {};
+    CavityFill result = relocation.result();
     if (!result.is_complete()) return {};
     return result;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "difference/carrier_chart.h"
+#include "difference/surface_chart.h"
 
 #include <Extrema_GenLocateExtPS.hxx>
 #include <algorithm>
@@ -23,21 +23,21 @@ double widest_circle(double radius, double tube, double first, double last) {
 }
 }  // namespace
 
-CarrierChart::CarrierChart(const SurfaceCarrier& carrier) : carrier_(carrier) {
-    if (carrier.kind != SurfaceKind::free_form) return;
-    analysis_ = new ShapeAnalysis_Surface(carrier.surface);
-    evaluator_.Load(carrier.surface);
-    to_own_ = carrier.placement.Inverted();
+SurfaceChart::SurfaceChart(const UnderlyingSurface& underlying) : underlying_(underlying) {
+    if (underlying.kind != SurfaceKind::free_form) return;
+    analysis_ = new ShapeAnalysis_Surface(underlying.surface);
+    evaluator_.Load(underlying.surface);
+    to_own_ = underlying.placement.Inverted();
 }
 
-Vec3 CarrierChart::point(const Uv& uv) const {
-    if (carrier_.kind != SurfaceKind::free_form) return point_at(carrier_, uv[0], uv[1]);
-    return to_vec3(evaluator_.Value(uv[0], uv[1]).Transformed(carrier_.placement));
+Vec3 SurfaceChart::point(const Uv& uv) const {
+    if (underlying_.kind != SurfaceKind::free_form) return point_at(underlying_, uv[0], uv[1]);
+    return to_vec3(evaluator_.Value(uv[0], uv[1]).Transformed(underlying_.placement));
 }
 
-void CarrierChart::scale_for(const UvBox& box) {
-    const double r = carrier_.radius;
-    switch (carrier_.kind) {
+void SurfaceChart::scale_for(const UvBox& box) {
+    const double r = underlying_.radius;
+    switch (underlying_.kind) {
         case SurfaceKind::plane:
             scale_ = {1, 1};
             break;
@@ -45,8 +45,8 @@ void CarrierChart::scale_for(const UvBox& box) {
             scale_ = {r, 1};
             break;
         case SurfaceKind::cone:
-            scale_ = {std::max(std::abs(r + box.low[1] * std::sin(carrier_.second)),
-                               std::abs(r + box.high[1] * std::sin(carrier_.second))),
+            scale_ = {std::max(std::abs(r + box.low[1] * std::sin(underlying_.second)),
+                               std::abs(r + box.high[1] * std::sin(underlying_.second))),
                       1};
             scale_[0] = std::max(scale_[0], 1e-12);
             break;
@@ -54,7 +54,7 @@ void CarrierChart::scale_for(const UvBox& box) {
             scale_ = {r, r};
             break;
         case SurfaceKind::torus:
-            scale_ = {widest_circle(r, carrier_.second, box.low[1], box.high[1]), carrier_.second};
+            scale_ = {widest_circle(r, underlying_.second, box.low[1], box.high[1]), underlying_.second};
             break;
         case SurfaceKind::free_form: {
             constexpr int samples = 12;
@@ -64,7 +64,7 @@ void CarrierChart::scale_for(const UvBox& box) {
                     const Uv uv = box.at(double(i) / samples, double(j) / samples);
                     gp_Pnt p;
                     gp_Vec u, v;
-                    carrier_.surface->D1(uv[0], uv[1], p, u, v);
+                    underlying_.surface->D1(uv[0], uv[1], p, u, v);
                     du = std::max(du, u.Magnitude()), dv = std::max(dv, v.Magnitude());
                 }
             scale_ = {std::max(1.2 * du, 1e-12), std::max(1.2 * dv, 1e-12)};
@@ -72,18 +72,19 @@ void CarrierChart::scale_for(const UvBox& box) {
     }
 }
 
-double CarrierChart::period(int direction) const {
-    if (carrier_.kind == SurfaceKind::plane || carrier_.kind == SurfaceKind::free_form) return 0;
-    return direction == 0 || carrier_.kind == SurfaceKind::torus ? two_pi : 0;
+double SurfaceChart::period(int direction) const {
+    if (underlying_.kind == SurfaceKind::plane || underlying_.kind == SurfaceKind::free_form) return 0;
+    return direction == 0 || underlying_.kind == SurfaceKind::torus ? two_pi : 0;
 }
 
-bool CarrierChart::is_pole(const Uv& uv) const {
-    if (carrier_.kind == SurfaceKind::sphere) return std::cos(uv[1]) < 1e-7;
-    if (carrier_.kind == SurfaceKind::cone) return std::abs(carrier_.radius + uv[1] * std::sin(carrier_.second)) < 1e-7;
+bool SurfaceChart::is_pole(const Uv& uv) const {
+    if (underlying_.kind == SurfaceKind::sphere) return std::cos(uv[1]) < 1e-7;
+    if (underlying_.kind == SurfaceKind::cone)
+        return std::abs(underlying_.radius + uv[1] * std::sin(underlying_.second)) < 1e-7;
     return false;
 }
 
-void CarrierChart::start_searches_in(const UvBox& box) {
+void SurfaceChart::start_searches_in(const UvBox& box) {
     constexpr int count = 8;
     for (int i = 0; i < count; ++i)
         for (int j = 0; j < count; ++j) {
@@ -92,7 +93,7 @@ void CarrierChart::start_searches_in(const UvBox& box) {
         }
 }
 
-Uv CarrierChart::nearest_start(const Vec3& p) const {
+Uv SurfaceChart::nearest_start(const Vec3& p) const {
     return std::min_element(starts_.begin(), starts_.end(),
                             [&](const auto& a, const auto& b) {
                                 return squared_length(a.second - p) < squared_length(b.second - p);
@@ -101,7 +102,7 @@ Uv CarrierChart::nearest_start(const Vec3& p) const {
 }
 
 // The kernel's search from nothing looks at a grid over all of the surface for every point: it is the last resort.
-std::optional<Uv> CarrierChart::search(const Vec3& p, const Uv& start) const {
+std::optional<Uv> SurfaceChart::search(const Vec3& p, const Uv& start) const {
     constexpr double near_it = 1e-4;  // mm
     const gp_Pnt own = to_pnt(p).Transformed(to_own_);
     Extrema_GenLocateExtPS local(evaluator_);
@@ -116,9 +117,9 @@ std::optional<Uv> CarrierChart::search(const Vec3& p, const Uv& start) const {
     return distance(point(uv), p) > near_it ? std::nullopt : std::optional(uv);
 }
 
-std::optional<Uv> CarrierChart::parameters(const Vec3& p, const std::optional<Uv>& previous) const {
-    if (carrier_.kind == SurfaceKind::free_form) return search(p, previous ? *previous : nearest_start(p));
-    Uv uv = parameters_of(carrier_, p);
+std::optional<Uv> SurfaceChart::parameters(const Vec3& p, const std::optional<Uv>& previous) const {
+    if (underlying_.kind == SurfaceKind::free_form) return search(p, previous ? *previous : nearest_start(p));
+    Uv uv = parameters_of(underlying_, p);
     if (previous && is_pole(uv)) uv[0] = (*previous)[0];
     for (int k = 0; k < 2; ++k)
         if (const double full = period(k); previous && full > 0)
@@ -126,17 +127,17 @@ std::optional<Uv> CarrierChart::parameters(const Vec3& p, const std::optional<Uv
     return uv;
 }
 
-Uv CarrierChart::step_for_sag(double sag) const {
-    switch (carrier_.kind) {
+Uv SurfaceChart::step_for_sag(double sag) const {
+    switch (underlying_.kind) {
         case SurfaceKind::plane:
             return {straight, straight};
         case SurfaceKind::cylinder:
         case SurfaceKind::cone:
             return {step_on_circle(scale_[0], sag), straight};
         case SurfaceKind::sphere:
-            return {step_on_circle(carrier_.radius, sag / 2), step_on_circle(carrier_.radius, sag / 2)};
+            return {step_on_circle(underlying_.radius, sag / 2), step_on_circle(underlying_.radius, sag / 2)};
         case SurfaceKind::torus:
-            return {step_on_circle(scale_[0], sag / 2), step_on_circle(carrier_.second, sag / 2)};
+            return {step_on_circle(scale_[0], sag / 2), step_on_circle(underlying_.second, sag / 2)};
         case SurfaceKind::free_form:
             break;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parameter plane of a carrier, scaled so that a distance in it is no shorter than in space.
+// The parameter plane of an underlying surface, scaled so that a distance in it is no shorter than in space.
 #pragma once
 
 #include <GeomAdaptor_Surface.hxx>
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "difference/carriers.h"
+#include "difference/underlying_geometry.h"
 
 namespace featuremesh {
 
@@ -26,25 +26,25 @@ struct UvBox {
     Uv at(double s, double t) const { return {low[0] + s * size(0), low[1] + t * size(1)}; }
 };
 
-class CarrierChart {
+class SurfaceChart {
   public:
-    explicit CarrierChart(const SurfaceCarrier& carrier);
+    explicit SurfaceChart(const UnderlyingSurface& underlying);
 
-    const SurfaceCarrier& carrier() const { return carrier_; }
+    const UnderlyingSurface& underlying() const { return underlying_; }
     /// Sets how much longer than in space a unit of either parameter may be, for the part of the plane that is used.
     void scale_for(const UvBox& box);
     Uv scale() const { return scale_; }
     double period(int direction) const;
-    /// For a free-form carrier, before anything is asked of it: where searches for parameters start when nothing is
-    /// known.
+    /// For a free-form underlying surface, before anything is asked of it: where searches for parameters start when
+    /// nothing is known.
     void start_searches_in(const UvBox& box);
-    /// Parameters of a point on the carrier, near `previous` where they are not unique; nothing when the point is not
-    /// on it.
+    /// Parameters of a point on the underlying surface, near `previous` where they are not unique; nothing when the
+    /// point is not on it.
     std::optional<Uv> parameters(const Vec3& p, const std::optional<Uv>& previous) const;
-    /// Quick where one point follows another nearby, also on a free-form carrier.
+    /// Quick where one point follows another nearby, also on a free-form underlying surface.
     Vec3 point(const Uv& uv) const;
-    /// Longest parameter step whose chord leaves the carrier by no more than `sag`, mm; huge along straight lines
-    /// and on free-form carriers, where only the points themselves tell.
+    /// Longest parameter step whose chord leaves the underlying surface by no more than `sag`, mm; huge along straight
+    /// lines and on free-form underlying surfaces, where only the points themselves tell.
     Uv step_for_sag(double sag) const;
 
   private:
@@ -52,7 +52,7 @@ class CarrierChart {
     Uv nearest_start(const Vec3& p) const;
     std::optional<Uv> search(const Vec3& p, const Uv& start) const;
 
-    SurfaceCarrier carrier_;
+    UnderlyingSurface underlying_;
     Handle(ShapeAnalysis_Surface) analysis_;
     GeomAdaptor_Surface evaluator_;  ///< remembers the polynomial of the patch that was asked for last
     gp_Trsf to_own_;

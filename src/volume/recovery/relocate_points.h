@@ -15,7 +15,7 @@ namespace featuremesh {
 /// Hassan 1994; George, Borouchaki and Saltel 2003). The boundary is then exactly what was asked for: no CAD face is
 /// asked where the point belongs, and no kept tet has to go. The result has tets inside regions only. None where
 /// rounding leaves a point no room to move.
-std::optional<CavityFill> withdraw_points(const Cavity& cavity, const ConstrainedTriangulation& recovered,
+std::optional<CavityFill> relocate_points(const Cavity& cavity, const ConstrainedTriangulation& recovered,
                                           std::span<const Vec3> seeds, const RunContext& context = {});
 
 }  // namespace featuremesh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "volume/interface/seam_mending.h"
+#include "volume/interface/interface_mending.h"
 
 #include <algorithm>
 
@@ -11,10 +11,10 @@ namespace featuremesh {
 
 namespace {
 
-/// Kept tets so far from bad ones at the seam, counted in tets, are taken in at most.
+/// Kept tets so far from bad ones at the interface, counted in tets, are taken in at most.
 constexpr int most_rings = 3;
-/// In each of the steps. Where many tets at a seam cannot be helped, refilling round all of them would cost more than
-/// the cavity itself, and the mean quality.
+/// In each of the steps. Where many tets at an interface cannot be helped, refilling round all of them would cost more
+/// than the cavity itself, and the mean quality.
 constexpr std::size_t most_dear_plans = 300;
 
 /// Kept nodes with new tets whose mean radius ratio is less are tried elsewhere: in a mesh from scratch it is 0.85 to
@@ -46,12 +46,13 @@ std::vector<std::vector<TetId>> kept_tets_with(const std::vector<std::vector<Nod
 }
 
 /// Kept vertices inside the solid whose new tets have a poor mean radius ratio.
-std::vector<int> poor_vertices(const SeamRegion& region, const Mesh& mesh) {
+std::vector<int> poor_vertices(const InterfaceRegion& region, const Mesh& mesh) {
     const TetComplex& complex = region.complex;
     std::vector<double> sums(complex.points.size(), 0);
     std::vector<int> counts(complex.points.size(), 0);
     for (const Tet& tet : complex.tets) {
-        if (tet[0] < 0 || std::none_of(tet.begin(), tet.end(), [&](int v) { return region.is_at_seam(v); })) continue;
+        if (tet[0] < 0 || std::none_of(tet.begin(), tet.end(), [&](int v) { return region.is_at_interface(v); }))
+            continue;
         const auto& p = complex.points;
         const double ratio = radius_ratio(p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]);
         for (const int v : tet) sums[v] += ratio, ++counts[v];
@@ -59,7 +60,7 @@ std::vector<int> poor_vertices(const SeamRegion& region, const Mesh& mesh) {
     std::vector<int> poor;
     for (int v = 0; v < static_cast<int>(sums.size()); ++v) {
         const NodeId node = region.node_of(v);
-        if (region.is_at_seam(v) && node.is_valid() && mesh.entities[node.index()].dim == 3 &&
+        if (region.is_at_interface(v) && node.is_valid() && mesh.entities[node.index()].dim == 3 &&
             sums[v] < poor_ratio * counts[v])
             poor.push_back(v);
     }
@@ -72,7 +73,7 @@ bool has_needle(const TetComplex& complex, const Objective& objective) {
 }
 
 /// Moves the kept vertices, and free ones beside them, for the shapes of their tets.
-void relax(SeamRegion& region, const Mesh& mesh, std::span<const int> vertices, std::span<const TetId> around,
+void relax(InterfaceRegion& region, const Mesh& mesh, std::span<const int> vertices, std::span<const TetId> around,
            const Objective& objective, RunContext& context) {
     region.take_in(mesh, around);
     TetComplex& complex = region.complex;
@@ -91,12 +92,12 @@ void relax(SeamRegion& region, const Mesh& mesh, std::span<const int> vertices, 
 
 }  // namespace
 
-void mend_seams(std::span<SeamRegion> regions, const Mesh& mesh, std::span<std::uint8_t> is_released,
-                const Objective& objective, RunContext& context) {
+void mend_interfaces(std::span<InterfaceRegion> regions, const Mesh& mesh, std::span<std::uint8_t> is_released,
+                     const Objective& objective, RunContext& context) {
     for (int rings = 0; rings < most_rings; ++rings) {
         std::vector<Region> bad;
-        for (const SeamRegion& region : regions)
-            bad.push_back(region.with_rings(region.bad_tets_at_seam(objective), rings));
+        for (const InterfaceRegion& region : regions)
+            bad.push_back(region.with_rings(region.bad_tets_at_interface(objective), rings));
         if (std::all_of(bad.begin(), bad.end(), [](const auto& tets) { return tets.empty(); })) return;
         std::vector<std::vector<NodeId>> nodes;
         for (std::size_t i = 0; i < regions.size(); ++i) nodes.push_back(regions[i].nodes_of(bad[i]));
@@ -115,12 +116,12 @@ void mend_seams(std::span<SeamRegion> regions, const Mesh& mesh, std::span<std::
     }
 }
 
-std::size_t relax_seams(std::span<SeamRegion> regions, const Mesh& mesh, std::span<const TetId> rim,
-                        std::span<std::uint8_t> is_released, const Objective& objective, RunContext& context) {
+std::size_t relax_interfaces(std::span<InterfaceRegion> regions, const Mesh& mesh, std::span<const TetId> rim,
+                             std::span<std::uint8_t> is_released, const Objective& objective, RunContext& context) {
     std::vector<std::vector<int>> poor(regions.size());
     std::vector<std::vector<NodeId>> nodes(regions.size());
     for (std::size_t i = 0; i < regions.size(); ++i) {
-        if (!regions[i].has_seam() || has_needle(regions[i].complex, objective)) continue;
+        if (!regions[i].has_interface() || has_needle(regions[i].complex, objective)) continue;
         poor[i] = poor_vertices(regions[i], mesh);
         for (const int v : poor[i]) nodes[i].push_back(regions[i].node_of(v));
     }
@@ -136,7 +137,7 @@ std::size_t relax_seams(std::span<SeamRegion> regions, const Mesh& mesh, std::sp
     return released;
 }
 
-std::size_t give_back(SeamRegion& region, const Mesh& mesh, std::span<std::uint8_t> is_released) {
+std::size_t give_back(InterfaceRegion& region, const Mesh& mesh, std::span<std::uint8_t> is_released) {
     const std::size_t taken = region.taken_count();
     const std::vector<TetId> given = region.give_back(mesh);
     for (const TetId tet : given) is_released[tet.index()] = 0;

@@ -11,7 +11,7 @@
 namespace featuremesh {
 
 /// One connected region of a surface, without holes in its midst but those that its wires say.
-struct CarrierCap {
+struct SurfaceCap {
     struct Side {
         std::size_t face = 0;  ///< the face that the use is from, on the same surface
         MergedEdges::Use use;
@@ -23,8 +23,8 @@ struct CarrierCap {
     std::vector<std::vector<Side>> wires;
 };
 
-/// The borders of the faces of each carrier (PatchFace::carrier), with those that appeared turned round, cancel where
-/// both have them; what is left bounds the regions. Throws Standard_Failure where it does not bound any.
-std::vector<CarrierCap> carrier_caps(const std::vector<PatchFace>& faces, const MergedEdges& edges);
+/// The borders of the faces of each underlying surface (PatchFace::underlying), with those that appeared turned round,
+/// cancel where both have them; what is left bounds the regions. Throws Standard_Failure where it does not bound any.
+std::vector<SurfaceCap> surface_caps(const std::vector<PatchFace>& faces, const MergedEdges& edges);
 
 }  // namespace featuremesh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bad tets at a seam can often be mended only together with kept tets on its other side.
+// Bad tets at an interface can often be mended only together with kept tets on its other side.
 #pragma once
 
 #include <span>
@@ -14,23 +14,24 @@ namespace featuremesh {
 
 /// The tets that fill a cavity, for local operations, and kept tets that were taken in from around it. Their nodes stay
 /// fixed, so what changes is connectivity; what does not change is given back.
-class SeamRegion {
+class InterfaceRegion {
   public:
-    SeamRegion() = default;
-    SeamRegion(const Cavity& cavity, TetComplex filled);
+    InterfaceRegion() = default;
+    InterfaceRegion(const Cavity& cavity, TetComplex filled);
 
     TetComplex complex;
 
     /// Kept tets were around the cavity.
-    bool has_seam() const;
+    bool has_interface() const;
     /// Some of the vertex's tets are kept, or were.
-    bool is_at_seam(int vertex) const {
-        return vertex < static_cast<int>(is_at_seam_.size()) && is_at_seam_[static_cast<std::size_t>(vertex)] != 0;
+    bool is_at_interface(int vertex) const {
+        return vertex < static_cast<int>(is_at_interface_.size()) &&
+               is_at_interface_[static_cast<std::size_t>(vertex)] != 0;
     }
-    /// Tets that touch the seam and miss the target.
-    std::vector<int> bad_tets_at_seam(const Objective& objective) const;
-    /// Tets whose corners have so few edges between them and the seam, one at least; ascending.
-    std::vector<int> tets_near_seam(int edges) const;
+    /// Tets that touch the interface and miss the target.
+    std::vector<int> bad_tets_at_interface(const Objective& objective) const;
+    /// Tets whose corners have so few edges between them and the interface, one at least; ascending.
+    std::vector<int> tets_near_interface(int edges) const;
     /// The tets, those that share a vertex with them, and so on, `rings` times; ascending.
     std::vector<int> with_rings(std::vector<int> tets, int rings) const;
     /// The mesh's nodes of these tets, as far as they have any.
@@ -65,14 +66,14 @@ class SeamRegion {
     bool is_changed(const Taken& taken, const Mesh& mesh) const;
     void link_open_sides();
 
-    std::vector<NodeId> nodes_;             // by vertex
-    std::vector<std::uint8_t> is_at_seam_;  // by vertex
+    std::vector<NodeId> nodes_;                  // by vertex
+    std::vector<std::uint8_t> is_at_interface_;  // by vertex
     std::vector<Taken> taken_;
 };
 
 /// The region's nodes from `first_new` on that are on one face, or between two, with material on one side only, and
 /// away from kept tets.
-std::vector<SurfaceVertex> movable_vertices(const Brep& brep, const Mesh& mesh, const SeamRegion& region,
+std::vector<SurfaceVertex> movable_vertices(const Brep& brep, const Mesh& mesh, const InterfaceRegion& region,
                                             std::size_t first_new);
 
 }  // namespace featuremesh

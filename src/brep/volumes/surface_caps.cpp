@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "brep/volumes/carrier_caps.h"
+#include "brep/volumes/surface_caps.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
@@ -43,7 +43,7 @@ struct Rectangle {
 
 /// A directed piece of border with its way through the parameters.
 struct Step {
-    CarrierCap::Side side;
+    SurfaceCap::Side side;
     int from = 0, to = 0;  // vertices
     std::vector<Point> way;
 };
@@ -65,10 +65,10 @@ int chords_of(GeomAbs_CurveType type, double range) {
     return 24;
 }
 
-/// The caps of one carrier.
-class CapsOfCarrier {
+/// The caps of one underlying surface.
+class CapsOfSurface {
   public:
-    CapsOfCarrier(const std::vector<PatchFace>& faces, const MergedEdges& edges, std::vector<std::size_t> members)
+    CapsOfSurface(const std::vector<PatchFace>& faces, const MergedEdges& edges, std::vector<std::size_t> members)
         : faces_(faces), edges_(edges), members_(std::move(members)), surface_(faces[members_.front()].face, false) {
         for (const std::size_t face : members_) add(face);
         for (const Step& step : steps_)
@@ -81,10 +81,10 @@ class CapsOfCarrier {
         nest();
     }
 
-    void append_to(std::vector<CarrierCap>& caps) const {
+    void append_to(std::vector<SurfaceCap>& caps) const {
         for (std::size_t outer = 0; outer < loops_.size(); ++outer) {
             if (loops_[outer].depth != 0) continue;
-            CarrierCap& cap = caps.emplace_back();
+            SurfaceCap& cap = caps.emplace_back();
             cap.on = members_.front();
             cap.vanished = loops_[outer].area > 0;
             for (std::size_t k = 0; k < loops_.size(); ++k)
@@ -397,8 +397,8 @@ class CapsOfCarrier {
         }
     }
 
-    std::vector<CarrierCap::Side> wire_of(const Loop& loop, bool along) const {
-        std::vector<CarrierCap::Side> wire;
+    std::vector<SurfaceCap::Side> wire_of(const Loop& loop, bool along) const {
+        std::vector<SurfaceCap::Side> wire;
         for (const std::size_t s : loop.steps) {
             wire.push_back(steps_[s].side);
             if (!along) wire.back().sense = -wire.back().sense;
@@ -419,12 +419,12 @@ class CapsOfCarrier {
 
 }  // namespace
 
-std::vector<CarrierCap> carrier_caps(const std::vector<PatchFace>& faces, const MergedEdges& edges) {
+std::vector<SurfaceCap> surface_caps(const std::vector<PatchFace>& faces, const MergedEdges& edges) {
     std::map<int, std::vector<std::size_t>> members;
     for (std::size_t f = 0; f < faces.size(); ++f)
-        if (faces[f].carrier >= 0) members[faces[f].carrier].push_back(f);
-    std::vector<CarrierCap> caps;
-    for (const auto& [carrier, of] : members) CapsOfCarrier(faces, edges, of).append_to(caps);
+        if (faces[f].underlying >= 0) members[faces[f].underlying].push_back(f);
+    std::vector<SurfaceCap> caps;
+    for (const auto& [underlying, of] : members) CapsOfSurface(faces, edges, of).append_to(caps);
     return caps;
 }
 

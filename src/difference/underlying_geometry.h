@@ -18,7 +18,7 @@
 
 namespace featuremesh {
 
-/// When two carriers count as one: no further apart than `length` within `reach` of `centre`, mm.
+/// When two underlying surfaces or curves count as one: no further apart than `length` within `reach` of `centre`, mm.
 struct Sameness {
     double length = 1e-7;
     Vec3 centre;
@@ -27,7 +27,7 @@ struct Sameness {
 
 enum class SurfaceKind { plane, cylinder, cone, sphere, torus, free_form };
 
-struct SurfaceCarrier {
+struct UnderlyingSurface {
     SurfaceKind kind = SurfaceKind::free_form;
     gp_Ax3 position;
     double radius = 0;  ///< mm; of the cone at its position, of the torus the larger one
@@ -36,23 +36,23 @@ struct SurfaceCarrier {
     gp_Trsf placement;  ///< of `surface` in space
 };
 
-SurfaceCarrier carrier_of(const TopoDS_Face& face);
-SurfaceCarrier moved(SurfaceCarrier carrier, const gp_Trsf& motion);
-bool same_carrier(const SurfaceCarrier& a, const SurfaceCarrier& b, const Sameness& sameness);
-/// Nearly the same number for the same carriers, mm; other carriers mostly have another one.
-double sort_key(const SurfaceCarrier& carrier, const Vec3& reference);
-Vec3 point_at(const SurfaceCarrier& carrier, double u, double v);
-/// The parameters of a point on a carrier that is not free-form.
-std::array<double, 2> parameters_of(const SurfaceCarrier& carrier, const Vec3& p);
+UnderlyingSurface underlying_of(const TopoDS_Face& face);
+UnderlyingSurface moved(UnderlyingSurface underlying, const gp_Trsf& motion);
+bool same_underlying(const UnderlyingSurface& a, const UnderlyingSurface& b, const Sameness& sameness);
+/// Nearly the same number for the same underlying surfaces, mm; other underlying surfaces mostly have another one.
+double sort_key(const UnderlyingSurface& underlying, const Vec3& reference);
+Vec3 point_at(const UnderlyingSurface& underlying, double u, double v);
+/// The parameters of a point on an underlying surface that is not free-form.
+std::array<double, 2> parameters_of(const UnderlyingSurface& underlying, const Vec3& p);
 /// A normal that does not depend on the parametrisation: away from the axis, or the plane's own (same_side tells its
 /// sense).
-Vec3 outward_at(const SurfaceCarrier& carrier, const Vec3& p, const Vec3& parametric_normal);
+Vec3 outward_at(const UnderlyingSurface& underlying, const Vec3& p, const Vec3& parametric_normal);
 /// Whether `outward_at` of both has the same sense.
-bool same_side(const SurfaceCarrier& a, const SurfaceCarrier& b);
+bool same_side(const UnderlyingSurface& a, const UnderlyingSurface& b);
 
 enum class CurveKind { line, circle, ellipse, free_form };
 
-struct CurveCarrier {
+struct UnderlyingCurve {
     CurveKind kind = CurveKind::free_form;
     gp_Ax2 position;
     double radius = 0, second = 0;               ///< mm; of the ellipse the larger and the smaller one
@@ -64,18 +64,18 @@ struct CurveCarrier {
     double tolerance = 0;                        ///< of the edge, mm
 };
 
-CurveCarrier carrier_of(const TopoDS_Edge& edge);
-CurveCarrier moved(CurveCarrier carrier, const gp_Trsf& motion);
+UnderlyingCurve underlying_of(const TopoDS_Edge& edge);
+UnderlyingCurve moved(UnderlyingCurve underlying, const gp_Trsf& motion);
 /// Same curve with, when free-form, the same parameters.
-bool same_carrier(const CurveCarrier& a, const CurveCarrier& b, const Sameness& sameness);
+bool same_underlying(const UnderlyingCurve& a, const UnderlyingCurve& b, const Sameness& sameness);
 /// Free-form edges that run through the same points in whatever parameters: both ends and points between.
-bool same_path(const CurveCarrier& a, const CurveCarrier& b, const Sameness& sameness);
-double sort_key(const CurveCarrier& carrier, const Vec3& reference);
-Vec3 point_at(const CurveCarrier& carrier, double t);
+bool same_path(const UnderlyingCurve& a, const UnderlyingCurve& b, const Sameness& sameness);
+double sort_key(const UnderlyingCurve& underlying, const Vec3& reference);
+Vec3 point_at(const UnderlyingCurve& underlying, double t);
 /// The parameter of a point on a curve that is not free-form.
-double parameter_of(const CurveCarrier& carrier, const Vec3& p);
-/// Whether both run in the same direction at a common point, for equal carriers that are not free-form.
-bool same_direction(const CurveCarrier& a, const CurveCarrier& b);
+double parameter_of(const UnderlyingCurve& underlying, const Vec3& p);
+/// Whether both run in the same direction at a common point, for equal underlying surfaces that are not free-form.
+bool same_direction(const UnderlyingCurve& a, const UnderlyingCurve& b);
 
 /// Equal poles, knots, weights, radii, positions; parameters included.
 bool same_geometry(const Handle(Geom_Curve) & a, const gp_Trsf& place_a, const Handle(Geom_Curve) & b,

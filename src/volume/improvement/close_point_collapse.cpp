@@ -8,13 +8,13 @@ namespace featuremesh {
 
 namespace {
 
-class CrowdCollapse : public Operation {
+class ClosePointCollapse : public Operation {
   public:
-    CrowdCollapse(LocalMesh& mesh, const Objective& objective, const WantedSize& size)
+    ClosePointCollapse(LocalMesh& mesh, const Objective& objective, const WantedSize& size)
         : mesh_(mesh), complex_(mesh.complex()), objective_(objective), size_(size) {}
 
-    std::string_view name() const override { return "crowd collapse"; }
-    bool moves_boundary() const override { return true; }  // what is forced need not be crowded
+    std::string_view name() const override { return "close point collapse"; }
+    bool moves_boundary() const override { return true; }  // what is forced need not be close
 
     bool plan(int tet, Change& change) override {
         tried_at_.resize(complex_.points.size(), 0);
@@ -30,7 +30,7 @@ class CrowdCollapse : public Operation {
     bool collapse(int v, Change& change) {
         if (!gather_star(complex_, v, star_)) return false;
         gather_neighbours(complex_, v, star_, neighbours_);
-        if (!is_crowded(v) || is_beside_needle()) return false;
+        if (!is_too_close(v) || is_beside_needle()) return false;
         change.before = objective_.value(complex_, star_);
         change.price = price_of_fewer_tets;
         change.after.worst = inverted_flatness;
@@ -52,7 +52,7 @@ class CrowdCollapse : public Operation {
         return !change.removed.empty();
     }
 
-    bool is_crowded(int v) const {
+    bool is_too_close(int v) const {
         const Vec3& p = complex_.points[v];
         const double least = SeedOptions{}.spacing * size_.at(p);
         return std::any_of(neighbours_.begin(), neighbours_.end(),
@@ -76,8 +76,8 @@ class CrowdCollapse : public Operation {
 
 }  // namespace
 
-std::unique_ptr<Operation> crowd_collapse(LocalMesh& mesh, const Objective& objective, const WantedSize& size) {
-    return std::make_unique<CrowdCollapse>(mesh, objective, size);
+std::unique_ptr<Operation> close_point_collapse(LocalMesh& mesh, const Objective& objective, const WantedSize& size) {
+    return std::make_unique<ClosePointCollapse>(mesh, objective, size);
 }
 
 }  // namespace featuremesh

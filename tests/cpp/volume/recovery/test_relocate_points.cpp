@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "volume/recovery/withdraw_points.h"
+#include "volume/recovery/relocate_points.h"
 
 #include <algorithm>
 #include <array>
@@ -28,15 +28,15 @@ void check_positive(const CavityFill& fill) {
         CHECK(signed_volume(fill.points[c[0]], fill.points[c[1]], fill.points[c[2]], fill.points[c[3]]) > 0);
 }
 
-/// Withdraws what the constraints add to the cavity of a part and checks that its triangles are back as they were.
-void check_withdrawn(const TopoDS_Shape& shape, double size) {
+/// Relocates what the constraints add to the cavity of a part and checks that its triangles are back as they were.
+void check_relocated(const TopoDS_Shape& shape, double size) {
     SizingOptions options;
     options.size = options.min_size = size;  // or the bottom of a slot would get shorter pieces
     const Part part = prepare(shape, options);
     const Cavity cavity = find_cavity(part.surface, part.brep.sides_of_faces());
     const ConstrainedTriangulation recovered = constrained_delaunay(cavity, {}, 0);
     REQUIRE(!recovered.split.added.empty());
-    const auto fill = withdraw_points(cavity, recovered, {});
+    const auto fill = relocate_points(cavity, recovered, {});
     REQUIRE(fill.has_value());
     CHECK(fill->is_complete());
     CHECK(std::equal(cavity.points.begin(), cavity.points.end(), fill->points.begin()));
@@ -48,9 +48,9 @@ void check_withdrawn(const TopoDS_Shape& shape, double size) {
 }  // namespace
 
 TEST_CASE("added points leave the boundary as it was") {
-    check_withdrawn(slotted_block(), 2.0);
-    check_withdrawn(turned(slotted_block(), 0.7, {3, 4, 5}), 2.0);
-    check_withdrawn(box_part({0, 0, 0}, {40, 40, 0.2}), 5.0);
+    check_relocated(slotted_block(), 2.0);
+    check_relocated(turned(slotted_block(), 0.7, {3, 4, 5}), 2.0);
+    check_relocated(box_part({0, 0, 0}, {40, 40, 0.2}), 5.0);
 }
 
 TEST_CASE("a point on an edge goes into every region round it") {
@@ -65,7 +65,7 @@ TEST_CASE("a point on an edge goes into every region round it") {
                               {{5, 1, 3}, 1}, {{5, 0, 4}, 4}, {{1, 5, 4}, 4}};
     recovered.triangulation.tets = {{0, 5, 2, 3}, {5, 1, 2, 3}, {0, 2, 5, 4}, {5, 2, 1, 4}};
     recovered.triangulation.neighbours = {{1, -1, -1, 2}, {-1, 0, -1, 3}, {3, -1, -1, 0}, {-1, -1, 2, 1}};
-    const auto fill = withdraw_points(cavity, recovered, {});
+    const auto fill = relocate_points(cavity, recovered, {});
     REQUIRE(fill.has_value());
     CHECK(fill->is_complete());
     CHECK(fill->points.size() == 7);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "volume/interface/seam_region.h"
+#include "volume/interface/interface_region.h"
 
 #include <algorithm>
 #include <tuple>
@@ -18,35 +18,37 @@ bool is_outside(const Brep& brep, FaceId face) {
 
 }  // namespace
 
-SeamRegion::SeamRegion(const Cavity& cavity, TetComplex filled)
-    : complex(std::move(filled)), nodes_(cavity.nodes), is_at_seam_(cavity.nodes.size(), 0) {
+InterfaceRegion::InterfaceRegion(const Cavity& cavity, TetComplex filled)
+    : complex(std::move(filled)), nodes_(cavity.nodes), is_at_interface_(cavity.nodes.size(), 0) {
     for (std::size_t f = 0; f < cavity.facets.size(); ++f)
         if (cavity.tet_of_facet[f].is_valid())
-            for (const int v : cavity.facets[f].corners) is_at_seam_[static_cast<std::size_t>(v)] = 1;
+            for (const int v : cavity.facets[f].corners) is_at_interface_[static_cast<std::size_t>(v)] = 1;
 }
 
-std::vector<int> SeamRegion::bad_tets_at_seam(const Objective& objective) const {
+std::vector<int> InterfaceRegion::bad_tets_at_interface(const Objective& objective) const {
     std::vector<int> bad;
     for (std::size_t t = 0; t < complex.tets.size(); ++t) {
         const Tet& tet = complex.tets[t];
-        if (tet[0] < 0 || std::none_of(tet.begin(), tet.end(), [&](int v) { return is_at_seam(v); })) continue;
+        if (tet[0] < 0 || std::none_of(tet.begin(), tet.end(), [&](int v) { return is_at_interface(v); })) continue;
         if (objective.misses(objective.flaw(complex, tet))) bad.push_back(static_cast<int>(t));
     }
     return bad;
 }
 
-bool SeamRegion::has_seam() const { return std::find(is_at_seam_.begin(), is_at_seam_.end(), 1) != is_at_seam_.end(); }
+bool InterfaceRegion::has_interface() const {
+    return std::find(is_at_interface_.begin(), is_at_interface_.end(), 1) != is_at_interface_.end();
+}
 
-std::vector<int> SeamRegion::tets_near_seam(int edges) const {
+std::vector<int> InterfaceRegion::tets_near_interface(int edges) const {
     std::vector<int> tets;
     for (std::size_t t = 0; t < complex.tets.size(); ++t)
         if (const Tet& tet = complex.tets[t];
-            tet[0] >= 0 && std::any_of(tet.begin(), tet.end(), [&](int v) { return is_at_seam(v); }))
+            tet[0] >= 0 && std::any_of(tet.begin(), tet.end(), [&](int v) { return is_at_interface(v); }))
             tets.push_back(static_cast<int>(t));
     return with_rings(std::move(tets), edges - 1);
 }
 
-std::vector<int> SeamRegion::with_rings(std::vector<int> tets, int rings) const {
+std::vector<int> InterfaceRegion::with_rings(std::vector<int> tets, int rings) const {
     if (tets.empty()) return tets;
     std::vector<char> is_in(complex.points.size(), 0);
     for (int ring = 0; ring < rings; ++ring) {
@@ -62,7 +64,7 @@ std::vector<int> SeamRegion::with_rings(std::vector<int> tets, int rings) const 
     return tets;
 }
 
-std::vector<NodeId> SeamRegion::nodes_of(std::span<const int> tets) const {
+std::vector<NodeId> InterfaceRegion::nodes_of(std::span<const int> tets) const {
     std::vector<NodeId> nodes;
     for (const int t : tets)
         for (const int v : complex.tets[t])
@@ -72,7 +74,7 @@ std::vector<NodeId> SeamRegion::nodes_of(std::span<const int> tets) const {
     return nodes;
 }
 
-int SeamRegion::add_vertex(NodeId node, const Mesh& mesh) {
+int InterfaceRegion::add_vertex(NodeId node, const Mesh& mesh) {
     const int vertex = static_cast<int>(complex.points.size());
     complex.points.push_back(mesh.point(node));
     complex.mobility.push_back(Mobility::fixed);
@@ -82,7 +84,7 @@ int SeamRegion::add_vertex(NodeId node, const Mesh& mesh) {
     return vertex;
 }
 
-std::vector<int> SeamRegion::take_in(const Mesh& mesh, std::span<const TetId> tets) {
+std::vector<int> InterfaceRegion::take_in(const Mesh& mesh, std::span<const TetId> tets) {
     std::vector<int> vertex_of(mesh.node_count(), -1), places;
     for (std::size_t v = 0; v < nodes_.size(); ++v)
         if (nodes_[v].is_valid()) vertex_of[nodes_[v].index()] = static_cast<int>(v);
@@ -102,14 +104,14 @@ std::vector<int> SeamRegion::take_in(const Mesh& mesh, std::span<const TetId> te
         places.push_back(place);
         for (const int v : corners) complex.tet_of_vertex[v] = place;
     }
-    is_at_seam_.resize(complex.points.size(), 0);
+    is_at_interface_.resize(complex.points.size(), 0);
     for (const int t : places)
-        for (const int v : complex.tets[t]) is_at_seam_[static_cast<std::size_t>(v)] = 1;
+        for (const int v : complex.tets[t]) is_at_interface_[static_cast<std::size_t>(v)] = 1;
     link_open_sides();
     return places;
 }
 
-void SeamRegion::link_open_sides() {
+void InterfaceRegion::link_open_sides() {
     struct Side {
         std::array<int, 3> corners;
         int region, tet, face;
@@ -137,7 +139,7 @@ void SeamRegion::link_open_sides() {
     }
 }
 
-void SeamRegion::free_inner_nodes(const Mesh& mesh) {
+void InterfaceRegion::free_inner_nodes(const Mesh& mesh) {
     std::vector<int> star;
     for (std::size_t v = 0; v < nodes_.size(); ++v) {
         if (!nodes_[v].is_valid() || mesh.entities[nodes_[v].index()].dim < 3) continue;
@@ -145,29 +147,29 @@ void SeamRegion::free_inner_nodes(const Mesh& mesh) {
     }
 }
 
-bool SeamRegion::is_moved(int vertex, const Mesh& mesh) const {
+bool InterfaceRegion::is_moved(int vertex, const Mesh& mesh) const {
     const NodeId node = node_of(vertex);
     return node.is_valid() && complex.points[static_cast<std::size_t>(vertex)] != mesh.point(node);
 }
 
-bool SeamRegion::is_changed(const Taken& taken, const Mesh& mesh) const {
+bool InterfaceRegion::is_changed(const Taken& taken, const Mesh& mesh) const {
     return complex.tets[static_cast<std::size_t>(taken.place)] != taken.corners ||
            std::any_of(taken.corners.begin(), taken.corners.end(), [&](int v) { return is_moved(v, mesh); });
 }
 
-std::size_t SeamRegion::changed_count(const Mesh& mesh) const {
+std::size_t InterfaceRegion::changed_count(const Mesh& mesh) const {
     return static_cast<std::size_t>(
         std::count_if(taken_.begin(), taken_.end(), [&](const Taken& taken) { return is_changed(taken, mesh); }));
 }
 
-std::vector<std::pair<NodeId, int>> SeamRegion::moved_nodes(const Mesh& mesh) const {
+std::vector<std::pair<NodeId, int>> InterfaceRegion::moved_nodes(const Mesh& mesh) const {
     std::vector<std::pair<NodeId, int>> moved;
     for (int v = 0; v < static_cast<int>(nodes_.size()); ++v)
         if (is_moved(v, mesh)) moved.emplace_back(nodes_[static_cast<std::size_t>(v)], v);
     return moved;
 }
 
-std::vector<TetId> SeamRegion::give_back(const Mesh& mesh) {
+std::vector<TetId> InterfaceRegion::give_back(const Mesh& mesh) {
     std::vector<TetId> given;
     for (const Taken& taken : taken_) {
         if (is_changed(taken, mesh)) continue;
@@ -178,12 +180,13 @@ std::vector<TetId> SeamRegion::give_back(const Mesh& mesh) {
     return given;
 }
 
-std::vector<SurfaceVertex> movable_vertices(const Brep& brep, const Mesh& mesh, const SeamRegion& region,
+std::vector<SurfaceVertex> movable_vertices(const Brep& brep, const Mesh& mesh, const InterfaceRegion& region,
                                             std::size_t first_new) {
     std::vector<SurfaceVertex> vertices;
     for (int v = 0; v < static_cast<int>(region.complex.points.size()); ++v) {
         const NodeId node = region.node_of(v);
-        if (!node.is_valid() || node.index() < first_new || region.is_at_seam(v) || region.complex.tet_of_vertex[v] < 0)
+        if (!node.is_valid() || node.index() < first_new || region.is_at_interface(v) ||
+            region.complex.tet_of_vertex[v] < 0)
             continue;
         const Entity on = mesh.entities[node.index()];
         if (on.dim != 1 && on.dim != 2) continue;

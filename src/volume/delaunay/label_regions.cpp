@@ -99,7 +99,7 @@ FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_co
     return places;
 }
 
-std::vector<int> flood_regions(const Triangulation& triangulation, std::span<const Facet> facets,
+std::vector<int> label_regions(const Triangulation& triangulation, std::span<const Facet> facets,
                                const FacetPlaces& places, const RunContext& context) {
     RoundWatch watch(context);
     constexpr int unknown = -2;
