@@ -106,32 +106,14 @@ bool is_step_by_name(std::string_view type, TypeMeaning& meaning) {
 
 bool is_reference(std::string_view type) {
     static constexpr std::string_view modules[] = {"Sketcher::", "Spreadsheet::"};
-    static const std::set<std::string, std::less<>> names{"App::Origin",
-                                                          "App::Line",
-                                                          "App::Plane",
-                                                          "App::Point",
-                                                          "App::Placement",
-                                                          "App::VarSet",
-                                                          "App::LocalCoordinateSystem",
-                                                          "PartDesign::Plane",
-                                                          "PartDesign::Line",
-                                                          "PartDesign::Point",
-                                                          "PartDesign::CoordinateSystem",
-                                                          "Part::DatumPlane",
-                                                          "Part::DatumLine",
-                                                          "Part::DatumPoint",
-                                                          "Part::LocalCoordinateSystem",
-                                                          "Part::Part2DObject",
-                                                          "Part::Plane",
-                                                          "Part::Line",
-                                                          "Part::Circle",
-                                                          "Part::Ellipse",
-                                                          "Part::Vertex",
-                                                          "Part::Helix",
-                                                          "Part::Spiral",
-                                                          "Part::Polygon",
-                                                          "Part::RegularPolygon",
-                                                          "Part::RuledSurface"};
+    static const std::set<std::string, std::less<>> names{
+        "App::Origin",        "App::TextDocument",    "App::Line",         "App::Plane",
+        "App::Point",         "App::Placement",       "App::VarSet",       "App::LocalCoordinateSystem",
+        "PartDesign::Plane",  "PartDesign::Line",     "PartDesign::Point", "PartDesign::CoordinateSystem",
+        "Part::DatumPlane",   "Part::DatumLine",      "Part::DatumPoint",  "Part::LocalCoordinateSystem",
+        "Part::Part2DObject", "Part::Plane",          "Part::Line",        "Part::Circle",
+        "Part::Ellipse",      "Part::Vertex",         "Part::Helix",       "Part::Spiral",
+        "Part::Polygon",      "Part::RegularPolygon", "Part::RuledSurface"};
     return names.count(type) > 0 ||
            std::any_of(std::begin(modules), std::end(modules), [&](std::string_view m) { return type.starts_with(m); });
 }

@@ -5,7 +5,7 @@ import tempfile
 import unittest
 
 import Part
-from freecad.featuremesh import reading
+from freecad.featuremesh import engine, reading
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.properties import properties_of
 from parts import Vector, new_document, placement, plate_with_hole
@@ -298,6 +298,20 @@ class Finding(unittest.TestCase):
         plate_with_hole(document)
         with self.assertRaisesRegex(UserError, "PlateSketch has no solid"):
             reading.find_meshable(document, "PlateSketch")
+
+    def test_the_engine_means_the_same_types_by_references(self):
+        raw = reading.read_document(plate_with_hole(new_document()))
+        sketch = next(record for record in raw["records"] if record["type"] == "Sketcher::SketchObject")
+        types = ("Sketcher::SketchObject", "Sketcher::SketchObjectPython", "Spreadsheet::Sheet", "App::Line", "App::Plane", "App::Point", "App::Origin",
+                 "App::TextDocument", "PartDesign::Plane", "PartDesign::Line", "PartDesign::Point", "PartDesign::CoordinateSystem",
+                 "Part::DatumPlane", "Part::DatumLine", "Part::DatumPoint", *reading.BINDERS, "PartDesign::LinearPattern", "Part::Box")
+        raw["records"] = [{**sketch, "name": "Another%d" % i, "type": kind, "links": []} for i, kind in enumerate(types)] + raw["records"]
+        roles = {feature["name"]: feature["role"] for feature in engine.load().read_tree(raw)["features"]}
+        for i, kind in enumerate(types):
+            by_engine = roles["Another%d" % i]
+            self.assertEqual(by_engine == "reference", reading.is_reference_type(kind), kind)
+            if kind in reading.BINDERS:
+                self.assertEqual(by_engine, "base", kind)
 
     def test_a_part_with_a_binder_of_another_body(self):
         document = new_document()

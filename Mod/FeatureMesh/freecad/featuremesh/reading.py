@@ -23,12 +23,13 @@ from .properties import (
 )
 
 translate = FreeCAD.Qt.translate
-# A pattern's direction, a sketch's plane: needed for the dependencies, but without any volume of their own.
+# A pattern's direction, a sketch's plane: needed for the dependencies, but without any volume of their own. The engine's `is_reference`
+# (feature_types.cpp) means the same types; here they also spare the reading of shapes.
 _REFERENCE_TYPES = ("Sketcher::", "Spreadsheet::", "App::Line", "App::Plane", "App::Point", "App::Origin",
-                    "PartDesign::Plane", "PartDesign::Point", "PartDesign::CoordinateSystem",
-                    "PartDesign::ShapeBinder", "PartDesign::SubShapeBinder", "Part::Datum", "App::TextDocument")
-# A binder's shape is all that comes from the parts behind it; those lie in frames of their own.
-_BINDERS = ("PartDesign::ShapeBinder", "PartDesign::SubShapeBinder")
+                    "PartDesign::Plane", "PartDesign::Point", "PartDesign::CoordinateSystem", "Part::Datum", "App::TextDocument")
+# A base for the engine: a binder's shape is all that comes from the parts behind it, which lie in frames of their own. Nothing that uses one
+# takes its volume over.
+BINDERS = ("PartDesign::ShapeBinder", "PartDesign::SubShapeBinder")
 
 
 def read_document(part):
@@ -187,16 +188,16 @@ def dependencies(part):
 def _children(obj, own, links, properties, kinds):
     """What `obj`, placed at `own`, depends on directly: (object, frame of the child's parent relative to obj's, carries volume)."""
     kind = properties.kind
-    if kind in _BINDERS:
+    if kind in BINDERS:
         return []
     if kind == "PartDesign::Body":
-        return [(member, own, not _is_reference(member, kinds[member])) for name, member, _ in links if name == "Group"]
+        return [(member, own, not _gives_no_volume(member, kinds[member])) for name, member, _ in links if name == "Group"]
     linked = _linked_objects(links, kinds)
     result = []
-    is_reference, undoes = _is_reference(obj, kind), _undoes_placements(obj, properties)
+    gives_no_volume, undoes = _gives_no_volume(obj, kind), _undoes_placements(obj, properties)
     is_step = _derives(obj, "PartDesign::Feature", kind)
     for child in linked:
-        if is_reference or _is_reference(child, kinds[child]):
+        if gives_no_volume or _gives_no_volume(child, kinds[child]):
             result.append((child, FreeCAD.Placement(), False))
         else:
             result.append((child, _frame_of_child(own, child, undoes, is_step and _derives(child, "PartDesign::Feature", kinds[child])), True))
@@ -296,7 +297,7 @@ def _linked_objects(links, kinds):
 
 def _links(obj, properties):
     """As Properties.links gives them; none behind a binder, and of a body's members only those up to its tip."""
-    if properties.kind in _BINDERS:
+    if properties.kind in BINDERS:
         return []
     links = properties.links(obj)
     if properties.kind != "PartDesign::Body":
@@ -311,9 +312,8 @@ def _links(obj, properties):
 def _record(obj, walk, shapes, keys, home):
     own, frame, properties = walk.placements[obj], walk.frames[obj], walk.properties[obj]
     kind = properties.kind
-    reference = _is_reference(obj, kind)
-    volume = None if reference else properties.value(obj, "AddSubShape")
-    shown = None if reference and kind not in _BINDERS else walk.parents[obj] if _is_shown_by_body(obj, volume, walk) else obj
+    volume = None if _gives_no_volume(obj, kind) else properties.value(obj, "AddSubShape")
+    shown = None if _is_reference(obj, kind) else walk.parents[obj] if _is_shown_by_body(obj, volume, walk) else obj
     numbers, texts = properties.parameters(obj)
     whole = own if frame.isIdentity() else frame.multiply(own)
     place = matrix_entries(own)
@@ -466,11 +466,20 @@ def _derives(obj, base, kind):
     return _BASES[key]
 
 
+def _gives_no_volume(obj, kind):
+    """Has what uses the object none of its volume?"""
+    return kind in BINDERS or _is_reference(obj, kind)
+
+
 def _is_reference(obj, kind):
     if kind not in _REFERENCES:
-        datum_line = kind == "PartDesign::Line"  # told apart from PartDesign::LinearPattern
-        _REFERENCES[kind] = datum_line or kind.startswith(_REFERENCE_TYPES) or _derives(obj, "Part::Part2DObject", kind)
+        _REFERENCES[kind] = is_reference_type(kind) or _derives(obj, "Part::Part2DObject", kind)
     return _REFERENCES[kind]
+
+
+def is_reference_type(kind):
+    """Does the type's name alone say that it is a reference?"""
+    return kind == "PartDesign::Line" or kind.startswith(_REFERENCE_TYPES)   # not PartDesign::LinearPattern
 
 
 def _shape_of(obj):
@@ -499,7 +508,7 @@ def _checked_solid(obj):
 def _is_candidate(obj):
     if not (obj.isDerivedFrom("Part::Feature") or obj.isDerivedFrom("App::Link")):
         return False
-    if _is_reference(obj, obj.TypeId) or _is_feature_of_body(obj):
+    if _gives_no_volume(obj, obj.TypeId) or _is_feature_of_body(obj):
         return False
     shape = _shape_of(obj)
     return shape is not None and len(shape.Solids) > 0
@@ -514,12 +523,12 @@ def _is_feature_of_body(obj):
 
 def _used_by(obj):
     """The objects whose volume is part of `obj` (a sketch's support is one for features without a body)."""
-    if obj.isDerivedFrom("App::Link") or obj.TypeId in _BINDERS:
+    if obj.isDerivedFrom("App::Link") or obj.TypeId in BINDERS:
         return
     kinds = _Kinds()
     for child in _linked_objects(_links(obj, properties_of(obj, kinds[obj])), kinds):
-        if not _is_reference(child, kinds[child]):
+        if not _gives_no_volume(child, kinds[child]):
             yield child
-        elif obj.isDerivedFrom("PartDesign::Feature") and child.TypeId not in _BINDERS:
+        elif obj.isDerivedFrom("PartDesign::Feature") and child.TypeId not in BINDERS:
             supports = _linked_objects(_links(child, properties_of(child, kinds[child])), kinds)
-            yield from (support for support in supports if not _is_reference(support, kinds[support]))
+            yield from (support for support in supports if not _gives_no_volume(support, kinds[support]))
