@@ -27,6 +27,7 @@ ROOT_PACKAGES = ("debootstrap",)
 NOTE = "featuremesh-root.json"
 CHECKOUT = "/featuremesh"
 CERTIFICATES = "etc/ssl/certs/ca-certificates.crt"
+OFFLINE = ("--net",)
 # Mounts live in the namespace of this shell and end with it; so do its processes.
 MOUNT_AND_RUN = """
 set -e
@@ -81,25 +82,26 @@ def run_in_root(version, command):
 
 
 def run_in_users_root(version, command):
-    """Runs a command in a root that has that FreeCAD and pip, but nothing to build with; gives its exit code. Throws Unavailable."""
+    """Runs a command in a root that has that FreeCAD and pip, but nothing to build with and no network; gives its exit code. Throws Unavailable."""
     prefix = prepare_machine()
     root = CACHE / (USERS_RELEASE_OF[version] + "-users")
     with alone(prefix):
         if not is_fresh(root):
             make_root(USERS_RELEASE_OF[version], root, prefix, "FOR_USERS")
     try:
-        return run_mounted(prefix, root, [], command)
+        return run_mounted(prefix, root, [], command, OFFLINE)
     finally:
         give_back(prefix)
 
 
-def run_mounted(prefix, root, variables, command):
-    """Runs a command in a root with the checkout at CHECKOUT and the release's compiler cache; gives its exit code."""
+def run_mounted(prefix, root, variables, command, unshared=()):
+    """Runs a command in a root with the checkout at CHECKOUT and the release's compiler cache; gives its exit code. `unshared` are more options of
+    unshare."""
     ccache = CACHE / ("ccache-" + root.name.split(".")[0])
     run_logged([*prefix, "mkdir", "-p", ccache, root / CHECKOUT.lstrip("/"), root / "var/cache/ccache"], "preparing the root")
     environment = ["env", "-i", "PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin", "HOME=/root", "LC_ALL=C.UTF-8",
                    "CCACHE_DIR=/var/cache/ccache", *proxies(), *variables]
-    return subprocess.run([*prefix, "unshare", "--mount", "--pid", "--fork", "--kill-child", "sh", "-c", MOUNT_AND_RUN, "sh",
+    return subprocess.run([*prefix, "unshare", "--mount", "--pid", "--fork", "--kill-child", *unshared, "sh", "-c", MOUNT_AND_RUN, "sh",
                            root, ROOT, ccache, *environment, *command], stdin=subprocess.DEVNULL).returncode
 
 

@@ -5,13 +5,14 @@ import subprocess
 from pathlib import Path
 
 import freecad_roots
-from freecad_task import run_script
+from freecad_task import freecad_environment, run_script
 from layout import BUILD, ROOT, Failure
 from setup_log import say
 from wheels import PYTHON
 
 FOLDER = ROOT / "tests" / "packages"
 EXPECTED = BUILD / "expected-nodes.json"
+ASKED = BUILD / "asked.pickle"   # what an installed engine was asked, see replay.py
 DEBS_FREECAD = "0.20"   # the Debian for which the .deb is made has this FreeCAD
 
 NO_TESTS = 5   # unittest's exit code since Python 3.12 when the pattern fits none
@@ -26,13 +27,21 @@ def run(versions, only):
     write_expected()
     for version in versions:
         say(f"installing the packages beside FreeCAD {version}")
-        inside = Path(freecad_roots.CHECKOUT)
-        command = ["env", f"EXPECTED={inside / EXPECTED.relative_to(ROOT)}", *(["WITH_DEB=1"] if version == DEBS_FREECAD else []),
-                   "/usr/bin/python3", "-B", str(inside / "tests" / "packages" / "check_install.py"), *pattern]
-        if freecad_roots.run_in_users_root(version, command) not in (0, NO_TESTS):
+        ASKED.unlink(missing_ok=True)
+        if freecad_roots.run_in_users_root(version, install_command(version, pattern)) not in (0, NO_TESTS):
             raise Failure(f"the packages fail beside FreeCAD {version}")
+        if ASKED.exists() and subprocess.run([PYTHON, "-B", str(FOLDER / "replay.py"), str(ASKED)], env=freecad_environment()).returncode:
+            raise Failure(f"the engine built from source makes other nodes of what FreeCAD {version} asked")
     print(f"the packages pass beside FreeCAD {', '.join(versions)}")
     return 0
+
+
+def install_command(version, pattern):
+    """The tests, as they are typed in a root that has the checkout at CHECKOUT."""
+    inside = Path(freecad_roots.CHECKOUT)
+    return ["env", f"EXPECTED={inside / EXPECTED.relative_to(ROOT)}", f"ASKED={inside / ASKED.relative_to(ROOT)}",
+            *(["WITH_DEB=1"] if version == DEBS_FREECAD else []),
+            "/usr/bin/python3", "-B", str(inside / "tests" / "packages" / "check_install.py"), *pattern]
 
 
 def write_expected():

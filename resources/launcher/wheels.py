@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the wheels of the engine: one build of the engine, one module per Python, with the libraries that it needs inside.
 
-Of a Python only its headers are needed. They come from Debian testing, unpacked beside the build, from this machine, and from the
-programs that are named. The libraries are put in and renamed by auditwheel.
+Of a Python only its headers are needed. They come from Debian testing, unpacked beside the build, from this machine, and from other
+Pythons on it. The libraries are put in and renamed by auditwheel.
 """
 import base64
 import hashlib
 import json
 import os
 import re
+import shutil
 import subprocess
 import sysconfig
 import tempfile
@@ -81,18 +82,40 @@ def fetch_tools():
 def pythons(programs):
     """The Pythons whose headers are here, the oldest first; `programs` are interpreters that come with theirs."""
     found = {}
+    for program in interpreters_here():
+        python = python_of(program)
+        if python:
+            found.setdefault(python.version, python)
     for place in (TOOLS / "usr" / "include", Path("/usr/include")):
         for version in VERSIONS:
             if (place / f"python{version}" / "Python.h").is_file():
                 found[version] = Python(version, (str(place / f"python{version}"), *([str(place)] if place != Path("/usr/include") else [])))
     for program in programs:
+        python = python_of(program)
+        if python is None:
+            raise Failure(f"{program} is no Python {VERSIONS[0]} to {VERSIONS[-1]} with headers")
+        found[python.version] = python
+    return [found[version] for version in VERSIONS if version in found]
+
+
+def interpreters_here():
+    """Interpreters of other Pythons on this machine: on the path, and those that pyenv keeps, the newest first."""
+    on_path = [shutil.which(f"python{version}") for version in VERSIONS]
+    kept = Path(os.environ.get("PYENV_ROOT", Path.home() / ".pyenv")) / "versions"
+    return [*filter(None, on_path), *sorted(map(str, kept.glob("3.*/bin/python3")), reverse=True)]
+
+
+def python_of(program):
+    """The Python of an interpreter, or None for one without headers, of another version or that does not start."""
+    try:
         done = subprocess.run([program, "-c", "import sysconfig; print(sysconfig.get_python_version(), sysconfig.get_path('include'))"],
                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        version, _, headers = done.stdout.strip().partition(" ")
-        if done.returncode or version not in VERSIONS or not Path(headers, "Python.h").is_file():
-            raise Failure(f"{program} is no Python {VERSIONS[0]} to {VERSIONS[-1]} with headers")
-        found[version] = Python(version, (headers,))
-    return [found[version] for version in VERSIONS if version in found]
+    except OSError:
+        return None
+    version, _, headers = done.stdout.strip().partition(" ")
+    if done.returncode or version not in VERSIONS or not Path(headers, "Python.h").is_file():
+        return None
+    return Python(version, (headers,))
 
 
 def build_modules(wanted):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs in FreeCAD: lets its own Addon Manager install or remove the addon in ADDON_ZIP, with pip as the environment sets it."""
+"""Runs in FreeCAD: lets its own Addon Manager install, update or remove the addon in ADDON_ZIP, with pip as the environment sets it."""
 import ctypes
 import json
 import os
@@ -34,6 +34,12 @@ def install(addon):
     return {"dependencies": needed, "packages": utils.get_pip_target_directory()}
 
 
+def update(addon):
+    """As the Addon Manager does: the addon alone, since it asks only whether a package is there."""
+    assert AddonInstaller(addon, []).run(), "the addon was not updated"
+    return {}
+
+
 def packages_installed(needed):
     failures = []
     installer = DependencyInstaller([], needed, [])
@@ -53,7 +59,7 @@ said = {}
 try:
     let_constraints_be_here()
     addon = Addon("FeatureMesh", os.environ["ADDON_ZIP"], Addon.Status.NOT_INSTALLED, "main")
-    said = {"install": install, "remove": remove}[os.environ["DO"]](addon)
+    said = {"install": install, "update": update, "remove": remove}[os.environ["DO"]](addon)
 except BaseException:
     said["error"] = traceback.format_exc()
     traceback.print_exc()

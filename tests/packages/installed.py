@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A fresh home of a user with FreeCAD, into which the tests install what is in dist."""
+"""A fresh home of a user with FreeCAD, into which the tests install what is in dist. The roots in which they run have no network."""
 import json
 import os
 import shutil
@@ -16,6 +16,10 @@ DIST = ROOT / "dist"
 EXAMPLE = ROOT / "resources" / "examples" / "bracket.FCStd"
 PYTHON = "python%d.%d" % sys.version_info[:2]
 IS_DEBIAN_12 = "bookworm" in Path("/etc/os-release").read_text(encoding="utf-8")   # with FreeCAD 0.20.2
+# Of the tests that run in FreeCAD, those that need nothing but FreeCAD and the engine.
+TESTS_IN_FREECAD = ("state_file", "mesh_object", "mesh_in_document", "worker", "references", "refusals", "document_reading", "document_edits",
+                    "document_files", "examples")
+NOT_OF_THE_ROOT = ("/proc", "/sys", "/dev", "/run", "/featuremesh", "/var/cache/ccache")
 FREECADCMD = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
 
 
@@ -46,6 +50,27 @@ class Home(unittest.TestCase):
         self.assertTrue(result.is_file(), done.stdout)
         return {**json.loads(result.read_text(encoding="utf-8")), "printed": done.stdout}
 
+    def check_tests_in_freecad(self, workbench):
+        """Those tests pass with the workbench that FreeCAD found in this folder, whose files are not those of the checkout."""
+        for module in TESTS_IN_FREECAD:
+            done = subprocess.run([FREECADCMD, str(ROOT / "tests" / "python" / "run_tests.py")], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT, text=True, errors="replace", cwd=self.above,
+                                  env={**self.environment, "FEATUREMESH_TESTS": "test_" + module, "FEATUREMESH_TESTED": str(workbench)})
+            self.assertIn("every test of the module passed", done.stdout, f"{module}:\n{done.stdout[-6000:]}")
+
+    def mark(self):
+        """A file; what is written after it is newer."""
+        mark = self.above / "mark"
+        mark.write_text("", encoding="utf-8")
+        os.utime(mark, (time.time() - 1, time.time() - 1))
+        return mark
+
+    def newer_files(self, mark):
+        """All files of the machine that were written after the mark."""
+        skipped = [word for folder in NOT_OF_THE_ROOT for word in ("-path", folder, "-prune", "-o")]
+        shown = subprocess.run(["find", "/", *skipped, "-type", "f", "-newer", str(mark), "-print0"], stdout=subprocess.PIPE, check=True).stdout
+        return {Path(os.fsdecode(name)) for name in shown.split(b"\0") if name}
+
     def meshed(self, **variables):
         return self.freecad(ROOT / "tests" / "packages" / "mesh_example.py", FEATUREMESH_STARTED=str(time.time()), **variables)
 
@@ -59,7 +84,11 @@ class Home(unittest.TestCase):
         return folder if IS_DEBIAN_12 else folder / ("py%d%d" % sys.version_info[:2])
 
     def pip(self, *words):
-        done = subprocess.run([PYTHON, "-m", "pip", *words], env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        return self.run_as_typed([PYTHON, "-m", "pip", *words])
+
+    def run_as_typed(self, command, **options):
+        """What a user types, which must succeed; gives what it printed."""
+        done = subprocess.run(command, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **options)
         self.assertEqual(done.returncode, 0, done.stdout)
         return done.stdout
 

@@ -2,10 +2,12 @@
 """Runs in FreeCAD: meshes the example bracket with the FeatureMesh that this FreeCAD finds, edits it, updates, and tells about it.
 
 Writes JSON to FEATUREMESH_RESULT: hashes of the nodes after mesh and update, the kept share, where addon and engine are, or the error.
+With FEATUREMESH_ASKED, also what the engine was asked and what it answered, for replay.py.
 """
 import hashlib
 import json
 import os
+import pickle
 import time
 
 import FreeCAD
@@ -19,8 +21,22 @@ def points_hash(mesh):
     return digest.hexdigest()
 
 
+def remember_jobs():
+    """From now on the list that this gives gets (raw part, options, nodes of the mesh) of each run of the engine."""
+    from freecad.featuremesh.job import MeshJob
+    asked, run = [], MeshJob.run
+
+    def remembering(job, progress=None):
+        run(job, progress)
+        asked.append((job.raw, job.options, job.part_mesh.arrays()["points"].tobytes()))
+
+    MeshJob.run = remembering
+    return asked
+
+
 def mesh_and_update(said):
     from freecad.featuremesh import about, api, documents, engine, reading
+    asked = remember_jobs()
     said["addon"] = os.path.realpath(api.__file__)
     said["user"] = FreeCAD.getUserAppDataDir()
     said["about"] = about.text()
@@ -37,6 +53,9 @@ def mesh_and_update(said):
     said["kept"] = api.update_mesh(mesh)["kept"]["nodes_share"]
     said["update"] = points_hash(mesh)
     said["in_worker"] = engine.runs_in_worker()
+    if "FEATUREMESH_ASKED" in os.environ:
+        with open(os.environ["FEATUREMESH_ASKED"], "wb") as file:
+            pickle.dump(asked, file)
 
 
 def main():

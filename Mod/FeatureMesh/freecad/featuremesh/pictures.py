@@ -8,6 +8,7 @@ import contextlib
 import itertools
 import os
 import subprocess
+import sys
 
 import numpy as np
 
@@ -24,7 +25,10 @@ _MARGIN = 1.04   # of the picture over what is drawn
 
 @contextlib.contextmanager
 def off_screen():
-    """Gives VTK a screen of its own, so that pictures look the same on a desktop and on a server."""
+    """Gives VTK a screen of its own, so that pictures look the same on a desktop and on a server. Windows and macOS need none."""
+    if os.name == "nt" or sys.platform == "darwin":
+        yield
+        return
     read_end, write_end = os.pipe()
     server = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1600x1200x24", "-nolisten", "tcp", "-noreset"],
                               pass_fds=(write_end,), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
