@@ -27,6 +27,7 @@ MODULE = "featuremesh_engine"
 VERSIONS = ("3.10", "3.11", "3.12", "3.13", "3.14")
 TOOLS = BUILD / "deps" / "packaging"
 MODULES = BUILD / "package"   # the build folder
+SYSTEM_HEADERS = Path("/usr/include")
 TOOL_PACKAGES = ("python3-auditwheel", "python3-pyelftools", "python3-packaging", "pybind11-dev")
 NEWEST_GLIBC = (2, 35)
 # On every machine that runs FreeCAD; auditwheel leaves them out.
@@ -86,10 +87,10 @@ def pythons(programs):
         python = python_of(program)
         if python:
             found.setdefault(python.version, python)
-    for place in (TOOLS / "usr" / "include", Path("/usr/include")):
+    for place in (TOOLS / "usr" / "include", SYSTEM_HEADERS):
         for version in VERSIONS:
             if (place / f"python{version}" / "Python.h").is_file():
-                found[version] = Python(version, (str(place / f"python{version}"), *([str(place)] if place != Path("/usr/include") else [])))
+                found[version] = Python(version, (str(place / f"python{version}"), *([str(place)] if place != SYSTEM_HEADERS else [])))
     for program in programs:
         python = python_of(program)
         if python is None:

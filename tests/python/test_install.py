@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`./featuremesh install` gives FreeCAD a workbench that meshes without anything else being set, and `uninstall` takes it away."""
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -60,6 +61,12 @@ class Install(unittest.TestCase):
         self.assertTrue((place / "freecad" / "featuremesh" / "init_gui.py").is_file())
         for icon in (node.text for node in package.iter() if node.tag.split("}")[-1] == "icon"):
             self.assertTrue((place / icon).is_file(), icon)
+
+    def test_the_version_is_the_same_everywhere(self):
+        versions = {re.search(pattern, (ROOT / path).read_text(encoding="utf-8")).group(1) for path, pattern in (
+            ("CMakeLists.txt", r"project\(FeatureMesh VERSION ([\d.]+)"), ("Mod/FeatureMesh/package.xml", r"<version>([\d.]+)<"),
+            ("Mod/FeatureMesh/freecad/featuremesh/__init__.py", r'__version__ = "([\d.]+)"'))}
+        self.assertEqual(len(versions), 1, versions)
 
 
 if __name__ == "__main__":

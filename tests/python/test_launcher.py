@@ -25,6 +25,7 @@ import engine_build  # noqa: E402
 import freecad_roots  # noqa: E402
 import freecad_task  # noqa: E402
 import packages  # noqa: E402
+import wheels  # noqa: E402
 from layout import RELEASE, Failure, Unavailable, UserError  # noqa: E402
 
 
@@ -332,6 +333,57 @@ class SetUp(unittest.TestCase):
     def test_sources_of_the_engine_are_watched(self):
         watched = {path.relative_to(ROOT).as_posix() for path in engine_build.source_files()}
         self.assertLessEqual({"CMakeLists.txt", "src/core/errors.h", "bindings/CMakeLists.txt"}, watched)
+
+
+class Pythons(unittest.TestCase):
+    """Of which wheels are made. The folder has no headers of Debian's."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        for name, value in (("TOOLS", self.folder / "tools"), ("SYSTEM_HEADERS", self.folder / "system")):
+            patcher = mock.patch.object(wheels, name, value)
+            patcher.start()
+            self.addCleanup(patcher.stop)
+        environment = mock.patch.dict(os.environ, PATH="", PYENV_ROOT=str(self.folder / "pyenv"))
+        environment.start()
+        self.addCleanup(environment.stop)
+
+    def put_headers(self, folder):
+        (self.folder / folder).mkdir(parents=True)
+        (self.folder / folder / "Python.h").write_text("", encoding="utf-8")
+
+    def put_interpreter(self, name, version, headers):
+        program = self.folder / name
+        program.parent.mkdir(parents=True, exist_ok=True)
+        program.write_text(f"#!/bin/sh\necho {version} {self.folder / headers}\n", encoding="utf-8")
+        program.chmod(0o755)
+        return str(program)
+
+    def test_headers_of_testing_and_of_this_machine(self):
+        self.put_headers("tools/usr/include/python3.13")
+        self.put_headers("system/python3.11")
+        self.put_headers("system/python3.9")
+        self.assertEqual(wheels.pythons([]), [wheels.Python("3.11", (str(self.folder / "system/python3.11"),)),
+                                              wheels.Python("3.13", (str(self.folder / "tools/usr/include/python3.13"), str(self.folder / "tools/usr/include")))])
+
+    def test_interpreters_that_pyenv_keeps_fill_gaps(self):
+        self.put_headers("system/python3.11")
+        self.put_headers("own")
+        for version in ("3.9", "3.11", "3.12"):
+            self.put_interpreter(f"pyenv/versions/{version}.7/bin/python3", version, "own")
+        self.put_interpreter("pyenv/versions/3.10.1/bin/python3", "3.10", "no headers there")
+        self.assertEqual([(python.version, Path(python.headers[0]).name) for python in wheels.pythons([])], [("3.11", "python3.11"), ("3.12", "own")])
+
+    def test_one_that_is_named_comes_first_and_must_have_headers(self):
+        self.put_headers("system/python3.12")
+        self.put_headers("named")
+        named = self.put_interpreter("python", "3.12", "named")
+        self.assertEqual(wheels.pythons([named]), [wheels.Python("3.12", (str(self.folder / "named"),))])
+        for program in (self.put_interpreter("old", "3.8", "named"), self.put_interpreter("bare", "3.12", "nothing"), "/nonexistent"):
+            with self.assertRaisesRegex(Failure, "is no Python 3.10 to 3.14 with headers"):
+                wheels.pythons([program])
 
 
 if __name__ == "__main__":
