@@ -4,11 +4,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/run_context.h"
+#include "statics/coarse_level.h"
 #include "statics/stiffness.h"
 
 namespace featuremesh {
@@ -20,8 +22,9 @@ class LinearSolver {
     /// How many threads products with the matrix are made on; the solution has the same bytes for any number.
     virtual void use_threads(int threads) = 0;
 
-    /// Takes the matrix and sets its preconditioner up anew; `points` are its nodes, mm.
-    virtual void set_up(BlockMatrix matrix, std::span<const Vec3> points) = 0;
+    /// Takes the matrix and sets its preconditioner up anew; `points` are its nodes, mm. That of 10-node tets goes by
+    /// way of the coarse level, that of 4-node tets has none.
+    virtual void set_up(BlockMatrix matrix, std::span<const Vec3> points, std::optional<CoarseLevel> coarse) = 0;
 
     /// Takes another matrix and keeps the preconditioner: `origin` is by node the node at the last set-up, -1 for those
     /// that were not there or are held otherwise now. The new nodes' own block is factored.

@@ -14,7 +14,8 @@ namespace featuremesh {
 
 namespace {
 
-constexpr const char* prefix = "featuremesh_";
+constexpr const char* prefix = "featuremesh_";                      // of the options of the aggregation
+constexpr const char* quadratic_prefix = "featuremesh_quadratic_";  // and of the level above it
 
 void check(PetscErrorCode code) {
     if (!code) return;
@@ -71,7 +72,10 @@ void start_petsc() {
                                       {"pc_gamg_threshold", "0.02"},
                                       {"mg_levels_ksp_type", "chebyshev"},
                                       {"mg_levels_ksp_max_it", "2"},
-                                      {"mg_levels_pc_type", "jacobi"}})
+                                      {"mg_levels_pc_type", "jacobi"},
+                                      {"quadratic_mg_levels_ksp_type", "chebyshev"},
+                                      {"quadratic_mg_levels_ksp_max_it", "3"},
+                                      {"quadratic_mg_levels_pc_type", "jacobi"}})
         check(PetscOptionsSetValue(nullptr, (std::string("-") + prefix + name).c_str(), value));
 }
 
@@ -170,6 +174,38 @@ void name_rigid_motions(const System& system, std::span<const Vec3> points) {
     MatNullSpaceDestroy(&motions);
     check(code);
 }
+
+/// From the coarse level to the fine one: means of parents, nothing where components are held.
+struct Interpolation {
+    std::vector<PetscInt> starts, columns;
+    std::vector<double> values;
+    Matrix matrix;
+
+    void take(const CoarseLevel& level, PetscInt width) {
+        matrix.reset();
+        starts.assign(1, 0);
+        columns.clear(), values.clear();
+        for (std::size_t node = 0; node < level.parents.size(); ++node)
+            for (std::size_t c = 0; c < 3; ++c) {
+                if (!level.is_held[3 * node + c]) add_row(level, level.parents[node], c);
+                starts.push_back(PetscInt(columns.size()));
+            }
+        check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, PetscInt(starts.size() - 1), width, starts.data(),
+                                        columns.data(), values.data(), matrix.fresh()));
+    }
+
+  private:
+    void add_row(const CoarseLevel& level, std::array<std::int32_t, 2> parents, std::size_t component) {
+        std::sort(parents.begin(), parents.end());
+        const bool is_corner = parents[0] == parents[1];
+        for (std::size_t i = is_corner ? 1 : 0; i < 2; ++i) {
+            const auto column = 3 * std::size_t(parents[i]) + component;
+            if (level.is_held[column]) continue;
+            columns.push_back(PetscInt(column));
+            values.push_back(is_corner ? 1 : 0.5);
+        }
+    }
+};
 
 /// The preconditioner of an earlier matrix under a later one of which most nodes are the same. With n the new nodes and
 /// k the kept ones it is [I -K_kn K_nn^-1; 0 I]^T diag(B_kk, K_nn^-1) [..]: exact where B_kk, the earlier one's part of
@@ -329,17 +365,21 @@ class PetscSolver final : public LinearSolver {
   public:
     PetscSolver() { start_petsc(); }
 
-    void set_up(BlockMatrix matrix, std::span<const Vec3> points) override {
+    void set_up(BlockMatrix matrix, std::span<const Vec3> points, std::optional<CoarseLevel> coarse) override {
         present_.matrix.reset();
         multigrid_.reset();
         is_carried_ = false;
         earlier_.take(std::move(matrix));
-        name_rigid_motions(earlier_, points);
         check(PCCreate(PETSC_COMM_SELF, multigrid_.fresh()));
-        check(PCSetOptionsPrefix(multigrid_, prefix));
-        check(PCSetType(multigrid_, PCGAMG));
-        check(PCSetOperators(multigrid_, earlier_.matrix, earlier_.matrix));
-        check(PCSetFromOptions(multigrid_));
+        if (coarse) {
+            linear_.take(std::move(coarse->matrix));
+            name_rigid_motions(linear_, points.first(linear_.blocks.node_count()));
+            interpolation_.take(*coarse, linear_.size());
+            go_by_way_of_linear_displacements();
+        } else {
+            name_rigid_motions(earlier_, points);
+            use_aggregation(multigrid_, earlier_);
+        }
         check(PCSetUp(multigrid_));
     }
 
@@ -349,7 +389,9 @@ class PetscSolver final : public LinearSolver {
         is_carried_ = true;
     }
 
-    void use_threads(int threads) override { earlier_.threads.threads = present_.threads.threads = threads; }
+    void use_threads(int threads) override {
+        earlier_.threads.threads = present_.threads.threads = linear_.threads.threads = threads;
+    }
 
     double energy_norm(std::span<const double> residual) override {
         Vector r, z;
@@ -391,6 +433,30 @@ class PetscSolver final : public LinearSolver {
     }
 
   private:
+    static void use_aggregation(PC preconditioner, const System& system) {
+        check(PCSetOptionsPrefix(preconditioner, prefix));
+        check(PCSetType(preconditioner, PCGAMG));
+        check(PCSetOperators(preconditioner, system.matrix, system.matrix));
+        check(PCSetFromOptions(preconditioner));
+    }
+
+    /// Smooths quadratic displacements, and leaves the rest to the aggregation of the linear ones.
+    void go_by_way_of_linear_displacements() {
+        check(PCSetOptionsPrefix(multigrid_, quadratic_prefix));
+        check(PCSetType(multigrid_, PCMG));
+        check(PCSetOperators(multigrid_, earlier_.matrix, earlier_.matrix));
+        check(PCMGSetLevels(multigrid_, 2, nullptr));
+        check(PCMGSetInterpolation(multigrid_, 1, interpolation_.matrix));
+        KSP coarse = nullptr;
+        PC aggregation = nullptr;
+        check(PCMGGetCoarseSolve(multigrid_, &coarse));
+        check(KSPSetType(coarse, KSPPREONLY));
+        check(KSPSetOperators(coarse, linear_.matrix, linear_.matrix));
+        check(KSPGetPC(coarse, &aggregation));
+        use_aggregation(aggregation, linear_);
+        check(PCSetFromOptions(multigrid_));
+    }
+
     const System& system() const { return is_carried_ ? present_ : earlier_; }
 
     void precondition(Vec in, Vec out) {
@@ -425,6 +491,8 @@ class PetscSolver final : public LinearSolver {
     }
 
     System earlier_, present_;  // that of the last set-up, and the one carried over to
+    System linear_;             // of 10-node tets' corners, at the last set-up
+    Interpolation interpolation_;
     Preconditioner multigrid_;
     Carried carried_;
     bool is_carried_ = false;

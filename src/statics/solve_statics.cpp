@@ -113,11 +113,10 @@ StaticsSolution StaticsSolver::solve(const StaticsModel& model, RunContext& cont
 
 /// Gives the solver the model's matrix. Returns whether the earlier preconditioner serves it.
 bool StaticsSolver::prepare(const StaticsModel& model, const TetsOfNodes& around, RunContext& context) {
-    BlockMatrix matrix;
-    {
+    BlockMatrix matrix = [&] {
         RunContext::Step step(context, "assemble");
-        matrix = assemble_stiffness(model, around, context);
-    }
+        return assemble_stiffness(model, around, context);
+    }();
     RunContext::Step step(context, "setup");
     std::vector<std::int32_t> origin = origins(model);
     const auto fresh = std::count(origin.begin(), origin.end(), -1);
@@ -125,7 +124,9 @@ bool StaticsSolver::prepare(const StaticsModel& model, const TetsOfNodes& around
         solver_->carry_over(std::move(matrix), std::move(origin));
         return true;
     }
-    solver_->set_up(std::move(matrix), model.mesh.points);
+    std::optional<CoarseLevel> coarse;
+    if (model.mesh.order == 2) coarse = coarse_level(model, context);
+    solver_->set_up(std::move(matrix), model.mesh.points, std::move(coarse));
     setup_ = {};
     setup_.materials = model.materials;
     for (std::size_t node = 0; node < model.mesh.node_count(); ++node)
