@@ -24,7 +24,7 @@ LOADS = 6
 
 
 class PlacingEditor(Editor):
-    """Moves and turns the part, too, and deletes its tip."""
+    """Moves and turns the part and the container that a body is in, too."""
 
     def edit(self):
         if self.chance.random() < 0.2:
@@ -34,14 +34,20 @@ class PlacingEditor(Editor):
         return super().edit()
 
     def place(self):
-        before = FreeCAD.Placement(self.part.Placement)
+        placed = self.chance.choice([self.part, container_of(self.part) or self.part])
+        before = FreeCAD.Placement(placed.Placement)
         shift, axis = (FreeCAD.Vector(*(round(self.chance.uniform(-30, 30), 2) for _ in range(3))) for _ in range(2))
         turn = self.chance.choice([0, 0, 90, round(self.chance.uniform(-180, 180), 1)])
-        self.part.Placement = FreeCAD.Placement(shift, FreeCAD.Rotation(axis, turn)).multiply(before)
+        placed.Placement = FreeCAD.Placement(shift, FreeCAD.Rotation(axis, turn)).multiply(before)
 
         def undo():
-            self.part.Placement = before
-        return "%s placed, turned by %g deg" % (self.part.Name, turn), undo
+            placed.Placement = before
+        return "%s placed, turned by %g deg" % (placed.Name, turn), undo
+
+
+def container_of(part):
+    """The App::Part that the part is in, or None."""
+    return part.getParentGeoFeatureGroup()
 
 
 class RandomEdits(unittest.TestCase):
@@ -60,6 +66,8 @@ class RandomEdits(unittest.TestCase):
     def edit_example(self, name, chance, edits, verdicts):
         document = open_example(self, name)
         part = document.getObject("Body") or document.getObject("Flange")
+        if part.TypeId == "PartDesign::Body":
+            document.addObject("App::Part", "Container").addObject(part)
         mesh = api.add_mesh(part, size=round(part.Shape.BoundBox.DiagonalLength / 8, 1), order=1)
         mesh.Automatic = False
         api.update_mesh(mesh)
@@ -94,15 +102,24 @@ class RandomEdits(unittest.TestCase):
         return Resolver(part)
 
     def renew_loads(self, analysis, part, chance):
-        """Loads on one or two random faces each, half of them as a click makes them."""
+        """Loads on one or two random faces each: named by a script, as a click makes them, and by a path through the container."""
         document = analysis.Document
         for load in [obj for obj in analysis.Group if obj.Name.startswith("Random")]:
             document.removeObject(load.Name)
         loads, faces = [], len(part.Shape.Faces)
         for number in range(LOADS):
             load = ObjectsFem.makeConstraintPressure(document, "Random%d" % number)
-            target = part.Tip if number % 2 and part.TypeId == "PartDesign::Body" else part
-            load.References = [(target, tuple("Face%d" % n for n in chance.sample(range(1, faces + 1), min(faces, chance.choice([1, 1, 2])))))]
+            names = ["Face%d" % n for n in chance.sample(range(1, faces + 1), min(faces, chance.choice([1, 1, 2])))]
+            load.References = [self.as_referred(part, number % 3, names)]
             analysis.addObject(load)
             loads.append(load)
         return loads
+
+    @staticmethod
+    def as_referred(part, way, names):
+        """A reference to faces of the part by one of three ways, where it has them."""
+        if way == 0 or part.TypeId != "PartDesign::Body":
+            return part, tuple(names)
+        if way == 1:
+            return part.Tip, tuple(names)
+        return container_of(part), tuple("%s.%s.%s" % (part.Name, part.Tip.Name, name) for name in names)
