@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What all commands share: their looks, the selection, the transaction, and the message when something is wrong."""
 
+import contextlib
+
 import FreeCAD
 import FreeCADGui as Gui
 
 from .. import api, reading, versions
+from ..gui.undo import undo_step
 from ..mesh_object import is_feature_mesh
 from ..view_provider import icon
 
@@ -34,15 +37,10 @@ class MeshCommand:
 
     def Activated(self):
         document = FreeCAD.ActiveDocument
-        if self.edits:
-            document.openTransaction(self.title)
         try:
-            self.run(document)
-            if self.edits:
-                document.commitTransaction()
+            with undo_step(document, self.title) if self.edits else contextlib.nullcontext():
+                self.run(document)
         except Exception as error:
-            if self.edits:
-                FreeCAD.closeActiveTransaction(True)   # abortTransaction would leave one open in which nothing was changed yet
             self.failed(document, error)
 
     def run(self, document):

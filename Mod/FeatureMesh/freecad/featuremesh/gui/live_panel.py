@@ -13,6 +13,7 @@ from ..errors import UserError
 from ..unit_words import in_users_units
 from . import live_runner
 from .cut_box import CutBox
+from .undo import undo_step
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -176,10 +177,9 @@ class LivePanel:
 
     def _take_ten_nodes(self):
         """What the remark on 4-node tets offers."""
-        self._document.openTransaction(self.ten_nodes.text())
-        self.live.Proxy.mesh(self.live).Order = "2nd"
-        self._document.recompute()
-        self._document.commitTransaction()
+        with undo_step(self._document, self.ten_nodes.text()):
+            self.live.Proxy.mesh(self.live).Order = "2nd"
+            self._document.recompute()
         self.refresh()
 
     def _follow(self, live, name):

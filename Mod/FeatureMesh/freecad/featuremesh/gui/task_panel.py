@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The panel of a mesh object: sizes, an estimate, what came out; OK, Apply and Cancel as in other panels of FreeCAD."""
 
+import contextlib
 import json
 import threading
 
@@ -11,11 +12,12 @@ from PySide import QtCore, QtGui
 from .. import analyses, api, log, versions
 from ..mesh_object import is_cancelled, one_line
 from ..reports import remarks_of
-from ..mesh_properties import AUTOMATIC_SHARE, NOT_MESHED, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
+from ..mesh_properties import AUTOMATIC_SHARE, NOT_MESHED, OPTION_OF, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
 from ..messages import in_words
 from ..view_provider import drawn_icon
 from .errors import select_named
 from .running import RunningJob, step_in_words
+from .undo import undo_step
 
 translate = FreeCAD.Qt.translate
 _POLL_MS, _ESTIMATE_MS = 50, 400
@@ -202,12 +204,13 @@ class MeshPanel:
                    if getattr(getattr(self.mesh, name), "Value", getattr(self.mesh, name)) != value}
         if not changed:
             return
-        if not self.is_new:
-            self.mesh.Document.openTransaction(translate("FeatureMesh", "Mesh settings"))
-        for name, value in changed.items():
-            setattr(self.mesh, name, value)
-        if not self.is_new:
-            self.mesh.Document.commitTransaction()
+        with self._undo_step(translate("FeatureMesh", "Mesh settings")):
+            for name, value in changed.items():
+                setattr(self.mesh, name, value)
+
+    def _undo_step(self, title):
+        """What changes the mesh; a new one is within the step that adds it."""
+        return contextlib.nullcontext() if self.is_new else undo_step(self.mesh.Document, title)
 
     def start(self, full):
         """Starts meshing; the window stays alive."""
@@ -249,15 +252,10 @@ class MeshPanel:
     def _finish(self):
         """The new mesh into the document, as one undo step; that of a new object holds the object, too."""
         document = self.mesh.Document
-        if not self.is_new:
-            document.openTransaction(translate("FeatureMesh", "Mesh of %s") % self.mesh.Label)
-        try:
+        with self._undo_step(translate("FeatureMesh", "Mesh of %s") % self.mesh.Label):
             self.mesh.Proxy.finish(self.mesh, self.job)
-        except Exception:
-            if not self.is_new:
-                FreeCAD.closeActiveTransaction(True)   # abortTransaction would leave one open in which nothing was changed yet
-            raise
-        document.commitTransaction()
+        if self.is_new:
+            document.commitTransaction()
         self.is_new = False
         self.mesh.purgeTouched()
         self._show_mesh()
@@ -319,10 +317,8 @@ class MeshPanel:
             self._estimate_timer.start(_ESTIMATE_MS)
             return
         try:
-            raw, options = api.estimate_input(self.mesh, self._raw, size=self.size.property("rawValue"),
-                                              min_size=self.min_size.property("rawValue") or None,
-                                              elements_per_circle=self.per_circle.value(),
-                                              elements_across_gap=self.across_gap.value(), growth=self.growth.value())
+            settings = {**self.settings(), "MinSize": self.min_size.property("rawValue") or None}
+            raw, options = api.estimate_input(self.mesh, self._raw, **{OPTION_OF[name]: value for name, value in settings.items() if name in OPTION_OF})
         except Exception as error:
             self.estimate.setText(in_words(one_line(error)))
             return
