@@ -7,6 +7,7 @@ from .reading import describe
 from .resolving import Resolver
 
 translate = FreeCAD.Qt.translate
+_OURS, SHARED = "Fem::FeatureMesh", "Fem::FeatureMeshShared"
 
 
 def for_new_mesh(part, active=None):
@@ -35,8 +36,20 @@ def analyses_of(document):
 
 
 def holding(obj):
-    """The analyses that the object is in."""
-    return [analysis for analysis in obj.InList if analysis.isDerivedFrom("Fem::FemAnalysis")]
+    """The analyses that the object is in, itself or by an object that shows its mesh there."""
+    direct = [analysis for analysis in obj.InList if analysis.isDerivedFrom("Fem::FemAnalysis")]
+    others = [analysis for shared in shares_of(obj) for analysis in shared.InList if analysis.isDerivedFrom("Fem::FemAnalysis")]
+    return direct + [analysis for analysis in others if analysis not in direct]
+
+
+def shares_of(mesh):
+    """The objects by which other analyses have the mesh, too."""
+    return [obj for obj in dict.fromkeys(mesh.InList) if _type_of(obj) == SHARED and obj.Mesh is mesh]
+
+
+def source_of(mesh):
+    """The mesh object of ours whose mesh it is, None for a mesh of another maker."""
+    return mesh.Mesh if _type_of(mesh) == SHARED else mesh if _type_of(mesh) == _OURS else None
 
 
 def meshes_of(analysis):
@@ -46,8 +59,12 @@ def meshes_of(analysis):
 
 
 def is_ours(mesh):
-    """Is this one of our mesh objects?"""
-    return getattr(getattr(mesh, "Proxy", None), "Type", "") == "Fem::FeatureMesh"
+    """Is this one of our mesh objects, or one that shows the mesh of one?"""
+    return _type_of(mesh) in (_OURS, SHARED)
+
+
+def _type_of(obj):
+    return getattr(getattr(obj, "Proxy", None), "Type", "")
 
 
 def _unless_it_has_a_mesh(analysis):

@@ -10,7 +10,7 @@ import time
 import FreeCAD
 import ObjectsFem
 
-from . import (adopt, analyses, difference_drawing, documents, edits, engine, export, mesh_drawing, overlays, reading, resolving, section, solve_guard, solving,
+from . import (adopt, analyses, difference_drawing, documents, edits, engine, export, load_cases, mesh_drawing, overlays, reading, resolving, section, solve_guard, solving,
                statics, statics_result, transfer, versions)
 from . import live_result as live_results
 from .about import facts
@@ -332,6 +332,22 @@ def meshes_of(document):
 def about():
     """[(name, value)] of what a bug report needs to know: versions, where things are and how they were installed, where the log is."""
     return facts()
+
+
+def share_mesh(mesh, analysis):
+    """Lets a second analysis be solved with `mesh`: it gets an object with the same nodes, elements and numbers and the groups of its own loads,
+    supports and materials, which follows every update. Returns it. Throws UserError when the analysis has a mesh already."""
+    reading.refuse_gone(mesh)
+    return load_cases.share(mesh, analysis)
+
+
+def copy_analysis(analysis, name=None, mesh="shared"):
+    """A copy of an analysis with copies of its loads, supports, materials and solvers, without results: a second load case.
+
+    `mesh` is "shared" (see share_mesh), "own" for a mesh object of its own, or "none". Returns the copy. Throws UserError.
+    """
+    reading.refuse_gone(analysis)
+    return load_cases.copy(analysis, name, mesh)
 
 
 def find_mesh(document, part_name=None):

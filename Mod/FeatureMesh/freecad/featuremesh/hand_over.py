@@ -90,9 +90,9 @@ def reopened(fem_mesh, arrays):
     return build(arrays, groups)
 
 
-def groups_of(part_mesh, mesh, part, raw=None):
-    """All groups of the mesh object `mesh`: per CAD entity, per feature, per group object and per analysis member. `raw` is the part as
-    it was read for the mesh."""
+def groups_of(part_mesh, mesh, part, raw=None, analysis_of=None):
+    """All groups of the mesh object `mesh`: per CAD entity, per feature, per group object and per member of its analysis, or of that of the
+    object `analysis_of`. `raw` is the part as it was read for the mesh."""
     resolver = Resolver(part, raw)
     entities = EntityGroups(part_mesh.arrays())
     groups = entities.of_all_entities()
@@ -100,7 +100,7 @@ def groups_of(part_mesh, mesh, part, raw=None):
     for group in getattr(mesh, "MeshGroupList", []):
         name = group.Label if getattr(group, "UseLabel", False) else group.Name
         groups += _groups_of_references(name, group, resolver, entities)
-    groups += analysis_groups(mesh, resolver, entities)
+    groups += analysis_groups(analysis_of or mesh, resolver, entities)
     return [group for group in groups if len(group[2])]
 
 

@@ -7,7 +7,7 @@ groups by which a solver finds the nodes of constraints are renewed when the ref
 
 import FreeCAD
 
-from . import results
+from . import analyses, results
 
 _WATCHED = ("References", "Group", "MeshGroupList", "MeshRegionList")
 _observer = None
@@ -70,9 +70,9 @@ class _Observer:
                 continue
             if name == "References":
                 mesh.Proxy.references_changed(mesh, obj)
-            elif mesh is obj or obj in mesh.InList:
+            elif mesh is obj or obj in mesh.InList or obj in analyses.holding(mesh):
                 mesh.Proxy.members_changed(mesh)
-            if name == "References" or name == "Group" and obj in mesh.InList:
+            if name == "References" or name == "Group" and obj in analyses.holding(mesh):
                 mesh.Proxy.renew_analysis_groups(mesh)
 
 

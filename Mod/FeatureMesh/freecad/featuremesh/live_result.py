@@ -6,7 +6,7 @@ import threading
 
 import FreeCAD
 
-from . import engine, messages, mesh_object, results, solve_guard, state, statics, statics_model, statics_result
+from . import analyses, engine, messages, mesh_object, results, solve_guard, state, statics, statics_model, statics_result
 from .errors import StateError, UserError
 from .reading import describe
 
@@ -171,12 +171,13 @@ class LiveResult:
 
     def mesh(self, live):
         """The mesh of ours in the analysis, or None."""
-        return next((obj for obj in live.Members if mesh_object.is_feature_mesh(obj)), None)
+        return next((analyses.source_of(obj) for obj in live.Members if analyses.is_ours(obj)), None)
 
     def take_members(self, live):
         """What of the analysis asks for a new solution when it changes."""
         analysis = self.analysis(live)
         members = [obj for obj in analysis.Group if not statics_model.is_result(obj)] if analysis is not None else []
+        members += [analyses.source_of(obj) for obj in members if analyses.is_ours(obj) and analyses.source_of(obj) not in (obj, None)]
         if members != live.Members:
             live.Members = members
             _outdate(live)

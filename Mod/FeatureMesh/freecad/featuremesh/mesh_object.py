@@ -170,6 +170,8 @@ class FeatureMesh:
         report["settings"] = job.settings
         _show_report(mesh, report)
         mesh.Status = SETTINGS_CHANGED if differ_from_mesh(mesh, settings_of(mesh)) else UP_TO_DATE
+        for shared in analyses.shares_of(mesh):
+            shared.Proxy.show(shared)
         return report
 
     def take_over(self, mesh, job, for_freecad):
@@ -238,6 +240,8 @@ class FeatureMesh:
                 FreeCAD.Console.PrintError("%s: %s\n" % (mesh.Label, one_line(error)))
                 return
         self._shown = checksum
+        for shared in analyses.shares_of(mesh):
+            shared.Proxy.show(shared)
         self._shape = versions.part_of(mesh).Shape if is_of_its_part(mesh) and versions.part_of(mesh) is not None else None
 
     def settle(self, mesh, objects, raw=None):
@@ -306,6 +310,8 @@ class FeatureMesh:
             FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, error))
             return
         hand_over.renew_analysis_groups(mesh, Resolver(part, self._raw), arrays)
+        for shared in analyses.shares_of(mesh):
+            shared.Proxy.renew_analysis_groups(shared)
 
     def _old(self, mesh):
         """What to start from: (the engine's mesh, the saved state to make it from, the reason why there is neither).

@@ -21,11 +21,18 @@ tell = None
 
 def reason(analysis):
     """Why the analysis must not be solved now, as a sentence; "" when nothing is in the way."""
+    if analysis is not None and not analyses.meshes_of(analysis) and _ours_in(analysis.Document):
+        return translate("FeatureMesh", "%s has no mesh; let it share %s (api.share_mesh), or give it one of its own") % (
+            analysis.Label, _ours_in(analysis.Document)[0].Label)
     for mesh in analyses.meshes_of(analysis) if analysis is not None else ():
         problem = mesh.Proxy.why_not_to_solve(mesh) if analyses.is_ours(mesh) else ""
         if problem:
             return problem
     return next((sentence for _, sentence in references.unmended(analysis)), "") if analysis is not None else ""
+
+
+def _ours_in(document):
+    return [obj for obj in document.Objects if analyses.source_of(obj) is obj]
 
 
 def refuse(analysis):

@@ -6,9 +6,8 @@ import time
 
 import numpy as np
 
-from . import engine, statics_model, statics_supports
+from . import analyses, engine, statics_model, statics_supports
 from .errors import UserError
-from .mesh_object import is_feature_mesh
 from .reading import describe
 from .statics_model import NotUnderstood
 
@@ -19,9 +18,9 @@ def mesh_of(analysis):
     """The mesh object of an analysis. Throws NotUnderstood where it is not ours, or not one."""
     meshes = [member for member in statics_model.members_of(analysis)
               if member.isDerivedFrom("Fem::FemMeshObject") and not member.Name.startswith("ResultMesh")]
-    if len(meshes) != 1 or not is_feature_mesh(meshes[0]):
+    if len(meshes) != 1 or analyses.source_of(meshes[0]) is None:
         raise NotUnderstood("the live solver needs one mesh of FeatureMesh in the analysis %s" % describe(analysis))
-    return meshes[0]
+    return analyses.source_of(meshes[0])
 
 
 def arrays_of(analysis):

@@ -8,7 +8,7 @@ import FreeCAD
 import numpy as np
 from femtools import constants, femutils
 
-from . import engine, versions
+from . import analyses, engine, versions
 from .errors import UserError
 from .hand_over import EntityGroups
 from .materials import material_groups
@@ -86,7 +86,7 @@ class _Reader:
         materials = [member for member in members if femutils.is_of_type(member, "Fem::MaterialCommon")]
         self._read_materials(materials)
         for member in members:
-            if member in materials or member is mesh or _is_without_effect(member):
+            if member in materials or analyses.source_of(member) is mesh or _is_without_effect(member):
                 continue
             read = next((read for kind, read in _READERS if femutils.is_of_type(member, kind)), None)
             if read is None:

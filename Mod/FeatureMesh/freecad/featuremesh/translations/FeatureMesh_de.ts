@@ -207,12 +207,24 @@
       <translation>%s Elemente fast ohne Volumen bleiben bei %s; dort feiner vernetzen, oder weglassen, was viel kleiner als der Rest des Bauteils ist</translation>
     </message>
     <message>
+      <source>%s has %s already, and an analysis is solved with one mesh</source>
+      <translation>%s hat schon %s, und eine Analyse wird mit einem Netz gelöst</translation>
+    </message>
+    <message>
       <source>%s has a mesh already: %s; delete one of the two</source>
       <translation>%s hat schon ein Netz: %s; bitte eines von beiden löschen</translation>
     </message>
     <message>
+      <source>%s has no mesh of FeatureMesh to copy along</source>
+      <translation>%s hat kein Netz von FeatureMesh, das mitkopiert werden könnte</translation>
+    </message>
+    <message>
       <source>%s has no mesh yet</source>
       <translation>%s hat noch kein Netz</translation>
+    </message>
+    <message>
+      <source>%s has no mesh; let it share %s (api.share_mesh), or give it one of its own</source>
+      <translation>%s hat kein Netz; lassen Sie die Analyse %s mitbenutzen (api.share_mesh), oder geben Sie ihr ein eigenes</translation>
     </message>
     <message>
       <source>%s has no part to mesh, set its property %s</source>
@@ -309,6 +321,10 @@
     <message>
       <source>%s refers to %s, which is gone; it was taken out of the references</source>
       <translation>%s bezieht sich auf %s, das es nicht mehr gibt; es wurde aus den Referenzen genommen</translation>
+    </message>
+    <message>
+      <source>%s shows a mesh that was deleted; delete it, too, and give the analysis another mesh</source>
+      <translation>%s zeigt ein Netz, das gelöscht wurde; löschen Sie es auch und geben Sie der Analyse ein anderes Netz</translation>
     </message>
     <message>
       <source>%s was not updated since the document was opened, all its elements are as they were</source>
@@ -1207,6 +1223,10 @@
     <message>
       <source>the document holds no mesh state</source>
       <translation>das Dokument enthält keinen Netzzustand</translation>
+    </message>
+    <message>
+      <source>the mesh of a copy is one of %s, not %s</source>
+      <translation>das Netz einer Kopie ist eines von %s, nicht %s</translation>
     </message>
     <message>
       <source>the new mesh's state cannot be stored (%s), the old mesh stays; is the disk full?</source>

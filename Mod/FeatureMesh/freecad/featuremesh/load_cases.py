@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Several analyses with one mesh, and copies of analyses."""
+
+import FreeCAD
+
+from . import analyses, reading, shared_mesh, statics_model
+from .errors import UserError
+
+translate = FreeCAD.Qt.translate
+# What becomes of the mesh in a copy of an analysis.
+MESHES = ("shared", "own", "none")
+
+
+def share(mesh, analysis):
+    """Lets a second analysis be solved with the mesh `mesh`. Returns the object in it. Throws UserError when it has a mesh already."""
+    if not analysis.isDerivedFrom("Fem::FemAnalysis"):
+        raise UserError(translate("FeatureMesh", "%s is no analysis") % reading.describe(analysis))
+    there = analyses.meshes_of(analysis)
+    if there:
+        raise UserError(translate("FeatureMesh", "%s has %s already, and an analysis is solved with one mesh")
+                        % (reading.describe(analysis), reading.describe(there[0])))
+    return shared_mesh.share(analyses.source_of(mesh), analysis)
+
+
+def copy(analysis, name, mesh):
+    """A copy of the analysis with copies of its loads, supports, materials and solvers, without results. Throws UserError."""
+    if mesh not in MESHES:
+        raise UserError(translate("FeatureMesh", "the mesh of a copy is one of %s, not %s") % (", ".join(MESHES), mesh))
+    document = analysis.Document
+    ours = next((analyses.source_of(member) for member in analyses.meshes_of(analysis) if analyses.is_ours(member)), None)
+    if ours is None and mesh != "none":
+        raise UserError(translate("FeatureMesh", "%s has no mesh of FeatureMesh to copy along") % reading.describe(analysis))
+    made = document.addObject("Fem::FemAnalysis", name or analysis.Name)
+    for member in analysis.Group:
+        if member.isDerivedFrom("Fem::FemMeshObject") or statics_model.is_result(member):
+            continue
+        twin = document.copyObject(member, False)
+        twin.Label = "%s (%s)" % (member.Label, made.Label)
+        made.addObject(twin)
+    if mesh == "shared":
+        share(ours, made)
+    elif mesh == "own":
+        made.addObject(document.copyObject(ours, False))
+    return made

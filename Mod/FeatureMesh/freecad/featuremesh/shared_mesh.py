@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A mesh of ours in a second analysis: the same nodes, elements and numbers, with the groups of that analysis.
+
+In FreeCAD an object is in one group at most, so an analysis gets an object of its own that shows another's mesh.
+"""
+
+import FreeCAD
+import Fem
+
+from . import analyses, hand_over, state, versions
+from .errors import StateError
+from .resolving import Resolver
+
+translate = FreeCAD.Qt.translate
+
+
+class SharedMesh:
+    """Proxy of the object. Its class path is stored in documents and never changes."""
+
+    Type = analyses.SHARED
+
+    def __init__(self, shared, mesh):
+        self.Type = SharedMesh.Type
+        shared.Proxy = self
+        self._shown = ""   # which state of the mesh FemMesh is of
+        shared.addProperty("App::PropertyLink", "Mesh", "Mesh", "The mesh object whose mesh this analysis is solved with")
+        if versions.part_property(mesh) not in shared.PropertiesList:
+            shared.addProperty("App::PropertyLink", versions.part_property(mesh), "Mesh", "The meshed part")
+        shared.Mesh = mesh
+        setattr(shared, versions.part_property(mesh), versions.part_of(mesh))
+
+    def execute(self, shared):
+        """Called by recompute."""
+        self.show(shared)
+
+    def onDocumentRestored(self, shared):
+        self._shown = ""
+        mesh = shared.Mesh
+        if mesh is None or not state.checksum_of(mesh.SavedState):
+            return
+        try:
+            fem_mesh = hand_over.reopened(shared.FemMesh, state.load(mesh.SavedState).arrays)
+        except StateError:
+            return   # the mesh's own object says so
+        if fem_mesh is not None:
+            shared.FemMesh = fem_mesh
+        self._shown = state.checksum_of(mesh.SavedState)
+        shared.purgeTouched()
+
+    def show(self, shared, anew=False):
+        """Makes FemMesh what the mesh is now; with `anew` also where it is that already, for other groups."""
+        mesh = shared.Mesh
+        if mesh is None:
+            return
+        checksum = state.checksum_of(mesh.SavedState)
+        if checksum == self._shown and not anew:
+            return
+        if checksum:
+            part_mesh, resolver = mesh.Proxy.last_part_mesh(mesh), Resolver(versions.part_of(mesh))
+            shared.FemMesh = hand_over.to_fem_mesh(part_mesh, hand_over.groups_of(part_mesh, mesh, resolver.part, analysis_of=shared))
+        else:
+            shared.FemMesh = Fem.FemMesh()
+        self._shown = checksum
+        shared.purgeTouched()
+
+    def renew_analysis_groups(self, shared):
+        """Makes the groups of constraints and materials anew, without touching the mesh."""
+        mesh = shared.Mesh
+        if mesh is not None and self._shown and versions.part_of(mesh) is not None:
+            hand_over.renew_analysis_groups(shared, Resolver(versions.part_of(mesh)), mesh.Proxy.arrays(mesh))
+
+    def why_not_to_solve(self, shared):
+        """As of the mesh itself; or that it is gone."""
+        if shared.Mesh is None:
+            return translate("FeatureMesh", "%s shows a mesh that was deleted; delete it, too, and give the analysis another mesh") % shared.Label
+        return shared.Mesh.Proxy.why_not_to_solve(shared.Mesh)
+
+    def state_of_part(self, shared):
+        """As of the mesh itself."""
+        return shared.Mesh.Proxy.state_of_part(shared.Mesh) if shared.Mesh is not None else ""
+
+    def dumps(self):
+        return {"Type": self.Type}
+
+    def loads(self, saved):
+        self.Type = SharedMesh.Type
+        self._shown = ""
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def share(mesh, analysis):
+    """Adds to `analysis` an object that shows the mesh. Returns it."""
+    shared = mesh.Document.addObject(versions.mesh_object_type(), mesh.Name + "_" + analysis.Name)
+    SharedMesh(shared, mesh)
+    shared.Label = "%s (%s)" % (mesh.Label, analysis.Label)
+    analysis.addObject(shared)
+    shared.Proxy.show(shared, anew=True)
+    return shared

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One mesh in several analyses, and copies of analyses with and without their mesh."""
+import shutil
+import unittest
+
+import ObjectsFem
+from analyses import add_material, add_solver, quantity, solve
+from freecad.featuremesh import analyses, api, engine, mesh_object, solve_guard, statics
+from freecad.featuremesh.errors import UserError
+from meshed_plate import MeshedPlate, points_of
+
+STEEL = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.3", "Density": "7900 kg/m^3"}
+
+
+def face_across(body, axis, place):
+    """Name of the face that lies across an axis 0, 1 or 2 at that place."""
+    for number, face in enumerate(body.Shape.Faces, 1):
+        box = face.BoundBox
+        low, high = (box.XMin, box.YMin, box.ZMin)[axis], (box.XMax, box.YMax, box.ZMax)[axis]
+        if abs(low - place) < 1e-6 and abs(high - place) < 1e-6:
+            return "Face%d" % number
+    raise AssertionError("no such face")
+
+
+def group_names(mesh):
+    return {mesh.FemMesh.getGroupName(group) for group in mesh.FemMesh.Groups}
+
+
+class LoadCases(MeshedPlate):
+
+    def setUp(self):
+        super().setUp()
+        self.analysis = self.document.addObject("Fem::FemAnalysis", "Pull")
+        self.analysis.addObject(self.mesh)
+        add_solver(self.document, self.analysis)
+        add_material(self.document, self.analysis, "Steel", STEEL)
+        self.fixed = ObjectsFem.makeConstraintFixed(self.document, "Fixed")
+        self.fixed.References = [(self.body, face_across(self.body, 0, 0))]
+        self.force = ObjectsFem.makeConstraintForce(self.document, "Force")
+        self.force.References = [(self.body, face_across(self.body, 0, 60))]
+        self.force.Force = quantity(1000, "N")
+        for member in (self.fixed, self.force):
+            self.analysis.addObject(member)
+        self.document.recompute()
+
+    def twin(self, **more):
+        """A copy of the analysis with twice the force."""
+        copy = api.copy_analysis(self.analysis, "Push", **more)
+        force, = [member for member in copy.Group if member.isDerivedFrom("Fem::ConstraintForce")]
+        force.Force = quantity(2000, "N")
+        self.document.recompute()
+        return copy
+
+    def test_a_copy_shares_the_mesh_and_has_groups_of_its_own(self):
+        copy = self.twin()
+        self.assertIn(self.mesh, self.analysis.Group)
+        shared, = analyses.meshes_of(copy)
+        self.assertIs(shared.Mesh, self.mesh)
+        self.assertEqual(points_of(shared), points_of(self.mesh))
+        self.assertEqual(shared.FemMesh.Volumes, self.mesh.FemMesh.Volumes)
+        force = next(member for member in copy.Group if member.isDerivedFrom("Fem::ConstraintForce"))
+        self.assertIn("Force_Nodes", group_names(self.mesh))
+        self.assertNotIn("Force_Nodes", group_names(shared))
+        self.assertIn(force.Name + "_Nodes", group_names(shared))
+        self.assertNotIn(force.Name + "_Nodes", group_names(self.mesh))
+
+    def test_the_shared_mesh_follows_an_edit_and_its_loads_keep_their_faces(self):
+        copy = self.twin()
+        shared, = analyses.meshes_of(copy)
+        before = points_of(shared)
+        self.edit(24)
+        self.assertEqual(points_of(shared), points_of(self.mesh))
+        self.assertNotEqual(points_of(shared), before)
+        for member in copy.Group:
+            if member.isDerivedFrom("Fem::ConstraintForce"):
+                self.assertEqual([sub for _, subs in member.References for sub in subs], [face_across(self.body, 0, 60)])
+        self.assertEqual(solve_guard.reason(copy), "")
+        self.mesh.Automatic = False
+        self.edit(26)
+        self.assertIn("out of date", solve_guard.reason(copy))
+
+    def test_undo_brings_the_mesh_back_in_all_analyses(self):
+        copy = self.twin()
+        shared, = analyses.meshes_of(copy)
+        before = points_of(shared)
+        self.document.UndoMode = 1
+        self.document.openTransaction("Edit")
+        self.edit(24)
+        self.document.commitTransaction()
+        self.assertNotEqual(points_of(shared), before)
+        self.document.undo()
+        self.assertEqual(points_of(shared), before)
+        self.assertEqual(points_of(self.mesh), before)
+
+    def test_it_survives_saving(self):
+        self.twin()
+        self.edit(24)   # numbers with gaps
+        before = points_of(self.mesh)
+        self.save_and_reopen()
+        shared, = analyses.meshes_of(self.document.Push)
+        self.assertEqual(points_of(shared), before)
+        self.edit(22)
+        self.assertEqual(points_of(shared), points_of(self.mesh))
+        self.assertGreater(self.mesh.KeptNodes, 30)
+
+    def test_other_copies(self):
+        bare = api.copy_analysis(self.analysis, "Bare", mesh="none")
+        self.assertEqual(analyses.meshes_of(bare), [])
+        self.assertIn("has no mesh", solve_guard.reason(bare))
+        shared = api.share_mesh(self.mesh, bare)
+        self.assertEqual(solve_guard.reason(bare), "")
+        with self.assertRaisesRegex(UserError, "already"):
+            api.share_mesh(self.mesh, bare)
+        own = api.copy_analysis(self.analysis, "Own", mesh="own")
+        mesh, = analyses.meshes_of(own)
+        self.assertTrue(mesh_object.is_feature_mesh(mesh))
+        self.assertIsNot(mesh, self.mesh)
+        with self.assertRaisesRegex(UserError, "one of shared, own, none"):
+            api.copy_analysis(self.analysis, mesh="some")
+        self.document.removeObject(own.Name)
+        self.document.removeObject(self.mesh.Name)
+        self.assertIn("was deleted", shared.Proxy.why_not_to_solve(shared))
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+    def test_both_are_solved_with_one_mesh(self):
+        copy = self.twin()
+        once = solve(self.analysis)["displacement"]
+        twice = solve(copy)["displacement"]
+        self.assertAlmostEqual(twice / once, 2, delta=1e-4)
+        if not engine.load().statics_missing():
+            live = statics.solve(copy)[1]["responses"]["max_displacement_mm"]
+            self.assertAlmostEqual(live / twice, 1, delta=1e-3)
+        self.edit(24)
+        again = solve(copy)["displacement"]
+        self.assertAlmostEqual(again / twice, 1, delta=0.05)
+        self.assertNotEqual(again, twice)
+
+
+if __name__ == "__main__":
+    unittest.main()
