@@ -13,6 +13,7 @@ import freecad_roots
 import package_tests
 import packages
 import published
+import sanitizers
 import wheels
 from engine_build import ALL, IN_FREECAD, PYTHON, set_up
 from freecad_task import freecad_environment, run_script, run_task
@@ -136,6 +137,8 @@ def test(given):
         return test_packages(given)
     if given.freecad is not None:
         return test_elsewhere(given)
+    if given.sanitize:
+        return sanitizers.run(given.sanitize, given.only)
     extra = () if given.in_freecad else packages.STYLE_PACKAGES + packages.WINDOWS_PACKAGES + packages.SOLVER_PACKAGES + packages.CLUSTER_PACKAGES
     set_up(packages.PICTURE_PACKAGES + packages.PEER_PACKAGES + packages.READER_PACKAGES + packages.STUDY_PACKAGES + extra, IN_FREECAD if given.in_freecad else ALL)
     say("running the tests" + (" in FreeCAD" if given.in_freecad else ""))

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tests of the engine's modules under a sanitizer, in a build of its own without the Python module."""
+import os
+import subprocess
+
+import cgal_headers
+import packages
+from engine_build import alone, compilers_at_once
+from layout import BUILD, CGAL, ROOT, Failure
+from setup_log import run_logged, say
+
+PRESET_OF = {"address": "asan", "thread": "tsan"}   # asan also finds undefined behaviour
+# The kernel keeps what it allocated once to the end, so what is left then says nothing of us. Debian's libraries are built without the
+# thread sanitizer, which does not see how they hand work over.
+OPTIONS = {"ASAN_OPTIONS": "detect_leaks=0:detect_stack_use_after_return=1", "UBSAN_OPTIONS": "print_stacktrace=1",
+           "TSAN_OPTIONS": "ignore_noninstrumented_modules=1:halt_on_error=1"}
+SECONDS_AT_MOST = 1500   # for one module: about four times what the slowest takes on two processors
+
+
+def run(kind, only=None):
+    """Builds and runs; raises Failure when a test fails or the sanitizer finds something."""
+    folder = BUILD / PRESET_OF[kind]
+    BUILD.mkdir(exist_ok=True)
+    with alone():
+        packages.install_missing(packages.BUILD_PACKAGES)
+        cgal_headers.fetch_cgal()
+        say(f"building the engine's tests with the {kind} sanitizer")
+        run_logged(["cmake", "--preset", PRESET_OF[kind], "-B", folder, f"-DFEATUREMESH_CGAL_DIR={CGAL / 'usr'}"], "configuring the build", cwd=ROOT)
+        run_logged(["cmake", "--build", folder, "-j", str(compilers_at_once())], "building", cwd=ROOT)
+    say(f"running them with the {kind} sanitizer")
+    code = subprocess.run(["ctest", "--test-dir", str(folder), "--output-on-failure", "--no-tests=error", "--timeout", str(SECONDS_AT_MOST),
+                           *(["-R", only] if only else [])], env={**os.environ, **OPTIONS}).returncode
+    if code:
+        raise Failure(f"the tests failed with the {kind} sanitizer (see above)")
+    return 0
