@@ -102,6 +102,8 @@ class LoadCases(MeshedPlate):
         self.edit(22)
         self.assertEqual(points_of(shared), points_of(self.mesh))
         self.assertGreater(self.mesh.KeptNodes, 30)
+        api.renumber_mesh(self.mesh)
+        self.assertEqual(points_of(shared), points_of(self.mesh))
 
     def test_other_copies(self):
         bare = api.copy_analysis(self.analysis, "Bare", mesh="none")

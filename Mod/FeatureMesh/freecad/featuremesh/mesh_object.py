@@ -111,6 +111,7 @@ class FeatureMesh:
         job.part_mesh = engine.load().restore_part(saved.raw, saved.options, arrays)
         self._show(mesh, job.part_mesh)
         self._store(mesh, job)
+        _show_in_other_analyses(mesh)
         return tuple(before.tolist())
 
     def adopt(self, mesh, arrays, progress=None):
@@ -170,8 +171,7 @@ class FeatureMesh:
         report["settings"] = job.settings
         _show_report(mesh, report)
         mesh.Status = SETTINGS_CHANGED if differ_from_mesh(mesh, settings_of(mesh)) else UP_TO_DATE
-        for shared in analyses.shares_of(mesh):
-            shared.Proxy.show(shared)
+        _show_in_other_analyses(mesh)
         return report
 
     def take_over(self, mesh, job, for_freecad):
@@ -240,8 +240,7 @@ class FeatureMesh:
                 FreeCAD.Console.PrintError("%s: %s\n" % (mesh.Label, one_line(error)))
                 return
         self._shown = checksum
-        for shared in analyses.shares_of(mesh):
-            shared.Proxy.show(shared)
+        _show_in_other_analyses(mesh)
         self._shape = versions.part_of(mesh).Shape if is_of_its_part(mesh) and versions.part_of(mesh) is not None else None
 
     def settle(self, mesh, objects, raw=None):
@@ -448,6 +447,11 @@ class FeatureMesh:
         for hook in on_ready:
             hook(mesh)
 
+
+
+def _show_in_other_analyses(mesh):
+    for shared in analyses.shares_of(mesh):
+        shared.Proxy.show(shared)
 
 
 def _next_numbers(mesh, state_is_sound):
