@@ -98,20 +98,22 @@ CavityFill fill_cavity(const Cavity& cavity, std::span<const Ball> balls, std::s
     SeedSpace space(cavity.points, cavity.facets, balls, size, SeedOptions{}, context);
     const std::vector<Vec3> seeds = space.seeds(active);
     points.insert(points.end(), seeds.begin(), seeds.end());
-    const auto delaunay = std::make_shared<GrowingDelaunay>();
-    delaunay->insert(points, context);
-    Triangulation triangulation = delaunay->tets(context);
-    if (!balls.empty()) {
-        const std::vector<Vec3> more = points_in_gaps(triangulation, points, cavity, space, size);
-        if (!more.empty()) {
-            delaunay->insert(more, context);
-            points.insert(points.end(), more.begin(), more.end());
-            triangulation = delaunay->tets(context);
-        }
+    if (balls.empty()) {
+        Triangulation triangulation = delaunay(points, context);
+        return label_cavity(cavity, std::move(points), std::move(triangulation), context);
+    }
+    const auto growing = std::make_shared<GrowingDelaunay>();
+    growing->insert(points, context);
+    Triangulation triangulation = growing->tets(context);
+    const std::vector<Vec3> more = points_in_gaps(triangulation, points, cavity, space, size);
+    if (!more.empty()) {
+        growing->insert(more, context);
+        points.insert(points.end(), more.begin(), more.end());
+        triangulation = growing->tets(context);
     }
     CavityFill fill = label_cavity(cavity, std::move(points), std::move(triangulation), context);
-    if (balls.empty() || fill.is_complete()) return fill;
-    fill.delaunay = delaunay;
+    if (fill.is_complete()) return fill;
+    fill.delaunay = growing;
     fill.point_of.resize(fill.points.size());
     std::iota(fill.point_of.begin(), fill.point_of.end(), 0);
     return fill;

@@ -111,10 +111,4 @@ Triangulation GrowingDelaunay::tets(const RunContext& context, std::span<const i
     return extract(data_->delaunay, number_of, context);
 }
 
-Triangulation delaunay(std::span<const Vec3> points, RunContext& context) {
-    GrowingDelaunay delaunay;
-    delaunay.insert(points, context);
-    return delaunay.tets(context);
-}
-
 }  // namespace featuremesh

@@ -34,8 +34,9 @@ class GrowingDelaunay {
     std::unique_ptr<Data> data_;
 };
 
-/// The Delaunay triangulation, without tets where all points lie in one plane; the order of `points` and of the tets is
-/// the same for the same input. Throws MeshError when two points coincide.
+/// The Delaunay triangulation, without tets where all points lie in one plane; many points are divided into parts that
+/// all threads triangulate. The same bytes for the same input, with any number of threads. Throws MeshError when two
+/// points coincide.
 Triangulation delaunay(std::span<const Vec3> points, RunContext& context);
 
 /// Which of the facets are triangles of the tets, and where: (tet, corner opposite) seen from behind and from before,
