@@ -45,7 +45,7 @@ std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<c
     return space.with_room(centers, places_in_gaps);
 }
 
-void label(const Cavity& cavity, CavityFill& fill, const RunContext& context) {
+void label(const Cavity& cavity, CavityFill& fill, RunContext& context) {
     if (!fill.places.missing.empty()) return;
     fill.regions = label_regions(fill.triangulation, cavity.facets, fill.places, context);
     fill.is_leaky = fill.regions.empty();
@@ -78,7 +78,7 @@ bool has_inverted_tet(const CavityFill& fill) {
 }
 
 CavityFill label_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangulation triangulation,
-                        const RunContext& context) {
+                        RunContext& context) {
     CavityFill fill;
     fill.points = std::move(points);
     fill.triangulation = std::move(triangulation);
@@ -87,7 +87,7 @@ CavityFill label_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangul
     return fill;
 }
 
-void label_turned(const Cavity& cavity, CavityFill& fill, const RunContext& context) {
+void label_turned(const Cavity& cavity, CavityFill& fill, RunContext& context) {
     place_missing(fill.triangulation, fill.points.size(), cavity.facets, fill.places, context);
     label(cavity, fill, context);
 }

@@ -41,10 +41,10 @@ std::vector<Vec3> seeds_among(std::span<const Vec3> active, const Cavity& cavity
 
 /// Finds the facets in a triangulation of the points and labels the regions between them.
 CavityFill label_cavity(const Cavity& cavity, std::vector<Vec3> points, Triangulation triangulation,
-                        const RunContext& context = {});
+                        RunContext& context);
 
 /// The same where only facets that were missing have other corners now.
-void label_turned(const Cavity& cavity, CavityFill& fill, const RunContext& context);
+void label_turned(const Cavity& cavity, CavityFill& fill, RunContext& context);
 
 /// The tets that lie in a region, for local operations; the cavity's own points are fixed.
 TetComplex make_complex(const Cavity& cavity, const CavityFill& fill, const RunContext& context);

@@ -103,8 +103,9 @@ class Filling {
         for (std::size_t i = 0; i < cavities_.size(); ++i) {
             finish(regions_[i]);
             report.released_for_quality += give_back(regions_[i], result_.mesh, is_released_);
-            report.slivers_left += count_bad(regions_[i].complex, angles_);
-            if (count_thin(regions_[i].complex) > 0) leave_out_flat_tets(cavities_[i], regions_[i].complex);
+            report.slivers_left += count_bad(regions_[i].complex, angles_, context_);
+            if (count_thin(regions_[i].complex, angles_, context_) > 0)
+                leave_out_flat_tets(cavities_[i], regions_[i].complex);
         }
         report.released_for_quality -= std::min(report.released_for_quality, report.released_for_shape);
     }
@@ -146,7 +147,7 @@ class Filling {
         const Objective all(wanted);
         wanted.poor_shape = poor_star;
         const Objective all_and_shapes(wanted);
-        const std::size_t bad = count_bad(region.complex, all);
+        const std::size_t bad = count_bad(region.complex, all, context_);
         if (bad == 0) return;
         MovableSurface surface{{}, &projector_, options_.is_for_curved_tets};
         if (options_.moves_surface_nodes) surface.vertices = movable_vertices(brep_, result_.mesh, region, kept_nodes_);
@@ -157,7 +158,8 @@ class Filling {
             list_of(tet_split(mesh, all), edge_ring(mesh, all), vertex_move(mesh, all), cone_refill(mesh, all, refill)),
             {},
             {.passes = passes_at_the_end,
-             .dear_plans = refills_at_the_end + std::min(refills_per_thin * count_thin(region.complex), most_for_thin),
+             .dear_plans = refills_at_the_end +
+                           std::min(refills_per_thin * count_thin(region.complex, angles_, context_), most_for_thin),
              .dear_plans_per_gain = refills_per_gain},
             context_);
         note(angles, context_);
@@ -207,13 +209,7 @@ class Filling {
         const TetComplex& complex = regions_[i].complex;
         const std::size_t most = most_insertions(regions_[i]);
         if (most == std::numeric_limits<std::size_t>::max()) return;
-        if (count_thin(complex) > most) require_thick(cavities_[i], complex);
-    }
-
-    std::size_t count_thin(const TetComplex& complex) const {
-        return static_cast<std::size_t>(std::count_if(complex.tets.begin(), complex.tets.end(), [&](const auto& tet) {
-            return tet[0] >= 0 && angles_.flaw(complex, tet) > 1;
-        }));
+        if (count_thin(complex, angles_, context_) > most) require_thick(cavities_[i], complex);
     }
 
     /// What the vertices inside can do.

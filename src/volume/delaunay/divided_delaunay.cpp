@@ -146,20 +146,23 @@ Corners sorted(Corners corners) {
 /// others have by themselves.
 class Joining {
   public:
-    Joining(std::span<const Vec3> points, Part& first, Part& second, RunContext& context)
-        : points_(points), halves_{&first, &second}, context_(context) {}
+    Joining(std::span<const Vec3> points, const Part& first, const Part& second, RunContext& context)
+        : points_(points), halves_{Half{first}, Half{second}}, context_(context) {}
 
     Triangulation run() {
-        for (int h = 0; h < 2; ++h) look_for_final(h);
-        const std::vector<int> between = points_between();
-        GrowingDelaunay delaunay;
-        std::vector<Vec3> places;
-        for (const int p : between) places.push_back(points_[p]);
-        delaunay.insert(places, context_);
-        const Triangulation filling = delaunay.tets(context_, between);
-        for (int h = 0; h < 2; ++h) append(halves_[h]->triangulation, is_final_[h]);
-        append(filling, wanted_of(filling));
-        link_open_sides();
+        each_half([&](int h) { look_for_final(halves_[h], halves_[1 - h].part.box), collect(halves_[h]); });
+        const Triangulation filling = triangulate_between();
+        const std::vector<std::uint8_t> is_wanted = wanted_of(filling);
+        std::array<std::size_t, 4> first{};
+        for (int h = 0; h < 2; ++h) first[h + 1] = first[h] + count(halves_[h].is_final);
+        first[3] = first[2] + count(is_wanted);
+        joined_.tets.resize(first[3]);
+        joined_.neighbours.resize(first[3]);
+        each_half(
+            [&](int h) { halves_[h].open = append(halves_[h].part.triangulation, halves_[h].is_final, first[h]); });
+        std::vector<OpenSide> open = append(filling, is_wanted, first[2]);
+        for (const Half& half : halves_) open.insert(open.end(), half.open.begin(), half.open.end());
+        link(std::move(open));
         return std::move(joined_);
     }
 
@@ -168,74 +171,100 @@ class Joining {
         std::array<int, 3> corners;
         int tet, side;
     };
+    struct Half {
+        const Part& part;
+        std::vector<std::uint8_t> is_final{}, is_side_final{};  // by tet; by tet, a bit for each side
+        std::vector<Corners> unsure{};                          // tets that are not final
+        std::vector<int> between{};  // points with a cell that is not; all others keep their tets in the whole
+        std::vector<OpenSide> open{};
+    };
 
-    void look_for_final(int h) {
-        const Triangulation& half = halves_[h]->triangulation;
-        const FinalTets final(points_, half, halves_[1 - h]->box);
-        is_final_[h].assign(half.tets.size(), 0);
-        is_side_final_[h].assign(half.tets.size(), 0);
+    template <class Work>
+    void each_half(Work work) {
+        parallel_for(context_, 2, 1, [&](std::size_t h, std::size_t) { work(static_cast<int>(h)); });
+    }
+    static std::size_t count(std::span<const std::uint8_t> flags) {
+        return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
+    }
+
+    void look_for_final(Half& of, const Box& other) {
+        const Triangulation& half = of.part.triangulation;
+        const FinalTets final(points_, half, other);
+        of.is_final.assign(half.tets.size(), 0);
+        of.is_side_final.assign(half.tets.size(), 0);
         parallel_for(context_, half.tets.size(), tets_per_chunk, [&](std::size_t begin, std::size_t end) {
             for (std::size_t t = begin; t < end; ++t) {
-                is_final_[h][t] = final.is_final(t);
+                of.is_final[t] = final.is_final(t);
                 for (int k = 0; k < 4; ++k)
-                    is_side_final_[h][t] |= (half.neighbours[t][k] < 0 && final.is_final(t, k)) << k;
+                    of.is_side_final[t] |= (half.neighbours[t][k] < 0 && final.is_final(t, k)) << k;
             }
         });
     }
 
-    /// The points with a cell that is not final. All others have in the whole the tets that they have in their half.
-    std::vector<int> points_between() {
-        std::vector<int> between;
-        for (int h = 0; h < 2; ++h) {
-            const Triangulation& half = halves_[h]->triangulation;
-            const std::vector<int>& points = halves_[h]->points;
-            enum : std::uint8_t { has_no_tet, is_closed, is_open };
-            std::vector<std::uint8_t> state(points_.size(), has_no_tet);
-            for (std::size_t t = 0; t < half.tets.size(); ++t) {
-                for (const int c : half.tets[t])
-                    if (state[c] == has_no_tet || !is_final_[h][t]) state[c] = is_final_[h][t] ? is_closed : is_open;
-                if (!is_final_[h][t]) unsure_.push_back(sorted(half.tets[t]));
-            }
-            for (std::size_t t = 0; t < half.tets.size(); ++t)
-                for (int k = 0; k < 4; ++k)
-                    if (half.neighbours[t][k] < 0 && !(is_side_final_[h][t] >> k & 1))
-                        for (const int i : tet_faces[k]) state[half.tets[t][i]] = is_open;
-            for (const int p : points)
-                if (state[p] != is_closed) between.push_back(p);
+    void collect(Half& of) const {
+        const Triangulation& half = of.part.triangulation;
+        enum : std::uint8_t { has_no_tet, is_closed, is_open };
+        std::vector<std::uint8_t> state(points_.size(), has_no_tet);
+        for (std::size_t t = 0; t < half.tets.size(); ++t) {
+            for (const int c : half.tets[t])
+                if (state[c] == has_no_tet || !of.is_final[t]) state[c] = of.is_final[t] ? is_closed : is_open;
+            if (!of.is_final[t]) of.unsure.push_back(sorted(half.tets[t]));
         }
-        std::sort(unsure_.begin(), unsure_.end());
-        return between;
+        for (std::size_t t = 0; t < half.tets.size(); ++t)
+            for (int k = 0; k < 4; ++k)
+                if (half.neighbours[t][k] < 0 && !(of.is_side_final[t] >> k & 1))
+                    for (const int i : tet_faces[k]) state[half.tets[t][i]] = is_open;
+        for (const int p : of.part.points)
+            if (state[p] != is_closed) of.between.push_back(p);
+        std::sort(of.unsure.begin(), of.unsure.end());
+    }
+
+    Triangulation triangulate_between() {
+        std::vector<int> numbers = halves_[0].between;
+        numbers.insert(numbers.end(), halves_[1].between.begin(), halves_[1].between.end());
+        std::vector<Vec3> places;
+        places.reserve(numbers.size());
+        for (const int p : numbers) places.push_back(points_[p]);
+        GrowingDelaunay delaunay;
+        delaunay.insert(places, context_);
+        return delaunay.tets(context_, numbers);
     }
 
     /// Those of the tets that are tets of the whole: they reach from half to half, or one of the halves has them, too.
     /// Others lie where final tets are. What lies there altogether cannot reach across the cut.
     std::vector<std::uint8_t> wanted_of(const Triangulation& filling) const {
         std::vector<std::uint8_t> is_second(points_.size(), 0);
-        for (const int p : halves_[1]->points) is_second[p] = 1;
+        for (const int p : halves_[1].between) is_second[p] = 1;
         std::vector<std::uint8_t> is_wanted(filling.tets.size(), 0);
-        for (std::size_t t = 0; t < filling.tets.size(); ++t) {
-            const Corners& c = filling.tets[t];
-            const int in_second = is_second[c[0]] + is_second[c[1]] + is_second[c[2]] + is_second[c[3]];
-            is_wanted[t] = in_second % 4 != 0 || std::binary_search(unsure_.begin(), unsure_.end(), sorted(c));
-        }
+        parallel_for(context_, filling.tets.size(), tets_per_chunk, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t t = begin; t < end; ++t) {
+                const Corners& c = filling.tets[t];
+                const int in_second = is_second[c[0]] + is_second[c[1]] + is_second[c[2]] + is_second[c[3]];
+                const std::vector<Corners>& unsure = halves_[in_second == 4].unsure;
+                is_wanted[t] = in_second % 4 != 0 || std::binary_search(unsure.begin(), unsure.end(), sorted(c));
+            }
+        });
         return is_wanted;
     }
 
-    void append(const Triangulation& part, std::span<const std::uint8_t> is_taken) {
+    /// The sides whose tet beyond is not taken, or that have none.
+    std::vector<OpenSide> append(const Triangulation& part, std::span<const std::uint8_t> is_taken, std::size_t first) {
         std::vector<int> place(part.tets.size(), -1);
-        int next = static_cast<int>(joined_.tets.size());
+        int next = static_cast<int>(first);
         for (std::size_t t = 0; t < part.tets.size(); ++t)
             if (is_taken[t]) place[t] = next++;
+        std::vector<OpenSide> open;
         for (std::size_t t = 0; t < part.tets.size(); ++t) {
             if (!is_taken[t]) continue;
-            joined_.tets.push_back(part.tets[t]);
-            Corners& neighbours = joined_.neighbours.emplace_back(Corners{-1, -1, -1, -1});
+            const auto at = static_cast<std::size_t>(place[t]);
+            joined_.tets[at] = part.tets[t];
             for (int k = 0; k < 4; ++k) {
                 const int other = part.neighbours[t][k];
-                if (other >= 0) neighbours[k] = place[other];
-                if (neighbours[k] < 0) open_.push_back(side_of(place[t], k));
+                joined_.neighbours[at][k] = other >= 0 ? place[other] : -1;
+                if (joined_.neighbours[at][k] < 0) open.push_back(side_of(place[t], k));
             }
         }
+        return open;
     }
 
     OpenSide side_of(int tet, int k) const {
@@ -245,12 +274,12 @@ class Joining {
         return side;
     }
 
-    void link_open_sides() {
-        std::sort(open_.begin(), open_.end(), [](const OpenSide& a, const OpenSide& b) {
+    void link(std::vector<OpenSide> open) {
+        std::sort(open.begin(), open.end(), [](const OpenSide& a, const OpenSide& b) {
             return std::tie(a.corners, a.tet) < std::tie(b.corners, b.tet);
         });
-        for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
-            const OpenSide &a = open_[i], &b = open_[i + 1];
+        for (std::size_t i = 0; i + 1 < open.size(); ++i) {
+            const OpenSide &a = open[i], &b = open[i + 1];
             if (a.corners != b.corners) continue;
             joined_.neighbours[a.tet][a.side] = b.tet;
             joined_.neighbours[b.tet][b.side] = a.tet;
@@ -258,12 +287,9 @@ class Joining {
     }
 
     std::span<const Vec3> points_;
-    std::array<Part*, 2> halves_;
+    std::array<Half, 2> halves_;
     RunContext& context_;
-    std::array<std::vector<std::uint8_t>, 2> is_final_, is_side_final_;  // by tet; by tet, a bit for each side
-    std::vector<Corners> unsure_;                                        // tets of the halves that are not final
     Triangulation joined_;
-    std::vector<OpenSide> open_;
 };
 
 void triangulate(Part& part, std::span<const Vec3> points, RunContext& context) {

@@ -9,6 +9,8 @@ namespace featuremesh {
 
 namespace {
 
+constexpr std::size_t tets_per_chunk = 1 << 14;
+
 bool is_odd(const std::array<int, 3>& c) { return ((c[0] > c[1]) + (c[0] > c[2]) + (c[1] > c[2])) % 2 == 1; }
 
 /// The corners of the tet's side opposite corner k, normal outward.
@@ -60,37 +62,142 @@ class FacetTable {
     std::vector<Row> rows_;
 };
 
+/// Every chunk of tets is labelled by itself, from what its facets say and what comes in from others, round by round.
+class Labelling {
+  public:
+    Labelling(const Triangulation& triangulation, std::span<const Facet> facets, const FacetPlaces& places,
+              RunContext& context)
+        : triangulation_(triangulation),
+          facets_(facets),
+          places_(places),
+          context_(context),
+          regions_(triangulation.tets.size(), unknown),
+          chunks_((triangulation.tets.size() + tets_per_chunk - 1) / tets_per_chunk) {}
+
+    /// Empty when a tet would get two regions, or a region reaches the hull.
+    std::vector<int> run() {
+        each_chunk([&](std::size_t chunk) { start(chunk); });
+        for (bool is_at_rest = false; !is_at_rest && !is_leaky();) is_at_rest = !exchange();
+        if (is_leaky()) return {};
+        std::replace(regions_.begin(), regions_.end(), unknown, -1);
+        return std::move(regions_);
+    }
+
+  private:
+    static constexpr int unknown = -2;
+    struct Reached {
+        int tet, region;
+    };
+    struct Chunk {
+        std::vector<int> stack;
+        std::vector<Reached> coming, going;  ///< from other chunks, to them
+        bool is_leaky = false;
+    };
+
+    template <class Work>
+    void each_chunk(Work work) {
+        parallel_for(context_, regions_.size(), tets_per_chunk,
+                     [&](std::size_t begin, std::size_t) { work(begin / tets_per_chunk); });
+    }
+    static std::size_t chunk_of(int tet) { return static_cast<std::size_t>(tet) / tets_per_chunk; }
+
+    bool is_leaky() const {
+        return std::any_of(chunks_.begin(), chunks_.end(), [](const Chunk& chunk) { return chunk.is_leaky; });
+    }
+
+    void reach(Chunk& chunk, int tet, int region) {
+        if (regions_[tet] == unknown) regions_[tet] = region, chunk.stack.push_back(tet);
+        chunk.is_leaky |= regions_[tet] != region;
+    }
+
+    void start(std::size_t at) {
+        const std::size_t begin = at * tets_per_chunk, end = std::min(begin + tets_per_chunk, regions_.size());
+        for (std::size_t t = begin; t < end; ++t)
+            for (int k = 0; k < 4; ++k) {
+                const int facet = places_.facet_at[4 * t + k];
+                if (facet < 0) continue;
+                // A tet whose outward side turns as the facet does lies behind it.
+                const bool is_before = is_odd(side_of(triangulation_.tets[t], k)) != is_odd(facets_[facet].corners);
+                reach(chunks_[at], static_cast<int>(t), facets_[facet].regions[is_before]);
+            }
+        spread(at);
+    }
+
+    void spread(std::size_t at) {
+        Chunk& chunk = chunks_[at];
+        while (!chunk.stack.empty() && !chunk.is_leaky) {
+            const int tet = chunk.stack.back();
+            chunk.stack.pop_back();
+            for (int k = 0; k < 4; ++k) {
+                if (places_.facet_at[4 * tet + k] >= 0) continue;
+                const int other = triangulation_.neighbours[tet][k];
+                if (other < 0)
+                    chunk.is_leaky |= regions_[tet] != -1;
+                else if (chunk_of(other) == at)
+                    reach(chunk, other, regions_[tet]);
+                else
+                    chunk.going.push_back({other, regions_[tet]});
+            }
+        }
+    }
+
+    /// Whether anything came to a chunk that it did not know.
+    bool exchange() {
+        for (Chunk& chunk : chunks_) {
+            for (const Reached& reached : chunk.going) chunks_[chunk_of(reached.tet)].coming.push_back(reached);
+            chunk.going.clear();
+        }
+        each_chunk([&](std::size_t at) {
+            for (const Reached& reached : chunks_[at].coming) reach(chunks_[at], reached.tet, reached.region);
+            chunks_[at].coming.clear();
+            spread(at);
+        });
+        return std::any_of(chunks_.begin(), chunks_.end(), [](const Chunk& chunk) { return !chunk.going.empty(); });
+    }
+
+    const Triangulation& triangulation_;
+    std::span<const Facet> facets_;
+    const FacetPlaces& places_;
+    RunContext& context_;
+    std::vector<int> regions_;
+    std::vector<Chunk> chunks_;
+};
+
 }  // namespace
 
 void place_missing(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets,
-                   FacetPlaces& places, const RunContext& context) {
-    RoundWatch watch(context);
+                   FacetPlaces& places, RunContext& context) {
     const FacetTable table(point_count, facets, places.missing);
     std::vector<std::uint8_t> is_found(facets.size(), 0);
     const auto neighbour = [&](std::size_t t, int k) {
         return triangulation.neighbours.empty() ? -1 : triangulation.neighbours[t][k];
     };
-    for (std::size_t t = 0; t < triangulation.tets.size(); ++t) {
-        watch();
+    // with neighbours each side is looked at from one tet, so no two threads write to the same place
+    const std::size_t count = triangulation.tets.size(),
+                      grain = triangulation.neighbours.empty() ? count + 1 : tets_per_chunk;
+    const auto place_sides_of = [&](std::size_t t) {
         const auto& tet = triangulation.tets[t];
-        int count = 0;
-        for (const int corner : tet) count += table.is_corner(corner);
-        if (count < 3) continue;
+        int corners = 0;
+        for (const int corner : tet) corners += table.is_corner(corner);
+        if (corners < 3) return;
         for (int k = 0; k < 4; ++k) {
             const int other = neighbour(t, k);
-            if (count - table.is_corner(tet[k]) < 3 || (other >= 0 && other < static_cast<int>(t))) continue;
+            if (corners - table.is_corner(tet[k]) < 3 || (other >= 0 && other < static_cast<int>(t))) continue;
             const int facet = table.find(side_of(tet, k));
             if (facet < 0) continue;
             is_found[facet] = 1;
             places.facet_at[4 * t + k] = facet;
             if (other >= 0) places.facet_at[4 * other + side_towards(triangulation, other, t)] = facet;
         }
-    }
+    };
+    parallel_for(context, count, grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) place_sides_of(t);
+    });
     std::erase_if(places.missing, [&](int i) { return is_found[i] != 0; });
 }
 
 FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets,
-                        const RunContext& context) {
+                        RunContext& context) {
     FacetPlaces places;
     places.facet_at.assign(4 * triangulation.tets.size(), -1);
     places.missing.resize(facets.size());
@@ -99,37 +206,14 @@ FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_co
     return places;
 }
 
+FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets) {
+    RunContext alone;
+    return find_facets(triangulation, point_count, facets, alone);
+}
+
 std::vector<int> label_regions(const Triangulation& triangulation, std::span<const Facet> facets,
-                               const FacetPlaces& places, const RunContext& context) {
-    RoundWatch watch(context);
-    constexpr int unknown = -2;
-    std::vector<int> regions(triangulation.tets.size(), unknown), stack;
-    const auto agrees = [&](int tet, int region) {
-        if (regions[tet] == unknown) regions[tet] = region, stack.push_back(tet);
-        return regions[tet] == region;
-    };
-    for (std::size_t t = 0; t < triangulation.tets.size(); ++t) {
-        watch();
-        for (int k = 0; k < 4; ++k) {
-            const int facet = places.facet_at[4 * t + k];
-            if (facet < 0) continue;
-            // A tet whose outward side turns as the facet does lies behind it.
-            const bool is_before = is_odd(side_of(triangulation.tets[t], k)) != is_odd(facets[facet].corners);
-            if (!agrees(static_cast<int>(t), facets[facet].regions[is_before])) return {};
-        }
-    }
-    while (!stack.empty()) {
-        watch();
-        const int tet = stack.back();
-        stack.pop_back();
-        for (int k = 0; k < 4; ++k) {
-            if (places.facet_at[4 * tet + k] >= 0) continue;
-            const int other = triangulation.neighbours[tet][k];
-            if (other < 0 ? regions[tet] != -1 : !agrees(other, regions[tet])) return {};
-        }
-    }
-    std::replace(regions.begin(), regions.end(), unknown, -1);
-    return regions;
+                               const FacetPlaces& places, RunContext& context) {
+    return Labelling(triangulation, facets, places, context).run();
 }
 
 }  // namespace featuremesh

@@ -46,15 +46,17 @@ struct FacetPlaces {
     std::vector<int> missing;   ///< facets that are no triangle of the tets
 };
 FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets,
-                        const RunContext& context = {});
+                        RunContext& context);
+/// The same on one thread.
+FacetPlaces find_facets(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets);
 
 /// Looks for the missing facets, which may have other corners than before; those still missing are left in the list.
 void place_missing(const Triangulation& triangulation, std::size_t point_count, std::span<const Facet> facets,
-                   FacetPlaces& places, const RunContext& context = {});
+                   FacetPlaces& places, RunContext& context);
 
 /// By tet: the region it is in, or -1, labelled tet by tet from the facets up to the facets. Empty when a region leaks
 /// into another.
 std::vector<int> label_regions(const Triangulation& triangulation, std::span<const Facet> facets,
-                               const FacetPlaces& places, const RunContext& context = {});
+                               const FacetPlaces& places, RunContext& context);
 
 }  // namespace featuremesh

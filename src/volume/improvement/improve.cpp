@@ -10,6 +10,12 @@ namespace {
 
 constexpr std::size_t rounds_between_reports = 64;
 
+/// Walls remember what they were asked for, so one thread asks.
+std::size_t grain_of(std::size_t count, const Objective& objective) {
+    constexpr std::size_t tets_per_chunk = 1 << 12;
+    return objective.options().is_barred ? std::max<std::size_t>(count, 1) : tets_per_chunk;
+}
+
 class Improver {
   public:
     Improver(LocalMesh& mesh, const Objective& objective, const Operations& operations, Region region,
@@ -59,11 +65,17 @@ class Improver {
     std::vector<Candidate> rank_changed() {
         std::sort(changed_.begin(), changed_.end());
         changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+        std::vector<double> needs(changed_.size(), 0);
+        parallel_for(context_, changed_.size(), grain_of(changed_.size(), objective_),
+                     [&](std::size_t begin, std::size_t end) {
+                         for (std::size_t i = begin; i < end; ++i)
+                             if (const Tet& tet = complex_.tets[changed_[i]]; tet[0] >= 0)
+                                 needs[i] = objective_.need(complex_, tet);
+                     });
         std::vector<Candidate> ranked;
-        for (const int tet : changed_) {
-            if (complex_.tets[tet][0] < 0) continue;
-            const Candidate of{objective_.need(complex_, complex_.tets[tet]), tet};
-            if (of.is_bad() || (of.need > 0 && is_in_region(tet))) ranked.push_back(of);
+        for (std::size_t i = 0; i < changed_.size(); ++i) {
+            const Candidate of{needs[i], changed_[i]};
+            if (of.is_bad() || (of.need > 0 && is_in_region(of.tet))) ranked.push_back(of);
         }
         std::sort(ranked.begin(), ranked.end(), [](const Candidate& a, const Candidate& b) {
             return a.need != b.need ? a.need > b.need : a.tet < b.tet;
@@ -144,6 +156,20 @@ class Improver {
     Improvement result_;
 };
 
+template <class Predicate>
+std::size_t count_tets(const TetComplex& complex, const Objective& objective, Predicate predicate,
+                       RunContext& context) {
+    const std::size_t grain = grain_of(complex.tets.size(), objective);
+    std::vector<std::size_t> counts(complex.tets.size() / grain + 1, 0);
+    parallel_for(context, complex.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
+        counts[begin / grain] =
+            static_cast<std::size_t>(std::count_if(complex.tets.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                   complex.tets.begin() + static_cast<std::ptrdiff_t>(end),
+                                                   [&](const Tet& tet) { return tet[0] >= 0 && predicate(tet); }));
+    });
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
 }  // namespace
 
 Improvement improve(LocalMesh& mesh, const Objective& objective, const Operations& operations, Region region,
@@ -151,10 +177,14 @@ Improvement improve(LocalMesh& mesh, const Objective& objective, const Operation
     return Improver(mesh, objective, operations, std::move(region), budget, context).run();
 }
 
-std::size_t count_bad(const TetComplex& complex, const Objective& objective) {
-    return static_cast<std::size_t>(std::count_if(complex.tets.begin(), complex.tets.end(), [&](const Tet& tet) {
-        return tet[0] >= 0 && objective.misses(objective.flaw(complex, tet));
-    }));
+std::size_t count_bad(const TetComplex& complex, const Objective& objective, RunContext& context) {
+    return count_tets(
+        complex, objective, [&](const Tet& tet) { return objective.misses(objective.flaw(complex, tet)); }, context);
+}
+
+std::size_t count_thin(const TetComplex& complex, const Objective& objective, RunContext& context) {
+    return count_tets(
+        complex, objective, [&](const Tet& tet) { return objective.flaw(complex, tet) > 1; }, context);
 }
 
 }  // namespace featuremesh

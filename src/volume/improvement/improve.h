@@ -45,6 +45,8 @@ Improvement improve(LocalMesh& mesh, const Objective& objective, const Operation
                     const Budget& budget, RunContext& context);
 
 /// Tets that miss the target.
-std::size_t count_bad(const TetComplex& complex, const Objective& objective);
+std::size_t count_bad(const TetComplex& complex, const Objective& objective, RunContext& context);
+/// Tets that are too thin, or have no volume at all.
+std::size_t count_thin(const TetComplex& complex, const Objective& objective, RunContext& context);
 
 }  // namespace featuremesh

@@ -319,7 +319,7 @@ class Relocation {
 }  // namespace
 
 std::optional<CavityFill> relocate_points(const Cavity& cavity, const ConstrainedTriangulation& recovered,
-                                          std::span<const Vec3> seeds, const RunContext& context) {
+                                          std::span<const Vec3> seeds, RunContext& context) {
     const Cavity cut = cut_cavity(cavity, recovered.split);
     std::vector<Vec3> points = cut.points;
     points.insert(points.end(), seeds.begin(), seeds.end());

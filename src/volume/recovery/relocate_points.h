@@ -16,6 +16,6 @@ namespace featuremesh {
 /// asked where the point belongs, and no kept tet has to go. The result has tets inside regions only. None where
 /// rounding leaves a point no room to move.
 std::optional<CavityFill> relocate_points(const Cavity& cavity, const ConstrainedTriangulation& recovered,
-                                          std::span<const Vec3> seeds, const RunContext& context = {});
+                                          std::span<const Vec3> seeds, RunContext& context);
 
 }  // namespace featuremesh

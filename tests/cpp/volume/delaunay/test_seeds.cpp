@@ -209,7 +209,7 @@ TEST_CASE("labels stay within closed facets, and a leak is seen") {
     const Triangulation t = delaunay(points, context);
     const FacetPlaces all = find_facets(t, points.size(), facets);
     REQUIRE(all.missing.empty());
-    const std::vector<int> regions = label_regions(t, facets, all);
+    const std::vector<int> regions = label_regions(t, facets, all, context);
     REQUIRE(regions.size() == t.tets.size());
     double volume = 0;
     for (std::size_t i = 0; i < regions.size(); ++i)
@@ -218,5 +218,5 @@ TEST_CASE("labels stay within closed facets, and a leak is seen") {
                 signed_volume(points[t.tets[i][0]], points[t.tets[i][1]], points[t.tets[i][2]], points[t.tets[i][3]]);
     CHECK(volume == Approx(4.0 / 3));
     facets.pop_back();
-    CHECK(label_regions(t, facets, find_facets(t, points.size(), facets)).empty());
+    CHECK(label_regions(t, facets, find_facets(t, points.size(), facets), context).empty());
 }

@@ -57,7 +57,8 @@ void check_recovered(const Filled& filled, const ConstrainedTriangulation& recov
         for (int k = 0; k < 4; ++k)
             if (const int other = t.neighbours[i][k]; other >= 0)
                 CHECK(std::count(t.neighbours[other].begin(), t.neighbours[other].end(), static_cast<int>(i)) == 1);
-    const CavityFill again = label_cavity(cut, points, t);
+    RunContext context;
+    const CavityFill again = label_cavity(cut, points, t, context);
     REQUIRE(again.is_complete());
     double volume = 0;
     for (std::size_t i = 0; i < t.tets.size(); ++i)
@@ -102,7 +103,7 @@ TEST_CASE("flips bring all missing triangles back and add no point") {
                 CHECK(std::count(flipped->neighbours[other].begin(), flipped->neighbours[other].end(),
                                  static_cast<int>(i)) == 1);
     }
-    const CavityFill again = label_cavity(filled.cavity, filled.fill.points, *flipped);
+    const CavityFill again = label_cavity(filled.cavity, filled.fill.points, *flipped, context);
     CHECK(again.is_complete());
     double volume = 0;
     for (std::size_t i = 0; i < again.regions.size(); ++i)

@@ -36,7 +36,8 @@ void check_relocated(const TopoDS_Shape& shape, double size) {
     const Cavity cavity = find_cavity(part.surface, part.brep.sides_of_faces());
     const ConstrainedTriangulation recovered = constrained_delaunay(cavity, {}, 0);
     REQUIRE(!recovered.split.added.empty());
-    const auto fill = relocate_points(cavity, recovered, {});
+    RunContext context;
+    const auto fill = relocate_points(cavity, recovered, {}, context);
     REQUIRE(fill.has_value());
     CHECK(fill->is_complete());
     CHECK(std::equal(cavity.points.begin(), cavity.points.end(), fill->points.begin()));
@@ -65,7 +66,8 @@ TEST_CASE("a point on an edge goes into every region round it") {
                               {{5, 1, 3}, 1}, {{5, 0, 4}, 4}, {{1, 5, 4}, 4}};
     recovered.triangulation.tets = {{0, 5, 2, 3}, {5, 1, 2, 3}, {0, 2, 5, 4}, {5, 2, 1, 4}};
     recovered.triangulation.neighbours = {{1, -1, -1, 2}, {-1, 0, -1, 3}, {3, -1, -1, 0}, {-1, -1, 2, 1}};
-    const auto fill = relocate_points(cavity, recovered, {});
+    RunContext context;
+    const auto fill = relocate_points(cavity, recovered, {}, context);
     REQUIRE(fill.has_value());
     CHECK(fill->is_complete());
     CHECK(fill->points.size() == 7);
