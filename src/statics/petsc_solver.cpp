@@ -79,72 +79,117 @@ void start_petsc() {
         check(PetscOptionsSetValue(nullptr, (std::string("-") + prefix + name).c_str(), value));
 }
 
-/// A matrix as PETSc reads it, whose values it shares.
+/// A matrix as PETSc reads it. Its products are made on several threads, each row by itself.
 struct System {
     BlockMatrix blocks;
-    std::vector<PetscInt> starts, columns;
-    Matrix matrix;
-
-    RunContext threads;  // on which products are made
+    Matrix exact;    ///< what is solved
+    Matrix rounded;  ///< what is preconditioned: products in single precision, which have half the memory to read
+    RunContext threads;
 
     PetscInt size() const { return PetscInt(3 * blocks.node_count()); }
 
     void take(BlockMatrix taken) {
-        matrix.reset();
+        exact.reset(), rounded.reset();
         blocks = std::move(taken);
+        make_shell(exact, &System::multiply_exactly);
+    }
+
+    /// For a preconditioner that asks for products and the diagonal only.
+    void round_products() {
+        round();
+        make_shell(rounded, &System::multiply_rounded);
+    }
+
+    /// For one that looks at every entry. PETSc shares the values; only products are rounded.
+    void round_products_of_entries() {
+        round();
         if (blocks.values.size() > std::size_t(std::numeric_limits<PetscInt>::max()))
             throw InputError(
                 "The mesh is too fine for the live solver, whose matrix would have more than 2 billion entries.");
-        starts.assign(std::size_t(size()) + 1, 0);
-        columns.resize(blocks.values.size());
+        starts_.assign(std::size_t(size()) + 1, 0);
+        columns_.resize(blocks.values.size());
         for (std::size_t node = 0; node < blocks.node_count(); ++node) {
             const auto begin = std::size_t(blocks.starts[node]), end = std::size_t(blocks.starts[node + 1]);
             const std::size_t width = 3 * (end - begin);
             for (std::size_t r = 0; r < 3; ++r) {
                 const std::size_t at = 9 * begin + r * width;
-                starts[3 * node + r + 1] = PetscInt(at + width);
+                starts_[3 * node + r + 1] = PetscInt(at + width);
                 for (std::size_t k = 0; k < width; ++k)
-                    columns[at + k] = 3 * blocks.neighbours[begin + k / 3] + PetscInt(k % 3);
+                    columns_[at + k] = 3 * blocks.neighbours[begin + k / 3] + PetscInt(k % 3);
             }
         }
-        check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, size(), size(), starts.data(), columns.data(),
-                                        blocks.values.data(), matrix.fresh()));
-        check(MatSetBlockSize(matrix, 3));
-        check(MatSetOption(matrix, MAT_SPD, PETSC_TRUE));
-        multiply_by_blocks();
-    }
-
-  private:
-    /// Products on several threads, each row by itself, with one index for nine values; PETSc's own are on one.
-    void multiply_by_blocks() {
+        check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, size(), size(), starts_.data(), columns_.data(),
+                                        blocks.values.data(), rounded.fresh()));
+        check(MatSetBlockSize(rounded, 3));
+        check(MatSetOption(rounded, MAT_SPD, PETSC_TRUE));
         Owned<PetscContainer, PetscContainerDestroy> self;
         check(PetscContainerCreate(PETSC_COMM_SELF, self.fresh()));
         check(PetscContainerSetPointer(self, this));
-        check(PetscObjectCompose((PetscObject)(Mat)matrix, owner, (PetscObject)(PetscContainer)self));
-        const auto multiply = [](Mat of, Vec in, Vec out) -> PetscErrorCode {
-            PetscObject found = nullptr;
-            void* system = nullptr;
-            const PetscScalar* x = nullptr;
-            PetscScalar* y = nullptr;
-            PetscCall(PetscObjectQuery((PetscObject)of, owner, &found));
-            PetscCall(PetscContainerGetPointer((PetscContainer)found, &system));
-            PetscCall(VecGetArrayRead(in, &x));
-            PetscCall(VecGetArrayWrite(out, &y));
-            static_cast<System*>(system)->multiply(x, y);
-            PetscCall(VecRestoreArrayRead(in, &x));
-            PetscCall(VecRestoreArrayWrite(out, &y));
-            return PetscErrorCode(0);
-        };
-        check(MatSetOperation(matrix, MATOP_MULT,
-                              (void (*)(void))(static_cast<PetscErrorCode (*)(Mat, Vec, Vec)>(multiply))));
+        check(PetscObjectCompose((PetscObject)(Mat)rounded, owner, (PetscObject)(PetscContainer)self));
+        check(MatSetOperation(rounded, MATOP_MULT, (void (*)(void)) & System::multiply_entries));
     }
 
-    void multiply(const PetscScalar* x, PetscScalar* y) {
+  private:
+    using Product = PetscErrorCode (*)(Mat, Vec, Vec);
+
+    void round() { rounded_values_.assign(blocks.values.begin(), blocks.values.end()); }
+
+    void make_shell(Matrix& shell, Product product) {
+        check(MatCreateShell(PETSC_COMM_SELF, size(), size(), size(), size(), this, shell.fresh()));
+        check(MatShellSetOperation(shell, MATOP_MULT, (void (*)(void))product));
+        check(MatShellSetOperation(shell, MATOP_GET_DIAGONAL, (void (*)(void)) & System::get_diagonal));
+        check(MatSetOption(shell, MAT_SPD, PETSC_TRUE));
+    }
+
+    static PetscErrorCode multiply_exactly(Mat of, Vec in, Vec out) {
+        System* self = nullptr;
+        PetscCall(MatShellGetContext(of, &self));
+        return self->multiply(self->blocks.values, in, out);
+    }
+
+    static PetscErrorCode multiply_rounded(Mat of, Vec in, Vec out) {
+        System* self = nullptr;
+        PetscCall(MatShellGetContext(of, &self));
+        return self->multiply(self->rounded_values_, in, out);
+    }
+
+    static PetscErrorCode multiply_entries(Mat of, Vec in, Vec out) {
+        PetscObject found = nullptr;
+        void* self = nullptr;
+        PetscCall(PetscObjectQuery((PetscObject)of, owner, &found));
+        PetscCall(PetscContainerGetPointer((PetscContainer)found, &self));
+        return static_cast<System*>(self)->multiply(static_cast<System*>(self)->rounded_values_, in, out);
+    }
+
+    static PetscErrorCode get_diagonal(Mat of, Vec out) {
+        System* self = nullptr;
+        PetscScalar* y = nullptr;
+        PetscCall(MatShellGetContext(of, &self));
+        PetscCall(VecGetArrayWrite(out, &y));
+        const BlockMatrix& blocks = self->blocks;
+        for (std::size_t node = 0; node < blocks.node_count(); ++node) {
+            const auto first = blocks.neighbours.begin() + blocks.starts[node];
+            const auto last = blocks.neighbours.begin() + blocks.starts[node + 1];
+            const auto at = std::size_t(std::lower_bound(first, last, std::int32_t(node)) - first);
+            const auto width = 3 * std::size_t(last - first);
+            for (std::size_t r = 0; r < 3; ++r)
+                y[3 * node + r] = blocks.values[9 * std::size_t(blocks.starts[node]) + r * width + 3 * at + r];
+        }
+        PetscCall(VecRestoreArrayWrite(out, &y));
+        return PetscErrorCode(0);
+    }
+
+    template <class Value>
+    PetscErrorCode multiply(const std::vector<Value>& values, Vec in, Vec out) {
+        const PetscScalar* x = nullptr;
+        PetscScalar* y = nullptr;
+        PetscCall(VecGetArrayRead(in, &x));
+        PetscCall(VecGetArrayWrite(out, &y));
         parallel_for(threads, blocks.node_count(), 4096, [&](std::size_t begin, std::size_t end) {
             for (std::size_t node = begin; node < end; ++node) {
                 const auto first = std::size_t(blocks.starts[node]), last = std::size_t(blocks.starts[node + 1]);
                 const std::size_t width = 3 * (last - first);
-                const double* row = blocks.values.data() + 9 * first;
+                const Value* row = values.data() + 9 * first;
                 double sums[3] = {0, 0, 0};
                 for (std::size_t k = first; k < last; ++k, row += 3) {
                     const double* u = x + 3 * std::size_t(blocks.neighbours[k]);
@@ -154,9 +199,15 @@ struct System {
                 for (std::size_t r = 0; r < 3; ++r) y[3 * node + r] = sums[r];
             }
         });
+        PetscCall(VecRestoreArrayRead(in, &x));
+        PetscCall(VecRestoreArrayWrite(out, &y));
+        return PetscErrorCode(0);
     }
 
     static constexpr const char* owner = "featuremesh_system";
+
+    std::vector<float> rounded_values_;
+    std::vector<PetscInt> starts_, columns_;
 };
 
 void name_rigid_motions(const System& system, std::span<const Vec3> points) {
@@ -170,7 +221,7 @@ void name_rigid_motions(const System& system, std::span<const Vec3> points) {
     check(VecRestoreArrayWrite(places, &values));
     MatNullSpace motions = nullptr;
     check(MatNullSpaceCreateRigidBody(places, &motions));
-    const PetscErrorCode code = MatSetNearNullSpace(system.matrix, motions);
+    const PetscErrorCode code = MatSetNearNullSpace(system.rounded, motions);
     MatNullSpaceDestroy(&motions);
     check(code);
 }
@@ -366,17 +417,20 @@ class PetscSolver final : public LinearSolver {
     PetscSolver() { start_petsc(); }
 
     void set_up(BlockMatrix matrix, std::span<const Vec3> points, std::optional<CoarseLevel> coarse) override {
-        present_.matrix.reset();
+        present_.take({});
         multigrid_.reset();
         is_carried_ = false;
         earlier_.take(std::move(matrix));
         check(PCCreate(PETSC_COMM_SELF, multigrid_.fresh()));
         if (coarse) {
+            earlier_.round_products();
             linear_.take(std::move(coarse->matrix));
+            linear_.round_products_of_entries();
             name_rigid_motions(linear_, points.first(linear_.blocks.node_count()));
             interpolation_.take(*coarse, linear_.size());
             go_by_way_of_linear_displacements();
         } else {
+            earlier_.round_products_of_entries();
             name_rigid_motions(earlier_, points);
             use_aggregation(multigrid_, earlier_);
         }
@@ -416,7 +470,7 @@ class PetscSolver final : public LinearSolver {
         check(KSPSetType(cg, KSPCG));
         check(KSPSetNormType(cg, KSP_NORM_NATURAL));
         check(KSPSetPC(cg, shell));
-        check(KSPSetOperators(cg, system().matrix, system().matrix));
+        check(KSPSetOperators(cg, system().exact, system().exact));
         check(KSPSetConvergenceTest(cg, look_whether_to_stop, &stop, nullptr));
         check(KSPSolve(cg, b, x));
         if (stop.is_cancelled) throw Cancelled();
@@ -436,7 +490,7 @@ class PetscSolver final : public LinearSolver {
     static void use_aggregation(PC preconditioner, const System& system) {
         check(PCSetOptionsPrefix(preconditioner, prefix));
         check(PCSetType(preconditioner, PCGAMG));
-        check(PCSetOperators(preconditioner, system.matrix, system.matrix));
+        check(PCSetOperators(preconditioner, system.rounded, system.rounded));
         check(PCSetFromOptions(preconditioner));
     }
 
@@ -444,14 +498,14 @@ class PetscSolver final : public LinearSolver {
     void go_by_way_of_linear_displacements() {
         check(PCSetOptionsPrefix(multigrid_, quadratic_prefix));
         check(PCSetType(multigrid_, PCMG));
-        check(PCSetOperators(multigrid_, earlier_.matrix, earlier_.matrix));
+        check(PCSetOperators(multigrid_, earlier_.rounded, earlier_.rounded));
         check(PCMGSetLevels(multigrid_, 2, nullptr));
         check(PCMGSetInterpolation(multigrid_, 1, interpolation_.matrix));
         KSP coarse = nullptr;
         PC aggregation = nullptr;
         check(PCMGGetCoarseSolve(multigrid_, &coarse));
         check(KSPSetType(coarse, KSPPREONLY));
-        check(KSPSetOperators(coarse, linear_.matrix, linear_.matrix));
+        check(KSPSetOperators(coarse, linear_.rounded, linear_.rounded));
         check(KSPGetPC(coarse, &aggregation));
         use_aggregation(aggregation, linear_);
         check(PCSetFromOptions(multigrid_));
