@@ -17,7 +17,7 @@ EXAMPLE = ROOT / "resources" / "examples" / "bracket.FCStd"
 PYTHON = "python%d.%d" % sys.version_info[:2]
 IS_DEBIAN_12 = "bookworm" in Path("/etc/os-release").read_text(encoding="utf-8")   # with FreeCAD 0.20.2
 # Of the tests that run in FreeCAD, those that need nothing but FreeCAD and the engine.
-TESTS_IN_FREECAD = ("state_file", "mesh_object", "mesh_in_document", "worker", "references", "refusals", "document_reading", "document_edits",
+TESTS_IN_FREECAD = ("state_file", "mesh_object", "mesh_in_document", "worker", "refusals", "document_reading", "document_edits",
                     "document_files", "examples")
 NOT_OF_THE_ROOT = ("/proc", "/sys", "/dev", "/run", "/featuremesh", "/var/cache/ccache")
 FREECADCMD = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
