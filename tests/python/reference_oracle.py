@@ -86,9 +86,15 @@ def features_of(part):
         if obj.TypeId in _PRIMITIVES or obj.TypeId in _SWEEPS or obj.TypeId.startswith(("PartDesign::Additive", "PartDesign::Subtractive")) \
                 and obj.TypeId.endswith(("Box", "Cylinder")):
             shape = getattr(obj, "AddSubShape", None) or getattr(obj, "Shape", None)
-            if shape is not None and not shape.isNull():
+            if shape is not None and not shape.isNull() and not _is_placed_by_another(obj, part):
                 found[obj.Name] = Feature(obj, part)
     return found
+
+
+def _is_placed_by_another(obj, part):
+    """Has a boolean operation between the feature and the part a placement of its own?"""
+    above = [user for user in obj.InList if user.isDerivedFrom("Part::Feature") and user is not part and part in user.InListRecursive]
+    return any(not user.Placement.isIdentity() or _is_placed_by_another(user, part) for user in above)
 
 
 class Oracle:

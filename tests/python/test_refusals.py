@@ -106,6 +106,8 @@ class FarTooSmall(unittest.TestCase):
         self.refused(r"the refinement MeshRegion001 \(Top\) with 0.001 mm at Face6 would make about [0-9]+ million elements")
         fine.CharacteristicLength = 1e-9
         self.refused(r"\(Top\) with 1e-09 mm at Face6 would make more than a million million elements")
+        fine.CharacteristicLength = 0.01   # what makes a sizing field for minutes, though it is not beyond all that can be meshed
+        self.refused(r"\(Top\) with 0.01 mm at Face6 would make about [0-9]+ million elements; around one face or edge at most 10 million are made")
         fine.CharacteristicLength = 1.0
         self.assertGreater(api.update_mesh(self.mesh)["tets"], 0)
 

@@ -13,6 +13,7 @@ from .errors import UserError
 
 translate = FreeCAD.Qt.translate
 MOST = 50e6             # elements; the engine refuses more, too
+MOST_AROUND = 10e6      # elements around one face or edge: far below what takes the sizing field minutes
 _MARGIN = 1.5           # of this estimate
 _PER_CUBE = 7.1         # elements per cube of the edge length, as the engine's own estimate has it
 _COUNTLESS = 1e12
@@ -30,12 +31,19 @@ def refuse_too_fine(shape, size, growth, refinements):
     for entity, (local, name) in _smallest(refinements).items():
         if 0 < local < size:
             counts[entity, local, name] = _elements_around(shape, entity, local, size, growth - 1)
-    total = sum(counts.values())
+    if not counts:
+        return
+    total, (entity, local, name) = sum(counts.values()), max(counts, key=counts.get)
+    if counts[entity, local, name] > MOST_AROUND and not entity.startswith("Solid"):
+        _refuse(counts[entity, local, name], entity, local, name, translate("FeatureMesh", "around one face or edge at most %d million are made") % (MOST_AROUND / 1e6))
     if total > _MARGIN * MOST:
-        entity, local, name = max(counts, key=counts.get)
-        many = translate("FeatureMesh", "about %d million") % round(total / 1e6) if total < _COUNTLESS else translate("FeatureMesh", "more than a million million")
-        raise UserError(translate("FeatureMesh", "the refinement %s with %g mm at %s would make %s elements; at most %d million are made. "
-                                                 "Choose a larger size there") % (name, local, entity, many, MOST / 1e6))
+        _refuse(total, entity, local, name, translate("FeatureMesh", "at most %d million are made") % (MOST / 1e6))
+
+
+def _refuse(count, entity, local, name, limit):
+    many = translate("FeatureMesh", "about %d million") % round(count / 1e6) if count < _COUNTLESS else translate("FeatureMesh", "more than a million million")
+    raise UserError(translate("FeatureMesh", "the refinement %s with %g mm at %s would make %s elements; %s. Choose a larger size there")
+                    % (name, local, entity, many, limit))
 
 
 def _smallest(refinements):

@@ -851,12 +851,20 @@
       <translation>Flächeninhalt %s mm^2</translation>
     </message>
     <message>
+      <source>around one face or edge at most %d million are made</source>
+      <translation>um eine Fläche oder Kante werden höchstens %d Millionen gemacht</translation>
+    </message>
+    <message>
       <source>aspect ratio</source>
       <translation>Seitenverhältnis</translation>
     </message>
     <message>
       <source>assembling the stiffness matrix</source>
       <translation>Steifigkeitsmatrix aufstellen</translation>
+    </message>
+    <message>
+      <source>at most %d million are made</source>
+      <translation>höchstens %d Millionen werden gemacht</translation>
     </message>
     <message>
       <source>automatic</source>
@@ -1257,8 +1265,8 @@
       <translation>die Verfeinerung %s verweist auf %s, das nicht zu %s gehört; bitte auf dessen Flächen verweisen</translation>
     </message>
     <message>
-      <source>the refinement %s with %g mm at %s would make %s elements; at most %d million are made. Choose a larger size there</source>
-      <translation>die Verfeinerung %s mit %g mm an %s ergäbe %s Elemente; höchstens %d Millionen werden gemacht. Wählen Sie dort eine größere Größe</translation>
+      <source>the refinement %s with %g mm at %s would make %s elements; %s. Choose a larger size there</source>
+      <translation>die Verfeinerung %s mit %g mm an %s ergäbe %s Elemente; %s. Wählen Sie dort eine größere Größe</translation>
     </message>
     <message>
       <source>the saved mesh state belongs to %s, not to %s</source>
