@@ -89,3 +89,4 @@ def add_machine(parser):
     which = parser.add_mutually_exclusive_group()
     which.add_argument("--jobs", type=int, metavar="N", help="cases at once (default: as many as the processors)")
     which.add_argument("--scheduler", metavar="tcp://HOST:PORT", help="run the cases on the workers of this Dask scheduler")
+    which.add_argument("--slurm", type=int, metavar="JOBS", help="run the cases in so many Slurm jobs, by dask-jobqueue with its settings for Slurm")

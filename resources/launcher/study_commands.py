@@ -39,7 +39,7 @@ def errors_of_studies():
 
 def set_up_to_run(given, live=False):
     """Installs what the command needs and is missing; the live solver's packages only where that is asked for."""
-    set_up(packages.STUDY_PACKAGES + (packages.SOLVER_PACKAGES if live else ()) + (packages.CLUSTER_PACKAGES if given.scheduler else ())
+    set_up(packages.STUDY_PACKAGES + (packages.SOLVER_PACKAGES if live else ()) + (packages.CLUSTER_PACKAGES if given.scheduler or given.slurm is not None else ())
            + (packages.OPTUNA_PACKAGES if getattr(given, "method", None) == "optuna" else ()))
 
 
@@ -72,16 +72,15 @@ def study_of_options(given):
 
 def new_folder(study, path):
     """The study's folder, with the base document and the planned cases; locked."""
-    from freecad.featuremesh.study import planning
-    from freecad.featuremesh.study.folder import StudyFolder
-    folder = StudyFolder(path, new=True)
-    folder.lock()
-    made = run_task({"command": "study_base", "study": study.to_plain(), "out": folder.base_path})
+    from freecad.featuremesh.study import beginning
+    return beginning.begin(study, path, make_base)
+
+
+def make_base(plain_study, out):
+    made = run_task({"command": "study_base", "study": plain_study, "out": out})
     if made["exit_code"]:
         raise (UserError if made["exit_code"] == 2 else Failure)(made["message"])
-    folder.create(study, made["data"])
-    planning.plan(folder)
-    return folder
+    return made["data"]
 
 
 def resume(given):
@@ -162,15 +161,27 @@ def tell_stopped(folder, how):
     return 1
 
 
+@contextlib.contextmanager
 def runner_of(folder, given, show, keep_base):
-    """On this machine, or on a Dask scheduler's workers."""
-    if given.scheduler:
-        from freecad.featuremesh.study.dask_runner import Cluster, DaskRunner
-        sys.path.append(str(WORKBENCH / "freecad" / "featuremesh" / "study"))   # for dask_worker, which Dask sends by its name
-        return DaskRunner(folder, Cluster(given.scheduler, str(WORKBENCH), freecad_environment()["FEATUREMESH_ENGINE"], freecadcmd()), show, keep_base)
-    from freecad.featuremesh.study.runner import Machine, Runner
-    machine = Machine(freecadcmd(), freecad_environment(), jobs_at_once(given.jobs, folder.study().threads))
-    return Runner(folder, machine, show, keep_base)
+    """On this machine, on a Dask scheduler's workers, or in Slurm jobs."""
+    if given.slurm is not None:
+        from freecad.featuremesh.study.slurm import slurm_cluster
+        with slurm_cluster(given.slurm, folder.study(), folder.facts()) as address, dask_runner(folder, address, show, keep_base) as runner:
+            yield runner
+    elif given.scheduler:
+        with dask_runner(folder, given.scheduler, show, keep_base) as runner:
+            yield runner
+    else:
+        from freecad.featuremesh.study.runner import Machine, Runner
+        machine = Machine(freecadcmd(), freecad_environment(), jobs_at_once(given.jobs, folder.study().threads))
+        with Runner(folder, machine, show, keep_base) as runner:
+            yield runner
+
+
+def dask_runner(folder, address, show, keep_base):
+    from freecad.featuremesh.study.dask_runner import Cluster, DaskRunner
+    sys.path.append(str(WORKBENCH / "freecad" / "featuremesh" / "study"))   # for dask_worker, which Dask sends by its name
+    return DaskRunner(folder, Cluster(address, str(WORKBENCH), freecad_environment()["FEATUREMESH_ENGINE"], freecadcmd()), show, keep_base)
 
 
 def progress_shower(shown):

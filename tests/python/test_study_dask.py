@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A study on a Dask scheduler with two workers, of which one is killed twice while it runs. Runs in plain Python."""
+import importlib.util
+import json
 import os
 import re
 import shutil
@@ -10,6 +12,22 @@ from pathlib import Path
 
 from study_tests import StudyTest
 
+JOBQUEUE = """
+import json, os
+from distributed import LocalCluster
+
+class SLURMCluster(LocalCluster):
+    def __init__(self, **asked):
+        self._asked = asked
+        resources = dict(pair.split("=") for pair in asked["worker_extra_args"][-1].split())
+        super().__init__(n_workers=0, threads_per_worker=1, processes=True, dashboard_address=None,
+                         resources={name: float(amount) for name, amount in resources.items()})
+
+    def scale(self, jobs):
+        with open(os.environ["ASKED"], "w") as stream:
+            json.dump({**self._asked, "jobs": jobs}, stream)
+        super().scale(jobs)
+"""
 MISSING = not (shutil.which("dask-scheduler") and shutil.which("dask-worker"))
 
 
@@ -90,6 +108,27 @@ class Dask(StudyTest):
         self.let_go()
         self.study("resume", "there", "--scheduler", self.address)
         self.assertEqual(self.states("there"), ["done"] * 4)
+
+    def test_slurm_jobs(self):
+        """A stand-in for dask-jobqueue, whose Slurm jobs are processes here; what it is asked for is what a case needs."""
+        (self.folder / "dask_jobqueue.py").write_text(JOBQUEUE, encoding="utf-8")
+        self.environment.update(PYTHONPATH=str(self.folder), ASKED=str(self.folder / "asked.json"))
+        self.response_file("return float(case.id)")
+        self.study("run", "study.toml", "--folder", "there", "--slurm", 2)
+        self.assertEqual(self.states("there"), ["done"] * 4)
+        asked = json.loads((self.folder / "asked.json").read_text(encoding="utf-8"))
+        self.assertEqual((asked["cores"], asked["processes"], asked["jobs"]), (1, 1, 2))
+        self.assertRegex(asked["memory"], r"^0\.\d\dGB$")
+        self.assertIn("cores=1 GB=" + asked["memory"][:-2], asked["worker_extra_args"])
+        self.assert_nothing_left_behind()
+        self.study("run", "study.toml", "--folder", "here")
+        self.assertEqual(self.results("there"), self.results("here"))
+
+    def test_slurm_without_dask_jobqueue(self):
+        if importlib.util.find_spec("dask_jobqueue"):
+            self.skipTest("dask-jobqueue is installed")
+        self.response_file("return 1.0")
+        self.assertIn("--slurm needs dask-jobqueue", self.study("run", "study.toml", "--slurm", 2, code=2)[1])
 
     def test_no_scheduler(self):
         self.response_file("return 1.0")

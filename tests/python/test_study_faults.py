@@ -89,6 +89,29 @@ class Faults(StudyTest):
         self.assertEqual([row["attempts"] for row in self.rows()], [1, 2, 1, 1])
         self.assert_resumed()
 
+    def start_workers_by(self, line):
+        """A line of a shell that runs whenever a worker is started, before FreeCAD."""
+        program = self.folder / "freecadcmd"
+        program.write_text("#!/bin/sh\ncase $1 in *worker_main*) %s;; esac\nexec %s \"$@\"\n" % (line, shutil.which("freecadcmd")), encoding="utf-8")
+        program.chmod(0o755)
+        self.environment["FREECADCMD"] = str(program)
+        self.response_file("return 1.0")
+
+    def test_a_worker_is_killed_while_it_starts(self):
+        """Nothing was begun, so nothing is tried again."""
+        flag = self.folder / "was-killed"
+        self.start_workers_by("[ -e %s ] || { touch %s; kill -9 $$; }" % (flag, flag))
+        self.study("run", "study.toml", "--jobs", "1")
+        self.assertTrue(flag.exists())
+        self.assertEqual([row["attempts"] for row in self.rows()], [1] * 4)
+        self.assert_nothing_left_behind()
+
+    def test_a_worker_that_never_starts(self):
+        self.start_workers_by("exit 3")
+        self.assertIn("a worker cannot start: FreeCAD ended", self.study("run", "study.toml", code=1)[1])
+        self.assertEqual(self.states(), ["waiting"] * 4)
+        self.assert_nothing_left_behind()
+
     def test_a_case_that_is_killed_each_time_fails_and_the_others_do_not(self):
         self.response_file("os.kill(os.getpid(), 9) if case.id == 2 else None", "return 1.0")
         out, err = self.study("run", "study.toml", code=1)

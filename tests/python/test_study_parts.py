@@ -12,7 +12,7 @@ import numpy as np
 from study_tests import ROOT
 
 from freecad.featuremesh.errors import UserError  # noqa: E402
-from freecad.featuremesh.study import answers, design, memory, modes, progress, sampling, surface  # noqa: E402
+from freecad.featuremesh.study import answers, design, memory, modes, progress, sampling, study_file, surface  # noqa: E402
 from freecad.featuremesh.study.classic_designs import box_behnken, central_composite  # noqa: E402
 from freecad.featuremesh.study.database import Database  # noqa: E402
 from freecad.featuremesh.study.expressions import Expression  # noqa: E402
@@ -102,6 +102,20 @@ class Sampling(unittest.TestCase):
             self.assertEqual(np.linalg.matrix_rank(surface._quadratic_terms(rows)), (count + 1) * (count + 2) // 2)
         with self.assertRaisesRegex(UserError, "at least three"):
             box_behnken(2)
+
+
+class Files(unittest.TestCase):
+
+    def test_a_written_study_is_read_as_it_was(self):
+        with tempfile.TemporaryDirectory() as folder:
+            asked = study("sobol", "A.x=10:20", "Sheet.d=1:3:5 cm", "A.kind=round,square", cases=12, seed=7, object="Body", solver="ccx", keep=["inp"],
+                          constraints=['A.x < 15 or "a" < "b"'], mesh_size=2.5, seconds_limit=9.0, memory_limit_gb=1.5, threads=2)
+            asked.document = os.path.join(folder, "pärt.FCStd")
+            asked.responses = parse_list("mass,frequency_2,own=max_mises@Face3:p99,displacement_z@1,2,3") + [
+                parse_response({"name": "ratio", "expression": "mass / 2"}), parse_response({"name": "f", "file": os.path.join(folder, "f.py")})]
+            path = os.path.join(folder, "study.toml")
+            study_file.write(asked, path)
+            self.assertEqual(design.read_toml(path), asked)
 
 
 class Answers(unittest.TestCase):

@@ -314,6 +314,18 @@ def solve_live(live):
         live.Proxy.solve(live)
 
 
+def add_study(part, analysis=None):
+    """Adds a study of the part to its document: what it varies and asks for are properties. `study.study_object.start(study)` runs it.
+
+    `analysis` is by default the one that has the part's mesh, else the only one.
+    """
+    from .study import study_object   # it uses this module
+    found = [obj for obj in part.Document.Objects if obj.isDerivedFrom("Fem::FemAnalysis")]
+    of_the_part = [obj for obj in found if any(is_feature_mesh(member) and versions.part_of(member) is part for member in obj.Group)]
+    candidates = of_the_part or found
+    return study_object.add(part, analysis or (candidates[0] if len(candidates) == 1 else None))
+
+
 def find_analysis(document, name=None):
     """The document's analysis, the one of that name where there are several. Throws UserError."""
     found = [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemAnalysis") and (not name or name in (obj.Name, obj.Label))]

@@ -51,6 +51,16 @@ def parameter_value(document, target):
     raise _unknown(obj, first, obj.PropertiesList)
 
 
+def refuse_fixed(obj, name):
+    """Throws UserError for a property or constraint that an expression drives."""
+    if obj.isDerivedFrom("Sketcher::SketchObject") and name not in obj.PropertiesList:
+        _refuse_driven(obj, _constraint_index(obj, name), name)
+    elif obj.TypeId == "Spreadsheet::Sheet":
+        _refuse_computed(obj, obj.getCellFromAlias(name) or name, name)
+    else:
+        _refuse_expression(obj, name)
+
+
 def _value_of_property(obj, name, rest):
     value = getattr(obj, name)
     for step in rest.split(".") if rest else ():
@@ -143,15 +153,19 @@ def _set_constraint(sketch, name, text):
     where = "%s.%s" % (describe(sketch), name)
     if not constraint.Driving:
         raise UserError("%s is a reference dimension, it only measures" % where)
-    for path, expression in sketch.ExpressionEngine:
-        if path.lstrip(".") in ("Constraints.%s" % name, "Constraints[%d]" % index):
-            raise UserError("%s is driven by the expression %s, change that instead" % (where, expression))
+    _refuse_driven(sketch, index, name)
     unit = "deg" if constraint.Type == "Angle" else "mm"
     quantity = FreeCAD.Units.Quantity("%.17g %s" % (_number(text, unit, where), unit))
     try:
         sketch.setDatum(index, quantity)
     except Exception as error:
         raise UserError("FreeCAD refuses %s for %s: %s" % (text, where, error)) from error
+
+
+def _refuse_driven(sketch, index, name):
+    for path, expression in sketch.ExpressionEngine:
+        if path.lstrip(".") in ("Constraints.%s" % name, "Constraints[%d]" % index):
+            raise UserError("%s.%s is driven by the expression %s, change that instead" % (describe(sketch), name, expression))
 
 
 def _constraint_index(sketch, name):
@@ -174,14 +188,18 @@ def _set_cell(sheet, name, text):
     if cell is None:
         aliases = [sheet.getAlias(p) for p in sheet.PropertiesList if sheet.getTypeOfProperty(p) and _alias(sheet, p)]
         raise _unknown(sheet, name, aliases, "alias or cell")
-    content = sheet.getContents(cell)
-    if content.startswith("=") and any(letter.isalpha() for letter in content[1:]) and not _is_quantity(content[1:]):
-        raise UserError("%s.%s is computed (%s), change what it depends on" % (describe(sheet), name, content))
+    _refuse_computed(sheet, cell, name)
     if not _is_quantity(text):
         raise UserError("%s is no number for %s.%s" % (text, describe(sheet), name))
     if text[:1] not in "=" and any(letter.isalpha() for letter in text.replace("e", "")):
         text = "=" + text
     sheet.set(cell, text)
+
+
+def _refuse_computed(sheet, cell, name):
+    content = sheet.getContents(cell)
+    if content.startswith("=") and any(letter.isalpha() for letter in content[1:]) and not _is_quantity(content[1:]):
+        raise UserError("%s.%s is computed (%s), change what it depends on" % (describe(sheet), name, content))
 
 
 def _alias(sheet, name):

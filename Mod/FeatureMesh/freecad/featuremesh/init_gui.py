@@ -12,9 +12,10 @@ if importlib.util.find_spec("numpy") is None:
 Gui.addLanguagePath(os.path.join(os.path.dirname(__file__), "translations"))
 Gui.updateLocale()
 
-from freecad.featuremesh import live_result, live_view, mesh_object, view_provider, waiting
+from freecad.featuremesh import live_result, live_view, mesh_object, study_view, view_provider, waiting
 from freecad.featuremesh.commands import COMMANDS, IN_FEM, register
-from freecad.featuremesh.gui import fem_toolbar, live_runner, open_panels, preferences_page, running
+from freecad.featuremesh.gui import fem_toolbar, live_runner, open_panels, preferences_page, running, study_runs
+from freecad.featuremesh.study import study_object
 
 
 class FeatureMeshWorkbench(Gui.Workbench):
@@ -39,7 +40,9 @@ class FeatureMeshWorkbench(Gui.Workbench):
 mesh_object.on_ready.append(view_provider.attach)
 live_result.on_ready.append(live_view.attach)
 live_result.on_solution.append(live_view.show_solution)
+study_object.on_ready.append(study_view.attach)
 live_runner.install()
+study_runs.install()
 mesh_object.run_job = running.run_with_escape
 waiting.repaint = running.repaint
 preferences_page.choose_place()

@@ -15,6 +15,7 @@ COMMANDS = {
     "FeatureMesh_ShowKept": "show_kept",
     "FeatureMesh_ShowQuality": "show_quality",
     "FeatureMesh_LiveResult": "live_result",
+    "FeatureMesh_Study": "study",
     "FeatureMesh_ShowTree": "show_tree",
     "FeatureMesh_Compare": "compare",
     "FeatureMesh_Export": "export_mesh",

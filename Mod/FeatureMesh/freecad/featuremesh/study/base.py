@@ -5,7 +5,7 @@ import os
 
 from .. import api, documents, edits, engine, live_result, mesh_object, reading, statics, statics_model, versions
 from ..errors import UserError
-from . import places, responses
+from . import places, response_words, responses
 from .design import from_plain
 
 
@@ -60,7 +60,7 @@ def _refuse_unknown_places(study, part):
 
 def _solver(document, study, mesh):
     """"live" or "ccx": what was asked for, else live where that knows all that the analysis holds. Throws UserError."""
-    if not responses.needs_solution(study.responses):
+    if not response_words.needs_solution(study.responses):
         return None
     analysis = api.find_analysis(document, study.analysis)
     if mesh not in analysis.Group:

@@ -12,7 +12,7 @@ import traceback
 from .. import api, documents, engine, reading, versions
 from ..errors import UserError
 from ..mesh_object import one_line
-from . import case_solver, places, responses
+from . import case_solver, places, response_words, responses
 from .database import DONE, FAILED, INFEASIBLE
 from .design import from_plain
 
@@ -34,7 +34,7 @@ class Base:
         self.mesh = api.find_mesh(self.document, self.study.object)
         self.part = versions.part_of(self.mesh)
         self.mesh.Automatic, self.mesh.Threads = False, self.study.threads
-        self.analysis = api.find_analysis(self.document, self.study.analysis) if responses.needs_solution(self.study.responses) or \
+        self.analysis = api.find_analysis(self.document, self.study.analysis) if response_words.needs_solution(self.study.responses) or \
             self.study.analysis or any(response.kind == "mass" for response in self.study.responses) else None
         self.mesh.Proxy.last_part_mesh(self.mesh)   # into memory, for all cases
         if solver == "ccx":
@@ -113,7 +113,7 @@ def _mesh(base, seconds):
 
 
 def _solve(base, arrays, folder, seconds):
-    if not responses.needs_solution(base.study.responses):
+    if not response_words.needs_solution(base.study.responses):
         return None
     start = time.perf_counter()
     if base.solver == "live":

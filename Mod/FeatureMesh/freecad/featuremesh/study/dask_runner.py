@@ -15,6 +15,7 @@ _TASKS_PER_THREAD = 2   # handed out at once, so that a worker has the next one 
 _LOOK_EVERY = 0.5       # s between two lines of progress
 _PAUSE = 0.02           # s between two looks at the tasks
 _WORKER_FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "dask_worker.py")
+_LOST = ("lost", "cancelled")   # states of what no worker has any more
 _PATIENCE = 30          # s for the scheduler to answer
 
 
@@ -44,12 +45,12 @@ class DaskRunner:
 
     def _run(self, waiting):
         self._client.upload_file(_WORKER_FILE)
-        study, base = self._study(), self._scattered_base()
+        study, self._base = self._study(), None
         while waiting or self._running:
             self._book.refuse_changed_document()
             threads = self._threads()
             while waiting and len(self._running) < max(1, _TASKS_PER_THREAD * threads):
-                self._submit(study, base, waiting.pop(0))
+                self._submit(study, waiting.pop(0))
             self._book.show_progress([start for _, start in self._running.values()], threads)
             for future in self._finished():
                 waiting += self._take(future)
@@ -90,14 +91,17 @@ class DaskRunner:
                 "engine": self._cluster.engine, "freecad": self._cluster.freecad}
 
     def _scattered_base(self):
-        """The base document's bytes; Dask brings them to each worker once, by their hash."""
-        with open(self._book.folder.base_path, "rb") as stream:
-            return self._client.scatter(stream.read(), hash=True)
+        """The base document's bytes; Dask brings them to each worker once, by their hash. Scattered again when all workers that had them are gone."""
+        if self._base is None or self._base.status in _LOST:
+            self._client.wait_for_workers(1)
+            with open(self._book.folder.base_path, "rb") as stream:
+                self._base = self._client.scatter(stream.read(), hash=True, broadcast=True)
+        return self._base
 
-    def _submit(self, study, base, case):
+    def _submit(self, study, case):
         import dask_worker   # what upload_file brought to the workers; pickled by its name
         request = self._book.start(case)
-        future = self._client.submit(dask_worker.run_case, study, base, request, pure=False, resources=self._resources())
+        future = self._client.submit(dask_worker.run_case, study, self._scattered_base(), request, pure=False, resources=self._resources())
         self._running[future] = (case, time.monotonic())
 
     def _resources(self):
@@ -119,6 +123,8 @@ class DaskRunner:
         case, start = self._running[future]
         if future.status == "finished":
             result = future.result()
+        elif future.status in _LOST:
+            result = {"state": "killed", "message": "the Dask workers that had its base document are gone"}
         else:   # Dask's own word when the worker died as often as Dask allows, or when a task raised
             result = {"state": "failed", "message": "Dask: %r" % (future.exception() if future.status == "error" else future.status)}
         again = self._book.keep(case, result, time.monotonic() - start)

@@ -3,7 +3,6 @@
 
 import os
 import re
-import tomllib
 from dataclasses import asdict, dataclass, field
 
 from ..errors import UserError
@@ -77,6 +76,10 @@ def from_plain(plain):
 
 def read_toml(path):
     """The study in a file; paths in it are relative to the file. Throws UserError."""
+    try:
+        import tomllib
+    except ImportError as error:
+        raise UserError("files of studies need Python 3.11 or newer, which this FreeCAD has not") from error
     try:
         with open(path, "rb") as stream:
             said = tomllib.load(stream)

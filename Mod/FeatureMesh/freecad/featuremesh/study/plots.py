@@ -1,52 +1,54 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pictures of a report, drawn by matplotlib without a window."""
+"""The pictures of a study, drawn on figures of matplotlib, for a page or for the window."""
 
 import base64
 import io
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as pyplot  # noqa: E402
-import numpy as np  # noqa: E402
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 _ACROSS = 3   # tornado plots beside each other
 _BLUE, _ORANGE, _GREY = "#2b6cb0", "#dd6b20", "#a0aec0"
 
 
-def scatter(data, responses):
-    """Each response over each parameter."""
-    figure, axes = pyplot.subplots(len(responses), len(data.names), squeeze=False, figsize=(3.2 * len(data.names) + 1, 2.4 * len(responses)))
+def scatter(figure, data, responses):
+    """Each response over each parameter. The points are pickable, in the order of the cases."""
+    figure.set_size_inches(3.2 * len(data.names) + 1, 2.4 * len(responses))
+    axes = figure.subplots(len(responses), len(data.names), squeeze=False)
     for row, response in enumerate(responses):
         for column, name in enumerate(data.names):
             plot, (low, high) = axes[row][column], data.limits[column]
-            plot.scatter(low + (data.points[:, column] + 1) / 2 * (high - low), data.values(response.name), s=14, color=_BLUE)
+            plot.scatter(low + (data.points[:, column] + 1) / 2 * (high - low), data.values(response.name), s=14, color=_BLUE, picker=5)
             if row == len(responses) - 1:
                 plot.set_xlabel(name)
             if column == 0:
                 plot.set_ylabel(_with_unit(response))
-    return _png(figure)
 
 
-def parallel(data, responses):
-    """A line for each case across all parameters and responses, coloured by the first response."""
+def parallel(figure, data, responses):
+    """A line for each case across all parameters and responses, coloured by the first response. The lines are pickable, in the order of the cases."""
     names = data.names + [response.name for response in responses]
     shares = np.column_stack([(data.points + 1) / 2, *(_shares(data.values(response.name)) for response in responses)])
     limits = data.limits + [(data.values(response.name).min(), data.values(response.name).max()) for response in responses]
-    figure, plot = pyplot.subplots(figsize=(1.7 * len(names) + 1, 3.6))
+    figure.set_size_inches(1.7 * len(names) + 1, 3.6)
+    plot = figure.subplots()
     for line in shares:
-        plot.plot(line, color=pyplot.cm.viridis(line[len(data.names)]), alpha=0.8, linewidth=1.1)
+        plot.plot(line, color=colormaps["viridis"](line[len(data.names)]), alpha=0.8, linewidth=1.1, picker=4)
     for place, (name, (low, high)) in enumerate(zip(names, limits)):
         plot.axvline(place, color=_GREY, linewidth=0.8)
         plot.text(place, -0.07, "%.4g\n%s" % (low, name), ha="center", va="top", fontsize=8)
         plot.text(place, 1.07, "%.4g" % high, ha="center", va="bottom", fontsize=8)
     plot.set_axis_off()
-    return _png(figure)
 
 
-def tornado(data, all_effects, responses):
+def tornado(figure, data, responses, all_effects):
     """The main effects, the largest on top."""
     rows, columns = -(-len(all_effects) // _ACROSS), min(len(all_effects), _ACROSS)
-    figure, axes = pyplot.subplots(rows, columns, squeeze=False, figsize=(4.2 * columns, (0.5 * len(data.names) + 1.0) * rows))
+    figure.set_size_inches(4.2 * columns, (0.5 * len(data.names) + 1.2) * rows)
+    axes = figure.subplots(rows, columns, squeeze=False)
     units = {response.name: response for response in responses}
     for plot in axes.ravel()[len(all_effects):]:
         plot.set_axis_off()
@@ -54,20 +56,20 @@ def tornado(data, all_effects, responses):
         order = np.argsort(np.abs(found.main))
         plot.barh([data.names[place] for place in order], found.main[order], color=[_BLUE if found.main[place] < 0 else _ORANGE for place in order])
         plot.axvline(0, color="black", linewidth=0.8)
-        plot.xaxis.set_major_locator(pyplot.MaxNLocator(4))
-        plot.set_xlabel("change of " + _with_unit(units[found.response]))
-    return _png(figure)
+        plot.xaxis.set_major_locator(MaxNLocator(3))
+        plot.tick_params(labelsize=8)
+        plot.set_xlabel("change of\n" + _with_unit(units[found.response]))
 
 
-def pareto(data, front, first, second):
+def pareto(figure, data, front, first, second):
     """All cases in the plane of two responses, and those that no other beats."""
-    figure, plot = pyplot.subplots(figsize=(5.2, 3.8))
+    figure.set_size_inches(5.2, 3.8)
+    plot = figure.subplots()
     plot.scatter(data.values(first.name), data.values(second.name), s=16, color=_GREY, label="cases")
     plot.plot([case.responses[first.name] for case in front], [case.responses[second.name] for case in front], "o-", color=_ORANGE, label="not beaten")
     plot.set_xlabel(_with_unit(first))
     plot.set_ylabel(_with_unit(second))
     plot.legend()
-    return _png(figure)
 
 
 def _with_unit(response):
@@ -79,10 +81,11 @@ def _shares(values):
     return (values - values.min()) / spread if spread > 0 else np.full(len(values), 0.5)
 
 
-def _png(figure):
-    """The picture as it stands in a page."""
-    stream = io.BytesIO()
+def png(draw, *words):
+    """What `draw(figure, *words)` draws, as it stands in a page."""
+    figure = Figure()
+    draw(figure, *words)
     figure.tight_layout()
-    figure.savefig(stream, format="png", dpi=110, metadata={"Software": None})
-    pyplot.close(figure)
+    stream = io.BytesIO()
+    FigureCanvasAgg(figure).print_figure(stream, format="png", dpi=110, metadata={"Software": None})
     return "data:image/png;base64," + base64.b64encode(stream.getvalue()).decode("ascii")

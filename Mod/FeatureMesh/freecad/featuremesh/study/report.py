@@ -22,12 +22,12 @@ def write(folder, path, pair=None, goal=None, limits=()):
     parts = [_head(folder, data), _best_cases(data, goal, limits)]
     all_effects = [found for found in (answers.effects(data, response.name) for response in responses) if found]
     if all_effects:
-        parts += ["<h2>What matters</h2>", _image(plots.tornado(data, all_effects, responses), "tornado"), _effects_table(data, all_effects)]
+        parts += ["<h2>What matters</h2>", _image(plots.png(plots.tornado, data, responses, all_effects), "tornado"), _effects_table(data, all_effects)]
     else:
         parts.append("<p class=note>There are too few cases for response surfaces of %d parameters; add some.</p>" % len(data.names))
     if data.names:
-        parts += ["<h2>Responses over parameters</h2>", _image(plots.scatter(data, responses), "scatter"),
-                  "<h2>All cases at once</h2>", _image(plots.parallel(data, responses), "parallel coordinates")]
+        parts += ["<h2>Responses over parameters</h2>", _image(plots.png(plots.scatter, data, responses), "scatter"),
+                  "<h2>All cases at once</h2>", _image(plots.png(plots.parallel, data, responses), "parallel coordinates")]
     parts += _pareto(data, pair)
     parts += ["<h2>Cases</h2>", _cases_table(folder, data)]
     page = "<!DOCTYPE html><html lang=en><meta charset=utf-8><title>%s</title><style>%s</style><body>%s</body></html>\n" % (
@@ -93,7 +93,7 @@ def _pareto(data, pair):
         return []
     front = answers.pareto(data, *names)
     return ["<h2>Compromises between %s and %s</h2>" % tuple(map(html.escape, names)),
-            _image(plots.pareto(data, front, *(responses[name] for name in names)), "Pareto front"),
+            _image(plots.png(plots.pareto, data, front, *(responses[name] for name in names)), "Pareto front"),
             "<p>Less of both: %s.</p>" % ", ".join("case %d" % case.id for case in front)]
 
 

@@ -51,6 +51,16 @@ def parse_response(said):
     return response
 
 
+def at_place(kind, place):
+    """The text of a response of that kind at a face, edge, vertex or feature."""
+    return "%s@%s" % (kind, place)
+
+
+def needs_solution(responses):
+    """Must the analysis be solved for these?"""
+    return any(response.kind not in ("mass", "volume") and not response.expression for response in responses)
+
+
 def _from_table(said):
     for key in said:
         if key not in _KEYS:

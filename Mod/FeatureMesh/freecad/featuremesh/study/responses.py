@@ -37,11 +37,6 @@ class SolvedCase:
     responses: dict = field(default_factory=dict)   # those before
 
 
-def needs_solution(responses):
-    """Must the analysis be solved for these?"""
-    return any(response.kind not in _FROM_PART and not response.expression for response in responses)
-
-
 def refuse_unfit(responses, kind, live):
     """Throws UserError for a response that an analysis of that kind, or the live solver, does not give."""
     for response in responses:

@@ -11,6 +11,7 @@ from .case_book import CaseBook, Stopped
 from .worker_process import BaseBroken, WorkerDied, WorkerProcess
 
 _LOOK_EVERY = 0.5   # s between two lines of progress
+_MOST_STARTS = 3    # of workers one after the other that end before they are ready
 
 
 @dataclass
@@ -33,8 +34,9 @@ class Runner:
 
     def __init__(self, folder, machine, show=None, keep_base=False):
         self._machine, self._book = machine, CaseBook(folder, show, keep_base)
-        self._busy, self._idle = [], []
+        self._busy, self._idle, self._starting = [], [], []
         self._started = 0   # workers, for the names of their logs
+        self._ended_early = 0
 
     def run(self, case_ids=None):
         """Runs all waiting cases, or those of `case_ids`. Throws Stopped, DiskFull."""
@@ -42,10 +44,14 @@ class Runner:
         jobs = self._jobs_now(min(self._machine.jobs, max(1, len(waiting))))
         while waiting or self._busy:
             self._book.refuse_changed_document()
-            while waiting and len(self._busy) < jobs:
-                self._start(waiting.pop(0))
+            while waiting and self._idle and len(self._busy) < jobs:
+                waiting[:1] = self._start(waiting[0], self._idle.pop())
+            while len(self._starting + self._idle + self._busy) < min(jobs, len(self._busy) + len(waiting)):
+                self._starting.append(self._new_worker())
             self._book.show_progress([busy.start for busy in self._busy], jobs)
-            ready, _, _ = select.select([busy.worker for busy in self._busy], [], [], _LOOK_EVERY)
+            ready, _, _ = select.select(self._starting + [busy.worker for busy in self._busy], [], [], _LOOK_EVERY)
+            for worker in [worker for worker in self._starting if worker in ready]:
+                self._take_ready(worker)
             for busy in [busy for busy in self._busy if busy.worker in ready]:
                 waiting += self._take(busy)
         self._book.show_progress([], jobs)
@@ -55,10 +61,10 @@ class Runner:
 
     def __exit__(self, *_):
         """Ends all workers; cases that run wait again."""
-        for worker in self._idle + [busy.worker for busy in self._busy]:
+        for worker in self._starting + self._idle + [busy.worker for busy in self._busy]:
             worker.end()
         self._book.give_back([busy.case for busy in self._busy])
-        self._busy, self._idle = [], []
+        self._busy, self._idle, self._starting = [], [], []
 
     def _jobs_now(self, jobs):
         """As many as have memory. Throws Stopped when not even one case has."""
@@ -69,22 +75,28 @@ class Runner:
                           % (needed / 1e9, available / 1e9))
         return fitting
 
-    def _start(self, case):
+    def _start(self, case, worker):
+        """Gives a case to a worker. Returns the case, in a list, where the worker had ended: between two cases nothing is lost."""
         request = self._book.start(case)
-        while True:
-            worker = self._idle.pop() if self._idle else self._new_worker()
-            try:
-                worker.send(request)
-            except WorkerDied:
-                worker.end()   # between two cases: nothing is lost
-                continue
-            self._busy.append(_Busy(worker, case, time.monotonic()))
-            return
+        try:
+            worker.send(request)
+        except WorkerDied:
+            worker.end()
+            self._book.give_back([case])
+            case.attempts -= 1
+            return [case]
+        self._busy.append(_Busy(worker, case, time.monotonic()))
+        return []
 
     def _new_worker(self):
+        """A FreeCAD that opens the base document; it says when it has."""
         self._started += 1
         log = os.path.join(self._book.folder.path, "worker-%d.log" % self._started)
-        worker = WorkerProcess(self._machine.freecad, self._machine.environment, self._book.worker_settings(), log)
+        return WorkerProcess(self._machine.freecad, self._machine.environment, self._book.worker_settings(), log)
+
+    def _take_ready(self, worker):
+        """The worker is ready for cases, or has ended. Throws Stopped where that is of no use."""
+        self._starting.remove(worker)
         try:
             worker.answer()
         except BaseBroken as error:
@@ -92,11 +104,12 @@ class Runner:
             raise Stopped("a worker cannot open the base document: %s" % error) from error
         except WorkerDied as error:
             worker.end()
-            raise Stopped("a worker cannot start: %s; see %s" % (error, log)) from error
-        except BaseException:
-            worker.end()
-            raise
-        return worker
+            self._ended_early += 1
+            if self._ended_early >= _MOST_STARTS:
+                raise Stopped("a worker cannot start: %s; see the worker logs in %s" % (error, self._book.folder.path)) from error
+            return
+        self._ended_early = 0
+        self._idle.append(worker)
 
     def _take(self, busy):
         """Keeps what a case gave. Returns the case, in a list, where it is to be run again."""

@@ -8,8 +8,20 @@
       <translation>1st: Tetraeder mit 4 Knoten; 2nd: Tetraeder mit 10 Knoten, deren Kantenmittelknoten auf der Oberfläche liegen</translation>
     </message>
     <message>
+      <source>A case that takes longer is ended</source>
+      <translation>Ein Fall, der länger braucht, wird beendet</translation>
+    </message>
+    <message>
+      <source>Another number gives other cases</source>
+      <translation>Eine andere Zahl gibt andere Fälle</translation>
+    </message>
+    <message>
       <source>By how much neighbouring elements may differ in size at most</source>
       <translation>Um welchen Faktor sich die Größen benachbarter Elemente höchstens unterscheiden dürfen</translation>
+    </message>
+    <message>
+      <source>Cases at once; 0: as many as the processors</source>
+      <translation>Fälle zugleich; 0: so viele wie Prozessoren</translation>
     </message>
     <message>
       <source>Edges along a full circle of any curved face or edge; 0: sizes do not follow curvature</source>
@@ -36,8 +48,16 @@
       <translation>FEM-Netzgruppen</translation>
     </message>
     <message>
+      <source>Files to keep of each case: mesh, inp, frd</source>
+      <translation>Dateien, die von jedem Fall bleiben: mesh, inp, frd</translation>
+    </message>
+    <message>
       <source>FreeCAD's own result object, for FEM's result panel, filters and pipeline</source>
       <translation>FreeCADs eigenes Ergebnisobjekt, für Ergebnisfenster, Filter und Pipeline von FEM</translation>
+    </message>
+    <message>
+      <source>How the cases are chosen</source>
+      <translation>Wie die Fälle gewählt werden</translation>
     </message>
     <message>
       <source>Largest displacement, mm</source>
@@ -58,6 +78,10 @@
     <message>
       <source>Nodes of the mesh</source>
       <translation>Knoten des Netzes</translation>
+    </message>
+    <message>
+      <source>Number of cases, where the sampling takes any number</source>
+      <translation>Anzahl der Fälle, wo die Auswahl jede Anzahl zulässt</translation>
     </message>
     <message>
       <source>Processor threads to use; 0: all. The mesh is the same for any number</source>
@@ -92,6 +116,18 @@
       <translation>Nach jeder Neuberechnung des Dokuments lösen</translation>
     </message>
     <message>
+      <source>Solves the cases; automatic: live where that is enough</source>
+      <translation>Löst die Fälle; automatic: live, wo das reicht</translation>
+    </message>
+    <message>
+      <source>The analysis that is solved for each case</source>
+      <translation>Die Analyse, die für jeden Fall gelöst wird</translation>
+    </message>
+    <message>
+      <source>The part that is varied</source>
+      <translation>Das Teil, das verändert wird</translation>
+    </message>
+    <message>
       <source>Time the last mesh or update took</source>
       <translation>Dauer der letzten Vernetzung oder Aktualisierung</translation>
     </message>
@@ -108,6 +144,14 @@
       <translation>Gewünschte Kantenlänge der Elemente</translation>
     </message>
     <message>
+      <source>What is asked of each case, such as max_mises@Face3</source>
+      <translation>Was von jedem Fall gefragt ist, etwa max_mises@Face3</translation>
+    </message>
+    <message>
+      <source>What is varied, such as Fillet.Radius=2:6</source>
+      <translation>Was verändert wird, etwa Fillet.Radius=2:6</translation>
+    </message>
+    <message>
       <source>What loads, supports, materials and refinements referred to, as JSON</source>
       <translation>Worauf sich Lasten, Lager, Materialien und Verfeinerungen bezogen, als JSON</translation>
     </message>
@@ -118,6 +162,14 @@
     <message>
       <source>What the next update needs</source>
       <translation>Was die nächste Aktualisierung braucht</translation>
+    </message>
+    <message>
+      <source>What the parameters have to keep, such as Fillet.Radius &lt; 5</source>
+      <translation>Was die Parameter einhalten müssen, etwa Fillet.Radius &lt; 5</translation>
+    </message>
+    <message>
+      <source>Where the cases are kept</source>
+      <translation>Wo die Fälle liegen</translation>
     </message>
     <message>
       <source>Whether the mesh fits the part, and if not, why</source>
@@ -163,12 +215,20 @@
       <translation>%d Objekte haben die Bezeichnung %s, bitte einen Namen angeben: %s</translation>
     </message>
     <message>
+      <source>%d of %d cases done</source>
+      <translation>%d von %d Fällen fertig</translation>
+    </message>
+    <message>
       <source>%s 10-node tetrahedra would be folded near %s: the face bends too much within one element. Ask for a smaller size there, or for 4-node tetrahedra.</source>
       <translation>%s Tetraeder mit 10 Knoten wären gefaltet, bei %s: die Fläche biegt sich innerhalb eines Elements zu stark. Dort eine kleinere Größe wählen, oder Tetraeder mit 4 Knoten.</translation>
     </message>
     <message>
       <source>%s and %s are in the same place but run differently. Check the feature that made them (Part: Check geometry).</source>
       <translation>%s und %s liegen am selben Ort, verlaufen aber verschieden. Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen).</translation>
+    </message>
+    <message>
+      <source>%s at %s</source>
+      <translation>%s an %s</translation>
     </message>
     <message>
       <source>%s belongs to no analysis</source>
@@ -225,6 +285,10 @@
     <message>
       <source>%s has no mesh; let it share %s (api.share_mesh), or give it one of its own</source>
       <translation>%s hat kein Netz; lassen Sie die Analyse %s mitbenutzen (api.share_mesh), oder geben Sie ihr ein eigenes</translation>
+    </message>
+    <message>
+      <source>%s has no part</source>
+      <translation>%s hat kein Teil</translation>
     </message>
     <message>
       <source>%s has no part to mesh, set its property %s</source>
@@ -347,6 +411,14 @@
       <translation>%s: %s wurde in %s geteilt, es gilt jetzt auf allen</translation>
     </message>
     <message>
+      <source>, about %d min left</source>
+      <translation>, noch etwa %d min</translation>
+    </message>
+    <message>
+      <source>, about %d s left</source>
+      <translation>, noch etwa %d s</translation>
+    </message>
+    <message>
       <source>, not of %s</source>
       <translation>, nicht von %s</translation>
     </message>
@@ -375,6 +447,10 @@
       <translation>Ein Absturz des Geometriekerns beendet dann nur diesen Prozess; FreeCAD und das Dokument bleiben, wie sie sind</translation>
     </message>
     <message>
+      <source>A double click on a case shows it: part, mesh and result. Undo takes it back.</source>
+      <translation>Ein Doppelklick auf einen Fall zeigt ihn: Teil, Netz und Ergebnis. Rückgängig nimmt das zurück.</translation>
+    </message>
+    <message>
       <source>A mesh that follows your part</source>
       <translation>Ein Netz, das dem Bauteil folgt</translation>
     </message>
@@ -395,8 +471,24 @@
       <translation>Weiteres Netz anlegen</translation>
     </message>
     <message>
+      <source>Add at the selection</source>
+      <translation>Am gewählten Ort hinzufügen</translation>
+    </message>
+    <message>
+      <source>Add cases</source>
+      <translation>Fälle hinzufügen</translation>
+    </message>
+    <message>
       <source>Analysis</source>
       <translation>Analyse</translation>
+    </message>
+    <message>
+      <source>As it was</source>
+      <translation>Wie es war</translation>
+    </message>
+    <message>
+      <source>At once</source>
+      <translation>Zugleich</translation>
     </message>
     <message>
       <source>By how much displacements are drawn larger than they are</source>
@@ -423,8 +515,20 @@
       <translation>Abgebrochen; das Netz ist, wie es war.</translation>
     </message>
     <message>
+      <source>Case %d: %s</source>
+      <translation>Fall %d: %s</translation>
+    </message>
+    <message>
+      <source>Cases</source>
+      <translation>Fälle</translation>
+    </message>
+    <message>
       <source>Check the shape there (Part: Check geometry), mesh from scratch, or try another size.</source>
       <translation>Bitte die Form dort prüfen (Part: Geometrie prüfen), von Grund auf vernetzen oder eine andere Größe versuchen.</translation>
+    </message>
+    <message>
+      <source>Chosen</source>
+      <translation>Auswahl</translation>
     </message>
     <message>
       <source>Colours</source>
@@ -511,8 +615,16 @@
       <translation>FreeCAD konnte %s nicht berechnen: %s</translation>
     </message>
     <message>
+      <source>FreeCAD's program freecadcmd was not found; set FREECADCMD to it</source>
+      <translation>FreeCADs Programm freecadcmd wurde nicht gefunden; setzen Sie FREECADCMD darauf</translation>
+    </message>
+    <message>
       <source>From scratch</source>
       <translation>Von Grund auf</translation>
+    </message>
+    <message>
+      <source>Go on</source>
+      <translation>Weiter</translation>
     </message>
     <message>
       <source>Growth</source>
@@ -567,6 +679,10 @@
       <translation>Neue Netze</translation>
     </message>
     <message>
+      <source>No case is done yet.</source>
+      <translation>Noch ist kein Fall fertig.</translation>
+    </message>
+    <message>
       <source>No element of the mesh fits the part: %s. Choose the object it was made of, or mesh the part anew.</source>
       <translation>Kein Element des Netzes passt zum Bauteil: %s. Das Objekt wählen, von dem es gemacht wurde, oder das Bauteil neu vernetzen.</translation>
     </message>
@@ -587,6 +703,10 @@
       <translation>Öffnen</translation>
     </message>
     <message>
+      <source>Parallel coordinates</source>
+      <translation>Parallele Koordinaten</translation>
+    </message>
+    <message>
       <source>Part</source>
       <translation>Bauteil</translation>
     </message>
@@ -599,6 +719,10 @@
       <translation>Vielleicht ging der Speicher aus: bitte eine größere Elementgröße versuchen.</translation>
     </message>
     <message>
+      <source>Plots need matplotlib (Debian: python3-matplotlib): %s</source>
+      <translation>Diagramme brauchen matplotlib (Debian: python3-matplotlib): %s</translation>
+    </message>
+    <message>
       <source>Processor threads of a new mesh; the mesh is the same for any number</source>
       <translation>Prozessor-Threads eines neuen Netzes; das Netz ist für jede Anzahl dasselbe</translation>
     </message>
@@ -607,12 +731,48 @@
       <translation>Qualität von %s</translation>
     </message>
     <message>
+      <source>Report</source>
+      <translation>Bericht</translation>
+    </message>
+    <message>
+      <source>Results</source>
+      <translation>Ergebnisse</translation>
+    </message>
+    <message>
+      <source>Run</source>
+      <translation>Starten</translation>
+    </message>
+    <message>
+      <source>Save table</source>
+      <translation>Tabelle speichern</translation>
+    </message>
+    <message>
       <source>Scale</source>
       <translation>Überhöhung</translation>
     </message>
     <message>
+      <source>Scatter</source>
+      <translation>Streudiagramm</translation>
+    </message>
+    <message>
+      <source>Select a case in the table, or click a point of a plot.</source>
+      <translation>Wählen Sie einen Fall in der Tabelle, oder klicken Sie auf einen Punkt eines Diagramms.</translation>
+    </message>
+    <message>
       <source>Select a face and press &lt;b&gt;Add a local size&lt;/b&gt; where the mesh shall be finer. All of this is in FEM's Mesh menu, too.</source>
       <translation>Eine Fläche auswählen und &lt;b&gt;Lokale Größe hinzufügen&lt;/b&gt; drücken, wo das Netz feiner werden soll. All das steht auch im Menü Netz von FEM.</translation>
+    </message>
+    <message>
+      <source>Show case %d</source>
+      <translation>Fall %d zeigen</translation>
+    </message>
+    <message>
+      <source>Show the case</source>
+      <translation>Fall zeigen</translation>
+    </message>
+    <message>
+      <source>Show the part as it was</source>
+      <translation>Das Teil zeigen, wie es war</translation>
     </message>
     <message>
       <source>Size</source>
@@ -627,12 +787,24 @@
       <translation>Lösen</translation>
     </message>
     <message>
+      <source>Solver</source>
+      <translation>Löser</translation>
+    </message>
+    <message>
       <source>Status</source>
       <translation>Zustand</translation>
     </message>
     <message>
       <source>Stop</source>
       <translation>Anhalten</translation>
+    </message>
+    <message>
+      <source>Study</source>
+      <translation>Studie</translation>
+    </message>
+    <message>
+      <source>The cases that are done do not differ yet.</source>
+      <translation>Die fertigen Fälle unterscheiden sich noch nicht.</translation>
     </message>
     <message>
       <source>The geometry kernel failed while meshing: %s. Try another size, or check the shape (Part: Check geometry).</source>
@@ -707,6 +879,10 @@
       <translation>Das Bauteil konnte nicht gefüllt werden: %s. Eine andere Größe versuchen, oder die Form prüfen (Part: Geometrie prüfen).</translation>
     </message>
     <message>
+      <source>The report is %s</source>
+      <translation>Der Bericht ist %s</translation>
+    </message>
+    <message>
       <source>The saved mesh does not fit the part: %s.</source>
       <translation>Das gespeicherte Netz passt nicht zum Bauteil: %s.</translation>
     </message>
@@ -743,6 +919,10 @@
       <translation>Die schlechtesten Elemente, zum Ansehen anklicken:</translation>
     </message>
     <message>
+      <source>There are too few cases to tell what matters; add some.</source>
+      <translation>Es sind zu wenige Fälle, um zu sagen, was wichtig ist; fügen Sie welche hinzu.</translation>
+    </message>
+    <message>
       <source>There is not enough memory for this mesh. Choose a larger size.</source>
       <translation>Der Speicher reicht für dieses Netz nicht. Eine größere Größe wählen.</translation>
     </message>
@@ -767,6 +947,10 @@
       <translation>Wirft das Netz weg und vernetzt das ganze Bauteil</translation>
     </message>
     <message>
+      <source>Tick what is to vary. A click on a sketch, a feature or a face shows its dimensions.</source>
+      <translation>Haken Sie an, was sich ändern soll. Ein Klick auf eine Skizze, ein Feature oder eine Fläche zeigt deren Maße.</translation>
+    </message>
+    <message>
       <source>To install it: %s; in a clone any command of `./featuremesh` builds it.</source>
       <translation>So wird es installiert: %s; in einem Klon baut es jeder Befehl von `./featuremesh`.</translation>
     </message>
@@ -777,6 +961,10 @@
     <message>
       <source>Too short for an element of their own: %s.</source>
       <translation>Zu kurz für ein eigenes Element: %s.</translation>
+    </message>
+    <message>
+      <source>Tornado</source>
+      <translation>Tornado</translation>
     </message>
     <message>
       <source>Update automatically</source>
@@ -793,6 +981,10 @@
     <message>
       <source>What changed</source>
       <translation>Was sich geändert hat</translation>
+    </message>
+    <message>
+      <source>What each case is to tell:</source>
+      <translation>Was jeder Fall sagen soll:</translation>
     </message>
     <message>
       <source>Work</source>
@@ -887,6 +1079,10 @@
       <translation>um wie viel</translation>
     </message>
     <message>
+      <source>cannot be made</source>
+      <translation>nicht machbar</translation>
+    </message>
+    <message>
       <source>cannot export to %s, only to %s</source>
       <translation>Ausgabe als %s ist nicht möglich, nur als %s</translation>
     </message>
@@ -897,6 +1093,10 @@
     <message>
       <source>cannot write %s: %s</source>
       <translation>%s kann nicht geschrieben werden: %s</translation>
+    </message>
+    <message>
+      <source>case</source>
+      <translation>Fall</translation>
     </message>
     <message>
       <source>change since the last result</source>
@@ -935,8 +1135,16 @@
       <translation>hängt ab von</translation>
     </message>
     <message>
+      <source>dimension, as it is</source>
+      <translation>Maß, wie es ist</translation>
+    </message>
+    <message>
       <source>displacement</source>
       <translation>Verschiebung</translation>
+    </message>
+    <message>
+      <source>done</source>
+      <translation>fertig</translation>
     </message>
     <message>
       <source>edge length over wanted length</source>
@@ -951,6 +1159,14 @@
       <translation>Schätzen des Netzes von %s</translation>
     </message>
     <message>
+      <source>every combination (grid of 3)</source>
+      <translation>jede Kombination (Gitter mit 3)</translation>
+    </message>
+    <message>
+      <source>failed</source>
+      <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
       <source>failed: %s</source>
       <translation>fehlgeschlagen: %s</translation>
     </message>
@@ -961,6 +1177,30 @@
     <message>
       <source>filling the solid</source>
       <translation>Festkörper füllen</translation>
+    </message>
+    <message>
+      <source>first buckling factor</source>
+      <translation>erster Knickfaktor</translation>
+    </message>
+    <message>
+      <source>first frequency</source>
+      <translation>erste Eigenfrequenz</translation>
+    </message>
+    <message>
+      <source>for a curved surface (central composite)</source>
+      <translation>für eine gekrümmte Fläche (zentral zusammengesetzt)</translation>
+    </message>
+    <message>
+      <source>for a curved surface, no corners (Box-Behnken)</source>
+      <translation>für eine gekrümmte Fläche, ohne Ecken (Box-Behnken)</translation>
+    </message>
+    <message>
+      <source>force on all supports</source>
+      <translation>Kraft auf alle Lager</translation>
+    </message>
+    <message>
+      <source>from : to</source>
+      <translation>von : bis</translation>
     </message>
     <message>
       <source>full mesh: %s</source>
@@ -1023,6 +1263,22 @@
       <translation>behalten: %d Elemente (%.1f %%)</translation>
     </message>
     <message>
+      <source>largest displacement</source>
+      <translation>größte Verschiebung</translation>
+    </message>
+    <message>
+      <source>largest principal stress</source>
+      <translation>größte Hauptspannung</translation>
+    </message>
+    <message>
+      <source>largest temperature</source>
+      <translation>größte Temperatur</translation>
+    </message>
+    <message>
+      <source>largest von Mises stress</source>
+      <translation>größte Vergleichsspannung (von Mises)</translation>
+    </message>
+    <message>
       <source>largest: %.4g %s on %s, node %d at (%.4g, %.4g, %.4g) mm; displacements drawn %g times</source>
       <translation>am größten: %.4g %s auf %s, Knoten %d bei (%.4g, %.4g, %.4g) mm; Verschiebungen %g-fach gezeichnet</translation>
     </message>
@@ -1037,6 +1293,18 @@
       <translation>lassen Sie den Addon-Manager %s installieren, oder tippen Sie `%s`, oder entpacken Sie das portable Zip von FeatureMesh in %s</translation>
     </message>
     <message>
+      <source>live</source>
+      <translation>live</translation>
+    </message>
+    <message>
+      <source>making the mesh that all cases start from</source>
+      <translation>das Netz entsteht, von dem alle Fälle ausgehen</translation>
+    </message>
+    <message>
+      <source>mass</source>
+      <translation>Masse</translation>
+    </message>
+    <message>
       <source>meshed from scratch: %s</source>
       <translation>von Grund auf vernetzt: %s</translation>
     </message>
@@ -1047,6 +1315,10 @@
     <message>
       <source>meshing the faces</source>
       <translation>Flächen vernetzen</translation>
+    </message>
+    <message>
+      <source>message</source>
+      <translation>Meldung</translation>
     </message>
     <message>
       <source>more than a million million</source>
@@ -1081,12 +1353,28 @@
       <translation>noch nicht vernetzt</translation>
     </message>
     <message>
+      <source>not run yet</source>
+      <translation>noch nicht gelaufen</translation>
+    </message>
+    <message>
       <source>note: </source>
       <translation>Hinweis: </translation>
     </message>
     <message>
+      <source>nothing is asked for: tick what each case is to tell</source>
+      <translation>nichts ist gefragt: haken Sie an, was jeder Fall sagen soll</translation>
+    </message>
+    <message>
+      <source>nothing is varied: tick a dimension and give it a range</source>
+      <translation>nichts ändert sich: haken Sie ein Maß an und geben Sie ihm einen Bereich</translation>
+    </message>
+    <message>
       <source>old faces</source>
       <translation>alte Flächen</translation>
+    </message>
+    <message>
+      <source>one dimension at a time</source>
+      <translation>ein Maß nach dem anderen</translation>
     </message>
     <message>
       <source>out of date</source>
@@ -1153,12 +1441,20 @@
       <translation>Rolle</translation>
     </message>
     <message>
+      <source>running</source>
+      <translation>läuft</translation>
+    </message>
+    <message>
       <source>same</source>
       <translation>gleich</translation>
     </message>
     <message>
       <source>scaled Jacobian</source>
       <translation>skalierte Jacobi-Determinante</translation>
+    </message>
+    <message>
+      <source>select faces, edges or vertices of %s</source>
+      <translation>wählen Sie Flächen, Kanten oder Ecken von %s</translation>
     </message>
     <message>
       <source>select faces, edges or vertices of %s%s</source>
@@ -1193,8 +1489,36 @@
       <translation>Lösen der Statik von %s</translation>
     </message>
     <message>
+      <source>spread at random, evenly (Latin hypercube)</source>
+      <translation>zufällig, gleichmäßig verteilt (Latin Hypercube)</translation>
+    </message>
+    <message>
+      <source>spread evenly (Halton)</source>
+      <translation>gleichmäßig verteilt (Halton)</translation>
+    </message>
+    <message>
+      <source>spread evenly (Sobol)</source>
+      <translation>gleichmäßig verteilt (Sobol)</translation>
+    </message>
+    <message>
       <source>starting</source>
       <translation>Starten</translation>
+    </message>
+    <message>
+      <source>state</source>
+      <translation>Zustand</translation>
+    </message>
+    <message>
+      <source>stopped</source>
+      <translation>angehalten</translation>
+    </message>
+    <message>
+      <source>strain energy</source>
+      <translation>Formänderungsenergie</translation>
+    </message>
+    <message>
+      <source>studies run on Linux only</source>
+      <translation>Studien laufen nur unter Linux</translation>
     </message>
     <message>
       <source>suppressed</source>
@@ -1261,6 +1585,14 @@
       <translation>die Eigenschaft QualityTarget von %s muss zwischen 0 und %g Grad liegen, nicht %g</translation>
     </message>
     <message>
+      <source>the range of %s has to be two numbers, such as 3 : 5</source>
+      <translation>der Bereich von %s muss aus zwei Zahlen bestehen, etwa 3 : 5</translation>
+    </message>
+    <message>
+      <source>the range of %s has to rise</source>
+      <translation>der Bereich von %s muss steigen</translation>
+    </message>
+    <message>
       <source>the refinement %s refers to %s, which is not on %s; refer to faces of that one</source>
       <translation>die Verfeinerung %s verweist auf %s, das nicht zu %s gehört; bitte auf dessen Flächen verweisen</translation>
     </message>
@@ -1299,6 +1631,10 @@
     <message>
       <source>the solids of the final shape overlap by %s mm^3; fuse them or mesh them one by one</source>
       <translation>Die Körper der endgültigen Form überlappen sich um %s mm^3; vereinigen oder einzeln vernetzen</translation>
+    </message>
+    <message>
+      <source>the study's process ended; see %s</source>
+      <translation>der Prozess der Studie ist beendet; siehe %s</translation>
     </message>
     <message>
       <source>the surface mesh does not close at %s; check the shape there, or try another size</source>
@@ -1371,6 +1707,10 @@
     <message>
       <source>von Mises stress</source>
       <translation>Vergleichsspannung nach von Mises</translation>
+    </message>
+    <message>
+      <source>waiting</source>
+      <translation>wartet</translation>
     </message>
     <message>
       <source>waiting for other work</source>
@@ -1512,6 +1852,17 @@
     <message>
       <source>Show the feature tree</source>
       <translation>Feature-Baum zeigen</translation>
+    </message>
+  </context>
+  <context>
+    <name>FeatureMesh_Study</name>
+    <message>
+      <source>Parameter study</source>
+      <translation>Parameterstudie</translation>
+    </message>
+    <message>
+      <source>Varies dimensions of the part, meshes and solves each variant, and shows what matters</source>
+      <translation>Ändert Maße des Teils, vernetzt und löst jede Variante und zeigt, was wichtig ist</translation>
     </message>
   </context>
   <context>

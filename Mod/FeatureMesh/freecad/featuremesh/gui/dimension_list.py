@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A tree of a part's dimensions, each with a tick and a range."""
+
+import FreeCAD
+from PySide import QtCore, QtGui
+
+from ..errors import UserError
+from ..study import design
+
+translate = FreeCAD.Qt.translate
+_NAME, _RANGE = range(2)
+
+
+class DimensionList(QtGui.QTreeWidget):
+    """The dimensions by their sketch or feature; `changed` is called when the user ticked one or typed a range."""
+
+    def __init__(self, dimensions, parameters, changed):
+        """`parameters` as the study object has them."""
+        super().__init__()
+        self._changed = changed
+        self.setColumnCount(2)
+        self.setHeaderLabels([translate("FeatureMesh", "dimension, as it is"), translate("FeatureMesh", "from : to")])
+        self.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
+        self.setMinimumHeight(240)
+        self._items, self._groups = {}, {}   # target -> item, name of an object -> item
+        known = {parameter.target: parameter for parameter in map(design.parse_parameter, parameters)}
+        self._others = [text for text in parameters if design.parse_parameter(text).target not in {entry.target for entry in dimensions}
+                        or not design.parse_parameter(text).bounds]   # lists of values, and what was written by hand
+        for dimension in dimensions:
+            self._add(dimension, known.get(dimension.target))
+        self.setRootIsDecorated(False)   # the panel may be narrow
+        self.setIndentation(8)
+        self.header().setStretchLastSection(False)
+        self.header().setSectionResizeMode(_NAME, QtGui.QHeaderView.Stretch)
+        self.setColumnWidth(_RANGE, 68)
+        self.itemChanged.connect(self._took)
+        self.itemDoubleClicked.connect(lambda item, column: self.editItem(item, column) if column == _RANGE else None)
+
+    def item_of(self, target):
+        """The row of a dimension, such as Fillet.Radius."""
+        return self._items[target]
+
+    def parameters(self):
+        """What is ticked, as the study object has it. Throws UserError for a range that is none."""
+        found = list(self._others)
+        for target, item in self._items.items():
+            if item.checkState(_NAME) == QtCore.Qt.Checked:
+                try:
+                    low, high = map(float, item.text(_RANGE).replace(",", ".").split(":"))
+                except ValueError:
+                    raise UserError(translate("FeatureMesh", "the range of %s has to be two numbers, such as 3 : 5") % target) from None
+                if not low < high:
+                    raise UserError(translate("FeatureMesh", "the range of %s has to rise") % target)
+                found.append("%s=%r:%r" % (target, low, high))
+        return found
+
+    def show_object(self, name):
+        """Opens the dimensions of a sketch or feature and scrolls to them."""
+        group = self._groups.get(name)
+        if group is not None:
+            group.setExpanded(True)
+            self.scrollToItem(group, QtGui.QAbstractItemView.PositionAtTop)
+
+    def _add(self, dimension, parameter):
+        owner = dimension.owner
+        if owner.Name not in self._groups:
+            group = self._groups[owner.Name] = QtGui.QTreeWidgetItem([owner.Label])
+            self.addTopLevelItem(group)
+            group.setFirstColumnSpanned(True)
+            group.setExpanded(True)
+        item = QtGui.QTreeWidgetItem([("%s  %.6g %s" % (dimension.name, dimension.value, dimension.unit)).strip()])
+        item.setToolTip(_NAME, item.text(_NAME))
+        item.setFlags(QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable | QtCore.Qt.ItemIsUserCheckable | QtCore.Qt.ItemIsEditable)
+        item.setData(_NAME, QtCore.Qt.UserRole, [float(value) for value in dimension.usual_range()])
+        ticked = parameter is not None and bool(parameter.bounds)
+        item.setCheckState(_NAME, QtCore.Qt.Checked if ticked else QtCore.Qt.Unchecked)
+        if ticked:
+            self._show_range(item, parameter.bounds)
+        self._items[dimension.target] = item
+        self._groups[owner.Name].addChild(item)
+
+    @staticmethod
+    def _show_range(item, bounds):
+        item.setText(_RANGE, "%.6g : %.6g" % tuple(bounds))
+
+    def _took(self, item, column):
+        if column == _NAME:
+            self.blockSignals(True)
+            if item.checkState(_NAME) != QtCore.Qt.Checked:
+                item.setText(_RANGE, "")
+            elif not item.text(_RANGE):
+                self._show_range(item, item.data(_NAME, QtCore.Qt.UserRole))
+            self.blockSignals(False)
+        self._changed()

@@ -1,0 +1,264 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The panel of a study: which dimensions vary, what is asked for, how many cases; it runs, and how far it is."""
+
+import FreeCAD
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+from .. import mesh_object, messages, view_provider, versions
+from ..errors import UserError
+from ..study import design, response_words, study_object, window_run
+from . import errors, study_runs
+from .dimension_list import DimensionList
+
+translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+_SAMPLINGS = {
+    "lhs": QT_TRANSLATE_NOOP("FeatureMesh", "spread at random, evenly (Latin hypercube)"),
+    "sobol": QT_TRANSLATE_NOOP("FeatureMesh", "spread evenly (Sobol)"),
+    "halton": QT_TRANSLATE_NOOP("FeatureMesh", "spread evenly (Halton)"),
+    "grid": QT_TRANSLATE_NOOP("FeatureMesh", "every combination (grid of 3)"),
+    "one_at_a_time": QT_TRANSLATE_NOOP("FeatureMesh", "one dimension at a time"),
+    "box_behnken": QT_TRANSLATE_NOOP("FeatureMesh", "for a curved surface, no corners (Box-Behnken)"),
+    "central_composite": QT_TRANSLATE_NOOP("FeatureMesh", "for a curved surface (central composite)"),
+}
+_RESPONSES = {
+    "mass": QT_TRANSLATE_NOOP("FeatureMesh", "mass"),
+    "volume": QT_TRANSLATE_NOOP("FeatureMesh", "volume"),
+    "max_mises": QT_TRANSLATE_NOOP("FeatureMesh", "largest von Mises stress"),
+    "max_principal": QT_TRANSLATE_NOOP("FeatureMesh", "largest principal stress"),
+    "max_displacement": QT_TRANSLATE_NOOP("FeatureMesh", "largest displacement"),
+    "strain_energy": QT_TRANSLATE_NOOP("FeatureMesh", "strain energy"),
+    "reaction": QT_TRANSLATE_NOOP("FeatureMesh", "force on all supports"),
+    "frequency_1": QT_TRANSLATE_NOOP("FeatureMesh", "first frequency"),
+    "buckling_factor_1": QT_TRANSLATE_NOOP("FeatureMesh", "first buckling factor"),
+    "max_temperature": QT_TRANSLATE_NOOP("FeatureMesh", "largest temperature"),
+}
+_STATICS = ("max_mises", "max_principal", "max_displacement", "strain_energy", "reaction")
+_GIVEN_BY = {None: ("volume",), "static": ("mass", "volume", *_STATICS), "thermomech": ("mass", "volume", "max_temperature", *_STATICS),
+             "frequency": ("mass", "volume", "frequency_1"), "buckling": ("mass", "volume", "buckling_factor_1")}
+_AT_A_PLACE = ("max_mises", "max_principal", "max_displacement")
+_LOOK_EVERY = 500   # ms
+
+
+class StudyPanel:
+    """Changes what a study asks for and runs it. What runs goes on when the panel is closed."""
+
+    def __init__(self, study):
+        self.study = study
+        self._document = study.Document
+        self.form = QtGui.QWidget()
+        self.form.setWindowTitle(study.Label)
+        self.form.setWindowIcon(view_provider.drawn_icon("FeatureMesh_Study"))
+        self._kind = study_object.kind_of(study.Analysis)
+        self.dimensions = DimensionList(study_object.dimensions_of(study), study.Parameters, self._take)
+        self.responses = QtGui.QListWidget()
+        self.responses.setMaximumHeight(130)
+        self._fill_responses()
+        self._make_settings()
+        self.status, self.bar = QtGui.QLabel(), QtGui.QProgressBar()
+        self.status.setWordWrap(True)
+        self.run_button, self.go_on_button = QtGui.QPushButton(), QtGui.QPushButton(translate("FeatureMesh", "Go on"))
+        self.results_button = QtGui.QPushButton(translate("FeatureMesh", "Results"))
+        self._lay_out()
+        self.responses.itemChanged.connect(lambda _: self._take())
+        self.run_button.clicked.connect(self._press)
+        self.go_on_button.clicked.connect(self._go_on)
+        self.results_button.clicked.connect(self.show_results)
+        self._timer = QtCore.QTimer(self.form)
+        self._timer.timeout.connect(self.refresh)
+        self._timer.start(_LOOK_EVERY)
+        Gui.Selection.addObserver(self)
+        FreeCAD.addDocumentObserver(self)
+        self.refresh()
+
+    def refresh(self):
+        """Brings the status up to date with what runs."""
+        run = study_runs.run_of(self.study)
+        running = run is not None and run.is_running()
+        done, total, left = window_run.how_far(self.study.Folder, run.jobs if run else 1) if self.study.Folder else (0, 0, None)
+        self.run_button.setText(translate("FeatureMesh", "Stop") if running else translate("FeatureMesh", "Run"))
+        can_add = bool(total) and done == total and self.study.Sampling in design.COUNTED and study_object.is_as_run(self.study)
+        self.go_on_button.setVisible(not running and (done < total or can_add))
+        self.go_on_button.setText(translate("FeatureMesh", "Add cases") if can_add else translate("FeatureMesh", "Go on"))
+        self.results_button.setEnabled(done > 0)
+        self.bar.setVisible(running)
+        self.bar.setRange(0, total)
+        self.bar.setValue(done)
+        self.status.setText(self._in_words(run, running, done, total, left))
+
+    def show_results(self):
+        """Opens the window with the cases and the plots."""
+        from .study_window import show
+        return show(self.study)
+
+    def getStandardButtons(self):
+        return versions.number_of(QtGui.QDialogButtonBox.Close)
+
+    def reject(self):
+        self._end()
+        Gui.getDocument(self._document).resetEdit()
+        Gui.Control.closeDialog()
+        return True
+
+    # FreeCAD's observer of the selection: a clicked sketch, feature or face shows its dimensions
+
+    def addSelection(self, document, name, element, _):
+        obj = FreeCAD.getDocument(document).getObject(name)
+        path = element.split(".")
+        for step in [name, *path[:-1]] if obj is not None else ():
+            self.dimensions.show_object(step)
+        self.at_button.setEnabled(path[-1].startswith(("Face", "Edge", "Vertex")))
+
+    def clearSelection(self, _):
+        self.at_button.setEnabled(False)
+
+    # FreeCAD's document observer
+
+    def slotDeletedObject(self, obj):
+        if obj is self.study:
+            self._close_with_it()
+
+    def slotDeletedDocument(self, document):
+        if document is self._document:
+            self._close_with_it()
+
+    def _fill_responses(self):
+        """Those that the analysis gives, and whatever else is asked for already."""
+        known = _GIVEN_BY.get(self._kind, _GIVEN_BY["static"])
+        for text in dict.fromkeys([*known, *self.study.Responses]):
+            self._add_response(text, text in self.study.Responses)
+
+    def _add_response(self, text, ticked):
+        words = translate("FeatureMesh", _RESPONSES[text]) if text in _RESPONSES else text
+        kind, at, place = text.partition("@")
+        if at and kind in _RESPONSES:
+            words = translate("FeatureMesh", "%s at %s") % (translate("FeatureMesh", _RESPONSES[kind]), place)
+        item = QtGui.QListWidgetItem(words)
+        item.setFlags(QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsUserCheckable)
+        item.setData(QtCore.Qt.UserRole, text)
+        item.setCheckState(QtCore.Qt.Checked if ticked else QtCore.Qt.Unchecked)
+        self.responses.addItem(item)
+
+    def _make_settings(self):
+        study = self.study
+        self.at, self.at_button = QtGui.QComboBox(), QtGui.QPushButton(translate("FeatureMesh", "Add at the selection"))
+        for kind in _AT_A_PLACE:
+            self.at.addItem(translate("FeatureMesh", _RESPONSES[kind]), kind)
+        self.at_button.setEnabled(False)
+        self.at_button.clicked.connect(self._add_at_selection)
+        self.sampling, self.cases, self.solver, self.jobs = QtGui.QComboBox(), QtGui.QSpinBox(), QtGui.QComboBox(), QtGui.QSpinBox()
+        for name, title in _SAMPLINGS.items():
+            self.sampling.addItem(translate("FeatureMesh", title), name)
+        self.sampling.setCurrentIndex(list(_SAMPLINGS).index(study.Sampling))
+        for box in (self.at, self.sampling, self.solver):
+            box.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLength)
+            box.setMinimumContentsLength(10)   # the panel may be narrow
+        self.cases.setRange(1, 100000)
+        self.cases.setValue(study.Cases)
+        for name, title in (("automatic", translate("FeatureMesh", "automatic")), ("live", translate("FeatureMesh", "live")), ("ccx", "CalculiX")):
+            self.solver.addItem(title, name)
+        self.solver.setCurrentIndex(self.solver.findData(study.Solver))
+        self.jobs.setRange(0, 1024)
+        self.jobs.setSpecialValueText(translate("FeatureMesh", "automatic"))
+        self.jobs.setValue(study.Jobs)
+        for box in (self.sampling, self.solver):
+            box.currentIndexChanged.connect(lambda _: self._take())
+        for box in (self.cases, self.jobs):
+            box.valueChanged.connect(lambda _: self._take())
+
+    def _lay_out(self):
+        layout = QtGui.QVBoxLayout(self.form)
+        hint = QtGui.QLabel(translate("FeatureMesh", "Tick what is to vary. A click on a sketch, a feature or a face shows its dimensions."))
+        hint.setWordWrap(True)
+        for widget in (hint, self.dimensions, QtGui.QLabel(translate("FeatureMesh", "What each case is to tell:")), self.responses):
+            layout.addWidget(widget)
+        form = QtGui.QFormLayout()
+        form.addRow(translate("FeatureMesh", "Cases"), self.cases)
+        form.addRow(translate("FeatureMesh", "Chosen"), self.sampling)
+        form.addRow(translate("FeatureMesh", "Solver"), self.solver)
+        form.addRow(translate("FeatureMesh", "At once"), self.jobs)
+        buttons = QtGui.QHBoxLayout()
+        for button in (self.run_button, self.go_on_button):
+            buttons.addWidget(button)
+        for widget in (self.at, self.at_button):
+            layout.addWidget(widget)
+            widget.setVisible(self._kind in ("static", "thermomech"))
+        layout.addLayout(form)
+        layout.addLayout(buttons)
+        layout.addWidget(self.results_button)
+        layout.addWidget(self.bar)
+        layout.addWidget(self.status)
+
+    def _in_words(self, run, running, done, total, left):
+        self.cases.setEnabled(self.sampling.itemData(self.sampling.currentIndex()) in design.COUNTED)
+        if running and not total:
+            return translate("FeatureMesh", "making the mesh that all cases start from")
+        words = translate("FeatureMesh", "%d of %d cases done") % (done, total) if total else translate("FeatureMesh", "not run yet")
+        if running:
+            return words + _time_left(left)
+        problem = run.problem() if run is not None else ""
+        return words + (": " + messages.in_words(problem) if problem else "")
+
+    def _take(self):
+        """The widgets' settings into the object, as far as they make sense; what does not is told when it runs."""
+        study = self.study
+        try:
+            study.Parameters = self.dimensions.parameters()
+        except UserError as error:
+            self.status.setText(mesh_object.one_line(error))
+            return
+        rows = [self.responses.item(row) for row in range(self.responses.count())]
+        study.Responses = [item.data(QtCore.Qt.UserRole) for item in rows if item.checkState() == QtCore.Qt.Checked]
+        study.Sampling, study.Cases = self.sampling.itemData(self.sampling.currentIndex()), self.cases.value()
+        study.Solver, study.Jobs = self.solver.itemData(self.solver.currentIndex()), self.jobs.value()
+        self.cases.setEnabled(study.Sampling in design.COUNTED)
+
+    def _add_at_selection(self):
+        """The response of the box at the face, edge or vertex that is selected."""
+        kind = self.at.itemData(self.at.currentIndex())
+        for entry in Gui.Selection.getSelectionEx(self._document.Name):
+            for name in entry.SubElementNames:
+                text = response_words.at_place(kind, study_object.place_on_part(self.study, entry.Object, name))
+                if text not in [self.responses.item(row).data(QtCore.Qt.UserRole) for row in range(self.responses.count())]:
+                    self._add_response(text, True)
+        self._take()
+
+    def _press(self):
+        """Run, or Stop."""
+        run = study_runs.run_of(self.study)
+        if run is not None and run.is_running():
+            run.stop()
+            return
+        self._start(lambda: study_object.start(self.study))
+
+    def _go_on(self):
+        """Runs what waits, or as many cases more as the box says."""
+        done, total, _ = window_run.how_far(self.study.Folder)
+        self._start(lambda: study_object.go_on(self.study, self.cases.value() if done == total else 0))
+
+    def _start(self, begin):
+        try:
+            self.study.Parameters = self.dimensions.parameters()
+            study_runs.keep(self.study, begin())
+        except (UserError, OSError) as error:
+            errors.show(error, self.study.Part)
+        self.refresh()
+
+    def _end(self):
+        if self._timer.isActive():
+            self._timer.stop()
+            Gui.Selection.removeObserver(self)
+            FreeCAD.removeDocumentObserver(self)
+
+    def _close_with_it(self):
+        self._end()
+        QtCore.QTimer.singleShot(0, Gui.Control.closeDialog)
+
+
+def _time_left(seconds):
+    if seconds is None:
+        return ""
+    if seconds < 90:
+        return translate("FeatureMesh", ", about %d s left") % round(seconds)
+    return translate("FeatureMesh", ", about %d min left") % round(seconds / 60)

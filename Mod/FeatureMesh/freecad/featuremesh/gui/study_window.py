@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The window with a study's cases and plots; a row opens its case in the document."""
+
+import os
+
+import FreeCAD
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+from .. import api, view_provider
+from ..errors import UserError
+from ..study import answers, report, response_words, study_object, table
+from ..study.folder import StudyFolder
+from . import errors
+from .study_plots import PlotTab
+
+translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+_LOOK_EVERY = 1000   # ms
+_STATES = {
+    "waiting": QT_TRANSLATE_NOOP("FeatureMesh", "waiting"),
+    "running": QT_TRANSLATE_NOOP("FeatureMesh", "running"),
+    "done": QT_TRANSLATE_NOOP("FeatureMesh", "done"),
+    "infeasible": QT_TRANSLATE_NOOP("FeatureMesh", "cannot be made"),
+    "failed": QT_TRANSLATE_NOOP("FeatureMesh", "failed"),
+}
+_open = []
+
+
+def show(study):
+    """Opens the study's window, or brings it to the front. Returns it."""
+    for window in _open:
+        if window.study is study:
+            window.raise_()
+            return window
+    window = StudyWindow(study)
+    _open.append(window)
+    window.show()
+    return window
+
+
+class StudyWindow(QtGui.QDialog):
+    """Follows the study while it runs."""
+
+    def __init__(self, study):
+        super().__init__(Gui.getMainWindow())
+        self.study, self._document = study, study.Document
+        self._seen = None   # what the database had when it was looked at last
+        self.setWindowTitle(study.Label)
+        self.setWindowIcon(view_provider.drawn_icon("FeatureMesh_Study"))
+        self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+        self.resize(900, 560)
+        self.table = QtGui.QTableWidget()
+        self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
+        self.table.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
+        self.table.setSelectionMode(QtGui.QAbstractItemView.SingleSelection)
+        self.table.cellDoubleClicked.connect(lambda row, _: self.open_row(row))
+        self.tabs = QtGui.QTabWidget()
+        self.plots = [PlotTab(kind, self.select_case) for kind in ("scatter", "parallel", "tornado")]
+        for tab in self.plots:
+            self.tabs.addTab(tab, tab.title)
+        self.tabs.addTab(self.table, translate("FeatureMesh", "Cases"))
+        self.note = QtGui.QLabel(translate("FeatureMesh", "A double click on a case shows it: part, mesh and result. Undo takes it back."))
+        self.note.setWordWrap(True)
+        self.open_button, self.back_button = QtGui.QPushButton(translate("FeatureMesh", "Show the case")), QtGui.QPushButton(translate("FeatureMesh", "As it was"))
+        self.report_button, self.export_button = QtGui.QPushButton(translate("FeatureMesh", "Report")), QtGui.QPushButton(translate("FeatureMesh", "Save table"))
+        self._lay_out()
+        self._timer = QtCore.QTimer(self)
+        self._timer.timeout.connect(self.refresh)
+        self._timer.start(_LOOK_EVERY)
+        self.finished.connect(lambda _: self._end())
+        FreeCAD.addDocumentObserver(self)
+        self.refresh()
+
+    def refresh(self):
+        """Brings table and plots up to date with the study's database."""
+        if not os.path.exists(os.path.join(self.study.Folder, "study.sqlite")):
+            return
+        folder = StudyFolder(self.study.Folder)
+        try:
+            seen = self.study.Folder, tuple(folder.database.counts().items())
+            if seen == self._seen:
+                return
+            self._seen = seen
+            self._design, self._base = folder.study(), folder.facts()["base_values"]
+            self._cases = folder.database.cases()
+            self._fill()
+            if any(case.state == "done" for case in self._cases):
+                data = answers.data_of(folder)
+                for tab in self.plots:
+                    tab.take(data)
+        finally:
+            folder.database.close()
+
+    def select_case(self, case_id):
+        """Marks the case's row."""
+        row = next(row for row, case in enumerate(self._cases) if case.id == case_id)
+        self.table.selectRow(row)
+        self.note.setText(self._in_words(self._cases[row]))
+
+    def open_row(self, row):
+        """Gives the document the values of the case in that row; part, mesh and result follow."""
+        case = self._cases[row]
+        self._show_values(case.parameters, translate("FeatureMesh", "Show case %d") % case.id, case.state == "done")
+        self.note.setText(self._in_words(case))
+
+    def go_back(self):
+        """Gives the document the values that it had when the study began."""
+        self._show_values(self._base, translate("FeatureMesh", "Show the part as it was"), True)
+
+    # FreeCAD's document observer
+
+    def slotDeletedObject(self, obj):
+        if obj is self.study:
+            self.close()
+
+    def slotDeletedDocument(self, document):
+        if document is self._document:
+            self.close()
+
+    def _lay_out(self):
+        layout = QtGui.QVBoxLayout(self)
+        layout.addWidget(self.tabs)
+        layout.addWidget(self.note)
+        row = QtGui.QHBoxLayout()
+        for button, press in ((self.open_button, self._open_selected), (self.back_button, self.go_back), (self.report_button, self._report),
+                              (self.export_button, self._export)):
+            button.setAutoDefault(False)
+            button.clicked.connect(lambda _=False, press=press: press())
+            row.addWidget(button)
+        row.addStretch()
+        layout.addLayout(row)
+
+    def _fill(self):
+        names = [entry.name for entry in (*self._design.parameters, *self._design.responses)]
+        self.table.setColumnCount(len(names) + 3)
+        self.table.setHorizontalHeaderLabels([translate("FeatureMesh", "case"), translate("FeatureMesh", "state"), *names, translate("FeatureMesh", "message")])
+        self.table.verticalHeader().hide()
+        self.table.setRowCount(len(self._cases))
+        for row, case in enumerate(self._cases):
+            values = {**case.parameters, **case.responses}
+            cells = [str(case.id), translate("FeatureMesh", _STATES[case.state]), *(_shown(values.get(name, "")) for name in names), case.message]
+            for column, text in enumerate(cells):
+                self.table.setItem(row, column, QtGui.QTableWidgetItem(text))
+        self.table.resizeColumnsToContents()
+
+    def _in_words(self, case):
+        values = {**case.parameters, **case.responses}
+        words = ", ".join("%s %s" % (name, _shown(value)) for name, value in values.items())
+        return translate("FeatureMesh", "Case %d: %s") % (case.id, case.message if case.state in ("failed", "infeasible") else words)
+
+    def _open_selected(self):
+        rows = [index.row() for index in self.table.selectionModel().selectedRows()]
+        if rows:
+            self.open_row(rows[0])
+        else:
+            self.note.setText(translate("FeatureMesh", "Select a case in the table, or click a point of a plot."))
+
+    def _show_values(self, values, title, is_solvable):
+        """One step of undo."""
+        if Gui.Control.activeDialog():
+            Gui.Control.closeDialog()   # of the study, whose dimensions change
+        self._document.openTransaction(title)
+        try:
+            study_object.show_values(self.study, self._design, values)
+            if is_solvable and self.study.Analysis is not None and response_words.needs_solution(self._design.responses):
+                self._show_result()
+            self._document.commitTransaction()
+        except Exception as error:
+            FreeCAD.closeActiveTransaction(True)
+            errors.show(error, self.study.Part)
+
+    def _show_result(self):
+        """The live result where that knows the analysis, else CalculiX's."""
+        analysis = self.study.Analysis
+        if study_object.is_for_live(analysis):
+            live = api.live_result(analysis)
+            for obj in (live.Proxy.mesh(live), self.study.Part):
+                if obj is not None:
+                    obj.ViewObject.Visibility = False   # they would hide the deformed part
+            live.ViewObject.Visibility = True
+        else:
+            api.solve(analysis)
+
+    def _report(self):
+        """Writes the page and opens it."""
+        folder = StudyFolder(self.study.Folder)
+        path = os.path.join(folder.path, "report.html")
+        try:
+            report.write(folder, path)
+        except UserError as error:
+            errors.show(error)
+            return
+        finally:
+            folder.database.close()
+        QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(path))
+        self.note.setText(translate("FeatureMesh", "The report is %s") % path)
+
+    def _export(self):
+        path, _ = QtGui.QFileDialog.getSaveFileName(self, translate("FeatureMesh", "Save table"), os.path.join(self.study.Folder, "cases.csv"),
+                                                    "CSV (*.csv);;JSON (*.json)")
+        if path:
+            folder = StudyFolder(self.study.Folder)
+            try:
+                table.write(folder, path if os.path.splitext(path)[1] else path + ".csv")
+            except UserError as error:
+                errors.show(error)
+            finally:
+                folder.database.close()
+
+    def _end(self):
+        self._timer.stop()
+        FreeCAD.removeDocumentObserver(self)
+        if self in _open:
+            _open.remove(self)
+
+
+def _shown(value):
+    return "%.5g" % value if isinstance(value, float) else str(value)

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs the study of a document's object in a process of its own, beside the window; run as a script by freecadcmd.
+
+FEATUREMESH_STUDY_RUN says in JSON: folder, the number of jobs, the program freecadcmd, the id of the window's process. The window reads how far it
+is from the study's database, and how it ended from `run.json`.
+"""
+
+import json
+import os
+import signal
+import sys
+import traceback
+
+
+def main():
+    """Begins the study, or goes on with it, and runs what waits. How it ended is in the folder's run.json."""
+    said = json.loads(os.environ["FEATUREMESH_STUDY_RUN"])
+    from freecad.featuremesh.study import parent_process
+    parent_process.end_with(said["parent"])
+    signal.signal(signal.SIGTERM, _interrupt)
+    from freecad.featuremesh.errors import UserError
+    try:
+        _run(said)
+        state, message = "ended", ""
+    except KeyboardInterrupt:
+        state, message = "stopped", ""
+    except UserError as error:
+        state, message = "failed", str(error)
+    except Exception as error:
+        traceback.print_exc()
+        state, message = "failed", str(error) or type(error).__name__
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    path = os.path.join(said["folder"], "run.json")
+    with open(path + ".tmp", "w", encoding="utf-8") as stream:
+        json.dump({"state": state, "message": " ".join(message.split())}, stream)
+    os.replace(path + ".tmp", path)
+
+
+def _run(said):
+    from freecad.featuremesh.study import base, beginning, design, planning
+    from freecad.featuremesh.study.folder import StudyFolder
+    from freecad.featuremesh.study.runner import Machine, Runner
+    path = said["folder"]
+    if os.path.exists(os.path.join(path, "study.sqlite")):
+        folder = StudyFolder(path)
+        folder.lock()
+        if said.get("more"):
+            planning.extend(folder, said["more"])
+    else:
+        folder = beginning.begin(design.read_toml(os.path.join(path, "study.toml")), path, base.make)
+    with Runner(folder, Machine(said["freecad"], dict(os.environ), said["jobs"])) as runner:
+        runner.run()
+
+
+def _interrupt(*_):
+    raise KeyboardInterrupt
+
+
+def _find_package():
+    """freecadcmd runs this file as a script; the package it belongs to has to be found first."""
+    import freecad
+    folder = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+    if folder not in freecad.__path__:
+        freecad.__path__.append(folder)
+
+
+if __name__ in ("run_main", "__main__"):
+    _find_package()
+    try:
+        main()
+    finally:
+        sys.stdout.flush()
+        os._exit(0)

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A Dask cluster of Slurm jobs, by dask-jobqueue where that is installed; queue, account and times are those of its own jobqueue.yaml."""
+
+from contextlib import contextmanager
+
+from ..errors import UserError
+from . import memory
+
+
+@contextmanager
+def slurm_cluster(jobs, study, facts):
+    """Gives the address of a scheduler to which so many Slurm jobs, each a worker for one case at a time, come as Slurm starts them. Throws UserError.
+
+    Each job asks for the threads of a case and the memory that it is estimated to need, or its limit where the study has one.
+    """
+    try:
+        from dask_jobqueue import SLURMCluster
+    except ImportError as error:
+        raise UserError("--slurm needs dask-jobqueue, which is not among Debian's packages: python3 -m pip install dask-jobqueue") from error
+    if jobs < 1:
+        raise UserError("--slurm %d: at least one job is needed" % jobs)
+    gigabytes = study.memory_limit_gb or memory.estimated_bytes(facts["nodes"], facts["solver"]) / 1e9
+    cluster = SLURMCluster(cores=study.threads, processes=1, memory="%.2fGB" % gigabytes, worker_extra_args=[
+        "--nthreads", "1", "--resources", "cores=%d GB=%.2f" % (study.threads, gigabytes)])
+    try:
+        cluster.scale(jobs=jobs)
+        yield cluster.scheduler_address
+    finally:
+        cluster.close()

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The study in a document's tree: what is varied and asked for, and the folder with what came out."""
+
+import os
+
+import FreeCAD
+
+from .. import api, documents, preferences, resolving, statics, statics_model, versions
+from ..errors import UserError
+from ..reading import describe
+from . import dimensions, study_file, window_run
+from .design import COUNTED, SAMPLINGS, Study, check, parse_parameter, read_toml
+from .response_words import parse_response
+
+translate = FreeCAD.Qt.translate
+
+_SAMPLINGS = [name for name in SAMPLINGS if name != "csv"]
+_ANY_SOLVER = "automatic"
+# What is asked for where the user says nothing, by FreeCAD's kind of analysis.
+USUAL_RESPONSES = {"static": ["mass", "max_mises", "max_displacement"], "thermomech": ["max_temperature", "max_mises", "max_displacement"],
+                   "frequency": ["mass", "frequency_1"], "buckling": ["mass", "buckling_factor_1"]}
+# (type, name, group, default, read-only, tooltip)
+PROPERTIES = [
+    ("App::PropertyLinkHidden", "Part", "Study", None, False, "The part that is varied"),
+    ("App::PropertyLinkHidden", "Analysis", "Study", None, False, "The analysis that is solved for each case"),
+    ("App::PropertyStringList", "Parameters", "Study", [], False, "What is varied, such as Fillet.Radius=2:6"),
+    ("App::PropertyStringList", "Responses", "Study", [], False, "What is asked of each case, such as max_mises@Face3"),
+    ("App::PropertyStringList", "Constraints", "Study", [], False, "What the parameters have to keep, such as Fillet.Radius < 5"),
+    ("App::PropertyEnumeration", "Sampling", "Study", _SAMPLINGS, False, "How the cases are chosen"),
+    ("App::PropertyInteger", "Cases", "Study", 16, False, "Number of cases, where the sampling takes any number"),
+    ("App::PropertyInteger", "Seed", "Study", 1, False, "Another number gives other cases"),
+    ("App::PropertyEnumeration", "Solver", "Study", [_ANY_SOLVER, "live", "ccx"], False, "Solves the cases; automatic: live where that is enough"),
+    ("App::PropertyInteger", "Jobs", "Study", 0, False, "Cases at once; 0: as many as the processors"),
+    ("App::PropertyFloat", "SecondsLimit", "Study", 3600.0, False, "A case that takes longer is ended"),
+    ("App::PropertyStringList", "Keep", "Study", [], False, "Files to keep of each case: mesh, inp, frd"),
+    ("App::PropertyString", "Folder", "Result", "", False, "Where the cases are kept"),
+]
+
+
+class StudyObject:
+    """Proxy of the object. Its class path is stored in documents and never changes."""
+
+    Type = "FeatureMesh::Study"
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        self._get_ready(obj)
+
+    def execute(self, obj):
+        """Nothing follows a study."""
+
+    def onDocumentRestored(self, obj):
+        self._get_ready(obj)
+
+    def dumps(self):
+        return None
+
+    def loads(self, saved):
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+    def _get_ready(self, obj):
+        for kind, name, group, default, read_only, tooltip in PROPERTIES:
+            if name not in obj.PropertiesList:
+                obj.addProperty(kind, name, group, tooltip, 8 | 16)   # a change asks for no recompute
+                if default is not None:
+                    setattr(obj, name, default)
+                if name == "Sampling":
+                    obj.Sampling = "lhs"
+            if read_only:
+                obj.setEditorMode(name, 1)
+        for hook in on_ready:
+            hook(obj)
+
+
+# Called with every study object that was made or opened; the window's side adds its view there.
+on_ready = []
+
+
+def is_study(obj):
+    """Is this one of our studies?"""
+    return isinstance(getattr(obj, "Proxy", None), StudyObject)
+
+
+def add(part, analysis=None):
+    """A new study of the part, which asks for what is usual."""
+    obj = part.Document.addObject("App::FeaturePython", "Study")
+    obj.Label = translate("FeatureMesh", "Study")
+    StudyObject(obj)
+    obj.Part, obj.Analysis = part, analysis
+    obj.Responses = USUAL_RESPONSES.get(kind_of(analysis), ["volume"])
+    return obj
+
+
+def kind_of(analysis):
+    """FreeCAD's word for what is solved; static where a live result or nothing solves it, None without an analysis."""
+    if analysis is None:
+        return None
+    return next((member.AnalysisType for member in analysis.Group if hasattr(member, "AnalysisType")), "static")
+
+
+def study_of(obj, document_path):
+    """The design.Study that the object asks for, of the document in that file. Throws UserError."""
+    if obj.Part is None:
+        raise UserError(translate("FeatureMesh", "%s has no part") % describe(obj))
+    if not obj.Parameters:
+        raise UserError(translate("FeatureMesh", "nothing is varied: tick a dimension and give it a range"))
+    if not obj.Responses:
+        raise UserError(translate("FeatureMesh", "nothing is asked for: tick what each case is to tell"))
+    study = Study(document_path, [parse_parameter(text) for text in obj.Parameters], [parse_response(text) for text in obj.Responses], object=obj.Part.Name,
+                  analysis=obj.Analysis.Name if obj.Analysis else None, solver=None if obj.Solver == _ANY_SOLVER else obj.Solver,
+                  sampling=obj.Sampling, cases=obj.Cases if obj.Sampling in COUNTED else 0, seed=obj.Seed, constraints=list(obj.Constraints),
+                  keep=list(obj.Keep), seconds_limit=obj.SecondsLimit)
+    if not has_mesh(obj):   # as the window meshes it
+        wanted = preferences.for_new_mesh()
+        study.mesh_size, study.mesh_order = api.default_size(obj.Part, wanted["elements"]), wanted["order"]
+    check(study)
+    return study
+
+
+def start(obj):
+    """Writes the document as it is and the study into a new folder, and runs it there. Returns the window_run.WindowRun. Throws UserError."""
+    study_of(obj, "")   # whatever is wrong is told before anything is written
+    folder = window_run.new_folder(obj.Document.FileName, obj.Name)
+    os.makedirs(folder)
+    path = os.path.join(folder, "part.FCStd")
+    documents.save_document(obj.Document, path)
+    study_file.write(study_of(obj, path), os.path.join(folder, "study.toml"))
+    obj.Folder = folder
+    return window_run.WindowRun(folder, obj.Jobs)
+
+
+def go_on(obj, more=0):
+    """Runs what waits in the study's folder, with so many cases more. Returns the window_run.WindowRun. Throws UserError."""
+    return window_run.WindowRun(obj.Folder, obj.Jobs, more)
+
+
+def has_mesh(obj):
+    """Has the part a mesh of ours?"""
+    return any(versions.part_of(mesh) is obj.Part for mesh in api.meshes_of(obj.Document))
+
+
+def is_as_run(obj):
+    """Does the object ask for what its folder's study asks for, but for the number of cases?"""
+    try:
+        asked, kept = study_of(obj, os.path.join(obj.Folder, "part.FCStd")), read_toml(os.path.join(obj.Folder, "study.toml"))
+    except (UserError, OSError):
+        return False
+    same = {"cases": 0, "mesh_size": None, "mesh_order": None}   # the mesh may have been made since
+    return {**asked.to_plain(), **same} == {**kept.to_plain(), **same}
+
+
+def show_values(obj, study, values):
+    """Gives the document the values of a case, or those that it had: the part and its mesh follow, made where there is none. Throws UserError."""
+    api.set_parameters(obj.Document, [parameter.assignment(values[parameter.name]) for parameter in study.parameters])
+    if not has_mesh(obj):
+        api.add_mesh(obj.Part, **preferences.for_new_mesh())
+    api.recompute(obj.Document)
+
+
+def dimensions_of(obj):
+    """Every dimensions.Dimension of the study's part."""
+    return dimensions.of_part(obj.Part) if obj.Part is not None else []
+
+
+def place_on_part(obj, clicked, element):
+    """Name on the study's part of what was clicked: an element of an object. Throws UserError for what is not on the part."""
+    names = resolving.Resolver(obj.Part).names(clicked, element)
+    if not names:
+        raise UserError(translate("FeatureMesh", "select faces, edges or vertices of %s") % describe(obj.Part))
+    return names[0]
+
+
+def is_for_live(analysis):
+    """Does the live solver know all that the analysis holds, and is it statics?"""
+    if kind_of(analysis) != "static":
+        return False
+    try:
+        statics_model.read(analysis, statics.mesh_of(analysis))
+    except UserError:
+        return False
+    return True

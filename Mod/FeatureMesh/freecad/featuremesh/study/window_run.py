@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A study that runs beside the window: its process, and how far it is."""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import FreeCAD
+
+from .. import engine
+from ..errors import UserError
+from . import progress
+from .folder import StudyFolder
+
+translate = FreeCAD.Qt.translate
+_SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "run_main.py")
+_NAMES = ("freecadcmd", "FreeCADCmd")
+
+
+class WindowRun:
+    """The process that runs the study in a folder; it ends with FreeCAD."""
+
+    def __init__(self, folder, jobs=0, more=0):
+        """`jobs` cases at once, 0: as many as the processors; `more` cases of the same sampling are added. Throws UserError."""
+        if not sys.platform.startswith("linux"):
+            raise UserError(translate("FeatureMesh", "studies run on Linux only"))
+        self.folder = folder
+        self.jobs = min(jobs or os.cpu_count(), len(os.sched_getaffinity(0)))
+        self._result = os.path.join(folder, "run.json")
+        if os.path.exists(self._result):
+            os.unlink(self._result)
+        said = {"folder": folder, "jobs": self.jobs, "more": more, "freecad": program(), "parent": os.getpid()}
+        environment = {**os.environ, "FEATUREMESH_STUDY_RUN": json.dumps(said), "FEATUREMESH_ENGINE": engine.folder(), "LC_ALL": "C.UTF-8"}
+        with open(os.path.join(folder, "run.log"), "wb") as log:
+            self._process = subprocess.Popen([said["freecad"], _SCRIPT], stdin=subprocess.DEVNULL, stdout=log, stderr=log, start_new_session=True,
+                                             env=environment)
+
+    def is_running(self):
+        return self._process.poll() is None
+
+    def stop(self):
+        """Asks it to end; what was finished is kept."""
+        if self.is_running():
+            self._process.send_signal(signal.SIGTERM)
+
+    def kill(self):
+        """Ends it at once and waits for that. What was finished is kept."""
+        self._process.kill()
+        self._process.wait()
+
+    def problem(self):
+        """Why it ended before all cases were run, in one line; "" when it did not."""
+        if self.is_running():
+            return ""
+        try:
+            with open(self._result, encoding="utf-8") as stream:
+                said = json.load(stream)
+        except (OSError, ValueError):
+            return translate("FeatureMesh", "the study's process ended; see %s") % os.path.join(self.folder, "run.log")
+        return translate("FeatureMesh", "stopped") if said["state"] == "stopped" else said["message"]
+
+
+def how_far(folder, jobs=1):
+    """(cases finished, cases in all, seconds left or None) of the study in a folder, (0, 0, None) before it has cases."""
+    if not os.path.exists(os.path.join(folder, "study.sqlite")):
+        return 0, 0, None
+    database = StudyFolder(folder).database
+    try:
+        counts = database.counts()
+        seconds = [case.seconds["total"] for case in database.cases("done") if "total" in case.seconds]
+    finally:
+        database.close()
+    left = progress.seconds_left(counts, [], seconds, jobs)
+    return counts["done"] + counts["infeasible"] + counts["failed"], sum(counts.values()), left
+
+
+def program():
+    """freecadcmd of the FreeCAD that runs. Throws UserError."""
+    beside = os.path.dirname(os.path.realpath("/proc/self/exe"))
+    folders = (beside, os.path.join(FreeCAD.getHomePath(), "bin"))
+    found = [os.environ.get("FREECADCMD"), *(os.path.join(folder, name) for folder in folders for name in _NAMES), *map(shutil.which, _NAMES)]
+    for path in filter(None, found):
+        if os.path.isfile(path) and os.access(path, os.X_OK):
+            return path
+    raise UserError(translate("FeatureMesh", "FreeCAD's program freecadcmd was not found; set FREECADCMD to it"))
+
+
+def new_folder(document_path, name):
+    """A folder for a study that is not there yet: beside the document, or with the user's data where that was never saved."""
+    where = os.path.dirname(document_path) if document_path else os.path.join(FreeCAD.getUserAppDataDir(), "FeatureMesh", "studies")
+    stem = os.path.splitext(os.path.basename(document_path))[0] if document_path else time.strftime("%Y-%m-%d")
+    first = os.path.join(where, "%s-%s" % (stem, name.lower()))
+    number, path = 1, first
+    while os.path.exists(path):
+        number += 1
+        path = "%s-%d" % (first, number)
+    return path

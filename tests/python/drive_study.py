@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A study by hand, from the bracket to its plots: ticks, ranges, Run, rows that open a case, Stop, Go on. Run by test_window.py with the bracket."""
+import hashlib
+import os
+import sys
+from pathlib import Path
+from unittest import mock
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import FreeCAD  # noqa: E402
+import FreeCADGui as Gui  # noqa: E402
+import window  # noqa: E402
+from PySide import QtCore, QtGui  # noqa: E402
+from window import click, click_button_of, click_in_view, double_click, figures, panel, picture, send_key, send_mouse, spin, wait_for  # noqa: E402
+
+LONG = 900   # s, for what a busy machine does in its own time
+
+
+def press_at(widget, place):
+    send_mouse(widget, place, QtCore.QEvent.MouseMove, QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease)
+
+
+def tick(shown, target):
+    """The box of a dimension in the panel."""
+    item = shown.dimensions.item_of(target)
+    shown.dimensions.scrollToItem(item)
+    spin()
+    box = shown.dimensions.visualItemRect(item)
+    press_at(shown.dimensions.viewport(), QtCore.QPoint(box.left() + 10, box.center().y()))
+    return item
+
+
+def type_range(shown, item, text):
+    """A double click on the range, the text, Enter."""
+    shown.dimensions.scrollToItem(item)
+    spin()
+    box = shown.dimensions.visualItemRect(item)
+    x = shown.dimensions.columnViewportPosition(1) + shown.dimensions.columnWidth(1) // 2
+    double_click(shown.dimensions.viewport(), QtCore.QPoint(x, box.center().y()))
+    editor, = [widget for widget in shown.dimensions.viewport().findChildren(QtGui.QLineEdit) if widget.isVisible()]
+    send_key(editor, QtCore.Qt.Key_A, QtCore.Qt.ControlModifier)
+    for letter in text:
+        send_key(editor, 0, QtCore.Qt.NoModifier, letter)
+    send_key(editor, QtCore.Qt.Key_Return)
+    spin()
+
+
+def study_window():
+    found, = [widget for widget in QtGui.QApplication.topLevelWidgets() if type(widget).__name__ == "StudyWindow" and widget.isVisible()]
+    return found
+
+
+def cases_of(study):
+    from freecad.featuremesh.study.folder import StudyFolder
+    folder = StudyFolder(study.Folder)
+    found = folder.database.cases()
+    folder.database.close()
+    return found
+
+
+def has_ended(study):
+    from freecad.featuremesh.gui import study_runs
+    return not study_runs.run_of(study).is_running()
+
+
+def check_five_clicks(document):
+    """From the bracket to a plot: the command, two dimensions, Run, Results."""
+    before = hashlib.sha256(Path(document.FileName).read_bytes()).hexdigest()
+    clicks = 0
+    click_button_of("FeatureMesh_Study")
+    shown, clicks = panel("StudyPanel"), clicks + 1
+    study = shown.study
+    assert study.Analysis is document.Analysis and study.Part.TypeId == "PartDesign::Body", (study.Analysis, study.Part)
+    assert shown.status.text() == "not run yet" and not shown.results_button.isEnabled() and not shown.bar.isVisible()
+    for target in ("Boss.Length", "Fillet.Radius"):
+        item = tick(shown, target)
+        clicks += 1
+        assert ":" in item.text(1)
+    assert list(study.Parameters) == ["Boss.Length=27.0:33.0", "Fillet.Radius=2.7:3.3"], study.Parameters
+    assert list(study.Responses) == ["mass", "max_mises", "max_displacement"]
+    picture("study_panel")
+    click(shown.run_button)
+    clicks += 1
+    wait_for(lambda: shown.bar.isVisible() and shown.bar.maximum() == 16 and shown.bar.value() > 0, LONG)
+    assert shown.run_button.text() == "Stop" and "of 16 cases done" in shown.status.text(), shown.status.text()
+    picture("study_running")
+    wait_for(lambda: has_ended(study), LONG)
+    shown.refresh()
+    assert shown.status.text().startswith("16 of 16 cases done"), shown.status.text()
+    click(shown.results_button)
+    clicks += 1
+    results = study_window()
+    wait_for(lambda: results.plots[0].canvas is not None)
+    assert clicks == 5
+    picture("study_scatter")
+    assert hashlib.sha256(Path(document.FileName).read_bytes()).hexdigest() == before
+    return shown, study, results
+
+
+def check_plots(study, results):
+    """All cases are in each plot; a click on a point marks its row."""
+    done = [case for case in cases_of(study) if case.state == "done"]
+    assert len(done) == 16, [(case.state, case.message) for case in cases_of(study)]
+    scatter = results.plots[0].canvas
+    axes = scatter.figure.axes
+    assert len(axes) == 2 * 3 and all(len(plot.collections[0].get_offsets()) == len(done) for plot in axes)
+    scatter.draw()
+    x, y = axes[0].transData.transform(axes[0].collections[0].get_offsets()[4])
+    ratio = scatter.devicePixelRatioF()
+    press_at(scatter, QtCore.QPoint(round(x / ratio), round((scatter.figure.bbox.height - y) / ratio)))
+    chosen, = results.table.selectionModel().selectedRows()
+    marked = next(case for case in cases_of(study) if case.id == int(results.table.item(chosen.row(), 0).text()))
+    near = [case for case in done if abs(case.parameters["Boss.Length"] - done[4].parameters["Boss.Length"]) < 0.3]
+    assert marked.id in [case.id for case in near], (marked.id, done[4].id)
+    assert results.note.text().startswith("Case %d: Boss.Length" % marked.id)
+    for tab, name in ((1, "parallel"), (2, "tornado")):
+        press_at(results.tabs.tabBar(), results.tabs.tabBar().tabRect(tab).center())
+        wait_for(lambda: results.plots[tab].canvas is not None)
+        picture("study_" + name)
+    assert len(results.plots[1].canvas.figure.axes[0].lines) >= len(done)
+    assert len(results.plots[2].canvas.figure.axes) == 3
+
+
+def check_rows(document, study, results):
+    """A double click on a row gives the document the case's values: part, mesh and result; undo and As it was take that back."""
+    from freecad.featuremesh import api, live_result
+    press_at(results.tabs.tabBar(), results.tabs.tabBar().tabRect(3).center())
+    cases = cases_of(study)
+    assert results.table.rowCount() == len(cases) == 16
+    picture("study_cases")
+    row = max((row for row, case in enumerate(cases) if case.state == "done"), key=lambda row: cases[row].parameters["Fillet.Radius"])
+    case, volume, steps = cases[row], study.Part.Shape.Volume, document.UndoCount
+    results.table.scrollToItem(results.table.item(row, 0))
+    spin()
+    double_click(results.table.viewport(), results.table.visualItemRect(results.table.item(row, 2)).center())
+    assert document.UndoCount == steps + 1, document.UndoNames
+    assert abs(document.Fillet.Radius.Value - case.parameters["Fillet.Radius"]) < 1e-9
+    density = float(FreeCAD.Units.Quantity(document.Steel.Material["Density"]).getValueAs("kg/mm^3"))
+    assert abs(study.Part.Shape.Volume * density / case.responses["mass"] - 1) < 1e-9 and study.Part.Shape.Volume != volume
+    mesh, = api.meshes_of(document)
+    assert mesh.Status == "up to date"
+    live, = [obj for obj in document.Objects if live_result.is_live_result(obj)]
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE, LONG)
+    spin(1)
+    assert abs(live.MaxMises / case.responses["max_mises"] - 1) < 0.2, (live.MaxMises, case.responses)
+    assert abs(live.MaxDisplacement / case.responses["max_displacement"] - 1) < 0.02, (live.MaxDisplacement, case.responses)
+    figures.append("stress of the case %.2f MPa, in the window %.2f MPa" % (case.responses["max_mises"], live.MaxMises))
+    results.hide()
+    picture("study_case")
+    results.show()
+    click(results.back_button)
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE, LONG)
+    assert document.Fillet.Radius.Value == 3 and abs(study.Part.Shape.Volume / volume - 1) < 1e-9
+    document.undo()
+    assert abs(document.Fillet.Radius.Value - case.parameters["Fillet.Radius"]) < 1e-9
+    document.undo()
+    document.recompute()
+    assert document.Fillet.Radius.Value == 3
+
+
+def check_report(study, results):
+    with mock.patch.object(QtGui.QDesktopServices, "openUrl") as opened:
+        click(results.report_button)
+    path = opened.call_args[0][0].toLocalFile()
+    page = Path(path).read_text(encoding="utf-8")
+    assert page.count("data:image/png;base64,") == 4 and "Pareto" in page
+    results.close()
+
+
+def check_settings(document, study):
+    """Double click in the tree; a range that is typed, a response at a face that is clicked, nothing ticked."""
+    study.ViewObject.doubleClicked()
+    spin()
+    shown = panel("StudyPanel")
+    item = shown.dimensions.item_of("Fillet.Radius")
+    assert item.checkState(0) == QtCore.Qt.Checked and item.text(1) == "2.7 : 3.3"
+    type_range(shown, item, "2.7 : 5")
+    assert "Fillet.Radius=2.7:5.0" in study.Parameters, study.Parameters
+    type_range(shown, item, "2.7 : x")
+    assert "two numbers" in shown.status.text() and "Fillet.Radius=2.7:5.0" in study.Parameters
+    type_range(shown, item, "2.7 : 5")
+    for name in ("Live", "FeatureMesh"):
+        obj = document.getObject(name)
+        if obj is not None:
+            obj.ViewObject.Visibility = False
+    study.Part.ViewObject.Visibility = True
+    assert not shown.at_button.isEnabled()
+    click_in_view(FreeCAD.Vector(70, 40, 15))   # the upper side of the plate
+    wait_for(shown.at_button.isEnabled, 20)
+    click(shown.at_button)
+    added = study.Responses[-1]
+    assert added.startswith("max_mises@Face"), study.Responses
+    tick(shown, "Fillet.Radius")
+    tick(shown, "Boss.Length")
+    assert not study.Parameters
+    click(shown.run_button)
+    assert "tick a dimension" in window.messages[-1], window.messages
+    tick(shown, "Boss.Length")
+    return shown
+
+
+def check_stop(shown, study):
+    """Stop keeps what is done, Go on runs the rest; a deleted study ends."""
+    from freecad.featuremesh.gui import study_runs
+    first = study.Folder
+    click(shown.run_button)
+    wait_for(lambda: study.Folder != first and shown.bar.value() > 0, LONG)
+    click(shown.run_button)
+    wait_for(lambda: has_ended(study), LONG)
+    shown.refresh()
+    assert shown.status.text().endswith("cases done: stopped"), shown.status.text()
+    states = [case.state for case in cases_of(study)]
+    assert "running" not in states and 0 < states.count("done") < 16, states
+    assert shown.go_on_button.isVisible()
+    click(shown.go_on_button)
+    wait_for(lambda: has_ended(study), LONG)
+    assert [case.state for case in cases_of(study)] == ["done"] * 16
+    assert all("max_mises@Face" in "".join(case.responses) for case in cases_of(study))
+    click(shown.run_button)
+    run = study_runs.run_of(study)
+    assert run.is_running()
+    study.Document.removeObject(study.Name)
+    wait_for(lambda: not Gui.Control.activeDialog(), 20)
+    assert not run.is_running()
+
+
+def drive():
+    Gui.getMainWindow().setGeometry(0, 0, 1280, 1024)
+    Gui.activateWorkbench("FeatureMeshWorkbench")
+    spin()
+    window.open_dialog().close()
+    from freecad.featuremesh import preferences
+    preferences.put("SecondOrder", False)   # what a new mesh starts with, also that of a study
+    document = FreeCAD.ActiveDocument
+    document.UndoMode = 1
+    Gui.activeDocument().activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    spin()
+    shown, study, results = check_five_clicks(document)
+    check_plots(study, results)
+    check_rows(document, study, results)
+    check_report(study, results)
+    check_stop(check_settings(document, study), study)
+
+
+window.run(drive)
