@@ -51,6 +51,7 @@ class StudyPanel:
         self.form.setWindowTitle(study.Label)
         self.form.setWindowIcon(view_provider.drawn_icon("FeatureMesh_Study"))
         self._kind = study_object.kind_of(study.Analysis)
+        self._wrong = ""   # what of the settings makes no sense
         self.dimensions = DimensionList(study_object.dimensions_of(study), study.Parameters, self._take)
         self.responses = QtGui.QListWidget()
         self.responses.setMaximumHeight(130)
@@ -85,7 +86,7 @@ class StudyPanel:
         self.bar.setVisible(running)
         self.bar.setRange(0, total)
         self.bar.setValue(done)
-        self.status.setText(self._in_words(run, running, done, total, left))
+        self.status.setText(self._wrong or self._in_words(run, running, done, total, left))
 
     def show_results(self):
         """Opens the window with the cases and the plots."""
@@ -205,8 +206,10 @@ class StudyPanel:
         study = self.study
         try:
             study.Parameters = self.dimensions.parameters()
+            self._wrong = ""
         except UserError as error:
-            self.status.setText(mesh_object.one_line(error))
+            self._wrong = mesh_object.one_line(error)
+            self.refresh()
             return
         rows = [self.responses.item(row) for row in range(self.responses.count())]
         study.Responses = [item.data(QtCore.Qt.UserRole) for item in rows if item.checkState() == QtCore.Qt.Checked]

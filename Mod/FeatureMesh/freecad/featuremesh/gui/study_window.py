@@ -13,6 +13,7 @@ from ..study import answers, report, response_words, study_object, table
 from ..study.folder import StudyFolder
 from . import errors
 from .study_plots import PlotTab
+from .undo import undo_step
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -160,14 +161,12 @@ class StudyWindow(QtGui.QDialog):
         """One step of undo."""
         if Gui.Control.activeDialog():
             Gui.Control.closeDialog()   # of the study, whose dimensions change
-        self._document.openTransaction(title)
         try:
-            study_object.show_values(self.study, self._design, values)
-            if is_solvable and self.study.Analysis is not None and response_words.needs_solution(self._design.responses):
-                self._show_result()
-            self._document.commitTransaction()
+            with undo_step(self._document, title):
+                study_object.show_values(self.study, self._design, values)
+                if is_solvable and self.study.Analysis is not None and response_words.needs_solution(self._design.responses):
+                    self._show_result()
         except Exception as error:
-            FreeCAD.closeActiveTransaction(True)
             errors.show(error, self.study.Part)
 
     def _show_result(self):
