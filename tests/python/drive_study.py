@@ -216,6 +216,8 @@ def check_stop(shown, study):
     wait_for(lambda: has_ended(study), LONG)
     assert [case.state for case in cases_of(study)] == ["done"] * 16
     assert all("max_mises@Face" in "".join(case.responses) for case in cases_of(study))
+    shown.refresh()   # another button comes beside this one, which must not move under the mouse
+    spin()
     click(shown.run_button)
     run = study_runs.run_of(study)
     assert run.is_running()
