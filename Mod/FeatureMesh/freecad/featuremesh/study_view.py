@@ -5,9 +5,6 @@ import FreeCADGui as Gui
 
 from . import view_provider
 
-# Called with every study that is deleted.
-on_delete = []
-
 
 def attach(study):
     """Gives a study its view, if it has none of ours yet."""
@@ -48,11 +45,6 @@ class ViewStudy:
         document = Gui.getDocument(view.Object.Document)
         if not document.getInEdit():
             document.setEdit(view.Object.Name)
-        return True
-
-    def onDelete(self, view, names):
-        for hook in list(on_delete):
-            hook(view.Object)
         return True
 
     def dumps(self):

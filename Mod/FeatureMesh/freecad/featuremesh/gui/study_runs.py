@@ -3,14 +3,13 @@
 
 import FreeCAD
 
-from .. import study_view
+from ..study.study_object import is_study
 
 _runs = {}   # (document's name, object's name) -> window_run.WindowRun
 
 
 def install():
     """To be called once."""
-    study_view.on_delete.append(_end)
     FreeCAD.addDocumentObserver(_Observer())
 
 
@@ -35,6 +34,10 @@ def _end(study):
 
 
 class _Observer:
+
+    def slotDeletedObject(self, obj):
+        if is_study(obj):
+            _end(obj)
 
     def slotDeletedDocument(self, document):
         for key in [key for key in _runs if key[0] == document.Name]:
