@@ -10,6 +10,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+_MOST_DIGITS = 12
 _ACROSS = 3   # tornado plots beside each other
 _BLUE, _ORANGE, _GREY = "#2b6cb0", "#dd6b20", "#a0aec0"
 
@@ -39,9 +40,18 @@ def parallel(figure, data, responses):
         plot.plot(line, color=colormaps["viridis"](line[len(data.names)]), alpha=0.8, linewidth=1.1, picker=4)
     for place, (name, (low, high)) in enumerate(zip(names, limits)):
         plot.axvline(place, color=_GREY, linewidth=0.8)
-        plot.text(place, -0.07, "%.4g\n%s" % (low, name), ha="center", va="top", fontsize=8)
-        plot.text(place, 1.07, "%.4g" % high, ha="center", va="bottom", fontsize=8)
+        ends = _told_apart(low, high)
+        plot.text(place, -0.07, "%s\n%s" % (ends[0], name), ha="center", va="top", fontsize=8)
+        plot.text(place, 1.07, ends[1], ha="center", va="bottom", fontsize=8)
     plot.set_axis_off()
+
+
+def _told_apart(low, high):
+    """Both numbers as texts of four digits, or of as many as they differ by."""
+    digits = 4
+    while digits < _MOST_DIGITS and "%.*g" % (digits, low) == "%.*g" % (digits, high):
+        digits += 1
+    return "%.*g" % (digits, low), "%.*g" % (digits, high)
 
 
 def tornado(figure, data, responses, all_effects):
