@@ -14,12 +14,20 @@ _SWEEPS = ("PartDesign::Pad", "PartDesign::Pocket")
 
 
 def points_of(face):
-    """Points spread over a face, none at its border."""
+    """Points spread over a face, none at its border; a narrow face is looked at more closely."""
+    for across in (ACROSS, 4 * ACROSS, 16 * ACROSS):
+        found = _grid_of(face, across)
+        if found:
+            break
+    return found
+
+
+def _grid_of(face, across):
     first_u, last_u, first_v, last_v = face.ParameterRange
     found = []
-    for i in range(ACROSS):
-        for j in range(ACROSS):
-            u, v = first_u + (last_u - first_u) * (i + 0.5) / ACROSS, first_v + (last_v - first_v) * (j + 0.5) / ACROSS
+    for i in range(across):
+        for j in range(across):
+            u, v = first_u + (last_u - first_u) * (i + 0.5) / across, first_v + (last_v - first_v) * (j + 0.5) / across
             if face.isPartOfDomain(u, v):
                 found.append(face.valueAt(u, v))
     return found
@@ -53,10 +61,10 @@ class Feature:
             self.faces, self.box = moved.Faces, moved.BoundBox
             self.curves = [curve.toShape() for curve in sketch.Geometry if not _is_construction(curve)]
 
-    def has(self, point):
-        """Is the point on the surface of the feature's own volume?"""
+    def sides_at(self, point):
+        """Which faces of the feature's own volume the point is on."""
         local = self.frame.inverse().multVec(point)
-        return any(is_on(local, face) for face in self.faces)
+        return {(self.name, number) for number, face in enumerate(self.faces) if is_on(local, face)}
 
     def carry(self, point, after):
         """To the same place of the feature as it is `after`."""
@@ -109,11 +117,13 @@ class Oracle:
         """Of a load that was on faces of the part before and is on others now: "right", "stranger", "not all of it", "lost", "lost, but there" or
         "not judged"."""
         after = features_of(self.part)
-        expected, known, total = {}, 0, 0
+        expected, sides, known, total = {}, set(), 0, 0
         for name in old_names:
             for point in points_of(self.shape.getElement(name)):
                 total += 1
-                carried = self._carried(point, after)
+                at = set().union(*(feature.sides_at(point) for feature in self.before.values()))
+                carried = self._carried(point, {owner for owner, _ in at}, after)
+                sides |= at
                 known += bool(carried)
                 for place in carried:
                     for number, face in enumerate(self.part.Shape.Faces, 1):
@@ -121,7 +131,7 @@ class Oracle:
                             expected["Face%d" % number] = expected.get("Face%d" % number, 0) + 1
         if known < total or not total:
             return "not judged"
-        strangers = [name for name in new_names if not expected.get(name)]
+        strangers = [name for name in new_names if not expected.get(name) and not self._is_on(sides, self.part.Shape.getElement(name), after)]
         if strangers:
             return "stranger"
         wanted = [name for name, count in expected.items() if count > 0.3 * total]
@@ -129,12 +139,18 @@ class Oracle:
             return "lost, but there" if wanted else "lost"
         return "right" if all(name in new_names for name in wanted) else "not all of it"
 
-    def _carried(self, point, after):
+    def _carried(self, point, owners, after):
         """Where the point is now, by each of the features that it was on; empty when one of them is not known any more."""
-        owners = [feature for feature in self.before.values() if feature.has(point)]
-        if not owners or not all(feature.name in after for feature in owners):
+        if not owners or not owners <= after.keys():
             return []
-        return [feature.carry(point, after[feature.name]) for feature in owners]
+        return [self.before[owner].carry(point, after[owner]) for owner in sorted(owners)]
+
+    def _is_on(self, sides, face, after):
+        """Is most of a face of today on those sides of features? So a piece is known that no point of the old face lies on."""
+        points = points_of(face)
+        owners = sorted({owner for owner, _ in sides} & after.keys())
+        found = sum(any(sides & self.before[owner].sides_at(after[owner].carry(point, self.before[owner])) for owner in owners) for point in points)
+        return found > len(points) / 2
 
 
 def _is_construction(curve):

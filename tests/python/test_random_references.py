@@ -12,7 +12,7 @@ import unittest
 
 import FreeCAD
 import ObjectsFem
-from freecad.featuremesh import api, references
+from freecad.featuremesh import api, references, versions
 from reference_oracle import Oracle
 from test_following import names_of, open_example
 from test_soak import ENGINE_ERRORS, Editor
@@ -120,6 +120,6 @@ class RandomEdits(unittest.TestCase):
         """A reference to faces of the part by one of three ways, where it has them."""
         if way == 0 or part.TypeId != "PartDesign::Body":
             return part, tuple(names)
-        if way == 1:
+        if way == 1 or versions.version() >= (1, 1):   # which crashes where a load refers to a face through a container
             return part.Tip, tuple(names)
         return container_of(part), tuple("%s.%s.%s" % (part.Name, part.Tip.Name, name) for name in names)

@@ -153,7 +153,7 @@ class StudyPanel:
             self.sampling.addItem(translate("FeatureMesh", title), name)
         self.sampling.setCurrentIndex(list(_SAMPLINGS).index(study.Sampling))
         for box in (self.at, self.sampling, self.solver):
-            box.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLength)
+            box.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
             box.setMinimumContentsLength(10)   # the panel may be narrow
         self.cases.setRange(1, 100000)
         self.cases.setValue(study.Cases)
