@@ -44,13 +44,6 @@ def choose_workbench(name):
     spin(0.5)
 
 
-def choose_tab(text):
-    """The tab of a view below the views; FreeCAD 1.1 shows its start page over a document that it was started with."""
-    bar, = Gui.getMainWindow().findChild(QtGui.QMdiArea).findChildren(QtGui.QTabBar)
-    place = next(bar.tabRect(index).center() for index in range(bar.count()) if bar.tabText(index).startswith(text))
-    window.send_mouse(bar, place, QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease)
-
-
 def item_of_tree(label):
     """(the tree, where on it the object of that label is), after everything above it was opened."""
     tree, = [w for w in Gui.getMainWindow().findChildren(QtGui.QTreeWidget) if w.metaObject().className() == "Gui::TreeWidget" and w.isVisible()]
@@ -197,11 +190,7 @@ def drive():
     combo = next(dock for dock in main.findChildren(QtGui.QDockWidget) if dock.isVisible())
     main.resizeDocks([combo], [430], QtCore.Qt.Horizontal)
     document = FreeCAD.ActiveDocument
-    if int(FreeCAD.Version()[0]) > 0:   # its start page would come back over the document
-        choose_tab("Start")
-        Gui.runCommand("Std_CloseActiveWindow")
-        spin()
-    choose_tab(document.Label)
+    window.come_to_view_of(document)
     choose_workbench("FEM")
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")

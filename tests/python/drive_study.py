@@ -235,6 +235,7 @@ def drive():
     preferences.put("SecondOrder", False)   # what a new mesh starts with, also that of a study
     document = FreeCAD.ActiveDocument
     document.UndoMode = 1
+    window.come_to_view_of(document)
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
     spin()

@@ -7,6 +7,7 @@ import time
 import traceback
 import unittest
 
+import FreeCAD
 import FreeCADGui as Gui
 import numpy as np
 from PySide import QtCore, QtGui
@@ -114,6 +115,23 @@ def click_button_of(command):
     button = button_of(command)
     wait_for(button.isEnabled)
     click(button)
+
+
+def come_to_view_of(document):
+    """FreeCAD 1.x shows its start page over a document that it was started with, and comes back to it unless it is closed."""
+    if int(FreeCAD.Version()[0]) > 0:
+        spin(3)   # while it still looks for examples it crashes when it is closed
+        choose_tab("Start")
+        Gui.runCommand("Std_CloseActiveWindow")
+        spin()
+    choose_tab(document.Label)
+
+
+def choose_tab(text):
+    """The tab of a view below the views."""
+    bar, = Gui.getMainWindow().findChild(QtGui.QMdiArea).findChildren(QtGui.QTabBar)
+    place = next(bar.tabRect(index).center() for index in range(bar.count()) if bar.tabText(index).startswith(text))
+    send_mouse(bar, place, QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease)
 
 
 def place_in_view(point):
