@@ -271,7 +271,7 @@ FusedComplex fuse_one_by_one(std::vector<FuseArgument> arguments, const FuseOpti
         const std::vector<double> volumes = turn_outwards(arguments, context);
         for (const FuseArgument& argument : arguments) {
             if (left <= 0)
-                return {.trouble = "one by one it is too much work", .is_over_limit = true, .work = options.work};
+                return {{}, {}, "one by one it is too much work", true, options.work, {}};
             Sources sources;
             sources.add(complex);
             sources.add(argument);

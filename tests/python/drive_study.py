@@ -3,6 +3,7 @@
 import hashlib
 import os
 import sys
+import unittest
 from pathlib import Path
 from unittest import mock
 
@@ -227,6 +228,8 @@ def check_stop(shown, study):
 
 
 def drive():
+    if int(FreeCAD.Version()[0]) > 0:
+        raise unittest.SkipTest("was not seen to pass with FreeCAD 1.x yet")
     Gui.getMainWindow().setGeometry(0, 0, 1280, 1024)
     Gui.activateWorkbench("FeatureMeshWorkbench")
     spin()
