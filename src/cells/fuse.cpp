@@ -270,8 +270,7 @@ FusedComplex fuse_one_by_one(std::vector<FuseArgument> arguments, const FuseOpti
     try {
         const std::vector<double> volumes = turn_outwards(arguments, context);
         for (const FuseArgument& argument : arguments) {
-            if (left <= 0)
-                return {{}, {}, "one by one it is too much work", true, options.work, {}};
+            if (left <= 0) return {{}, {}, "one by one it is too much work", true, options.work, {}};
             Sources sources;
             sources.add(complex);
             sources.add(argument);
