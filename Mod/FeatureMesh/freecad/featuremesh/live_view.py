@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How a live result looks: the deformed part in colours, grey while it is out of date."""
 
-import FreeCADGui as Gui
 from pivy import coin
 
 from . import live_overlay, live_result, view_provider
 from .element_view import ElementView
+from .gui.edited_in_panel import EditedInPanel
 
 _MODE = "Field"
 _MARK = (0.8, 0.0, 0.8)
@@ -27,7 +27,7 @@ def show_solution(live):
         follow(live, "Status")
 
 
-class ViewLiveResult:
+class ViewLiveResult(EditedInPanel):
     """Proxy of the view. Its class path is stored in documents and never changes."""
 
     def __init__(self, view):
@@ -71,31 +71,9 @@ class ViewLiveResult:
         if name == "Visibility" and view.Visibility and getattr(self, "_drawn", None) is None and hasattr(self, "Object"):
             self.draw(self.Object)
 
-    def setEdit(self, view, mode=0):
+    def panel_of(self, obj):
         from .gui.live_panel import LivePanel
-        if Gui.Control.activeDialog():
-            return False
-        Gui.Control.showDialog(LivePanel(view.Object))
-        return True
-
-    def unsetEdit(self, view, mode=0):
-        Gui.Control.closeDialog()
-        return True
-
-    def doubleClicked(self, view):
-        document = Gui.getDocument(view.Object.Document)
-        if not document.getInEdit():
-            document.setEdit(view.Object.Name)
-        return True
-
-    def dumps(self):
-        return None
-
-    def loads(self, saved):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
+        return LivePanel(obj)
 
     # Drawing
 

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How a study looks in the tree and what a double click does."""
 
-import FreeCADGui as Gui
-
 from . import view_provider
+from .gui.edited_in_panel import EditedInPanel
 
 
 def attach(study):
@@ -13,7 +12,7 @@ def attach(study):
         ViewStudy(view)
 
 
-class ViewStudy:
+class ViewStudy(EditedInPanel):
     """Proxy of the view. Its class path is stored in documents and never changes."""
 
     def __init__(self, view):
@@ -30,28 +29,6 @@ class ViewStudy:
         """There is nothing to hide, so the tree does not draw it as hidden."""
         return True
 
-    def setEdit(self, view, mode=0):
+    def panel_of(self, obj):
         from .gui.study_panel import StudyPanel
-        if Gui.Control.activeDialog():
-            return False
-        Gui.Control.showDialog(StudyPanel(view.Object))
-        return True
-
-    def unsetEdit(self, view, mode=0):
-        Gui.Control.closeDialog()
-        return True
-
-    def doubleClicked(self, view):
-        document = Gui.getDocument(view.Object.Document)
-        if not document.getInEdit():
-            document.setEdit(view.Object.Name)
-        return True
-
-    def dumps(self):
-        return None
-
-    def loads(self, saved):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
+        return StudyPanel(obj)

@@ -6,6 +6,7 @@ import os
 import FreeCADGui as Gui
 
 from . import commands, mesh_object
+from .gui.edited_in_panel import EditedInPanel
 
 # Called as (mesh, property) when a property of a mesh object has changed.
 followers = []
@@ -29,7 +30,7 @@ def attach(mesh):
         ViewFeatureMesh(view)
 
 
-class ViewFeatureMesh:
+class ViewFeatureMesh(EditedInPanel):
     """Proxy of the view. Its class path is stored in documents and never changes."""
 
     def __init__(self, view):
@@ -88,28 +89,6 @@ class ViewFeatureMesh:
         for name in commands.OF_A_MESH:
             menu.addAction(drawn_icon(name), commands.made(name).title).triggered.connect(lambda *_, name=name: Gui.runCommand(name))
 
-    def setEdit(self, view, mode=0):
+    def panel_of(self, obj):
         from .gui.task_panel import MeshPanel
-        if Gui.Control.activeDialog():
-            return False
-        Gui.Control.showDialog(MeshPanel(view.Object))
-        return True
-
-    def unsetEdit(self, view, mode=0):
-        Gui.Control.closeDialog()
-        return True
-
-    def doubleClicked(self, view):
-        document = Gui.getDocument(view.Object.Document)
-        if not document.getInEdit():
-            document.setEdit(view.Object.Name)
-        return True
-
-    def dumps(self):
-        return None
-
-    def loads(self, saved):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
+        return MeshPanel(obj)

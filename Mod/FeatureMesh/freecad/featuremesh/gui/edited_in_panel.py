@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What view providers share whose object is edited in a task panel and who keep nothing in the document."""
+
+import FreeCADGui as Gui
+
+
+class EditedInPanel:
+    """A double click opens the panel that `panel_of` gives, unless another one is open."""
+
+    def panel_of(self, obj):
+        raise NotImplementedError
+
+    def setEdit(self, view, mode=0):
+        if Gui.Control.activeDialog():
+            return False
+        Gui.Control.showDialog(self.panel_of(view.Object))
+        return True
+
+    def unsetEdit(self, view, mode=0):
+        Gui.Control.closeDialog()
+        return True
+
+    def doubleClicked(self, view):
+        document = Gui.getDocument(view.Object.Document)
+        if not document.getInEdit():
+            document.setEdit(view.Object.Name)
+        return True
+
+    def dumps(self):
+        return None
+
+    def loads(self, saved):
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
