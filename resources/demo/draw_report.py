@@ -85,7 +85,7 @@ def add_difference(page, numbers):
     page.add_text(f"The tree of the part has {len(read['features'])} features, which cut space into {read['cells']} cells; "
                   f"the final shape has {read['faces']} faces.")
     shown = {name for name, _, _ in read["features"]}
-    rows = [(f["label"], f["verdict"], f["detail"] or "", f"{f['old_volume']:,.1f}", f"{f['new_volume']:,.1f}",
+    rows = [(f["label"], f["what_happened"], f["detail"] or "", f"{f['old_volume']:,.1f}", f"{f['new_volume']:,.1f}",
              ", ".join(name for name in f["new_faces"] if name)) for f in numbers["update"]["difference"]["features"] if f["label"] in shown]
     page.add_table(("feature", "what happened", "in detail", "volume before, mm³", "after, mm³", "faces concerned"), rows, words=(1, 2, 5))
     if numbers["update"]["fallback"]:

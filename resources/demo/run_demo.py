@@ -29,6 +29,7 @@ def say(line=""):
 def run():
     from freecad.featuremesh import api, engine, reading
     from freecad.featuremesh.mesh_object import options_of
+    from freecad.featuremesh.tables import verdict_in_words
     OUT.mkdir(parents=True, exist_ok=True)
     path = OUT / "bracket.FCStd"
     shutil.copyfile(ROOT / "resources" / "examples" / "bracket.FCStd", path)
@@ -50,6 +51,8 @@ def run():
     api.set_parameters(document, [EDIT])
     numbers["recompute_seconds"] = api.recompute(document)
     numbers["update"] = json.loads(mesh.Report)
+    for feature in numbers["update"]["difference"]["features"]:
+        feature["what_happened"] = verdict_in_words(feature["verdict"])
     new = mesh.Proxy.last_part_mesh(mesh)
     numbers["full"] = mesh_in_full(engine.load(), reading.read_document(part), options_of(mesh, part))
     tell_update(numbers)
@@ -92,7 +95,7 @@ def tell_mesh(what, report):
 def tell_update(numbers):
     update, full = numbers["update"], numbers["full"]
     shown = {name for name, _, _ in numbers["read"]["features"]}
-    changed = [f"{f['label']} {f['verdict']}" + (f" ({f['detail']})" if f["detail"] else "")
+    changed = [f"{f['label']} {f['what_happened']}" + (f" ({f['detail']})" if f["detail"] else "")
                for f in update["difference"]["features"] if f["verdict"] != "same" and f["label"] in shown]
     say("Difference     " + ("; ".join(changed) or "none") + "; all other features are the same")
     tell_mesh("Updated mesh", update)

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "update/kept_entities.h"
+
+#include <algorithm>
+
+#include "catch.h"
+#include "part_documents.h"
+#include "update/part_mesh.h"
+
+using namespace featuremesh;
+
+namespace {
+
+RawDocument plate(double hole_x) {
+    return PartDocument()
+        .box("Plate", {0, 0, 0}, {60, 30, 6})
+        .cylinder("Hole", {hole_x, 15, -1}, 4, 8)
+        .cut("Part", "Plate", "Hole")
+        .finish();
+}
+
+/// An edit, and all old nodes under one motion of its difference.
+class Edit {
+  public:
+    Edit(const RawDocument& before, const RawDocument& after)
+        : old_(mesh_part(before, options(), context_).part_mesh),
+          now_(read_part_to_mesh(after, context_, &old_->part)),
+          difference_(compare(old_->part, now_, Resolution(0.5), context_)),
+          input_{old_->mesh, old_->part.brep, now_.brep, difference_, old_->sizing, old_->sizing, old_->made_for, 1.0} {
+    }
+
+    const Mesh& mesh() const { return old_->mesh; }
+    const Brep& shape() const { return now_.brep; }
+    const FeatureDifference& difference() const { return difference_; }
+    CarriedNodes all_under(std::int32_t motion) {
+        motions_.assign(mesh().node_count(), motion);
+        return {input_, motions_};
+    }
+
+  private:
+    static MeshOptions options() {
+        MeshOptions options;
+        options.sizing.size = 3;
+        return options;
+    }
+
+    RunContext context_;
+    std::shared_ptr<const PartMesh> old_;
+    PartState now_;
+    FeatureDifference difference_;
+    KeepInput input_;
+    std::vector<std::int32_t> motions_;
+};
+
+/// On the cylinder of the hole about x, its ends included.
+bool is_at_hole(const Vec3& p, double x) { return std::abs(std::hypot(p.x - x, p.y - 15) - 4) < 1e-6; }
+
+bool is_in_hole(const Vec3& p, double x) { return std::hypot(p.x - x, p.y - 15) < 4 - 1e-6; }
+
+}  // namespace
+
+TEST_CASE("nodes keep their place where the new shape has it, and lose it where a hole went") {
+    Edit edit(plate(20), plate(23));
+    const CarriedNodes nodes = edit.all_under(0);
+    KeptEntities kept(nodes);
+    std::size_t placed = 0;
+    for (std::size_t n = 0; n < edit.mesh().node_count(); ++n) {
+        const Entity was = edit.mesh().entities[n];
+        if (was.dim == 3) continue;
+        const Vec3& p = edit.mesh().points[n];
+        const bool is_gone = is_at_hole(p, 20) || is_in_hole(p, 23);
+        INFO(p.x << " " << p.y << " " << p.z);
+        REQUIRE(kept.place(n) == !is_gone);
+        if (is_gone) continue;
+        ++placed;
+        const Entity entity = kept.entities()[n];
+        REQUIRE(entity.dim == was.dim);
+        if (entity.dim == 0) CHECK(edit.shape().point_of(VertexId(entity.index)) == p);
+    }
+    CHECK(placed > 100);
+}
+
+TEST_CASE("triangles and segments of placed nodes find their face and edge, neither turned round") {
+    Edit edit(plate(20), plate(23));
+    const Mesh& mesh = edit.mesh();
+    KeptEntities kept(edit.all_under(0));
+    std::vector<char> is_placed(mesh.node_count(), 0);
+    for (std::size_t n = 0; n < mesh.node_count(); ++n) is_placed[n] = mesh.entities[n].dim < 3 && kept.place(n);
+    const auto all_placed = [&](const auto& corners) {
+        return std::all_of(corners.begin(), corners.end(), [&](NodeId n) { return is_placed[n.index()] != 0; });
+    };
+    std::size_t triangles = 0, segments = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (!all_placed(mesh.triangles[t])) continue;
+        const FaceId face = kept.face_of(t);
+        REQUIRE(face.is_valid());
+        REQUIRE(edit.difference().regions[0].new_face_of[mesh.triangle_faces[t].index()] == face);
+        REQUIRE_FALSE(kept.is_flipped(t, face));
+        ++triangles;
+    }
+    for (std::size_t s = 0; s < mesh.segments.size(); ++s) {
+        if (!all_placed(mesh.segments[s])) continue;
+        const EdgeId edge = kept.edge_of(s);
+        REQUIRE(edge.is_valid());
+        REQUIRE_FALSE(kept.runs_backwards(s, edge));
+        ++segments;
+    }
+    CHECK(triangles > 100);
+    CHECK(segments > 40);
+}
+
+TEST_CASE("under the motion of a hole its nodes are placed on the moved hole") {
+    Edit edit(plate(20), plate(23));
+    const auto& regions = edit.difference().regions;
+    REQUIRE(regions.size() == 2);
+    const CarriedNodes nodes = edit.all_under(1);
+    KeptEntities kept(nodes);
+    std::size_t placed = 0;
+    for (std::size_t n = 0; n < edit.mesh().node_count(); ++n) {
+        if (edit.mesh().entities[n].dim == 3 || !is_at_hole(edit.mesh().points[n], 20)) continue;
+        REQUIRE(kept.place(n));
+        CHECK(is_at_hole(nodes.at(n), 23));
+        ++placed;
+    }
+    CHECK(placed > 20);
+}
