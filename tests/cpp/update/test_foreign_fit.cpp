@@ -105,5 +105,6 @@ TEST_CASE("straight mid-side nodes on a curved face are moved onto it, and nothi
 TEST_CASE("a mesh of which nothing fits is refused with its reason") {
     const auto ours = meshed_plate(1);
     const Brep elsewhere(BRepPrimAPI_MakeBox(gp_Pnt(100, 0, 0), 10, 10, 10).Shape());
-    CHECK_THROWS_WITH(fitted(elsewhere, foreign_copy(ours->mesh)), Catch::Matchers::StartsWith("No element of the mesh fits the part: "));
+    CHECK_THROWS_WITH(fitted(elsewhere, foreign_copy(ours->mesh)),
+                      Catch::Matchers::StartsWith("No element of the mesh fits the part: "));
 }
