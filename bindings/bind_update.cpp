@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <map>
+
 #include "bindings.h"
 #include "core/errors.h"
 #include "update/field_transfer.h"
@@ -6,11 +9,6 @@
 namespace featuremesh {
 
 namespace {
-
-template <class T>
-void take(const py::dict& options, const char* name, T& value) {
-    if (options.contains(name)) value = options[name].cast<T>();
-}
 
 Entity entity_from_name(const std::string& name) {
     static constexpr const char* kinds[] = {"Vertex", "Edge", "Face", "Solid"};
@@ -29,28 +27,81 @@ struct Asked {
     int threads = 1;
 };
 
+template <class T>
+T required(const py::dict& values, const char* name) {
+    if (!values.contains(name)) throw InputError(std::string("A zone lacks its '") + name + "'.");
+    return values[name].cast<T>();
+}
+
+Vec3 vector_from(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+SizeZone zone_from(const py::dict& values) {
+    SizeZone zone;
+    zone.name = required<std::string>(values, "name");
+    zone.inner = required<double>(values, "inner");
+    zone.outer = required<double>(values, "outer");
+    zone.transition = required<double>(values, "transition");
+    const auto shape = required<std::string>(values, "shape");
+    if (shape == "near") {
+        NearZone near;
+        for (const auto& name : required<std::vector<std::string>>(values, "entities"))
+            near.entities.push_back(entity_from_name(name));
+        near.reach = required<double>(values, "reach");
+        zone.shape = std::move(near);
+        return zone;
+    }
+    zone.placement.rotation = required<std::array<double, 9>>(values, "rotation");
+    zone.placement.translation = vector_from(required<std::array<double, 3>>(values, "translation"));
+    if (shape == "box")
+        zone.shape = BoxZone{vector_from(required<std::array<double, 3>>(values, "sides"))};
+    else if (shape == "sphere")
+        zone.shape = SphereZone{required<double>(values, "radius")};
+    else if (shape == "cylinder")
+        zone.shape = CylinderZone{required<double>(values, "radius"), required<double>(values, "height")};
+    else
+        throw InputError("A zone is a box, a sphere, a cylinder, or near something, not '" + shape + "'.");
+    return zone;
+}
+
+using TakeOption = void (*)(Asked&, const py::handle&);
+
+/// What can be asked for, by its name.
+const std::map<std::string, TakeOption>& known_options() {
+    static const std::map<std::string, TakeOption> known{
+        {"size", [](Asked& a, const py::handle& v) { a.options.sizing.size = v.cast<double>(); }},
+        {"min_size", [](Asked& a, const py::handle& v) { a.options.sizing.min_size = v.cast<double>(); }},
+        {"elements_per_circle",
+         [](Asked& a, const py::handle& v) { a.options.sizing.elements_per_circle = v.cast<double>(); }},
+        {"elements_across_gap",
+         [](Asked& a, const py::handle& v) { a.options.sizing.elements_across_gap = v.cast<double>(); }},
+        {"growth", [](Asked& a, const py::handle& v) { a.options.sizing.growth = v.cast<double>(); }},
+        {"order", [](Asked& a, const py::handle& v) { a.options.order = v.cast<int>(); }},
+        {"target_dihedral_deg",
+         [](Asked& a, const py::handle& v) { a.options.volume.target_dihedral_deg = v.cast<double>(); }},
+        {"keep_margin", [](Asked& a, const py::handle& v) { a.options.keep_margin = v.cast<double>(); }},
+        {"most_tets", [](Asked& a, const py::handle& v) { a.options.most_tets = v.cast<double>(); }},
+        {"threads", [](Asked& a, const py::handle& v) { a.threads = v.cast<int>(); }},
+        {"local",
+         [](Asked& a, const py::handle& v) {
+             for (const auto& [name, size] : v.cast<std::vector<std::pair<std::string, double>>>())
+                 a.options.sizing.local.push_back({entity_from_name(name), size});
+         }},
+        {"zones",
+         [](Asked& a, const py::handle& v) {
+             for (const auto& zone : v.cast<std::vector<py::dict>>()) a.options.sizing.zones.push_back(zone_from(zone));
+         }},
+    };
+    return known;
+}
+
 Asked asked_from(const py::dict& options) {
-    static const std::vector<std::string> known{
-        "size",  "min_size", "elements_per_circle", "elements_across_gap", "growth",   "order",
-        "local", "threads",  "target_dihedral_deg", "keep_margin",         "most_tets"};
-    for (const auto& [key, value] : options)
-        if (std::find(known.begin(), known.end(), key.cast<std::string>()) == known.end())
-            throw InputError("Unknown mesh option '" + key.cast<std::string>() + "'.");
     Asked asked;
-    SizingOptions& sizing = asked.options.sizing;
-    take(options, "size", sizing.size);
-    take(options, "min_size", sizing.min_size);
-    take(options, "elements_per_circle", sizing.elements_per_circle);
-    take(options, "elements_across_gap", sizing.elements_across_gap);
-    take(options, "growth", sizing.growth);
-    take(options, "order", asked.options.order);
-    take(options, "target_dihedral_deg", asked.options.volume.target_dihedral_deg);
-    take(options, "keep_margin", asked.options.keep_margin);
-    take(options, "most_tets", asked.options.most_tets);
-    take(options, "threads", asked.threads);
-    if (options.contains("local"))
-        for (const auto& [name, size] : options["local"].cast<std::vector<std::pair<std::string, double>>>())
-            sizing.local.push_back({entity_from_name(name), size});
+    for (const auto& [key, value] : options) {
+        const auto name = key.cast<std::string>();
+        const auto known = known_options().find(name);
+        if (known == known_options().end()) throw InputError("Unknown mesh option '" + name + "'.");
+        known->second(asked, value);
+    }
     if (asked.options.order != 1 && asked.options.order != 2)
         throw InputError("The element order is 1 (4-node tetrahedra) or 2 (10-node tetrahedra).");
     if (asked.threads < 1) throw InputError("The number of threads is at least 1.");

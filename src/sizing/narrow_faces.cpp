@@ -222,10 +222,27 @@ class NarrowFaceCover {
     std::vector<Border> borders_;
 };
 
+class NarrowFaceProvider : public SizeProvider {
+  public:
+    NarrowFaceProvider(const Brep& brep, const SizingOptions& options) : brep_(brep), options_(options) {}
+
+    void cover(SizePlaces& out, const RunContext& context) const override {
+        if (!options_.refines_narrow_faces) return;
+        for (std::size_t f = 0; f < brep_.face_count(); ++f) {
+            context.check_cancelled();
+            NarrowFaceCover(brep_, FaceId(f), options_, out.balls).run();
+        }
+    }
+
+  private:
+    const Brep& brep_;
+    const SizingOptions& options_;
+};
+
 }  // namespace
 
-void cover_narrow_face(const Brep& brep, FaceId face, const SizingOptions& options, std::vector<SourceBall>& out) {
-    NarrowFaceCover(brep, face, options, out).run();
+std::unique_ptr<SizeProvider> narrow_face_provider(const Brep& brep, const SizingOptions& options) {
+    return std::make_unique<NarrowFaceProvider>(brep, options);
 }
 
 }  // namespace featuremesh

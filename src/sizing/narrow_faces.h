@@ -2,19 +2,19 @@
 // Where faces are far narrower than the size.
 #pragma once
 
-#include <vector>
+#include <memory>
 
 #include "brep/brep.h"
+#include "sizing/size_provider.h"
 #include "sizing/sizing_field.h"
-#include "sizing/source_ball.h"
 
 namespace featuremesh {
 
-/// Appends balls along edges of the face that run beside one another (within one degree) for more than 1.25 pieces,
+/// Balls along edges of a face that run beside one another (within one degree) for more than 1.25 pieces,
 /// where the strip between them is narrower than a fifth of the size: pieces longer than four widths leave needles in
 /// it. No piece is shorter than a quarter of the size, and what is narrower than a twenty-fifth is left to its needles,
 /// since it would take too many. Nothing is asked for on the rim of a thin wall, whose tets are as thin everywhere, nor
 /// between two edges that meet or approach one another, whose corner forces needles.
-void cover_narrow_face(const Brep& brep, FaceId face, const SizingOptions& options, std::vector<SourceBall>& out);
+std::unique_ptr<SizeProvider> narrow_face_provider(const Brep& brep, const SizingOptions& options);
 
 }  // namespace featuremesh

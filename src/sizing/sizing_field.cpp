@@ -6,60 +6,65 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
 #include <queue>
 #include <string>
-#include <tuple>
 
 #include "core/errors.h"
 #include "core/numbers_in_words.h"
-#include "sizing/shape_sources.h"
+#include "sizing/size_providers.h"
 #include "sizing/source_tree.h"
+#include "sizing/zone_field.h"
+#include "sizing/zone_notes.h"
 
 namespace featuremesh {
 
 struct SizingField::Data {
     double size, growth, largest;
     SourceTree tree;
+    std::vector<ZoneField> zones;
     SourceTree lead;  ///< of the largest size on what may be coarser than the global one; empty where nothing may
 
     double at_most(const Vec3& p) const { return lead.empty() ? size : largest - lead.at(p); }
+    /// What the balls and the zones ask for, at most `most`.
+    double asked(double most, const Vec3& p) const {
+        double wanted = tree.empty() ? most : std::min(most, tree.at(p));
+        for (const ZoneField& zone : zones) wanted = zone.lower(wanted, p);
+        return wanted;
+    }
 };
 
 SizingField::SizingField(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
-double SizingField::at(const Vec3& p) const {
-    const double most = data_->at_most(p);
-    return data_->tree.empty() ? most : std::min(most, data_->tree.at(p));
-}
-bool SizingField::is_uniform() const { return data_->tree.empty() && data_->lead.empty(); }
+double SizingField::at(const Vec3& p) const { return data_->asked(data_->at_most(p), p); }
+bool SizingField::is_uniform() const { return data_->tree.empty() && data_->lead.empty() && data_->zones.empty(); }
 SizeSource shorter_than_asked(const SizingField& field, SizeSource source) {
     if (const double asked = field.at(source.point); source.size > 0.9 * asked) source.size = 0.5 * asked;
     return source;
 }
 
-double SizingField::smallest() const { return std::min(data_->size, data_->tree.smallest()); }
+double SizingField::smallest() const {
+    double smallest = std::min(data_->size, data_->tree.smallest());
+    for (const ZoneField& zone : data_->zones) smallest = std::min(smallest, zone.smallest());
+    return smallest;
+}
 double SizingField::growth() const { return data_->growth; }
 double SizingField::largest() const { return data_->largest; }
 
 namespace {
 
-/// Balls that only one of the two has.
-std::vector<SourceBall> different(const SourceTree& a, const SourceTree& b) {
-    const auto before = [](const SourceBall& x, const SourceBall& y) {
-        return std::tie(x.center.x, x.center.y, x.center.z, x.radius, x.size) <
-               std::tie(y.center.x, y.center.y, y.center.z, y.radius, y.size);
-    };
-    std::array<std::vector<SourceBall>, 2> balls;
-    for (const int i : {0, 1}) {
-        const auto of_field = (i == 0 ? a : b).balls();
-        balls[i].assign(of_field.begin(), of_field.end());
-        std::sort(balls[i].begin(), balls[i].end(), before);
+/// Where the zones that only one of the two fields has, or has otherwise, ask for less than `limit`. Zones are matched
+/// in their order, so that one that was added at the end leaves the others alone.
+std::vector<Box> where_zones_differ(const std::vector<ZoneField>& a, const std::vector<ZoneField>& b, double limit) {
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
+        if (i >= a.size() || i >= b.size()) {
+            boxes.push_back((i < a.size() ? a : b)[i].felt_in(limit));
+            continue;
+        }
+        const std::vector<Box> differ = where_different(a[i], b[i], limit);
+        boxes.insert(boxes.end(), differ.begin(), differ.end());
     }
-    std::vector<SourceBall> only;
-    std::set_symmetric_difference(balls[0].begin(), balls[0].end(), balls[1].begin(), balls[1].end(),
-                                  std::back_inserter(only), before);
-    return only;
+    return boxes;
 }
 
 }  // namespace
@@ -68,17 +73,19 @@ std::vector<Box> where_different(const SizingField& a, const SizingField& b) {
     const Box everywhere{Box{}.high, Box{}.low};
     if (a.data_->size != b.data_->size || a.data_->growth != b.data_->growth || a.data_->growth <= 1)
         return {everywhere};
-    if (a.data_->largest != b.data_->largest || !different(a.data_->lead, b.data_->lead).empty()) return {everywhere};
-    Box together;
-    std::vector<Box> boxes;
-    for (const SourceBall& ball : different(a.data_->tree, b.data_->tree)) {
+    if (a.data_->largest != b.data_->largest || !balls_of_one(a.data_->lead, b.data_->lead).empty())
+        return {everywhere};
+    std::vector<Box> boxes = where_zones_differ(a.data_->zones, b.data_->zones, a.data_->largest);
+    for (const SourceBall& ball : balls_of_one(a.data_->tree, b.data_->tree)) {
         Box box;
         box.add(ball.center);
         boxes.push_back(box.grown(ball.radius + (a.data_->largest - ball.size) / (a.data_->growth - 1)));
-        together.add(boxes.back());
     }
     constexpr std::size_t few = 16;
-    return boxes.size() <= few ? boxes : std::vector<Box>{together};
+    if (boxes.size() <= few) return boxes;
+    Box together;
+    for (const Box& box : boxes) together.add(box);
+    return {together};
 }
 
 namespace {
@@ -124,6 +131,7 @@ void check_options(const SizingOptions& options, const Box& part) {
     if (!std::isfinite(options.elements_across_gap) || options.elements_across_gap < 0)
         throw InputError("The number of elements across gaps is " + in_words(options.elements_across_gap) +
                          "; it must not be negative (0 turns it off).");
+    for (const SizeZone& zone : options.zones) check_zone(zone);
     for (const LocalSize& local : options.local)
         if (!std::isfinite(local.size) || local.size <= 0)
             throw InputError("The local mesh size at " + name_of(local.entity) + " is " + in_words(local.size) +
@@ -146,7 +154,7 @@ void lead_above(std::span<const SizeSource> kept, double slope, SizingField::Dat
 void add_kept(std::span<const SizeSource> kept, const SizingField::Data& field, std::vector<SourceBall>& sources) {
     for (const SizeSource& source : kept) {
         if (!(source.size > 0) || source.size * scatter_of_edge_lengths >= field.size) continue;
-        if (field.tree.empty() || source.size * scatter_of_edge_lengths < field.tree.at(source.point))
+        if (source.size * scatter_of_edge_lengths < field.asked(no_size, source.point))
             sources.push_back({source.point, 0, source.size});
     }
 }
@@ -165,11 +173,13 @@ SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::spa
             if (local.entity == entity_of(SolidId(0))) data->size = std::min(data->size, local.size);
     SizingOptions asked = options;
     asked.size = data->size;
-    std::vector<SourceBall> sources = shape_sources(brep, asked, context);
+    SizePlaces places = cover_shape(brep, asked, context);
+    std::vector<SourceBall>& sources = places.balls;
     const double slope = options.growth - 1;
     data->largest = data->size;
     if (data->size == options.size) lead_above(kept, slope, *data);
     data->tree = SourceTree(sources, slope, data->largest);
+    data->zones = std::move(places.zones);
     const std::size_t of_shape = sources.size();
     add_kept(kept, *data, sources);
     if (sources.size() > of_shape) data->tree = SourceTree(std::move(sources), slope, data->largest);

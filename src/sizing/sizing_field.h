@@ -10,6 +10,7 @@
 #include "core/geometry.h"
 #include "core/ids.h"
 #include "core/run_context.h"
+#include "sizing/size_zone.h"
 
 namespace featuremesh {
 
@@ -27,6 +28,7 @@ struct SizingOptions {
     bool refines_narrow_faces = true;  ///< those far narrower than the size
     double growth = 1.3;  ///< neighbouring edge lengths differ at most by this factor: |h(x)-h(y)| <= (growth-1) |x-y|
     std::vector<LocalSize> local;
+    std::vector<SizeZone> zones;
     bool operator==(const SizingOptions&) const = default;
 };
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
+#include <tuple>
 #include <utility>
 
 namespace featuremesh {
@@ -152,6 +154,23 @@ double SourceTree::at(const Vec3& p) const {
         }
     }
     return best;
+}
+
+std::vector<SourceBall> balls_of_one(const SourceTree& a, const SourceTree& b) {
+    const auto before = [](const SourceBall& x, const SourceBall& y) {
+        return std::tie(x.center.x, x.center.y, x.center.z, x.radius, x.size) <
+               std::tie(y.center.x, y.center.y, y.center.z, y.radius, y.size);
+    };
+    std::array<std::vector<SourceBall>, 2> balls;
+    for (const int i : {0, 1}) {
+        const auto of_tree = (i == 0 ? a : b).balls();
+        balls[i].assign(of_tree.begin(), of_tree.end());
+        std::sort(balls[i].begin(), balls[i].end(), before);
+    }
+    std::vector<SourceBall> only;
+    std::set_symmetric_difference(balls[0].begin(), balls[0].end(), balls[1].begin(), balls[1].end(),
+                                  std::back_inserter(only), before);
+    return only;
 }
 
 }  // namespace featuremesh

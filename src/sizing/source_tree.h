@@ -61,4 +61,7 @@ class SourceTree {
     double smallest_ = std::numeric_limits<double>::infinity();
 };
 
+/// Balls that only one of the two has.
+std::vector<SourceBall> balls_of_one(const SourceTree& a, const SourceTree& b);
+
 }  // namespace featuremesh

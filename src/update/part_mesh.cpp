@@ -18,6 +18,7 @@
 #include "core/peak_memory.h"
 #include "mesh/validation.h"
 #include "sizing/lost_sizes.h"
+#include "sizing/zone_notes.h"
 #include "update/adopted_sizes.h"
 #include "update/fill_part.h"
 #include "update/foreign_fit.h"
@@ -83,15 +84,17 @@ void record_fill(const Filled& filled, Report& report) {
     report.warnings.insert(report.warnings.end(), filled.volume.warnings.begin(), filled.volume.warnings.end());
 }
 
-void record_run(const PartState& part, const MeshOptions& options, const RunContext& context, double total,
-                Report& report) {
-    for (const std::string& line : lost_sizes(part.brep, options.sizing)) report.warnings.push_back(line);
+void record_run(const PartMesh& now, const RunContext& context, double total, Report& report) {
+    const SizingOptions& sizing = now.options.sizing;
+    for (const std::string& line : lost_sizes(now.part.brep, sizing)) report.warnings.push_back(line);
+    for (const std::string& line : notes_on_zones(now.part.brep, sizing, now.mesh.points))
+        report.warnings.push_back(line);
     report.seconds = context.seconds();
     for (const char* step : {"read", "difference", "keep", "surface", "volume", "optimise", "validate", "measure"})
         report.seconds.try_emplace(step, 0.0);
     report.seconds["engine_total"] = total;
     report.peak_memory_mb = peak_memory_mb();
-    report.warnings.insert(report.warnings.end(), part.tree.notes.begin(), part.tree.notes.end());
+    report.warnings.insert(report.warnings.end(), now.part.tree.notes.begin(), now.part.tree.notes.end());
 }
 
 std::string listed(const std::vector<std::string>& lines) {
@@ -206,7 +209,7 @@ PartMeshResult unchanged(const PartMesh& old, RunContext& context) {
     record_kept(
         *now, {{RigidMotion{}, report.difference.regions[0].features, now->node_origin.size(), now->tet_origin.size()}},
         report);
-    record_run(now->part, now->options, context, seconds_since(start), report);
+    record_run(*now, context, seconds_since(start), report);
     result.part_mesh = std::move(now);
     return result;
 }
@@ -326,7 +329,7 @@ class Stages {
                                                        std::move(tet_origin), std::move(filled_->used_active),
                                                        std::move(sizes), std::move(adopted_sizes_)});
         record_kept(*now, std::move(report_.kept), report_);
-        record_run(now->part, now->options, context_, seconds_since(start_), report_);
+        record_run(*now, context_, seconds_since(start_), report_);
         return {std::move(now), std::move(report_)};
     }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sizing/face_sources.h"
+#include "sizing/face_cover.h"
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <TopoDS_Face.hxx>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -12,13 +13,6 @@
 #include "brep/occt_geometry.h"
 
 namespace featuremesh {
-namespace {
-
-/// A surface with its first and second derivatives at one point.
-struct SurfacePoint {
-    Vec3 point, du, dv, normal;
-    double curvature = 0;  ///< largest absolute principal curvature, 1/mm; 0 at a pole
-};
 
 SurfacePoint surface_point(const BRepAdaptor_Surface& surface, double u, double v) {
     gp_Pnt p;
@@ -37,24 +31,23 @@ SurfacePoint surface_point(const BRepAdaptor_Surface& surface, double u, double 
     return at;
 }
 
+namespace {
+
 class FaceCover {
   public:
-    FaceCover(const Brep& brep, FaceId face, const FaceWish& wish, const SizingOptions& options,
+    FaceCover(const Brep& brep, FaceId face, std::span<const FaceWish> wishes, double limit,
               std::vector<SourceBall>& out)
-        : id_(face),
-          face_(brep.face(face)),
+        : face_(brep.face(face)),
           surface_(face_, false),
-          wish_(wish),
-          options_(options),
-          sides_(brep.sides_of(face)),
+          wishes_(wishes),
+          limit_(limit),
+          may_be_anywhere_(
+              std::any_of(wishes.begin(), wishes.end(), [](const FaceWish& w) { return w.may_be_anywhere; })),
           out_(out) {}
 
     void run() {
-        if (wish_.local >= options_.size && !curves_too_much() && !wish_.walls) return;
         BRepTools::UVBounds(face_, u_[0], u_[1], v_[0], v_[1]);
         trim_.emplace(face_, 1e-9);
-        floor_ = curvature_floor(options_, surface_.GetType() >= GeomAbs_BezierSurface);
-        if (surface_.GetType() == GeomAbs_Cone) floor_ = std::max(floor_, cone_floor());
         const int pieces_u = pieces(surface_.GetType(), surface_.IsUPeriodic() ? 8 : 2, true),
                   pieces_v = pieces(surface_.GetType(), surface_.IsVPeriodic() ? 8 : 2, false);
         for (int i = 0; i < pieces_u; ++i)
@@ -67,53 +60,15 @@ class FaceCover {
     using Range = std::array<double, 2>;
     static double at(const Range& r, int i, int n) { return r[0] + (r[1] - r[0]) * i / n; }
 
-    /// False where the kind of surface tells that the curvature asks for nothing below the size.
-    bool curves_too_much() const {
-        if (wish_.per_circle <= 0) return false;
-        const auto asks = [&](double radius) { return circle_size(1 / radius, wish_.per_circle) < options_.size; };
-        switch (surface_.GetType()) {
-            case GeomAbs_Plane:
-                return false;
-            case GeomAbs_Cylinder:
-                return asks(surface_.Cylinder().Radius());
-            case GeomAbs_Sphere:
-                return asks(surface_.Sphere().Radius());
-            case GeomAbs_Torus: {
-                const double big = surface_.Torus().MajorRadius(), small = surface_.Torus().MinorRadius();
-                return asks(small) || asks(std::max(1e-9, std::abs(big - small)));
-            }
-            default:
-                return true;
-        }
-    }
-    /// A cone asks for a quarter of what its widest circle asks for at least: its apex would ask for nothing at all.
-    double cone_floor() const {
-        double curvature = std::numeric_limits<double>::infinity();
-        for (double v : v_)
-            if (const double c = surface_point(surface_, u_[0], v).curvature; c > 0) curvature = std::min(curvature, c);
-        return std::isfinite(curvature) && wish_.per_circle > 0 ? 0.25 * circle_size(curvature, wish_.per_circle) : 0;
-    }
     int pieces(GeomAbs_SurfaceType type, int otherwise, bool along_u) const {
         if (type != GeomAbs_BSplineSurface) return otherwise;
         return std::clamp((along_u ? surface_.NbUKnots() : surface_.NbVKnots()) - 1, 2, 48);
     }
 
     double wanted(const SurfacePoint& p) const {
-        double size = std::min(wish_.local, options_.size);
-        if (wish_.per_circle > 0 && p.curvature > 0)
-            size = std::min(size, std::max(floor_, circle_size(p.curvature, wish_.per_circle)));
-        if (wish_.walls) size = std::min(size, std::max(floor_, wall_size(p)));
+        double size = limit_;
+        for (const FaceWish& wish : wishes_) size = std::min(size, wish.size(p));
         return size;
-    }
-    double wall_size(const SurfacePoint& p) const {
-        const double limit = wish_.across_gap * options_.size;
-        const Vec3 outward = face_.Orientation() == TopAbs_REVERSED ? -p.normal : p.normal;
-        double thickness = limit;
-        if (squared_length(p.normal) == 0) return options_.size;
-        if (sides_[0].is_valid())
-            thickness = std::min(thickness, wish_.walls->thickness(id_, p.point, -outward, limit));
-        if (sides_[1].is_valid()) thickness = std::min(thickness, wish_.walls->thickness(id_, p.point, outward, limit));
-        return thickness / wish_.across_gap;
     }
 
     void cover(const Range& u, const Range& v, int depth) {
@@ -128,15 +83,14 @@ class FaceCover {
                                                        {near(u[1], u[0]), near(v[1], v[0])}}};
         std::array<SurfacePoint, 5> p;
         for (int i = 0; i < 5; ++i) p[i] = surface_point(surface_, uv[i][0], uv[i][1]);
-        double size = options_.size;
+        double size = limit_;
         for (const SurfacePoint& q : p) size = std::min(size, wanted(q));
         const double along_u = std::max(
             {distance(p[1].point, p[2].point), distance(p[3].point, p[4].point), length(p[0].du) * (u[1] - u[0])});
         const double along_v = std::max(
             {distance(p[1].point, p[3].point), distance(p[2].point, p[4].point), length(p[0].dv) * (v[1] - v[0])});
-        // walls may be thin anywhere, so that pieces are looked at down to the global size
         const bool is_too_long = std::max(along_u, along_v) > 2 * size;
-        if (size >= options_.size && (!wish_.walls || !is_too_long || depth >= 12)) return;
+        if (size >= limit_ && (!may_be_anywhere_ || !is_too_long || depth >= 12)) return;
         if (is_too_long && depth < 24) {
             const bool split_u = along_u >= along_v;
             cover(split_u ? Range{u[0], mu} : u, split_u ? v : Range{v[0], mv}, depth + 1);
@@ -151,23 +105,21 @@ class FaceCover {
         out_.push_back({p[0].point, radius / (1 - 2 * inset), size});
     }
 
-    const FaceId id_;
     const TopoDS_Face& face_;
     const BRepAdaptor_Surface surface_;
-    const FaceWish& wish_;
-    const SizingOptions& options_;
-    const std::array<SolidId, 2> sides_;
+    const std::span<const FaceWish> wishes_;
+    const double limit_;
+    const bool may_be_anywhere_;
     std::vector<SourceBall>& out_;
     Range u_{}, v_{};
-    double floor_ = 0;
     std::optional<BRepTopAdaptor_FClass2d> trim_;
 };
 
 }  // namespace
 
-void cover_face(const Brep& brep, FaceId face, const FaceWish& wish, const SizingOptions& options,
+void cover_face(const Brep& brep, FaceId face, std::span<const FaceWish> wishes, double limit,
                 std::vector<SourceBall>& out) {
-    FaceCover(brep, face, wish, options, out).run();
+    if (!wishes.empty()) FaceCover(brep, face, wishes, limit, out).run();
 }
 
 }  // namespace featuremesh
