@@ -10,8 +10,8 @@ import time
 import FreeCAD
 import ObjectsFem
 
-from . import (adopt, analyses, difference_drawing, documents, edits, engine, export, load_cases, mesh_drawing, overlays, reading, resolving, section, solve_guard, solving,
-               statics, statics_result, transfer, versions)
+from . import (adopt, analyses, difference_drawing, documents, edits, engine, export, load_cases, mesh_drawing, overlays, reading, resolving, section, size_zone,
+               solve_guard, solving, statics, statics_result, transfer, versions)
 from . import live_result as live_results
 from .about import facts
 from .errors import StateError, UserError
@@ -188,12 +188,38 @@ def add_local_size(mesh, references, size=None):
     `references` are (object, "Face3") pairs as a script or a selection has them: of the part, of a feature of it, or through a link or
     container; None for none yet. Throws UserError when there are none, or when they are not on the part.
     """
-    names = _names_on_part(mesh, references, translate("FeatureMesh", "select faces, edges or vertices of %s%s"))
-    if any(name.startswith("Solid") for name in names):
-        raise UserError(translate("FeatureMesh", "a local size is for faces, edges or vertices; the size of a whole part is the mesh's own"))
+    names = _refined_names(mesh, references)
     region = ObjectsFem.makeMeshRegion(mesh.Document, mesh, mesh.Size.Value / 2 if size is None else size)
     region.References = _references(mesh, names)
     return region
+
+
+def add_size_zone(mesh, kind="Box", references=None, placement=None, inner=None, outer=0.0, transition=0.0, **measures):
+    """Adds a refinement zone to the mesh: elements of `inner` mm (by default half the mesh size) inside, growing over `transition` mm to `outer` mm (0: the mesh size).
+
+    `kind` is "Box" (length, width, height from the corner of the placement), "Sphere" (radius around it), "Cylinder" (radius, height along its z axis) or
+    "Distance" (all that is no further than `distance` from the references, which are as for add_local_size). What is not given is chosen by the part's
+    measures. It is a document object; its property Suppressed leaves it out. Throws UserError.
+    """
+    if kind not in size_zone.KINDS:
+        raise UserError(translate("FeatureMesh", "a refinement zone is one of %s, not %s") % (", ".join(size_zone.KINDS), kind))
+    names = _refined_names(mesh, references) if kind == size_zone.DISTANCE else []
+    unknown = set(measures) - {name.lower() for name in size_zone.MEASURES[kind]}
+    if unknown:
+        raise UserError(translate("FeatureMesh", "a zone of the kind %s has no %s") % (kind, sorted(unknown)[0]))
+    zone = size_zone.add(mesh, kind, mesh.Size.Value / 2 if inner is None else inner)
+    zone.OuterSize, zone.Transition, zone.References = outer, transition, _references(mesh, names)
+    size_zone.fit_to(zone, versions.part_of(mesh).Shape.BoundBox)
+    for name, value in measures.items():
+        setattr(zone, name.capitalize(), value)
+    if placement is not None:
+        zone.Placement = placement
+    return zone
+
+
+def refer_size_zone(zone, mesh, references):
+    """Lets the distance of a refinement zone of `mesh` be measured from other references, which are as for add_local_size. Throws UserError."""
+    zone.References = _references(mesh, _refined_names(mesh, references))
 
 
 def add_group(mesh, references, name="MeshGroup"):
@@ -420,6 +446,13 @@ def _names_on_part(mesh, references, request):
     if not references or foreign:
         raise UserError(request % (reading.describe(part), translate("FeatureMesh", ", not of %s") % foreign[0] if foreign else ""))
     return list(dict.fromkeys(name for _, _, names in meant for name in names))
+
+
+def _refined_names(mesh, references):
+    names = _names_on_part(mesh, references, translate("FeatureMesh", "select faces, edges or vertices of %s%s"))
+    if any(name.startswith("Solid") for name in names):
+        raise UserError(translate("FeatureMesh", "a local size is for faces, edges or vertices; the size of a whole part is the mesh's own"))
+    return names
 
 
 def _references(mesh, names):

@@ -12,7 +12,7 @@ if importlib.util.find_spec("numpy") is None:
 Gui.addLanguagePath(os.path.join(os.path.dirname(__file__), "translations"))
 Gui.updateLocale()
 
-from freecad.featuremesh import live_result, live_view, mesh_object, study_view, view_provider, waiting
+from freecad.featuremesh import live_result, live_view, mesh_object, size_zone, study_view, view_provider, waiting, zone_view
 from freecad.featuremesh.commands import COMMANDS, IN_FEM, register
 from freecad.featuremesh.gui import fem_toolbar, live_runner, open_panels, preferences_page, running, study_runs
 from freecad.featuremesh.study import study_object
@@ -41,6 +41,7 @@ mesh_object.on_ready.append(view_provider.attach)
 live_result.on_ready.append(live_view.attach)
 live_result.on_solution.append(live_view.show_solution)
 study_object.on_ready.append(study_view.attach)
+size_zone.on_ready.append(zone_view.attach)
 live_runner.install()
 study_runs.install()
 mesh_object.run_job = running.run_with_escape

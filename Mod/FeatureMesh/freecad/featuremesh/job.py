@@ -13,9 +13,9 @@ class MeshJob:
     `run` touches no FreeCAD object and may be called in any thread.
     """
 
-    def __init__(self, raw, options, old, problem, moved_references):
+    def __init__(self, raw, options, old, problem, remarks):
         self.raw, self.options = raw, options
-        self.moved_references = moved_references   # lines about refinements whose references were put right
+        self.remarks = remarks    # lines about refinements: references that were put right, and what is left out
         self.old = old            # the engine's mesh to start from, or None
         self.saved = None         # the state.State that it is to be made from first, or None
         self.problem = problem    # why there is none although there should be, or None

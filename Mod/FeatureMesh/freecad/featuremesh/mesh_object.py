@@ -10,7 +10,7 @@ import FreeCAD
 import Fem
 import numpy as np
 
-from . import adopt, analyses, engine, hand_over, history, log, mesh_properties, messages, references, resolving, results, solve_guard, state, too_fine, versions
+from . import adopt, analyses, engine, hand_over, history, log, mesh_properties, messages, references, refinements, results, solve_guard, state, too_fine, versions
 from .errors import EngineMissing, FailedUpdate, StateError, UserError
 from .job import MeshJob
 from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, is_of_its_part,
@@ -141,7 +141,8 @@ class FeatureMesh:
         if mesh.MeshRegionList and self._raw is not None:
             moved = self._follow(mesh, mesh.MeshRegionList, raw, lambda: engine.load().followed_faces(self._raw, raw))
             self.note_references(mesh, mesh.MeshRegionList, raw)
-        job = MeshJob(raw, options_of(mesh, part, raw), old, problem, moved)
+        refined = refinements.read(mesh, part, raw)
+        job = MeshJob(raw, options_of(mesh, part, raw, refined), old, problem, moved + refined.notes)
         job.saved, job.shape, job.settings = saved, part.Shape, settings_of(mesh)
         if old is None:
             job.next_numbers = _next_numbers(mesh, state_is_sound=problem is None and saved is None)
@@ -188,7 +189,7 @@ class FeatureMesh:
         report = plain(job.report)
         if job.problem:
             add_fallback(report, "meshed from scratch: " + job.problem)
-        moved = job.moved_references + self._follow(mesh, self._dependents(mesh), job.raw, lambda: self._followed_faces(job))
+        moved = job.remarks + self._follow(mesh, self._dependents(mesh), job.raw, lambda: self._followed_faces(job))
         report["warnings"] = report.get("warnings", []) + moved
         self.settle(mesh, self._referring(mesh), job.raw)
         return report
@@ -469,8 +470,9 @@ def is_feature_mesh(obj):
     return isinstance(getattr(obj, "Proxy", None), FeatureMesh)
 
 
-def options_of(mesh, part, raw=None):
-    """The engine's options from the object's properties and its mesh refinements; `raw` is the part as it was read, if it was. Throws UserError."""
+def options_of(mesh, part, raw=None, refined=None):
+    """The engine's options from the object's properties and its refinements, which are read where they are not given; `raw` is the part as it
+    was read, if it was. Throws UserError."""
     options = {option: float(getattr(getattr(mesh, name), "Value", getattr(mesh, name)))
                for name, option in OPTION_OF.items()}
     if not 0 <= mesh.QualityTarget <= _HIGHEST_TARGET:
@@ -479,29 +481,12 @@ def options_of(mesh, part, raw=None):
     options["threads"] = int(options["threads"]) or os.cpu_count() or 1
     options["order"] = 2 if mesh.Order == "2nd" else 1
     options["min_size"] = options["min_size"] or AUTOMATIC_SHARE * options["size"]
-    wishes = _local_wishes(mesh, part, raw)
-    too_fine.refuse_too_fine(part.Shape, options["size"], options["growth"], [(name, size, describe(region)) for name, size, region in wishes])
-    options["local"] = [(name, size) for name, size, _ in wishes]
+    refined = refined or refinements.read(mesh, part, raw)
+    too_fine.refuse_too_fine(part.Shape, options["size"], options["growth"], refined.at_entities())
+    options["local"] = [(name, size) for name, size, _ in refined.local]
+    if refined.zones:
+        options["zones"] = [wish for wish, _ in refined.zones]
     return options
-
-
-def local_sizes(mesh, part, raw=None):
-    """("Face12", size) for every reference of every mesh refinement. Throws UserError for one that is not on the part."""
-    return [(name, size) for name, size, _ in _local_wishes(mesh, part, raw)]
-
-
-def _local_wishes(mesh, part, raw):
-    """("Face12", size, refinement), likewise."""
-    wishes, resolver = [], Resolver(part, raw)
-    for region in mesh.MeshRegionList:
-        size = float(region.CharacteristicLength.Value)
-        names, foreign = resolver.of_object(region)
-        if foreign:
-            raise UserError(translate("FeatureMesh", "the refinement %s refers to %s, which is not on %s; refer to faces of that one")
-                            % (describe(region), resolving.describe(*foreign[0]), describe(part)))
-        if size > 0:
-            wishes += [(name, size, region) for name in names]
-    return wishes
 
 
 def renumbered(arrays):

@@ -24,6 +24,12 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "The number of elements per circle is %s; it must not be negative (0 turns it off)."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The number of elements across gaps is %s; it must not be negative (0 turns it off)."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The local mesh size at %s is %s mm; it must be larger than zero."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s has an inner size of %s mm; it must be larger than zero."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s has a radius of %s mm; it must be larger than zero."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s has a length of %s mm; it must be larger than zero."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s has a width of %s mm; it must be larger than zero."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s has a height of %s mm; it must be larger than zero."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s is coarser inside (%s mm) than outside (%s mm); exchange the two sizes."),
     QT_TRANSLATE_NOOP("FeatureMesh", "A size of %s mm would make about %s million elements; at most %s million are made. Choose a larger size."),
     QT_TRANSLATE_NOOP("FeatureMesh", "There is not enough memory for this mesh. Choose a larger size."),
     # The part
@@ -77,6 +83,15 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "Faces far narrower than the size are meshed at the plain size, since shorter edges failed: %s"),
     QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked at %s, because 10-node tetrahedra of that size would be folded, or nearly so, by the curved face."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The local size at %s is left out: the part has no such face, edge or vertex any more. Refer the refinement to another one."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s is suppressed and left out."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s refers to nothing and is left out. Choose faces, edges or vertices for it, or suppress it."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s has no size and is left out. Give it one, or suppress it."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s is of a kind that is not understood and left out. Use a refinement zone instead."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s is left out: the part has nothing of what it refers to. Refer it to a face, an edge or a vertex."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s lies outside the part. Move it into the part, or suppress it."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s changes nothing: its inner size of %s mm is not below the mesh size of %s mm."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s grows to %s mm over %s mm, not over %s mm: neighbouring elements may differ by a factor of %s at most "
+                                     "(Growth)."),
     QT_TRANSLATE_NOOP("FeatureMesh", "These solids touch or overlap without sharing faces: %s (%s). Each has a mesh of its own: no load passes "
                                      "between them, and where they overlap the material counts twice. If that is not meant, fuse them or join "
                                      "them (Part: Boolean Fragments)."),

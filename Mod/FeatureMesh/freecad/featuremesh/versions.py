@@ -53,6 +53,11 @@ def parent_frame(part):
     return parent.getGlobalPlacement() if parent is not None else FreeCAD.Placement()
 
 
+def frame_of(obj):
+    """Placement of an object in the frame in which FEM has nodes: its own in 0.20, the global one in 1.0 and later."""
+    return obj.Placement if version() < (1, 0) else obj.getGlobalPlacement()
+
+
 def number_of(enumerator):
     """A Qt enumerator as the number that FreeCAD's task panels ask for: PySide 2 converts by int(), PySide 6 has `value`."""
     return int(getattr(enumerator, "value", enumerator))

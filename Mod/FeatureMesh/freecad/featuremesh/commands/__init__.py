@@ -11,6 +11,7 @@ COMMANDS = {
     "FeatureMesh_UpdateNow": "update_now",
     "FeatureMesh_Adopt": "adopt",
     "FeatureMesh_AddLocalSize": "add_local_size",
+    "FeatureMesh_AddSizeZone": "add_size_zone",
     "FeatureMesh_AddGroup": "add_group",
     "FeatureMesh_ShowKept": "show_kept",
     "FeatureMesh_ShowQuality": "show_quality",
@@ -26,7 +27,7 @@ COMMANDS = {
 IN_FEM = [name for name in COMMANDS if name not in ("FeatureMesh_ShowTree", "FeatureMesh_About")]
 
 # Those in the menu of a mesh in the tree.
-OF_A_MESH = ("FeatureMesh_UpdateNow", "FeatureMesh_AddLocalSize", "FeatureMesh_AddGroup")
+OF_A_MESH = ("FeatureMesh_UpdateNow", "FeatureMesh_AddLocalSize", "FeatureMesh_AddSizeZone", "FeatureMesh_AddGroup")
 
 
 def made(name):

@@ -16,12 +16,20 @@
       <translation>Eine andere Zahl gibt andere Fälle</translation>
     </message>
     <message>
+      <source>Box from a corner, sphere around its centre, cylinder along its axis, or all that is near the references</source>
+      <translation>Quader von einer Ecke aus, Kugel um ihren Mittelpunkt, Zylinder entlang seiner Achse, oder alles nahe den Referenzen</translation>
+    </message>
+    <message>
       <source>By how much neighbouring elements may differ in size at most</source>
       <translation>Um welchen Faktor sich die Größen benachbarter Elemente höchstens unterscheiden dürfen</translation>
     </message>
     <message>
       <source>Cases at once; 0: as many as the processors</source>
       <translation>Fälle zugleich; 0: so viele wie Prozessoren</translation>
+    </message>
+    <message>
+      <source>Edge length to which it grows outside; 0: the size of the mesh</source>
+      <translation>Kantenlänge, bis zu der sie außen wächst; 0: die Größe des Netzes</translation>
     </message>
     <message>
       <source>Edges along a full circle of any curved face or edge; 0: sizes do not follow curvature</source>
@@ -48,12 +56,24 @@
       <translation>FEM-Netzgruppen</translation>
     </message>
     <message>
+      <source>Faces, edges and vertices from which the distance is measured</source>
+      <translation>Flächen, Kanten und Ecken, von denen aus der Abstand gemessen wird</translation>
+    </message>
+    <message>
       <source>Files to keep of each case: mesh, inp, frd</source>
       <translation>Dateien, die von jedem Fall bleiben: mesh, inp, frd</translation>
     </message>
     <message>
       <source>FreeCAD's own result object, for FEM's result panel, filters and pipeline</source>
       <translation>FreeCADs eigenes Ergebnisobjekt, für Ergebnisfenster, Filter und Pipeline von FEM</translation>
+    </message>
+    <message>
+      <source>Height of the box or the cylinder, along its z axis</source>
+      <translation>Höhe des Quaders oder des Zylinders, entlang seiner z-Achse</translation>
+    </message>
+    <message>
+      <source>How far from the references the inner size reaches</source>
+      <translation>Wie weit von den Referenzen die innere Größe reicht</translation>
     </message>
     <message>
       <source>How the cases are chosen</source>
@@ -66,6 +86,14 @@
     <message>
       <source>Largest von Mises stress, MPa</source>
       <translation>Größte Vergleichsspannung nach von Mises, MPa</translation>
+    </message>
+    <message>
+      <source>Leaves the refinement out</source>
+      <translation>Lässt die Verfeinerung weg</translation>
+    </message>
+    <message>
+      <source>Length of the box, along its x axis</source>
+      <translation>Länge des Quaders, entlang seiner x-Achse</translation>
     </message>
     <message>
       <source>Local sizes: FEM mesh refinements</source>
@@ -84,12 +112,20 @@
       <translation>Anzahl der Fälle, wo die Auswahl jede Anzahl zulässt</translation>
     </message>
     <message>
+      <source>Over how much it grows to the outer size; 0: as fast as the mesh's Growth allows</source>
+      <translation>Über welche Strecke sie zur äußeren Größe wächst; 0: so schnell, wie Growth des Netzes es zulässt</translation>
+    </message>
+    <message>
       <source>Processor threads to use; 0: all. The mesh is the same for any number</source>
       <translation>Zu nutzende Prozessor-Threads; 0: alle. Das Netz ist für jede Anzahl dasselbe</translation>
     </message>
     <message>
       <source>Processor threads to use; 0: all. The result is the same for any number</source>
       <translation>Prozessorfäden; 0: alle. Das Ergebnis ist für jede Zahl dasselbe</translation>
+    </message>
+    <message>
+      <source>Radius of the sphere or the cylinder</source>
+      <translation>Radius der Kugel oder des Zylinders</translation>
     </message>
     <message>
       <source>Share of the elements kept by the last update</source>
@@ -144,6 +180,10 @@
       <translation>Gewünschte Kantenlänge der Elemente</translation>
     </message>
     <message>
+      <source>Wanted edge length of the elements inside</source>
+      <translation>Gewünschte Kantenlänge der Elemente darin</translation>
+    </message>
+    <message>
       <source>What is asked of each case, such as max_mises@Face3</source>
       <translation>Was von jedem Fall gefragt ist, etwa max_mises@Face3</translation>
     </message>
@@ -182,6 +222,10 @@
     <message>
       <source>Which state of the mesh the result is of</source>
       <translation>Zu welchem Stand des Netzes das Ergebnis gehört</translation>
+    </message>
+    <message>
+      <source>Width of the box, along its y axis</source>
+      <translation>Breite des Quaders, entlang seiner y-Achse</translation>
     </message>
   </context>
   <context>
@@ -491,6 +535,10 @@
       <translation>Zugleich</translation>
     </message>
     <message>
+      <source>Box</source>
+      <translation>Quader</translation>
+    </message>
+    <message>
       <source>By how much displacements are drawn larger than they are</source>
       <translation>Um wie viel größer die Verschiebungen gezeichnet werden, als sie sind</translation>
     </message>
@@ -547,8 +595,16 @@
       <translation>Aufschneiden</translation>
     </message>
     <message>
+      <source>Cylinder</source>
+      <translation>Zylinder</translation>
+    </message>
+    <message>
       <source>Details of the part far smaller than the elements force an angle below 2 degrees on %s elements: %s. Results there are poor. Take them out of the features that make them (points of a sketch that nearly coincide, a step as shallow), or mesh finer there.</source>
       <translation>Einzelheiten des Bauteils, die viel kleiner als die Elemente sind, erzwingen einen Winkel unter 2 Grad an %s Elementen: %s. Ergebnisse dort sind ungenau. Sie aus den Formelementen entfernen, die sie erzeugen (Skizzenpunkte, die fast zusammenfallen, eine ebenso flache Stufe), oder dort feiner vernetzen.</translation>
+    </message>
+    <message>
+      <source>Distance</source>
+      <translation>Abstand</translation>
     </message>
     <message>
       <source>Edit the part: move a hole, change a thickness. The mesh follows, and only around the edit; loads and supports stay where they are.</source>
@@ -619,6 +675,10 @@
       <translation>FreeCADs Programm freecadcmd wurde nicht gefunden; setzen Sie FREECADCMD darauf</translation>
     </message>
     <message>
+      <source>From</source>
+      <translation>Von</translation>
+    </message>
+    <message>
       <source>From scratch</source>
       <translation>Von Grund auf</translation>
     </message>
@@ -627,8 +687,16 @@
       <translation>Weiter</translation>
     </message>
     <message>
+      <source>Grows over</source>
+      <translation>Wächst über</translation>
+    </message>
+    <message>
       <source>Growth</source>
       <translation>Wachstum</translation>
+    </message>
+    <message>
+      <source>Height</source>
+      <translation>Höhe</translation>
     </message>
     <message>
       <source>How many elements have which value of the measure</source>
@@ -645,6 +713,18 @@
     <message>
       <source>Kept in %s</source>
       <translation>Behalten in %s</translation>
+    </message>
+    <message>
+      <source>Kind</source>
+      <translation>Art</translation>
+    </message>
+    <message>
+      <source>Leave it out</source>
+      <translation>Weglassen</translation>
+    </message>
+    <message>
+      <source>Length</source>
+      <translation>Länge</translation>
     </message>
     <message>
       <source>Live result</source>
@@ -731,6 +811,14 @@
       <translation>Qualität von %s</translation>
     </message>
     <message>
+      <source>Radius</source>
+      <translation>Radius</translation>
+    </message>
+    <message>
+      <source>Refinement zone</source>
+      <translation>Verfeinerungszone</translation>
+    </message>
+    <message>
       <source>Report</source>
       <translation>Bericht</translation>
     </message>
@@ -779,6 +867,14 @@
       <translation>Größe</translation>
     </message>
     <message>
+      <source>Size inside</source>
+      <translation>Größe innen</translation>
+    </message>
+    <message>
+      <source>Size outside</source>
+      <translation>Größe außen</translation>
+    </message>
+    <message>
       <source>Smallest</source>
       <translation>Kleinste</translation>
     </message>
@@ -791,6 +887,10 @@
       <translation>Löser</translation>
     </message>
     <message>
+      <source>Sphere</source>
+      <translation>Kugel</translation>
+    </message>
+    <message>
       <source>Status</source>
       <translation>Zustand</translation>
     </message>
@@ -801,6 +901,10 @@
     <message>
       <source>Study</source>
       <translation>Studie</translation>
+    </message>
+    <message>
+      <source>Take what is selected</source>
+      <translation>Auswahl übernehmen</translation>
     </message>
     <message>
       <source>The cases that are done do not differ yet.</source>
@@ -877,6 +981,62 @@
     <message>
       <source>The part could not be filled: %s. Try another size, or check the shape (Part: Check geometry).</source>
       <translation>Das Bauteil konnte nicht gefüllt werden: %s. Eine andere Größe versuchen, oder die Form prüfen (Part: Geometrie prüfen).</translation>
+    </message>
+    <message>
+      <source>The refinement %s changes nothing: its inner size of %s mm is not below the mesh size of %s mm.</source>
+      <translation>Die Verfeinerung %s ändert nichts: ihre innere Größe von %s mm liegt nicht unter der Netzgröße von %s mm.</translation>
+    </message>
+    <message>
+      <source>The refinement %s grows to %s mm over %s mm, not over %s mm: neighbouring elements may differ by a factor of %s at most (Growth).</source>
+      <translation>Die Verfeinerung %s wächst auf %s mm über %s mm, nicht über %s mm: benachbarte Elemente dürfen sich höchstens um den Faktor %s unterscheiden (Growth).</translation>
+    </message>
+    <message>
+      <source>The refinement %s has a height of %s mm; it must be larger than zero.</source>
+      <translation>Die Verfeinerung %s hat eine Höhe von %s mm; sie muss größer als null sein.</translation>
+    </message>
+    <message>
+      <source>The refinement %s has a length of %s mm; it must be larger than zero.</source>
+      <translation>Die Verfeinerung %s hat eine Länge von %s mm; sie muss größer als null sein.</translation>
+    </message>
+    <message>
+      <source>The refinement %s has a radius of %s mm; it must be larger than zero.</source>
+      <translation>Die Verfeinerung %s hat einen Radius von %s mm; er muss größer als null sein.</translation>
+    </message>
+    <message>
+      <source>The refinement %s has a width of %s mm; it must be larger than zero.</source>
+      <translation>Die Verfeinerung %s hat eine Breite von %s mm; sie muss größer als null sein.</translation>
+    </message>
+    <message>
+      <source>The refinement %s has an inner size of %s mm; it must be larger than zero.</source>
+      <translation>Die Verfeinerung %s hat eine innere Größe von %s mm; sie muss größer als null sein.</translation>
+    </message>
+    <message>
+      <source>The refinement %s has no size and is left out. Give it one, or suppress it.</source>
+      <translation>Die Verfeinerung %s hat keine Größe und wird weggelassen. Geben Sie ihr eine, oder unterdrücken Sie sie.</translation>
+    </message>
+    <message>
+      <source>The refinement %s is coarser inside (%s mm) than outside (%s mm); exchange the two sizes.</source>
+      <translation>Die Verfeinerung %s ist innen (%s mm) gröber als außen (%s mm); vertauschen Sie die beiden Größen.</translation>
+    </message>
+    <message>
+      <source>The refinement %s is left out: the part has nothing of what it refers to. Refer it to a face, an edge or a vertex.</source>
+      <translation>Die Verfeinerung %s wird weggelassen: das Teil hat nichts von dem, worauf sie verweist. Lassen Sie sie auf eine Fläche, eine Kante oder eine Ecke verweisen.</translation>
+    </message>
+    <message>
+      <source>The refinement %s is of a kind that is not understood and left out. Use a refinement zone instead.</source>
+      <translation>Die Verfeinerung %s ist von einer Art, die nicht verstanden wird, und wird weggelassen. Nehmen Sie stattdessen eine Verfeinerungszone.</translation>
+    </message>
+    <message>
+      <source>The refinement %s is suppressed and left out.</source>
+      <translation>Die Verfeinerung %s ist unterdrückt und wird weggelassen.</translation>
+    </message>
+    <message>
+      <source>The refinement %s lies outside the part. Move it into the part, or suppress it.</source>
+      <translation>Die Verfeinerung %s liegt außerhalb des Teils. Verschieben Sie sie in das Teil, oder unterdrücken Sie sie.</translation>
+    </message>
+    <message>
+      <source>The refinement %s refers to nothing and is left out. Choose faces, edges or vertices for it, or suppress it.</source>
+      <translation>Die Verfeinerung %s verweist auf nichts und wird weggelassen. Wählen Sie Flächen, Kanten oder Ecken für sie, oder unterdrücken Sie sie.</translation>
     </message>
     <message>
       <source>The report is %s</source>
@@ -987,6 +1147,10 @@
       <translation>Was jeder Fall sagen soll:</translation>
     </message>
     <message>
+      <source>Width</source>
+      <translation>Breite</translation>
+    </message>
+    <message>
       <source>Work</source>
       <translation>Arbeitsweise</translation>
     </message>
@@ -1003,8 +1167,16 @@
       <translation>eine lokale Größe ist für Flächen, Kanten oder Punkte; die Größe für das ganze Bauteil ist die des Netzes</translation>
     </message>
     <message>
+      <source>a refinement zone is one of %s, not %s</source>
+      <translation>eine Verfeinerungszone ist eines von %s, nicht %s</translation>
+    </message>
+    <message>
       <source>a size of %g mm would make more than a million million elements; at most %d million are made. Choose a larger size</source>
       <translation>eine Größe von %g mm ergäbe mehr als eine Billion Elemente; höchstens %d Millionen werden gemacht. Wählen Sie eine größere Größe</translation>
+    </message>
+    <message>
+      <source>a zone of the kind %s has no %s</source>
+      <translation>eine Zone der Art %s hat kein %s</translation>
     </message>
     <message>
       <source>about %d million</source>
@@ -1367,6 +1539,10 @@
     <message>
       <source>nothing is varied: tick a dimension and give it a range</source>
       <translation>nichts ändert sich: haken Sie ein Maß an und geben Sie ihm einen Bereich</translation>
+    </message>
+    <message>
+      <source>nothing yet: select faces, edges or vertices</source>
+      <translation>noch nichts: wählen Sie Flächen, Kanten oder Ecken aus</translation>
     </message>
     <message>
       <source>old faces</source>
@@ -1764,6 +1940,17 @@
     <message>
       <source>Gives the selected faces, edges or vertices half the mesh size, to be changed in FEM's refinement panel</source>
       <translation>Gibt den ausgewählten Flächen, Kanten oder Punkten die halbe Netzgröße, änderbar im Fenster der FEM-Netzverfeinerung</translation>
+    </message>
+  </context>
+  <context>
+    <name>FeatureMesh_AddSizeZone</name>
+    <message>
+      <source>Add a refinement zone</source>
+      <translation>Verfeinerungszone hinzufügen</translation>
+    </message>
+    <message>
+      <source>Makes elements smaller in a box, a sphere or a cylinder, or near the selected faces, edges or vertices</source>
+      <translation>Macht Elemente in einem Quader, einer Kugel oder einem Zylinder kleiner, oder nahe den ausgewählten Flächen, Kanten oder Ecken</translation>
     </message>
   </context>
   <context>

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import FreeCAD
+import FreeCADGui as Gui
+
+from .. import api, size_zone
+from .base import MeshCommand, chosen, selected_mesh
+
+
+class Command(MeshCommand):
+    name = "FeatureMesh_AddSizeZone"
+    text = "Add a refinement zone"
+    tooltip = "Makes elements smaller in a box, a sphere or a cylinder, or near the selected faces, edges or vertices"
+    edits = False   # its panel ends the transaction
+
+    def run(self, document):
+        mesh = selected_mesh(document)
+        references = [(obj, name) for obj, name in chosen(document, mesh) or () if name]
+        document.openTransaction(self.title)
+        try:
+            zone = api.add_size_zone(mesh, size_zone.DISTANCE if references else size_zone.BOX, references)
+            Gui.getDocument(document).setEdit(zone.Name)
+        except Exception:
+            FreeCAD.closeActiveTransaction(True)
+            raise

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the refinements of a mesh object ask for: FEM's own local sizes, and zones."""
+
+from dataclasses import dataclass, field
+
+import FreeCAD
+
+from . import resolving, size_zone
+from .errors import UserError
+from .reading import describe
+from .resolving import Resolver
+
+translate = FreeCAD.Qt.translate
+
+
+@dataclass
+class Refinements:
+    """What a mesh is to be refined by."""
+    local: list = field(default_factory=list)   # ("Face12", size in mm, the object)
+    zones: list = field(default_factory=list)   # (what the engine takes, see size_zone.wish_of, the object)
+    notes: list = field(default_factory=list)   # a sentence for each that is left out
+
+    def at_entities(self):
+        """("Face12", size in mm, name of the refinement) for all that refines around faces, edges and vertices."""
+        near = [(name, wish["inner"], obj) for wish, obj in self.zones for name in wish.get("entities", ())]
+        return [(name, size, describe(obj)) for name, size, obj in self.local + near]
+
+
+def read(mesh, part, raw=None):
+    """The Refinements of a mesh object; `raw` is the part as it was read, if it was. Throws UserError for a reference that is not on the part."""
+    found, resolver = Refinements(), Resolver(part, raw)
+    for obj in mesh.MeshRegionList:
+        if size_zone.is_suppressed(obj):
+            found.notes.append("The refinement %s is suppressed and left out." % obj.Label)
+            continue
+        names, foreign = resolver.of_object(obj)
+        if foreign:
+            raise UserError(translate("FeatureMesh", "the refinement %s refers to %s, which is not on %s; refer to faces of that one")
+                            % (describe(obj), resolving.describe(*foreign[0]), describe(part)))
+        _take(obj, names, found)
+    return found
+
+
+def _take(obj, names, found):
+    wish = size_zone.wish_of(obj, names)
+    if wish is None and not hasattr(obj, "CharacteristicLength"):
+        found.notes.append("The refinement %s is of a kind that is not understood and left out. Use a refinement zone instead." % obj.Label)
+    elif not names and (wish is None or "entities" in wish):
+        found.notes.append("The refinement %s refers to nothing and is left out. Choose faces, edges or vertices for it, or suppress it." % obj.Label)
+    elif wish is not None:
+        found.zones.append((wish, obj))
+    elif obj.CharacteristicLength.Value <= 0:
+        found.notes.append("The refinement %s has no size and is left out. Give it one, or suppress it." % obj.Label)
+    else:
+        found.local += [(name, obj.CharacteristicLength.Value, obj) for name in names]

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A refinement zone by hand: its command, its panel and what the 3D view shows of it. Run by test_window.py."""
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import FreeCAD  # noqa: E402
+import FreeCADGui as Gui  # noqa: E402
+import numpy as np  # noqa: E402
+import window  # noqa: E402
+from parts import new_document, plate_with_hole  # noqa: E402
+from window import click, click_button_of, click_in_panel, panel, picture, pixels, spin, wait_for  # noqa: E402
+
+
+def orange_pixels():
+    """How much of the 3D view has the colour of zones."""
+    seen = pixels()
+    return int(np.count_nonzero((seen[:, :, 0] > seen[:, :, 2] + 40) & (seen[:, :, 0] > seen[:, :, 1] + 15)))
+
+
+def settle_view():
+    Gui.activeDocument().activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    spin(1)
+
+
+def open_with(*selected):
+    Gui.Selection.clearSelection()
+    for entry in selected:
+        Gui.Selection.addSelection(*entry)
+    spin()
+    click_button_of("FeatureMesh_AddSizeZone")
+    wait_for(lambda: Gui.Control.activeDialog())
+    spin()
+    return panel("ZonePanel")
+
+
+def open_again(zone):
+    zone.ViewObject.doubleClicked()
+    spin()
+    return panel("ZonePanel")
+
+
+def check_cancel(document, mesh):
+    names, steps = {obj.Name for obj in document.Objects}, document.UndoCount
+    settings = open_with((mesh,))
+    assert settings.zone in mesh.MeshRegionList and settings.zone.Kind == "Box"
+    picture("zone_new")
+    assert orange_pixels() > 5000, orange_pixels()
+    click_in_panel("Cancel")
+    assert {obj.Name for obj in document.Objects} == names and document.UndoCount == steps and not document.HasPendingTransaction
+    assert not mesh.MeshRegionList and not Gui.Control.activeDialog()
+
+
+def check_sphere(document, mesh):
+    """Chosen in the panel, drawn at once, meshed by OK, as one step of undo."""
+    count, steps = mesh.TetCount, document.UndoCount
+    settings = open_with((mesh,))
+    settings.kind.setCurrentIndex(1)
+    spin()
+    assert settings.lengths["Radius"].isVisible() and not settings.lengths["Width"].isVisible() and not settings.references.isVisible()
+    for widget, value in ((settings.place[0], 45.0), (settings.place[1], 20.0), (settings.place[2], 10.0),
+                          (settings.lengths["Radius"], 7.0), (settings.lengths["InnerSize"], 1.0)):
+        widget.setProperty("rawValue", value)
+    small = orange_pixels()
+    zone = settings.zone
+    assert (zone.Kind, zone.Radius.Value, zone.InnerSize.Value, tuple(zone.Placement.Base)) == ("Sphere", 7.0, 1.0, (45.0, 20.0, 10.0))
+    settings.lengths["Radius"].setProperty("rawValue", 12.0)
+    assert orange_pixels() > 1.5 * small, (orange_pixels(), small)
+    picture("zone_panel")
+    click_in_panel("Ok")
+    wait_for(lambda: not Gui.Control.activeDialog())
+    assert mesh.Status == "up to date" and mesh.TetCount > 1.5 * count, (mesh.Status, mesh.TetCount, count)
+    assert document.UndoCount == steps + 1 and not document.HasPendingTransaction, document.UndoNames
+    spin(0.5)
+    picture("zone_meshed")
+    document.undo()
+    spin()
+    assert not mesh.MeshRegionList and mesh.TetCount == count
+    document.redo()
+    spin()
+    assert mesh.MeshRegionList and mesh.TetCount > 1.5 * count
+
+
+def check_double_click(document, mesh):
+    zone, = mesh.MeshRegionList
+    count = mesh.TetCount
+    settings = open_again(zone)
+    settings.lengths["InnerSize"].setProperty("rawValue", 0.5)
+    click_in_panel("Cancel")
+    assert zone.InnerSize.Value == 1.0 and not document.HasPendingTransaction
+    settings = open_again(zone)
+    click(settings.suppressed)
+    click_in_panel("Ok")
+    wait_for(lambda: not Gui.Control.activeDialog())
+    assert zone.Suppressed and mesh.TetCount < 0.7 * count, (zone.Suppressed, mesh.TetCount, count)
+
+
+def check_distance(document, body, mesh):
+    """With a face selected it is measured from that; others are taken while the panel is open."""
+    hole = next(i for i, face in enumerate(body.Shape.Faces, 1) if face.Surface.TypeId == "Part::GeomCylinder")
+    settings = open_with((body, "Face%d" % hole))
+    assert settings.zone.Kind == "Distance" and settings.references.text() == "Face%d" % hole and not settings.place[0].isVisible()
+    settings.lengths["InnerSize"].setProperty("rawValue", 1.2)
+    settings.lengths["Distance"].setProperty("rawValue", 2.0)
+    picture("zone_distance")
+    assert orange_pixels() > 300, orange_pixels()
+    Gui.Selection.clearSelection()
+    click(settings.choose)   # nothing is selected
+    assert "select faces" in window.messages[-1] and settings.references.text() == "Face%d" % hole, window.messages
+    Gui.Selection.addSelection(body, "Edge1")
+    Gui.Selection.addSelection(body, "Vertex1")
+    click(settings.choose)
+    assert settings.references.text() == "Edge1, Vertex1", settings.references.text()
+    click_in_panel("Ok")
+    wait_for(lambda: not Gui.Control.activeDialog())
+    assert mesh.Status == "up to date", mesh.Status
+
+
+def drive():
+    from freecad.featuremesh import api
+    document = new_document("Zones")
+    body = plate_with_hole(document)
+    mesh = api.add_mesh(body, 4.0, order=1)
+    document.recompute()
+    document.UndoMode = 1
+    Gui.activateWorkbench("FemWorkbench")
+    spin(1)
+    settle_view()
+    check_cancel(document, mesh)
+    check_sphere(document, mesh)
+    check_double_click(document, mesh)
+    check_distance(document, body, mesh)
+    assert FreeCAD.ActiveDocument is document
+
+
+window.run(drive)
