@@ -150,8 +150,8 @@ Brep brep_of(const RawDocument& document, const std::string& object) {
                                      [&](const RawRecord& r) { return r.name == object; });
     const std::vector<TopoDS_Shape> shapes = read_shapes(document.shapes);
     if (record == document.records.end() || record->shape < 0 || record->shape >= int(shapes.size()))
-        throw InputError("The part has no solid of " + object + ".");
-    return Brep(shapes[std::size_t(record->shape)]);
+        throw InputError("The part has no shape of " + object + ".");
+    return Brep(shapes[std::size_t(record->shape)], Dimension::from_shape);
 }
 
 template <class Id>

@@ -95,7 +95,7 @@ py::dict read_tree(const py::dict& raw) {
     CellModel cells;
     run_released({}, 1, [&](RunContext& context) {
         tree = interpret(document, context);
-        cells = build_cells(tree, Brep(tree.final_shape), context);
+        cells = build_cells(tree, Brep(tree.final_shape, Dimension::from_shape), context);
     });
     const OwnedCounts owned = count_owned(tree, cells);
     py::list features;

@@ -22,6 +22,14 @@ Entity entity_from_name(const std::string& name) {
     throw InputError("'" + name + "' is no face, edge, vertex or solid; write it as FreeCAD does, e.g. Face12.");
 }
 
+constexpr std::array<const char*, 4> names_of_dimensions{"from_shape", "edges", "faces", "solids"};
+
+Dimension dimension_from_name(const std::string& name) {
+    for (std::size_t i = 0; i < names_of_dimensions.size(); ++i)
+        if (name == names_of_dimensions[i]) return Dimension(i);
+    throw InputError("The dimension is from_shape, solids, faces or edges, not '" + name + "'.");
+}
+
 struct Asked {
     MeshOptions options;
     int threads = 1;
@@ -80,6 +88,8 @@ const std::map<std::string, TakeOption>& known_options() {
          [](Asked& a, const py::handle& v) { a.options.volume.target_dihedral_deg = v.cast<double>(); }},
         {"keep_margin", [](Asked& a, const py::handle& v) { a.options.keep_margin = v.cast<double>(); }},
         {"most_tets", [](Asked& a, const py::handle& v) { a.options.most_tets = v.cast<double>(); }},
+        {"dimension",
+         [](Asked& a, const py::handle& v) { a.options.dimension = dimension_from_name(v.cast<std::string>()); }},
         {"threads", [](Asked& a, const py::handle& v) { a.threads = v.cast<int>(); }},
         {"local",
          [](Asked& a, const py::handle& v) {
@@ -179,6 +189,9 @@ py::dict to_dict(const Report& report) {
     py::dict out;
     out["nodes"] = report.nodes;
     out["tets"] = report.tets;
+    out["triangles"] = report.triangles;
+    out["segments"] = report.segments;
+    out["dimension"] = names_of_dimensions[std::size_t(report.dimension)];
     out["order"] = report.order;
     out["size"] = report.size;
     out["seconds"] = report.seconds;
@@ -273,8 +286,9 @@ double estimate(const py::dict& raw, const py::dict& options) {
     const RawDocument document = raw_document_from(raw);
     const Asked asked = asked_from(options);
     return run_released({}, 1, [&](RunContext& context) {
-        const Brep brep(interpret(document, context).final_shape);
-        return estimate_tets(brep, make_sizing(brep, asked.options.sizing, {}, context));
+        const Dimension dimension = asked.options.dimension;
+        const Brep brep(interpret(document, context, nullptr, dimension).final_shape, dimension);
+        return estimate_elements(brep, make_sizing(brep, asked.options.sizing, {}, context));
     });
 }
 
@@ -299,7 +313,7 @@ void define_update(py::module_& module) {
                py::arg("same_place") = 0.0, py::arg("threads") = 1,
                "Nodal values carried from one mesh to another; (values, error estimates, sources).");
     module.def("estimate_tets", &estimate, py::arg("raw"), py::arg("options"),
-               "About how many tets the options ask for.");
+               "About how many elements the options ask for: tets, or triangles or segments where those are meshed.");
 }
 
 }  // namespace featuremesh

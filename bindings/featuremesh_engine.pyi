@@ -16,6 +16,7 @@
     shapes: bytes                           `Part.Compound([...]).exportBinary` of all shapes, an empty compound for a null shape
 
 `options` is a dict with at least size (mm); further min_size, elements_per_circle, elements_across_gap, growth, order (1, 2), threads,
+dimension ("from_shape", which takes solids, else faces, else edges; "solids", "faces", "edges"),
 target_dihedral_deg, keep_margin (in edge lengths; 0 is as the sizes need), local: list of ("Face12", size).
 
 `progress(step: str, share: float) -> bool`: return False to cancel (raises Cancelled).
@@ -51,7 +52,7 @@ class PartMesh:
         asked for shorter edges, as they do in updates of that mesh.
         Indices count from 0; tets have positive volume in VTK/Abaqus order. Views, read-only."""
     def node_origin(self) -> np.ndarray: """(n,) int32: index of the node in the mesh before the update, -1 for a new one."""
-    def tet_origin(self) -> np.ndarray: """(m,) int32, likewise."""
+    def tet_origin(self) -> np.ndarray: """(m,) int32, likewise; by triangle or segment where those fill the part."""
     def active_points(self) -> np.ndarray: """(k,3): inner nodes that survived as start positions only."""
     def wanted_sizes(self, points: np.ndarray) -> np.ndarray: """(n,) mm: the edge length that the mesh was to have at each of the points, (n,3) mm."""
     def owners_of_faces(self) -> list[list[str]]: """By face of the final shape: names of the features that own it."""
@@ -84,7 +85,7 @@ def followed_faces(old_raw: dict, new_raw: dict) -> list[dict[str, Any]]:
     "by": "origin" (what made it), "place", "neighbours" or ""}."""
 def trace_sub_elements(raw: dict, object: str) -> dict[str, list[str]]:
     """By name of every face, edge and vertex of an object that the part is made of: the names of what lies there on the final shape."""
-def estimate_tets(raw: dict, options: dict) -> float: ...
+def estimate_tets(raw: dict, options: dict) -> float: """About how many elements: tets, or triangles or segments where those are meshed."""
 def statics_missing() -> str: """Why linear statics cannot be solved here (PETSc is not there); empty when it can."""
 def statics_weight(arrays: dict, materials: np.ndarray, tet_materials: np.ndarray, gravity: list[float]) -> np.ndarray:
     """(n,3) N. `materials` are rows of Young's modulus (MPa), Poisson's ratio, density (t/mm^3), `gravity` in mm/s^2."""

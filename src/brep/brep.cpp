@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "brep/occt_geometry.h"
 #include "brep/vertex_places.h"
@@ -42,6 +43,9 @@ struct Brep::Data {
     std::vector<std::vector<FaceId>> faces_of_edge;
     std::vector<std::array<VertexId, 2>> ends;
     std::vector<std::array<SolidId, 2>> sides;
+    std::vector<BodyId> sheets;  ///< by face, where faces are meshed
+    std::size_t sheet_count = 0;
+    Dimension dimension = Dimension::solids;
     std::vector<double> volumes;
     std::vector<Box> box_of_face;
     std::vector<Vec3> points;
@@ -101,12 +105,57 @@ Box tight_box_of(const std::vector<TopoDS_Face>& faces) {
     return to_box(bounds);
 }
 
+Box box_of_edges(const std::vector<TopoDS_Edge>& edges) {
+    Box box;
+    for (const TopoDS_Edge& edge : edges) box.add(box_of(edge));
+    return box;
+}
+
+/// By face the sheet that it belongs to: all faces that are joined by edges, in the order of their first faces.
+std::vector<BodyId> sheets_of(const std::vector<std::vector<EdgeId>>& edges_of_face,
+                              const std::vector<std::vector<FaceId>>& faces_of_edge) {
+    std::vector<BodyId> sheets(edges_of_face.size());
+    BodyId next{0};
+    for (std::size_t first = 0; first < sheets.size(); ++first) {
+        if (sheets[first].is_valid()) continue;
+        std::vector<FaceId> open{FaceId(first)};
+        sheets[first] = next;
+        while (!open.empty()) {
+            const FaceId face = open.back();
+            open.pop_back();
+            for (const EdgeId edge : edges_of_face[face.index()])
+                for (const FaceId other : faces_of_edge[edge.index()])
+                    if (!std::exchange(sheets[other.index()], next).is_valid()) open.push_back(other);
+        }
+        ++next.value;
+    }
+    return sheets;
+}
+
+void refuse_empty(Dimension dimension, std::size_t solids, std::size_t faces, std::size_t edges) {
+    if (dimension == Dimension::solids && solids == 0)
+        throw InputError("The shape has no solid. Mesh a body or a Part object whose result is a solid.");
+    if (dimension == Dimension::faces && faces == 0)
+        throw InputError("The shape has no face. Mesh an object with faces, or its edges.");
+    if (dimension == Dimension::edges && edges == 0)
+        throw InputError("The shape has no edge. Mesh an object with edges.");
+}
+
 }  // namespace
 
-Brep::Brep(const TopoDS_Shape& shape) {
+Dimension dimension_of(const TopoDS_Shape& shape) {
+    const auto has = [&](TopAbs_ShapeEnum kind) { return TopExp_Explorer(shape, kind).More(); };
+    return has(TopAbs_SOLID)  ? Dimension::solids
+           : has(TopAbs_FACE) ? Dimension::faces
+           : has(TopAbs_EDGE) ? Dimension::edges
+                              : Dimension::solids;
+}
+
+Brep::Brep(const TopoDS_Shape& shape, Dimension dimension) {
     if (shape.IsNull())
         throw InputError("The shape is empty. Recompute the document and mesh an object that has a solid.");
     auto data = std::make_shared<Data>();
+    data->dimension = dimension == Dimension::from_shape ? dimension_of(shape) : dimension;
     data->shape = shape;
     number_all(shape, [&](TopAbs_ShapeEnum kind) {
         return kind == TopAbs_SOLID    ? &data->solids
@@ -119,8 +168,8 @@ Brep::Brep(const TopoDS_Shape& shape) {
     data->face = listed<TopoDS_Face>(data->faces, [](auto& s) { return TopoDS::Face(s); });
     data->edge = listed<TopoDS_Edge>(data->edges, [](auto& s) { return TopoDS::Edge(s.Oriented(TopAbs_FORWARD)); });
     data->vertex = listed<TopoDS_Vertex>(data->vertices, [](auto& s) { return TopoDS::Vertex(s); });
-    if (data->solid.empty())
-        throw InputError("The shape has no solid. Mesh a body or a Part object whose result is a solid.");
+    if (data->dimension != Dimension::solids) data->solid.clear();
+    refuse_empty(data->dimension, data->solid.size(), data->face.size(), data->edge.size());
 
     data->edges_of_face.resize(data->face.size());
     data->uses_in_face.resize(data->face.size());
@@ -156,7 +205,9 @@ Brep::Brep(const TopoDS_Shape& shape) {
         for (const VertexId v : data->vertices_inside[f]) data->face_around.emplace(v, f);
     }
     data->points = vertex_places(data->vertex, data->edge, data->ends, data->face, data->faces_of_edge);
-    data->box = tight_box_of(data->face);
+    data->box = data->face.empty() ? box_of_edges(data->edge) : tight_box_of(data->face);
+    if (data->dimension == Dimension::faces) data->sheets = sheets_of(data->edges_of_face, data->faces_of_edge);
+    for (const BodyId sheet : data->sheets) data->sheet_count = std::max(data->sheet_count, sheet.index() + 1);
     for (std::size_t s = 0; s < data->solid.size(); ++s) {
         std::vector<int> uses(data->edge.size(), 0);
         double volume = 0;
@@ -185,6 +236,7 @@ Brep::Brep(const TopoDS_Shape& shape) {
     data_ = std::move(data);
 }
 
+Dimension Brep::dimension() const { return data_->dimension; }
 const TopoDS_Shape& Brep::shape() const { return data_->shape; }
 std::size_t Brep::solid_count() const { return data_->solid.size(); }
 std::size_t Brep::face_count() const { return data_->face.size(); }
@@ -205,6 +257,21 @@ std::span<const VertexId> Brep::vertices_inside(FaceId face) const { return data
 std::array<VertexId, 2> Brep::ends_of(EdgeId edge) const { return data_->ends[edge.index()]; }
 std::array<SolidId, 2> Brep::sides_of(FaceId face) const { return data_->sides[face.index()]; }
 const std::vector<std::array<SolidId, 2>>& Brep::sides_of_faces() const { return data_->sides; }
+std::array<BodyId, 2> Brep::bodies_of(FaceId face) const {
+    if (!data_->sheets.empty()) return {data_->sheets[face.index()], BodyId()};
+    const auto [behind, before] = sides_of(face);
+    return {BodyId(behind.value), BodyId(before.value)};
+}
+std::size_t Brep::body_count() const { return data_->sheets.empty() ? solid_count() : data_->sheet_count; }
+bool Brep::is_meshed(FaceId face) const {
+    const auto bodies = bodies_of(face);
+    return bodies[0].is_valid() || bodies[1].is_valid();
+}
+bool Brep::is_meshed(EdgeId edge) const {
+    const auto faces = faces_of(edge);
+    if (data_->dimension == Dimension::edges) return faces.size() != 1 || !is_seam(edge, faces[0]);
+    return std::any_of(faces.begin(), faces.end(), [&](FaceId face) { return is_meshed(face); });
+}
 std::vector<FaceId> Brep::faces_at(Entity entity) const {
     std::vector<FaceId> faces;
     const auto add_faces_of = [&](EdgeId e) { faces.insert(faces.end(), faces_of(e).begin(), faces_of(e).end()); };

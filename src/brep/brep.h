@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/dimension.h"
 #include "core/geometry.h"
 #include "core/ids.h"
 #include "core/tolerances.h"
@@ -27,13 +28,18 @@ struct FaceEdge {
     bool is_internal = false, is_external = false;  ///< drawn into the face, or beside it: no border
 };
 
-/// A solid, or several, with faces, edges and vertices numbered as FreeCAD numbers them (TopExp order, 0 is "Face1").
-/// Cheap to copy; never changes.
+/// What `shape` is to be meshed as where nothing else is asked for.
+Dimension dimension_of(const TopoDS_Shape& shape);
+
+/// Solids, faces or edges, with faces, edges and vertices numbered as FreeCAD numbers them (TopExp order, 0 is
+/// "Face1"). Cheap to copy; never changes.
 class Brep {
   public:
-    /// Takes the shape's solids. Throws InputError with the name of what is wrong (no solid, an open shell).
-    explicit Brep(const TopoDS_Shape& shape);
+    /// Takes the shape's solids, or its faces, or its edges: then it has no solids, whatever the shape has. Throws
+    /// InputError with the name of what is wrong (no solid, an open shell).
+    explicit Brep(const TopoDS_Shape& shape, Dimension dimension = Dimension::solids);
 
+    Dimension dimension() const;  ///< never `from_shape`
     const TopoDS_Shape& shape() const;
     std::size_t solid_count() const;
     std::size_t face_count() const;
@@ -60,6 +66,11 @@ class Brep {
     /// Solid behind (against the face's normal) and before it; none for outside.
     std::array<SolidId, 2> sides_of(FaceId face) const;
     const std::vector<std::array<SolidId, 2>>& sides_of_faces() const;  ///< by face
+    /// What the face belongs to: the solids at its sides, or its sheet, which is all faces joined by edges.
+    std::array<BodyId, 2> bodies_of(FaceId face) const;
+    std::size_t body_count() const;
+    bool is_meshed(FaceId face) const;  ///< of solids, those that bound one
+    bool is_meshed(EdgeId edge) const;  ///< of faces and solids, those of a meshed face; of edges, all but seams
     /// The faces that what lies on a vertex, edge or face lies on; ascending. None for a solid.
     std::vector<FaceId> faces_at(Entity entity) const;
     bool is_degenerated(EdgeId edge) const;  ///< a pole: no length in space

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cells/cell_model.h"
-
 #include <TopExp_Explorer.hxx>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 
 #include "brep/booleans/shape_difference.h"
 #include "brep/solid_probe.h"
+#include "cells/cells_without_fuse.h"
 #include "cells/final_faces.h"
 #include "cells/fuse.h"
 #include "cells/replay.h"
@@ -369,6 +369,7 @@ std::vector<Owner> owners_of_anything(const FeatureTree& tree) {
 
 CellModel build_cells(const FeatureTree& tree, const Brep& final_shape, RunContext& context) {
     RunContext::Step step(context, "cells");
+    if (final_shape.dimension() != Dimension::solids) return cells_without_fuse(tree, final_shape);
     return CellBuilder(tree, final_shape, context).run();
 }
 

@@ -58,8 +58,9 @@ std::vector<double> volumes_of_features(const std::vector<Cell>& cells, std::siz
 /// Of what may be any feature's: the first volume of every feature that has one.
 std::vector<Owner> owners_of_anything(const FeatureTree& tree);
 
-/// General Fuse of all feature volumes with owner lists from the builder's history, material by classification against
-/// the final shape. All attempts together have 24 s worth of work, see docs/design/cells.md.
+/// Of a part of faces or edges there are no cells. General Fuse of all feature volumes with owner lists from the
+/// builder's history, material by classification against the final shape. All attempts together have 24 s worth of
+/// work, see docs/design/cells.md.
 CellModel build_cells(const FeatureTree& tree, const Brep& final_shape, RunContext& context);
 
 }  // namespace featuremesh

@@ -20,7 +20,8 @@ bool has_same_volumes(const Feature& was, const Feature& is) {
 
 double sum_of_volumes(const Feature& feature, const Vec3& apex) {
     double sum = 0;
-    for (const FeatureVolume& volume : feature.volumes) sum += std::abs(flux(volume.shape, apex));
+    for (const FeatureVolume& volume : feature.volumes)
+        if (dimension_of(volume.shape) == Dimension::solids) sum += std::abs(flux(volume.shape, apex));
     return sum;
 }
 

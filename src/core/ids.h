@@ -32,6 +32,8 @@ using VertexId = Id<struct VertexKind>;
 using EdgeId = Id<struct EdgeKind>;
 using FaceId = Id<struct FaceKind>;
 using SolidId = Id<struct SolidKind>;
+/// What hangs together: a solid, or the faces that are joined by edges where a part of faces is meshed.
+using BodyId = Id<struct BodyKind>;
 
 using FeatureId = Id<struct FeatureKind>;
 using CellId = Id<struct CellKind>;

@@ -12,6 +12,12 @@ double period_of(const UnderlyingCurve& curve) {
     return closed ? 2 * std::numbers::pi : 0.0;
 }
 
+double parameter_tolerance(const UnderlyingCurve& curve, double length) {
+    if (curve.kind == CurveKind::line) return length;
+    if (curve.kind == CurveKind::free_form) return 1e-9 * (1 + std::abs(curve.last) + std::abs(curve.first));
+    return length / (curve.kind == CurveKind::ellipse ? curve.second : curve.radius);
+}
+
 Box moved(const Box& box, const RigidMotion& motion) {
     Box result;
     for (int corner = 0; corner < 8; ++corner)
@@ -270,10 +276,7 @@ class Matcher {
     }
 
     double parameter_tolerance(int curve) const {
-        const UnderlyingCurve& c = match_.curves[std::size_t(curve)];
-        if (c.kind == CurveKind::line) return tolerance();
-        if (c.kind == CurveKind::free_form) return 1e-9 * (1 + std::abs(c.last) + std::abs(c.first));
-        return tolerance() / (c.kind == CurveKind::ellipse ? c.second : c.radius);
+        return featuremesh::parameter_tolerance(match_.curves[std::size_t(curve)], tolerance());
     }
 
     void find_changed_pieces(SurfaceGroup& group) {

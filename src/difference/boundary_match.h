@@ -63,4 +63,7 @@ Box moved(const Box& box, const RigidMotion& motion);
 /// 2 pi for circles and ellipses, 0 for curves that do not come round.
 double period_of(const UnderlyingCurve& curve);
 
+/// Parameters of the curve no further apart are the same; `length` in mm.
+double parameter_tolerance(const UnderlyingCurve& curve, double length);
+
 }  // namespace featuremesh

@@ -6,6 +6,7 @@
 
 #include "core/errors.h"
 #include "difference/boundary_match.h"
+#include "difference/edge_difference.h"
 #include "difference/feature_verdicts.h"
 #include "difference/partners.h"
 #include "difference/trim_difference.h"
@@ -65,7 +66,11 @@ CarriedRegion find_region(const BoundaryPair& pair, BoundaryMatch& match) {
 
 ChangedBoundary changed_boundary(const BoundaryPair& pair, const BoundaryMatch& match, const Resolution& resolution) {
     std::vector<SpaceTriangle> triangles;
-    for (const SurfaceGroup& group : match.groups) append_trim_difference(pair, match, group, resolution, triangles);
+    if (pair.new_model.brep().dimension() == Dimension::edges)
+        append_edge_difference(pair, match, resolution, triangles);
+    else
+        for (const SurfaceGroup& group : match.groups)
+            append_trim_difference(pair, match, group, resolution, triangles);
     return pair.domain ? ChangedBoundary(std::move(triangles), *pair.domain) : ChangedBoundary(std::move(triangles));
 }
 
@@ -117,9 +122,9 @@ FeatureDifference compare_states(const PartState& old_state, const PartState& ne
         CarriedRegion region = find_region(pair, match);
         region.features = std::move(moved.features);
         region.volumes = std::move(moved.additive_volumes);
-        // A hole takes no material along, so nobody will ask.
-        region.changed =
-            region.volumes.empty() ? ChangedBoundary({}, Box{}) : changed_boundary(pair, match, resolution);
+        // Among solids a hole takes no material along, so nobody will ask.
+        const bool takes_nothing = region.volumes.empty() && new_state.brep.dimension() == Dimension::solids;
+        region.changed = takes_nothing ? ChangedBoundary({}, Box{}) : changed_boundary(pair, match, resolution);
         difference.regions.push_back(std::move(region));
         context.progress(0.6 + 0.4 * double(m + 1) / double(verdicts.moved.size()));
     }

@@ -17,18 +17,25 @@ Box VolumeOutline::box() const {
     return box;
 }
 
+namespace {
+void add_points_of_edges(const TopoDS_Shape& shape, TopAbs_ShapeEnum not_within, std::vector<Vec3>& points) {
+    for (TopExp_Explorer e(shape, TopAbs_EDGE, not_within); e.More(); e.Next()) {
+        const TopoDS_Edge& edge = TopoDS::Edge(e.Current());
+        if (BRep_Tool::Degenerated(edge)) continue;
+        const UnderlyingCurve curve = underlying_of(edge);
+        for (const double share : {0.0, 0.5, 1.0})
+            points.push_back(point_at(curve, curve.first + share * (curve.last - curve.first)));
+    }
+}
+}  // namespace
+
 VolumeOutline outline_of(const TopoDS_Shape& volume) {
     VolumeOutline outline;
     for (TopExp_Explorer f(volume, TopAbs_FACE); f.More(); f.Next()) {
         outline.faces.push_back(underlying_of(TopoDS::Face(f.Current())));
-        for (TopExp_Explorer e(f.Current(), TopAbs_EDGE); e.More(); e.Next()) {
-            const TopoDS_Edge& edge = TopoDS::Edge(e.Current());
-            if (BRep_Tool::Degenerated(edge)) continue;
-            const UnderlyingCurve curve = underlying_of(edge);
-            for (const double share : {0.0, 0.5, 1.0})
-                outline.points.push_back(point_at(curve, curve.first + share * (curve.last - curve.first)));
-        }
+        add_points_of_edges(f.Current(), TopAbs_SHAPE, outline.points);
     }
+    add_points_of_edges(volume, TopAbs_FACE, outline.points);
     return outline;
 }
 

@@ -9,11 +9,23 @@
 
 namespace featuremesh {
 
+std::vector<TopoDS_Shape> pieces_of(const TopoDS_Shape& shape) {
+    std::vector<TopoDS_Shape> pieces;
+    const auto take = [&](TopAbs_ShapeEnum kind, TopAbs_ShapeEnum within) {
+        for (TopExp_Explorer it(shape, kind, within); it.More(); it.Next()) pieces.push_back(it.Current());
+    };
+    take(TopAbs_SOLID, TopAbs_SHAPE);
+    if (!pieces.empty()) return pieces;
+    take(TopAbs_SHELL, TopAbs_SHAPE), take(TopAbs_FACE, TopAbs_SHELL);
+    if (pieces.empty()) take(TopAbs_WIRE, TopAbs_SHAPE), take(TopAbs_EDGE, TopAbs_WIRE);
+    return pieces;
+}
+
 std::vector<FeaturePiece> pieces_of(const Feature& feature) {
     std::vector<FeaturePiece> pieces;
     for (const FeatureVolume& volume : feature.volumes)
-        for (TopExp_Explorer it(volume.shape, TopAbs_SOLID); it.More(); it.Next()) {
-            FeaturePiece piece{it.Current(), volume.effect, outline_of(it.Current()), {}};
+        for (const TopoDS_Shape& shape : pieces_of(volume.shape)) {
+            FeaturePiece piece{shape, volume.effect, outline_of(shape), {}};
             piece.box = piece.outline.box();
             pieces.push_back(std::move(piece));
         }

@@ -11,7 +11,10 @@
 
 namespace featuremesh {
 
-/// One solid of one volume.
+/// The solids of a shape; where it has none its shells and faces of no shell, or else its wires and edges of no wire.
+std::vector<TopoDS_Shape> pieces_of(const TopoDS_Shape& shape);
+
+/// One piece of one volume.
 struct FeaturePiece {
     TopoDS_Shape shape;
     Effect effect = Effect::adds;

@@ -25,6 +25,7 @@ class Volumes {
         if (from_cells_[feature] > 0) return from_cells_[feature];
         double sum = 0;
         for (const FeatureVolume& v : state_.tree.features[feature].volumes) {
+            if (dimension_of(v.shape) != Dimension::solids) continue;
             GProp_GProps properties;
             BRepGProp::VolumeProperties(v.shape, properties, 1e-4);
             sum += std::abs(properties.Mass());
@@ -158,6 +159,7 @@ class FeatureComparison {
         if (old_pieces.size() > 1 || new_pieces.size() > 1)
             change.detail += (change.detail.empty() ? "" : "; ") +
                              in_words(match, old_pieces, new_pieces, old_.brep.box(), new_.brep.box());
+        if (change.detail.empty() && change.old_volume == 0 && change.new_volume == 0) change.detail = "other faces";
         if (change.detail.empty())
             change.detail = "volume " + in_words(change.old_volume) + " -> " + in_words(change.new_volume) + " mm^3";
     }

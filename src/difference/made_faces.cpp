@@ -10,6 +10,7 @@
 
 #include "brep/occt_geometry.h"
 #include "brep/solid_probe.h"
+#include "difference/feature_pieces.h"
 
 namespace featuremesh {
 
@@ -84,11 +85,11 @@ MadeFaces::MadeFaces(const PartState& state, const SketchElements& elements)
 }
 
 void MadeFaces::take_volume(FeatureId feature, const FeatureVolume& volume, int& number) {
-    for (TopExp_Explorer solids(volume.shape, TopAbs_SOLID); solids.More(); solids.Next()) {
+    for (const TopoDS_Shape& shape : featuremesh::pieces_of(volume.shape)) {
         const int piece = int(pieces_.size());
-        pieces_.push_back({feature, volume.instance, number++, volume.motion, solids.Current(), {}, {}});
+        pieces_.push_back({feature, volume.instance, number++, volume.motion, shape, {}, {}});
         pieces_of_[feature.index()].push_back(piece);
-        for (TopExp_Explorer it(solids.Current(), TopAbs_FACE); it.More(); it.Next()) {
+        for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
             const TopoDS_Face& face = TopoDS::Face(it.Current());
             pieces_.back().faces.push_back(int(faces_.size()));
             faces_.push_back({piece, face, underlying_of(face), FaceProbe(face), {}, 0});

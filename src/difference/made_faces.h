@@ -35,7 +35,7 @@ struct ElementName {
 /// By name of the sketch, in its own frame.
 using SketchElements = std::map<std::string, std::vector<SketchElement>>;
 
-/// One face of one solid of one own volume.
+/// One face of one piece of one own volume.
 struct MadeFace {
     int piece = 0;  ///< index into MadeFaces::pieces
     TopoDS_Face face;
@@ -46,7 +46,7 @@ struct MadeFace {
     double height = 0;  ///< of its middle along the sketch's normal, mm
 };
 
-/// One solid of one own volume: a hole of a sketch with six, an instance of a pattern.
+/// One piece of one own volume: a hole of a sketch with six, an instance of a pattern.
 struct MadePiece {
     FeatureId feature;
     int instance = 0;    ///< number within a pattern

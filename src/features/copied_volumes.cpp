@@ -95,7 +95,7 @@ std::optional<Volumes> volumes_in_order(const FeatureTree& tree, FeatureId last)
 std::optional<Volumes> copied_volumes(const RawRecord& copy, const RawRecord& source, const Volumes& volumes,
                                       const DocumentView& document) {
     for (const gp_Trsf& way : ways_to(copy, source)) {
-        if (!same_solids(placed(document.solids_of(source), way), document.solids_of(copy))) continue;
+        if (!same_solids(placed(document.geometry_of(source), way), document.geometry_of(copy))) continue;
         Volumes copies = volumes;
         for (std::size_t i = 0; i < copies.size(); ++i) {
             copies[i].shape = placed(copies[i].shape, way);

@@ -3,18 +3,28 @@
 
 #include <TopExp_Explorer.hxx>
 
+#include "brep/brep.h"
 #include "brep/shape_stream.h"
 
 namespace featuremesh {
 
 namespace {
 const TopoDS_Shape no_shape;
-}
 
-DocumentView::DocumentView(const RawDocument& document) : document_(document), shapes_(read_shapes(document.shapes)) {
-    for (const TopoDS_Shape& shape : shapes_) has_solid_.push_back(TopExp_Explorer(shape, TopAbs_SOLID).More());
+Dimension highest_in(const TopoDS_Shape& shape) {
+    return shape.IsNull() || !TopExp_Explorer(shape, TopAbs_EDGE).More() ? Dimension::from_shape : dimension_of(shape);
+}
+}  // namespace
+
+DocumentView::DocumentView(const RawDocument& document, Dimension asked)
+    : document_(document), shapes_(read_shapes(document.shapes)), dimension_(asked) {
+    for (const TopoDS_Shape& shape : shapes_) has_.push_back(highest_in(shape));
     for (std::size_t i = 0; i < document.records.size(); ++i)
         by_name_.emplace(document.records[i].name, static_cast<int>(i));
+    if (dimension_ != Dimension::from_shape) return;
+    const int last = find(document.final_object);
+    if (last >= 0) dimension_ = highest_of(document.records[std::size_t(last)].shape);
+    if (dimension_ == Dimension::from_shape) dimension_ = Dimension::solids;
 }
 
 int DocumentView::find(const std::string& name) const {
@@ -28,14 +38,18 @@ const TopoDS_Shape& DocumentView::at(int index) const {
 
 const TopoDS_Shape& DocumentView::shape_of(const RawRecord& record) const { return at(record.shape); }
 
-const TopoDS_Shape& DocumentView::solids_of(const RawRecord& record) const {
-    const TopoDS_Shape& shape = at(record.shape);
-    return !shape.IsNull() && has_solid_[record.shape] ? shape : no_shape;
+Dimension DocumentView::highest_of(int shape) const {
+    return shape < 0 || shape >= static_cast<int>(has_.size()) ? Dimension::from_shape : has_[std::size_t(shape)];
 }
 
+const TopoDS_Shape& DocumentView::geometry_of(const RawRecord& record) const {
+    return highest_of(record.shape) >= dimension_ ? at(record.shape) : no_shape;
+}
+
+bool DocumentView::has_solid(const RawRecord& record) const { return highest_of(record.shape) == Dimension::solids; }
+
 const TopoDS_Shape& DocumentView::own_volume_of(const RawRecord& record) const {
-    const TopoDS_Shape& shape = at(record.own_volume);
-    return !shape.IsNull() && has_solid_[record.own_volume] ? shape : no_shape;
+    return highest_of(record.own_volume) == Dimension::solids ? at(record.own_volume) : no_shape;
 }
 
 std::vector<RawLink> DocumentView::links_of(const RawRecord& record, const std::string& property) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/dimension.h"
 #include "features/raw_document.h"
 
 namespace featuremesh {
@@ -14,13 +15,17 @@ namespace featuremesh {
 class DocumentView {
   public:
     /// Keeps a reference to the document. Throws StateError when its shapes cannot be read.
-    explicit DocumentView(const RawDocument& document);
+    explicit DocumentView(const RawDocument& document, Dimension asked = Dimension::from_shape);
 
     const std::vector<RawRecord>& records() const { return document_.records; }
     /// Index of a record; -1 for an unknown name.
     int find(const std::string& name) const;
-    /// The record's shape when it has at least one solid, else a null shape.
-    const TopoDS_Shape& solids_of(const RawRecord& record) const;
+    /// What is meshed of the part: what was asked for, or what the final object's shape has.
+    Dimension dimension() const { return dimension_; }
+    /// The record's shape when it has something of that dimension or above, else a null shape.
+    const TopoDS_Shape& geometry_of(const RawRecord& record) const;
+    /// Whether the record's shape has a solid.
+    bool has_solid(const RawRecord& record) const;
     /// The record's own volume when it has at least one solid, else a null shape.
     const TopoDS_Shape& own_volume_of(const RawRecord& record) const;
     /// The record's shape whatever it is; null when it has none.
@@ -30,10 +35,12 @@ class DocumentView {
 
   private:
     const TopoDS_Shape& at(int index) const;
+    Dimension highest_of(int shape) const;
 
     const RawDocument& document_;
     std::vector<TopoDS_Shape> shapes_;
-    std::vector<bool> has_solid_;
+    std::vector<Dimension> has_;  // by shape, its highest; from_shape for none
+    Dimension dimension_;
     std::map<std::string, int> by_name_;
 };
 

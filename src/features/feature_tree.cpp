@@ -30,8 +30,8 @@ Effect within(Effect context, Effect step) {
 /// Walks from the final object down to the leaves and gives each feature its volumes, once.
 class Interpreter {
   public:
-    Interpreter(const RawDocument& document, RunContext& context, const FeatureTree* before)
-        : view_(document), context_(context), before_(before) {
+    Interpreter(const RawDocument& document, RunContext& context, const FeatureTree* before, Dimension dimension)
+        : view_(document, dimension), context_(context), before_(before) {
         tree_.object = document.final_object;
         for (std::size_t i = 0; i < document.records.size(); ++i) {
             meanings_.push_back(meaning_of(document.records[i]));
@@ -44,11 +44,8 @@ class Interpreter {
         const int last = view_.find(tree_.object);
         if (last < 0)
             throw InputError("The document has no object named " + tree_.object + ". Name one of its objects.");
-        tree_.final_shape = view_.solids_of(record(last));
-        if (tree_.final_shape.IsNull())
-            throw InputError(
-                title(last) +
-                " has no solid. Recompute the document, and mesh a body or a Part object whose result is a solid.");
+        tree_.final_shape = view_.geometry_of(record(last));
+        if (tree_.final_shape.IsNull()) throw InputError(title(last) + what_is_missing());
         evaluate(last, Effect::adds);
         return std::move(tree_);
     }
@@ -59,6 +56,13 @@ class Interpreter {
     std::string title(int i) const {
         const RawRecord& r = record(i);
         return r.label.empty() || r.label == r.name ? r.name : r.label + " (" + r.name + ")";
+    }
+    std::string what_is_missing() const {
+        if (view_.dimension() == Dimension::faces)
+            return " has no face. Recompute the document, and mesh an object with faces, or its edges.";
+        if (view_.dimension() == Dimension::edges)
+            return " has no edge. Recompute the document, and mesh an object with edges.";
+        return " has no solid. Recompute the document, and mesh a body or a Part object whose result is a solid.";
     }
     void note(int i, const std::string& text) { tree_.notes.push_back(title(i) + ": " + text); }
 
@@ -81,12 +85,12 @@ class Interpreter {
         if (!r.error.empty()) note(i, "FreeCAD says: " + r.error);
     }
 
-    /// Earlier records with a solid that the properties link to, in order.
+    /// Earlier records with something to mesh that the properties link to, in order.
     std::vector<int> solids_linked(int i, const std::string& property) const {
         std::vector<int> found;
         for (const RawLink& link : DocumentView::links_of(record(i), property)) {
             const int target = view_.find(link.object);
-            if (target >= 0 && target < i && !view_.solids_of(record(target)).IsNull() &&
+            if (target >= 0 && target < i && !view_.geometry_of(record(target)).IsNull() &&
                 std::find(found.begin(), found.end(), target) == found.end())
                 found.push_back(target);
         }
@@ -99,7 +103,7 @@ class Interpreter {
                 for (const RawLink& link : DocumentView::links_of(record(i), property))
                     if (const int target = view_.find(link.object); target < 0)
                         note(i, "its link to " + link.object + " dangles");
-                    else if (meanings_[target].kind != Kind::reference && view_.solids_of(record(target)).IsNull())
+                    else if (meanings_[target].kind != Kind::reference && view_.geometry_of(record(target)).IsNull())
                         note(i, "its operand " + title(target) + " has no solid and is left out");
     }
 
@@ -117,7 +121,7 @@ class Interpreter {
             for (const RawLink& link : DocumentView::links_of(r, "Group")) {
                 if (link.object == record(i).name) return before;
                 const int member = view_.find(link.object);
-                if (member >= 0 && member < i && is_step(member) && !view_.solids_of(record(member)).IsNull())
+                if (member >= 0 && member < i && is_step(member) && !view_.geometry_of(record(member)).IsNull())
                     before = member;
             }
         }
@@ -213,7 +217,8 @@ class Interpreter {
 
     void evaluate_copy(int i, Effect context) {
         const int source = source_of(i);
-        if (source >= 0 && same_solids(view_.solids_of(record(source)), view_.solids_of(record(i))))
+        if (!is_of_solids(i)) return take_shape(i, context);
+        if (source >= 0 && same_solids(view_.geometry_of(record(source)), view_.geometry_of(record(i))))
             return pass_on(i, source, context);
         if (source < 0 || feature(i).suppressed || !take_copies(i, source, context)) take_shape(i, context);
     }
@@ -243,15 +248,18 @@ class Interpreter {
         return volumes;
     }
 
+    /// What a feature did is told by solids; of sheets and wires only where they are.
+    bool is_of_solids(int i) const { return view_.dimension() == Dimension::solids || view_.has_solid(record(i)); }
+
     void evaluate_chain(int i, Effect context) {
         const int base = base_of(i);
         if (feature(i).suppressed) {
             if (base >= 0) pass_on(i, base, context);
             return;
         }
-        if (base < 0 && view_.own_volume_of(record(i)).IsNull()) return take_shape(i, context);
-        feature(i).after = view_.solids_of(record(i));
-        if (base >= 0) feature(i).before = view_.solids_of(record(base));
+        if ((base < 0 && view_.own_volume_of(record(i)).IsNull()) || !is_of_solids(i)) return take_shape(i, context);
+        feature(i).after = view_.geometry_of(record(i));
+        if (base >= 0) feature(i).before = view_.geometry_of(record(base));
         // The repeated volumes belong to features before this one.
         const bool repeats = meanings_[i].kind == Kind::chain_pattern;
         if (repeats) evaluate(base, context);
@@ -282,8 +290,8 @@ class Interpreter {
             const auto& volumes = feature(original).volumes;
             originals.insert(originals.end(), volumes.begin(), volumes.end());
         }
-        auto found =
-            pattern_instances(record(i), originals, view_.solids_of(record(base)), view_.solids_of(record(i)), view_);
+        auto found = pattern_instances(record(i), originals, view_.geometry_of(record(base)),
+                                       view_.geometry_of(record(i)), view_);
         if (!found) return false;
         feature(i).volumes = std::move(*found);
         feature(i).volume_source = "instances";
@@ -334,11 +342,11 @@ class Interpreter {
 
     /// The shape itself is the volume; of an array, one volume per element.
     void take_shape(int i, Effect context) {
-        const TopoDS_Shape& shape = view_.solids_of(record(i));
+        const TopoDS_Shape& shape = view_.geometry_of(record(i));
         feature(i).combination = Combination::volumes;
         if (shape.IsNull() || feature(i).suppressed) return;
         feature(i).volume_source = "shape";
-        if (feature(i).role != Role::pattern) {
+        if (feature(i).role != Role::pattern || !is_of_solids(i)) {
             feature(i).volumes = {{shape, context, 0, {}, Effect::adds}};
             return;
         }
@@ -397,8 +405,9 @@ std::optional<FeatureId> FeatureTree::find(const std::string& name) const {
     return std::nullopt;
 }
 
-FeatureTree interpret(const RawDocument& document, RunContext& context, const FeatureTree* before) {
-    return Interpreter(document, context, before).run();
+FeatureTree interpret(const RawDocument& document, RunContext& context, const FeatureTree* before,
+                      Dimension dimension) {
+    return Interpreter(document, context, before, dimension).run();
 }
 
 FeatureTree interpret(const RawDocument& document) {

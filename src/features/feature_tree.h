@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "brep/booleans/shape_difference.h"
+#include "core/dimension.h"
 #include "core/geometry.h"
 #include "core/ids.h"
 #include "core/run_context.h"
@@ -66,8 +67,10 @@ struct FeatureTree {
 };
 
 /// Interprets the records. `before`: the tree before an edit, whose features that did the same are not looked into
-/// again. Throws InputError when the final object has no solid, and Cancelled.
-FeatureTree interpret(const RawDocument& document, RunContext& context, const FeatureTree* before = nullptr);
+/// again. Where faces or edges are meshed, what has no solid counts as well: then a feature's volumes are its shells,
+/// faces or wires. Throws InputError when the final object has nothing of the dimension, and Cancelled.
+FeatureTree interpret(const RawDocument& document, RunContext& context, const FeatureTree* before = nullptr,
+                      Dimension dimension = Dimension::from_shape);
 FeatureTree interpret(const RawDocument& document);
 
 }  // namespace featuremesh

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <vector>
 
 #include "mesh/second_order.h"
 #include "mesh/sharp_angles.h"
+#include "mesh/side_table.h"
 
 namespace featuremesh {
 namespace {
@@ -173,6 +175,79 @@ void excuse_sharp_angles(const Mesh& mesh, const Tally& tally, QualityReport& re
     report.min_dihedral_unforced = angle_deg(largest_cosine);
 }
 
+struct TriangleShape {
+    std::array<double, 3> cosines;  ///< at the corners
+    double radius_ratio;
+};
+
+TriangleShape triangle_shape(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const std::array<Vec3, 3> side{b - a, c - b, a - c};
+    const std::array<double, 3> long_side{length(side[0]), length(side[1]), length(side[2])};
+    TriangleShape shape;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t before = (k + 2) % 3;
+        shape.cosines[k] = -dot(side[before], side[k]) / std::max(long_side[before] * long_side[k], 1e-300);
+    }
+    // r = 2 A / (a + b + c), R = a b c / (4 A)
+    const double double_area = length(cross(side[0], side[1])), product = long_side[0] * long_side[1] * long_side[2];
+    shape.radius_ratio =
+        4 * double_area * double_area / std::max((long_side[0] + long_side[1] + long_side[2]) * product, 1e-300);
+    return shape;
+}
+
+/// Whether edges of the part force the smallest angle of a triangle: it lies between two of their segments, or opposite
+/// one that is its edge's only one.
+class ForcedTriangles {
+  public:
+    explicit ForcedTriangles(const Mesh& mesh) : segments_(mesh.corner_count) {
+        for (std::size_t s = 0; s < mesh.segments.size(); ++s) {
+            segments_.value(mesh.segments[s][0], mesh.segments[s][1]) = mesh.segment_edges[s].value;
+            ++pieces_[mesh.segment_edges[s]];
+        }
+    }
+    bool is_forced(const std::array<NodeId, 3>& triangle, std::size_t sharpest) const {
+        const NodeId at = triangle[sharpest], next = triangle[(sharpest + 1) % 3], last = triangle[(sharpest + 2) % 3];
+        const std::int32_t opposite = segments_.find(next, last);
+        return (segments_.find(at, next) >= 0 && segments_.find(at, last) >= 0) ||
+               (opposite >= 0 && pieces_.at(EdgeId(opposite)) == 1);
+    }
+
+  private:
+    SideTable segments_;
+    std::map<EdgeId, int> pieces_;
+};
+
+QualityReport measure_triangles(const Mesh& mesh) {
+    QualityReport report;
+    const ForcedTriangles forced(mesh);
+    report.min_dihedral = report.min_dihedral_unforced = 180;
+    report.min_radius_ratio = 1;
+    double angles = 0, ratios = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& nodes = mesh.triangles[t];
+        const TriangleShape shape = triangle_shape(mesh.point(nodes[0]), mesh.point(nodes[1]), mesh.point(nodes[2]));
+        const auto [low, high] = std::minmax_element(shape.cosines.begin(), shape.cosines.end());
+        for (const double cosine : shape.cosines)
+            ++report.histogram[std::min<std::size_t>(35, static_cast<std::size_t>(angle_deg(cosine) / 5))];
+        const double smallest = angle_deg(*high);
+        report.min_dihedral = std::min(report.min_dihedral, smallest);
+        report.max_dihedral = std::max(report.max_dihedral, angle_deg(*low));
+        report.min_radius_ratio = std::min(report.min_radius_ratio, shape.radius_ratio);
+        angles += smallest, ratios += shape.radius_ratio;
+        report.below_10 += smallest < 10, report.below_20 += smallest < 20;
+        const bool is_small = smallest < QualityReport::small_angle_deg;
+        const bool is_forced = is_small && forced.is_forced(nodes, std::size_t(high - shape.cosines.begin()));
+        report.below_25 += is_small, report.forced_by_cad += is_forced;
+        if (!is_forced) report.min_dihedral_unforced = std::min(report.min_dihedral_unforced, smallest);
+        if (mesh.order == 2)
+            report.min_scaled_jacobian =
+                std::min(report.min_scaled_jacobian, min_scaled_jacobian(triangle_nodes(mesh, TriangleId(t))));
+    }
+    report.mean_min_dihedral = angles / double(mesh.triangles.size());
+    report.mean_radius_ratio = ratios / double(mesh.triangles.size());
+    return report;
+}
+
 }  // namespace
 
 DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -185,8 +260,10 @@ double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
     return shape_of(a, b, c, d).radius_ratio;
 }
 
+double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c) { return triangle_shape(a, b, c).radius_ratio; }
+
 QualityReport measure_quality(const Mesh& mesh, RunContext& context) {
-    if (mesh.tets.empty()) return {};
+    if (mesh.tets.empty()) return mesh.triangles.empty() ? QualityReport{} : measure_triangles(mesh);
     std::vector<Tally> parts((mesh.tets.size() + grain - 1) / grain);
     parallel_for(context, mesh.tets.size(), grain,
                  [&](std::size_t begin, std::size_t end) { parts[begin / grain] = tally_of(mesh, begin, end); });

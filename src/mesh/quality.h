@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Quality of straight-sided tets.
+// Quality of straight-sided tets, and of triangles where there are no tets.
 #pragma once
 
 #include <array>
@@ -19,14 +19,19 @@ DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const 
 /// 3 r_in / R, 1 for the regular tet, 0 for a flat one.
 double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// Figures of a whole mesh (corner nodes only).
+/// 2 r_in / R, 1 for the equilateral triangle, 0 for one without area.
+double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// Figures of a whole mesh (corner nodes only). Of a mesh without tets they are those of its triangles: their corners'
+/// angles for the dihedral ones, and what the edges force is where two of them meet, and what is opposite one of a
+/// single piece.
 struct QualityReport {
     static constexpr double small_angle_deg = 25;
 
     double min_dihedral = 0, mean_min_dihedral = 0, max_dihedral = 0;  ///< degrees
     double mean_radius_ratio = 0, min_radius_ratio = 0;
-    double min_scaled_jacobian = 1;                         ///< of the 10-node tets with curved sides
-    std::int64_t below_10 = 0, below_20 = 0, below_25 = 0;  ///< tets by smallest dihedral angle, degrees
+    double min_scaled_jacobian = 1;  ///< of the 10-node tets, or 6-node triangles, with curved sides
+    std::int64_t below_10 = 0, below_20 = 0, below_25 = 0;  ///< elements by smallest angle, degrees
     std::int64_t forced_by_cad =
         0;        ///< of the tets below 25 degrees, those a sharper CAD angle or a far shorter CAD edge forces
     TetId worst;  ///< with the smallest angle; none when all are 25 degrees or more

@@ -182,6 +182,28 @@ double min_scaled_jacobian(const std::array<Vec3, 10>& nodes) {
     return std::min(sampled, open.top().bound);
 }
 
+std::array<Vec3, 6> triangle_nodes(const Mesh& mesh, TriangleId triangle) {
+    const auto& [a, b, c] = mesh.triangles[triangle.index()];
+    const auto& [ab, bc, ca] = mesh.triangle_mids[triangle.index()];
+    return {mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(ab), mesh.point(bc), mesh.point(ca)};
+}
+
+// The normal is quadratic, so its Bernstein coefficients follow from its values at the six nodes.
+double min_scaled_jacobian(const std::array<Vec3, 6>& nodes) {
+    const auto& [a, b, c, ab, bc, ca] = nodes;
+    const Vec3 straight = cross(b - a, c - a);
+    const auto along = [&](double la, double lb, double lc) {  // at barycentric coordinates
+        const Vec3 to_a = (4 * la - 1) * a + 4 * lb * ab + 4 * lc * ca,
+                   to_b = (4 * lb - 1) * b + 4 * la * ab + 4 * lc * bc,
+                   to_c = (4 * lc - 1) * c + 4 * lb * bc + 4 * la * ca;
+        return dot(cross(to_b - to_a, to_c - to_a), straight) / squared_length(straight);
+    };
+    const double at_a = along(1, 0, 0), at_b = along(0, 1, 0), at_c = along(0, 0, 1);
+    const auto between = [](double middle, double first, double last) { return 2 * middle - (first + last) / 2; };
+    return std::min({at_a, at_b, at_c, between(along(0.5, 0.5, 0), at_a, at_b), between(along(0, 0.5, 0.5), at_b, at_c),
+                     between(along(0.5, 0, 0.5), at_c, at_a)});
+}
+
 std::array<Vec3, 10> tet_nodes(const Mesh& mesh, TetId tet) {
     std::array<Vec3, 10> nodes;
     for (int i = 0; i < 4; ++i) nodes[i] = mesh.point(mesh.tets[tet.index()][i]);

@@ -27,6 +27,13 @@ std::array<Vec3, 10> jacobian_gradient(const std::array<Vec3, 10>& nodes, const 
 /// samples agree within 1e-3 or the sign is certain.
 double min_scaled_jacobian(const std::array<Vec3, 10>& nodes);
 
+/// The same of a 6-node triangle (3 corners, mid-sides 01, 12, 20): lower bound, over the element, of its normal's part
+/// along the normal of the straight triangle, divided by that one. Positive: it is folded nowhere.
+double min_scaled_jacobian(const std::array<Vec3, 6>& nodes);
+
+/// The six points of one triangle.
+std::array<Vec3, 6> triangle_nodes(const Mesh& mesh, TriangleId triangle);
+
 /// The ten points of one tet.
 std::array<Vec3, 10> tet_nodes(const Mesh& mesh, TetId tet);
 

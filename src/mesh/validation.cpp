@@ -322,6 +322,66 @@ void check_closed_surface(const Mesh& mesh, const Expectation& expected, Finding
     }
 }
 
+/// The side of a triangle of one face.
+struct SideUse {
+    std::int32_t low, high, face;
+    bool is_forward;
+    std::size_t triangle;
+    auto operator<=>(const SideUse&) const = default;
+    bool is_beside(const SideUse& b) const { return low == b.low && high == b.high && face == b.face; }
+};
+
+std::vector<SideUse> sorted_sides(const Mesh& mesh) {
+    std::vector<SideUse> uses;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (std::size_t s = 0; s < 3; ++s) {
+            const NodeId a = mesh.triangles[t][s], b = mesh.triangles[t][(s + 1) % 3];
+            uses.push_back({std::min(a, b).value, std::max(a, b).value, mesh.triangle_faces[t].value, a < b, t});
+        }
+    std::sort(uses.begin(), uses.end());
+    return uses;
+}
+
+/// Where faces are meshed: the triangles of each are all there, up to the segments of its edges.
+void check_faces(const Mesh& mesh, Findings& findings) {
+    SideTable segments(mesh.corner_count);
+    for (const auto& [a, b] : mesh.segments) segments.value(a, b) = 1;
+    const std::vector<SideUse> uses = sorted_sides(mesh);
+    for (std::size_t i = 0, next; i < uses.size(); i = next) {
+        for (next = i + 1; next < uses.size() && uses[next].is_beside(uses[i]);) ++next;
+        const bool is_pair = next == i + 2 && uses[i].is_forward != uses[i + 1].is_forward;
+        const bool is_free = next == i + 1;
+        if (!is_pair && !is_free)
+            findings.add("triangles of a face overlap", "at a side of " + triangle_name(mesh, uses[i].triangle));
+        if (is_free && segments.find(NodeId(uses[i].low), NodeId(uses[i].high)) < 0)
+            findings.add("gap in a face", "at a side of " + triangle_name(mesh, uses[i].triangle));
+    }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        const Vec3 u = mesh.point(b) - mesh.point(a), v = mesh.point(c) - mesh.point(a);
+        if (!(squared_length(cross(u, v)) > 1e-24 * squared_length(u) * squared_length(v)))
+            findings.add("triangle without area", triangle_name(mesh, t));
+        if (mesh.order == 2 && !(min_scaled_jacobian(triangle_nodes(mesh, TriangleId(t))) > 0))
+            findings.add("6-node triangle that is folded", triangle_name(mesh, t));
+    }
+}
+
+/// Where edges are meshed: each is a chain of segments, and nothing else is there.
+void check_edges(const Mesh& mesh, Findings& findings) {
+    std::vector<int> ends(mesh.corner_count, 0);
+    for (const auto& segment : mesh.segments)
+        for (const NodeId n : segment) ++ends[n.index()];
+    for (std::size_t n = 0; n < mesh.corner_count; ++n)
+        if (mesh.entities[n].dim == 1 ? ends[n] != 2 : ends[n] == 0)
+            findings.add("gap in an edge", describe(mesh, NodeId(n)));
+    if (!mesh.triangles.empty()) findings.add("triangle in a mesh of edges", triangle_name(mesh, 0));
+    for (std::size_t s = 0; s < mesh.segments.size(); ++s) {
+        const auto& [a, b] = mesh.segments[s];
+        if (!(distance(mesh.point(a), mesh.point(b)) > 0))
+            findings.add("segment without length", segment_name(mesh, s));
+    }
+}
+
 void check_segments(const Mesh& mesh, const Expectation& expected, Findings& findings) {
     SideTable sides(mesh.corner_count);
     for (std::size_t i = 0; i < mesh.segments.size(); ++i) {
@@ -330,6 +390,7 @@ void check_segments(const Mesh& mesh, const Expectation& expected, Findings& fin
         if (seen >= 0) findings.add("the same segment twice", segment_name(mesh, i));
         seen = 0;
     }
+    if (expected.dimension == Dimension::edges) return;
     for (const auto& triangle : mesh.triangles) {
         if (are_proven(expected, triangle)) continue;
         for (int s = 0; s < 3; ++s)
@@ -407,7 +468,11 @@ std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& 
         check_unproven_tets(mesh, expected, near, context, findings);
     else
         check_tets(mesh, expected, context, findings);
-    if (mesh.tets.empty())
+    if (expected.dimension == Dimension::faces)
+        check_faces(mesh, findings);
+    else if (expected.dimension == Dimension::edges)
+        check_edges(mesh, findings);
+    else if (mesh.tets.empty())
         check_closed_surface(mesh, expected, findings);
     else
         check_triangles_against_tets(mesh, expected, near, context, findings);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/dimension.h"
 #include "core/run_context.h"
 #include "mesh/mesh.h"
 
@@ -12,8 +13,9 @@ namespace featuremesh {
 
 /// What the mesh is checked against; empty vectors are not checked.
 struct Expectation {
-    std::vector<double> solid_volumes;  ///< mm^3, by SolidId
-    double volume_tolerance = 0.05;     ///< share; coarse meshes of curved parts cut chords
+    Dimension dimension = Dimension::solids;  ///< of the mesh's elements
+    std::vector<double> solid_volumes;        ///< mm^3, by SolidId
+    double volume_tolerance = 0.05;           ///< share; coarse meshes of curved parts cut chords
     std::vector<std::array<SolidId, 2>>
         face_sides;  ///< by FaceId: solid behind (against the normal) and before it, or none
     /// By node: whether an element around it is new or gone. Where a valid mesh was updated, elements without such a
@@ -27,8 +29,9 @@ struct Expectation {
 /// Every broken invariant, in words that name nodes, tets and faces; empty for a valid mesh. Checked: sizes of all
 /// arrays, ids in range, distinct numbers, positive tets, every triangle in the one or two tets that its face's sides
 /// say, no boundary of the tets without a triangle, closed boundary per solid, segments on triangles' sides, volumes
-/// per solid, mid-side nodes shared by all elements around a side, positive Jacobian of 10-node tets. A mesh without
-/// tets is checked as a surface: closed around every solid.
+/// per solid, mid-side nodes shared by all elements around a side, positive Jacobian of 10-node tets. A mesh of solids
+/// without tets is checked as a surface: closed around every solid. Of a mesh of faces, triangles have an area, leave
+/// no gap in their face but at its edges' segments, and are folded nowhere; a mesh of edges has no triangles.
 std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& expected, RunContext& context);
 std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& expected = {});
 

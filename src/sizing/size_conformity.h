@@ -17,8 +17,8 @@ struct SizeConformity {
     std::array<std::int64_t, 20> histogram{};  ///< ratios in bins of 0.1; the last one has all from 1.9
 };
 
-/// The sides of at most about 900 tets, taken evenly from the mesh's order; an edge counts once for each of these tets
-/// it is a side of.
+/// The sides of at most about 900 tets (of triangles, or segments, where there are none), taken evenly from the mesh's
+/// order; an edge counts once for each of these elements it is a side of.
 SizeConformity measure_size_conformity(const Mesh& mesh, const SizingField& sizing);
 
 }  // namespace featuremesh

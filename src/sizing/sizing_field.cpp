@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sizing/sizing_field.h"
 
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
+#include <BRepGProp.hxx>
+#include <BRepTools.hxx>
+#include <GProp_GProps.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
 #include <cmath>
@@ -290,6 +297,56 @@ double estimate_tets(const Brep& brep, const SizingField& sizing, const RunConte
         if (extra > 0) per_volume += extra * share_inside(brep, cells, extra, context);
     }
     return tets_per_cube * per_volume;
+}
+
+namespace {
+
+/// The face's area over that of the triangles wanted there, as the mean of points over its parameters tells.
+double estimate_triangles(const TopoDS_Face& face, const SizingField& sizing) {
+    constexpr int points_across = 12;
+    const double of_unit_side = std::sqrt(3.0) / 4;
+    GProp_GProps area;
+    BRepGProp::SurfaceProperties(face, area);
+    const BRepAdaptor_Surface surface(face);
+    double first_u, last_u, first_v, last_v, weights = 0, wanted = 0;
+    BRepTools::UVBounds(face, first_u, last_u, first_v, last_v);
+    for (int i = 0; i < points_across; ++i)
+        for (int j = 0; j < points_across; ++j) {
+            gp_Pnt point;
+            gp_Vec du, dv;
+            surface.D1(first_u + (last_u - first_u) * (i + 0.5) / points_across,
+                       first_v + (last_v - first_v) * (j + 0.5) / points_across, point, du, dv);
+            const double weight = du.Crossed(dv).Magnitude(), h = sizing.at({point.X(), point.Y(), point.Z()});
+            weights += weight, wanted += weight / (of_unit_side * h * h);
+        }
+    return weights > 0 ? area.Mass() * wanted / weights : 0;
+}
+
+double estimate_segments(const TopoDS_Edge& edge, const SizingField& sizing) {
+    constexpr int points_along = 100;
+    const BRepAdaptor_Curve curve(edge);
+    const double step = (curve.LastParameter() - curve.FirstParameter()) / points_along;
+    double sum = 0;
+    for (int i = 0; i < points_along; ++i) {
+        gp_Pnt point;
+        gp_Vec along;
+        curve.D1(curve.FirstParameter() + (i + 0.5) * step, point, along);
+        sum += along.Magnitude() * step / sizing.at({point.X(), point.Y(), point.Z()});
+    }
+    return sum;
+}
+
+}  // namespace
+
+double estimate_elements(const Brep& brep, const SizingField& sizing, const RunContext& context) {
+    if (brep.dimension() == Dimension::solids) return estimate_tets(brep, sizing, context);
+    double sum = 0;
+    if (brep.dimension() == Dimension::faces)
+        for (std::size_t f = 0; f < brep.face_count(); ++f) sum += estimate_triangles(brep.face(FaceId(f)), sizing);
+    else
+        for (std::size_t e = 0; e < brep.edge_count(); ++e)
+            if (!brep.is_degenerated(EdgeId(e))) sum += estimate_segments(brep.edge(EdgeId(e)), sizing);
+    return sum;
 }
 
 }  // namespace featuremesh

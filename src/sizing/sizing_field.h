@@ -74,5 +74,7 @@ SizeSource shorter_than_asked(const SizingField& field, SizeSource source);
 bool may_ask_for_more_tets(const Brep& brep, const SizingField& sizing, double most);
 /// About how many tets the field asks for in the part (used to refuse more than 50 million, and by the task panel).
 double estimate_tets(const Brep& brep, const SizingField& sizing, const RunContext& context = {});
+/// The same of what the part is meshed with: tets, or triangles, or segments.
+double estimate_elements(const Brep& brep, const SizingField& sizing, const RunContext& context = {});
 
 }  // namespace featuremesh

@@ -14,7 +14,7 @@ namespace {
 class ThinWallProvider : public SizeProvider {
   public:
     ThinWallProvider(const Brep& brep, const SizingOptions& options) : brep_(brep), options_(options) {
-        if (options.elements_across_gap > 0)
+        if (options.elements_across_gap > 0 && brep.dimension() == Dimension::solids)
             rays_.emplace(brep, std::max(0.02 * options.size, 1e-3 * brep.box().diagonal()));
     }
 

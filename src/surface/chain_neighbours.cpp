@@ -52,8 +52,8 @@ bool ChainNeighbours::may_touch(EdgeId a, EdgeId b) const {
             if (v == w) return false;
     for (const FaceId f : brep_.faces_of(a))
         for (const FaceId g : brep_.faces_of(b))
-            for (const SolidId s : brep_.sides_of(f))
-                for (const SolidId t : brep_.sides_of(g))
+            for (const BodyId s : brep_.bodies_of(f))
+                for (const BodyId t : brep_.bodies_of(g))
                     if (s.is_valid() && s == t) return true;
     return false;
 }

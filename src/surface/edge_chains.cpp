@@ -127,12 +127,11 @@ std::vector<Vec3> stops_on(const std::vector<EdgeId>& edges, const Brep& brep, c
     return stops;
 }
 
-/// Whether one of the faces bounds a solid.
-bool is_used(const Brep& brep, std::span<const FaceId> faces) {
-    return std::any_of(faces.begin(), faces.end(), [&](FaceId f) {
-        const auto sides = brep.sides_of(f);
-        return sides[0].is_valid() || sides[1].is_valid();
-    });
+bool is_meshed(const Brep& brep, VertexId vertex) {
+    const auto edges = brep.edges_of(vertex);
+    const auto faces = brep.faces_at(entity_of(vertex));
+    return std::any_of(faces.begin(), faces.end(), [&](FaceId face) { return brep.is_meshed(face); }) ||
+           std::any_of(edges.begin(), edges.end(), [&](EdgeId edge) { return brep.is_meshed(edge); });
 }
 
 /// The node of every used vertex, in the order of their numbers; but the two ends of an edge too short for a projection
@@ -156,7 +155,7 @@ class VertexNodes {
 
     void number(VertexId vertex) {
         if (is_asked_[vertex.index()]++ || shared(vertex).is_valid()) return;
-        if (!is_used(brep_, brep_.faces_at(entity_of(vertex)))) return;
+        if (!is_meshed(brep_, vertex)) return;
         for (const EdgeId e : brep_.edges_of(vertex)) {
             const auto [first, last] = brep_.ends_of(e);
             if (last == vertex && first.is_valid() && first != last &&
@@ -269,7 +268,7 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
         const EdgeId edge(e);
         const Activity activity(name_of(entity_of(edge)));
         if (e % 64 == 0) context.progress(0.1 * static_cast<double>(e) / static_cast<double>(brep.edge_count()));
-        if (brep.is_degenerated(edge) || is_point(edge) || !is_used(brep, brep.faces_of(edge))) continue;
+        if (brep.is_degenerated(edge) || is_point(edge) || !brep.is_meshed(edge)) continue;
         if (merged.edge_of[e] != edge) {
             if (!kept.nodes[e].empty() || !kept.segments[e].empty())
                 throw MeshError("Kept nodes of " + name_of(entity_of(edge)) +

@@ -75,10 +75,7 @@ class SurfaceFiller {
     }
 
   private:
-    bool is_used(FaceId face) const {
-        const auto sides = brep_.sides_of(face);
-        return (sides[0].is_valid() || sides[1].is_valid()) && !merged_.is_flat[face.index()];
-    }
+    bool is_used(FaceId face) const { return brep_.is_meshed(face) && !merged_.is_flat[face.index()]; }
 
     void sort_kept() {
         kept_triangles_.resize(brep_.face_count());
@@ -332,6 +329,10 @@ std::string names_of(const Mesh& mesh, const TrianglePairs& crossings, bool with
 }
 
 std::string warning_of_contact(const Brep& brep, const Mesh& mesh, const TrianglePairs& crossings) {
+    if (brep.dimension() == Dimension::faces)
+        return "These faces touch or cross without sharing edges: " + names_of(mesh, crossings) +
+               ". Each sheet has a mesh of its own, and no load passes between them. If that is not meant, join them "
+               "(Part: Boolean Fragments).";
     std::set<std::pair<SolidId, SolidId>> solids;
     for (const auto& [t, u] : crossings) {
         const auto solid = [&](TriangleId triangle) {
@@ -354,13 +355,12 @@ std::string warning_of_contact(const Brep& brep, const Mesh& mesh, const Triangl
            "twice. If that is not meant, fuse them or join them (Part: Boolean Fragments).";
 }
 
-/// Faces that bound no solid, and edges of no face: what lies beside the solids of a compound.
+/// What lies beside the solids of a compound, or beside its faces where those are meshed.
 std::vector<std::string> warnings_of_loose(const Brep& brep) {
+    if (brep.dimension() == Dimension::edges) return {};
     std::vector<Entity> loose;
-    for (std::size_t f = 0; f < brep.face_count(); ++f) {
-        const auto sides = brep.sides_of(FaceId(f));
-        if (!sides[0].is_valid() && !sides[1].is_valid()) loose.push_back(entity_of(FaceId(f)));
-    }
+    for (std::size_t f = 0; f < brep.face_count(); ++f)
+        if (!brep.is_meshed(FaceId(f))) loose.push_back(entity_of(FaceId(f)));
     for (std::size_t e = 0; e < brep.edge_count(); ++e)
         if (brep.faces_of(EdgeId(e)).empty()) loose.push_back(entity_of(EdgeId(e)));
     if (loose.empty()) return {};
@@ -369,6 +369,7 @@ std::vector<std::string> warnings_of_loose(const Brep& brep) {
     for (std::size_t i = 0; i < std::min(most, loose.size()); ++i)
         names += (names.empty() ? "" : ", ") + name_of(loose[i]);
     if (loose.size() > most) names += " and " + std::to_string(loose.size() - most) + " more";
+    if (brep.dimension() == Dimension::faces) return {"Not meshed, because no face has them: " + names + "."};
     return {"Not meshed, because no solid has them: " + names + "."};
 }
 

@@ -15,24 +15,24 @@ namespace featuremesh {
 
 namespace {
 
-std::vector<std::vector<SolidId>> solids_of_vertices(const Brep& brep) {
-    std::vector<std::vector<SolidId>> solids(brep.vertex_count());
-    for (std::size_t v = 0; v < solids.size(); ++v) {
+std::vector<std::vector<BodyId>> bodies_of_vertices(const Brep& brep) {
+    std::vector<std::vector<BodyId>> bodies(brep.vertex_count());
+    for (std::size_t v = 0; v < bodies.size(); ++v) {
         for (const FaceId f : brep.faces_at(entity_of(VertexId(v))))
-            for (const SolidId s : brep.sides_of(f))
-                if (s.is_valid()) solids[v].push_back(s);
-        std::sort(solids[v].begin(), solids[v].end());
-        solids[v].erase(std::unique(solids[v].begin(), solids[v].end()), solids[v].end());
+            for (const BodyId body : brep.bodies_of(f))
+                if (body.is_valid()) bodies[v].push_back(body);
+        std::sort(bodies[v].begin(), bodies[v].end());
+        bodies[v].erase(std::unique(bodies[v].begin(), bodies[v].end()), bodies[v].end());
     }
-    return solids;
+    return bodies;
 }
 
-bool share(const std::vector<SolidId>& a, const std::vector<SolidId>& b) {
-    return std::any_of(a.begin(), a.end(), [&](SolidId s) { return std::binary_search(b.begin(), b.end(), s); });
+bool share(const std::vector<BodyId>& a, const std::vector<BodyId>& b) {
+    return std::any_of(a.begin(), a.end(), [&](BodyId s) { return std::binary_search(b.begin(), b.end(), s); });
 }
 
 /// Each vertex takes the lowest one near it that stands for itself.
-std::vector<VertexId> merge_vertices(const Brep& brep, const std::vector<std::vector<SolidId>>& solids,
+std::vector<VertexId> merge_vertices(const Brep& brep, const std::vector<std::vector<BodyId>>& bodies,
                                      double tolerance) {
     std::vector<std::size_t> by_x(brep.vertex_count());
     std::iota(by_x.begin(), by_x.end(), std::size_t{0});
@@ -43,7 +43,7 @@ std::vector<VertexId> merge_vertices(const Brep& brep, const std::vector<std::ve
     for (std::size_t i = 0; i < by_x.size(); ++i)
         for (std::size_t j = i + 1; j < by_x.size() && point(by_x[j]).x - point(by_x[i]).x <= tolerance; ++j) {
             const auto [a, b] = std::minmax(by_x[i], by_x[j]);
-            if (distance(point(a), point(b)) <= tolerance && share(solids[a], solids[b])) lower[b].push_back(a);
+            if (distance(point(a), point(b)) <= tolerance && share(bodies[a], bodies[b])) lower[b].push_back(a);
         }
     std::vector<VertexId> merged;
     for (std::size_t v = 0; v < lower.size(); ++v) {
@@ -99,9 +99,9 @@ struct CurveSamples {
     }
 };
 
-/// By edge, the vertices of the same solids that lie on it away from its ends.
+/// By edge, the vertices of the same bodies that lie on it away from its ends.
 std::vector<std::vector<std::pair<double, VertexId>>> find_vertices_on(const Brep& brep,
-                                                                       const std::vector<std::vector<SolidId>>& solids,
+                                                                       const std::vector<std::vector<BodyId>>& bodies,
                                                                        const std::vector<VertexId>& vertex_of,
                                                                        const Projector& projector, double tolerance) {
     std::vector<std::vector<std::pair<double, VertexId>>> found(brep.edge_count());
@@ -124,7 +124,7 @@ std::vector<std::vector<std::pair<double, VertexId>>> find_vertices_on(const Bre
             const VertexId vertex(it->second);
             const Vec3 p = brep.point_of(vertex);
             if (vertex == vertex_of[ends[0].index()] || vertex == vertex_of[ends[1].index()] || is_outside(p) ||
-                !samples.may_hold(p, tolerance) || !share(solids[vertex.index()], solids[ends[0].index()]))
+                !samples.may_hold(p, tolerance) || !share(bodies[vertex.index()], bodies[ends[0].index()]))
                 continue;
             const OnEdge nearest = projector.nearest(EdgeId(e), p);
             if (nearest.distance > tolerance || distance(nearest.point, brep.point_of(ends[0])) <= 2 * tolerance ||
@@ -168,10 +168,10 @@ std::string listed(const std::vector<Entity>& entities) {
 
 MergedEntities::MergedEntities(const Brep& brep) : is_point(brep.edge_count(), 0), is_flat(brep.face_count(), 0) {
     const double tolerance = brep.tolerances().negligible();
-    const std::vector<std::vector<SolidId>> solids = solids_of_vertices(brep);
+    const std::vector<std::vector<BodyId>> bodies = bodies_of_vertices(brep);
     const Projector projector(brep);
-    vertex_of = merge_vertices(brep, solids, tolerance);
-    vertices_on = find_vertices_on(brep, solids, vertex_of, projector, tolerance);
+    vertex_of = merge_vertices(brep, bodies, tolerance);
+    vertices_on = find_vertices_on(brep, bodies, vertex_of, projector, tolerance);
     join_edges(brep, projector);
     find_flat_faces(brep);
 }

@@ -103,19 +103,19 @@ class CrossingSearch {
 
     Crossings find(RunContext& context) {
         gather_near_new();
-        const bool is_one_solid = brep_.solid_count() == 1;
-        if (is_one_solid) leave_out_clear_of_inexact();
+        const bool is_one_body = brep_.body_count() == 1;
+        if (is_one_body) leave_out_clear_of_inexact();
         const BoxTree tree(boxes_);
         constexpr std::size_t chunk = 4096;
         std::vector<std::vector<std::array<TriangleId, 2>>> found((triangles_.size() + chunk - 1) / chunk);
         parallel_for(context, triangles_.size(), chunk, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                if (!is_exact_[i] || !is_one_solid) find_with(tree, i, found[begin / chunk]);
+                if (!is_exact_[i] || !is_one_body) find_with(tree, i, found[begin / chunk]);
         });
         Crossings all;
         for (const auto& part : found)
             for (const auto& pair : part)
-                (have_common_solid(face_of(pair[0].index()), face_of(pair[1].index())) ? all.within : all.between)
+                (have_common_body(face_of(pair[0].index()), face_of(pair[1].index())) ? all.within : all.between)
                     .push_back(pair);
         return all;
     }
@@ -184,16 +184,16 @@ class CrossingSearch {
             if (j == i || (is_exact_[j] == is_exact_[i] && j < i) || (is_exact_[i] && !is_exact_[j])) return;
             const std::size_t a = triangles_[i], b = triangles_[j];
             if (std::max(a, b) < first_new_ || is_smooth_pair(a, b)) return;
-            if (is_exact_[i] && is_exact_[j] && have_common_solid(face_of(a), face_of(b))) return;
+            if (is_exact_[i] && is_exact_[j] && have_common_body(face_of(a), face_of(b))) return;
             if (!do_cross(mesh_.triangles[a], mesh_.triangles[b])) return;
             found.push_back({TriangleId(std::max(a, b)), TriangleId(std::min(a, b))});
         });
     }
 
     FaceId face_of(std::size_t t) const { return mesh_.triangle_faces[t]; }
-    bool have_common_solid(FaceId f, FaceId g) const {
-        const auto a = brep_.sides_of(f), b = brep_.sides_of(g);
-        return std::any_of(a.begin(), a.end(), [&](SolidId s) { return s.is_valid() && (s == b[0] || s == b[1]); });
+    bool have_common_body(FaceId f, FaceId g) const {
+        const auto a = brep_.bodies_of(f), b = brep_.bodies_of(g);
+        return std::any_of(a.begin(), a.end(), [&](BodyId s) { return s.is_valid() && (s == b[0] || s == b[1]); });
     }
 
     /// Two triangles of one face that share a node and have about one normal cannot cross: they do not overlap in the

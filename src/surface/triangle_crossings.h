@@ -17,7 +17,7 @@ struct Crossings {
     /// Of faces of one solid. Two triangles that lie in their planar CAD faces cross only when the shape does; such
     /// pairs are not looked for.
     std::vector<std::array<TriangleId, 2>> within;
-    /// Of faces that have no solid in common: the solids touch or overlap.
+    /// Of faces that have no body in common: solids or sheets that touch or overlap.
     std::vector<std::array<TriangleId, 2>> between;
 };
 Crossings crossing_triangles(const Brep& brep, const Mesh& mesh, std::size_t first_new, RunContext& context);

@@ -19,11 +19,6 @@ std::vector<Id> sorted_once(std::vector<Id> list) {
 
 }  // namespace
 
-bool is_used(const Brep& brep, FaceId face) {
-    const auto sides = brep.sides_of(face);
-    return sides[0].is_valid() || sides[1].is_valid();
-}
-
 std::vector<EdgeId> edges_at(const Brep& brep, Entity entity) {
     if (entity.dim == 1) return {EdgeId(entity.index)};
     if (entity.dim != 0) return {};
@@ -33,7 +28,7 @@ std::vector<EdgeId> edges_at(const Brep& brep, Entity entity) {
 
 std::vector<FaceId> faces_at(const Brep& brep, Entity entity) {
     std::vector<FaceId> faces = brep.faces_at(entity);
-    if (entity.dim < 2) std::erase_if(faces, [&](FaceId face) { return !is_used(brep, face); });
+    if (entity.dim < 2) std::erase_if(faces, [&](FaceId face) { return !brep.is_meshed(face); });
     return faces;
 }
 
@@ -44,7 +39,7 @@ EntityFinder::EntityFinder(const Brep& brep, double tolerance)
       edge_boxes_(brep.edge_count()),
       face_boxes_(brep.face_count()) {
     for (std::size_t f = 0; f < brep.face_count(); ++f)
-        if (is_used(brep, FaceId(f))) face_boxes_[f] = brep.box_of(FaceId(f)).grown(tolerance);
+        if (brep.is_meshed(FaceId(f))) face_boxes_[f] = brep.box_of(FaceId(f)).grown(tolerance);
     for (std::size_t e = 0; e < brep.edge_count(); ++e)
         if (!brep.is_degenerated(EdgeId(e)) && !faces_at(brep, entity_of(EdgeId(e))).empty())
             edge_boxes_[e] = box_of(brep.edge(EdgeId(e))).grown(tolerance);

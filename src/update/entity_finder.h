@@ -52,7 +52,4 @@ std::vector<Id> in_both(const std::vector<Id>& a, const std::vector<Id>& b) {
     return both;
 }
 
-/// Whether a solid is behind or before the face.
-bool is_used(const Brep& brep, FaceId face);
-
 }  // namespace featuremesh

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/errors.h"
+#include "mesh/second_order.h"
 #include "mesh/tets_at_nodes.h"
 #include "surface/turned_triangles.h"
 #include "volume/curved/mid_side_nodes.h"
@@ -117,6 +118,45 @@ void fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult surf
                             .used_active = std::move(volume.used_active)};
 }
 
+/// Half of their longest sides, at the 6-node triangles that are folded or nearly so; those in front are kept and stay.
+SizeRequest for_bent_triangles(const Mesh& mesh, std::size_t kept, double& smallest_jacobian) {
+    constexpr double wanted_scaled_jacobian = 0.2;
+    SizeRequest request{SizeReason::folded, {}, {}};
+    for (std::size_t t = kept; t < mesh.triangles.size(); ++t) {
+        const double jacobian = min_scaled_jacobian(triangle_nodes(mesh, TriangleId(t)));
+        if (jacobian >= wanted_scaled_jacobian) continue;
+        smallest_jacobian = std::min(smallest_jacobian, jacobian);
+        const auto& [a, b, c] = mesh.triangles[t];
+        const Vec3 p = mesh.point(a), q = mesh.point(b), r = mesh.point(c);
+        request.lengths.push_back({(p + q + r) / 3, 0.5 * std::max({distance(p, q), distance(q, r), distance(r, p)})});
+        if (request.place.empty()) request.place = name_of(entity_of(mesh.triangle_faces[t]));
+    }
+    return request;
+}
+
+/// Of a part of faces or edges: here the filling ends.
+void take_surface(const Brep& brep, const SizingField&, SurfaceResult surface, Kept kept, const MeshOptions& options,
+                  Attempt& attempt, RunContext& context) {
+    const std::size_t kept_triangles = surface.kept.triangles;
+    Mesh mesh = std::move(surface.mesh);
+    mesh.corner_count = mesh.node_count();
+    if (options.order == 2) {
+        mesh = curved_without_tets(brep, std::move(mesh), kept.curved.get(), context);
+        attempt.request = for_bent_triangles(mesh, kept_triangles, attempt.smallest_jacobian);
+        if (!(attempt.smallest_jacobian > 0)) {
+            attempt.refusal = std::to_string(attempt.request.lengths.size()) +
+                              " 6-node triangles would be folded near " + attempt.request.place +
+                              ": the face bends too much within one element. Ask for a smaller size there, or for "
+                              "3-node triangles.";
+            return;
+        }
+    }
+    kept.is_rim.clear();  // everything is checked: without tets that is little
+    validate(mesh, brep, std::move(kept), 0, {}, attempt, context);
+    if (!attempt.refusal.empty()) return;
+    attempt.filled = Filled{.mesh = std::move(mesh), .surface = std::move(surface.report)};
+}
+
 /// The only place where what stages throw becomes a value: each says what, where and what to try.
 template <class Function>
 void note_refusal(Attempt& attempt, Function work) {
@@ -181,8 +221,9 @@ class SizeLoop {
             attempt.has_narrow_faces = surface.report.has_opposite_nodes;
             is_spent_ = may_be_last && !may_divide_otherwise(attempt);
             if (may_be_last && !is_spent_) kept_.mesh = taken_back(surface);
-            fill_volume(brep_, field_, std::move(surface), is_spent_ ? std::move(kept_) : kept_, options_, attempt,
-                        context_);
+            const auto finish = brep_.dimension() == Dimension::solids ? fill_volume : take_surface;
+            finish(brep_, field_, std::move(surface), is_spent_ ? std::move(kept_) : kept_, options_, attempt,
+                   context_);
         });
         return attempt;
     }
@@ -199,7 +240,9 @@ class SizeLoop {
         for (const std::string& place : folded_places_)
             best_->surface.warnings.push_back(
                 "The mesh is finer than asked at " + place +
-                ", because 10-node tetrahedra of that size would be folded, or nearly so, by the curved face.");
+                (brep_.dimension() == Dimension::solids
+                     ? ", because 10-node tetrahedra of that size would be folded, or nearly so, by the curved face."
+                     : ", because 6-node triangles of that size would be folded, or nearly so, by the curved face."));
         if (!why_plain_.empty()) best_->surface.warnings.push_back(in_words_of_plain_size(why_plain_));
     }
 
@@ -315,6 +358,7 @@ class SizeLoop {
 
 Expectation expectation_of(const Brep& brep) {
     Expectation expected;
+    expected.dimension = brep.dimension();
     for (std::size_t s = 0; s < brep.solid_count(); ++s) expected.solid_volumes.push_back(brep.volume_of(SolidId(s)));
     expected.face_sides = brep.sides_of_faces();
     // Chords cut curved faces; how much is the judgement of the surface module, so only gross errors count here.

@@ -29,10 +29,10 @@ Expectation expectation_of(const Brep& brep);
 struct Filled {
     Mesh mesh;
     SurfaceReport surface;
-    VolumeReport volume;
-    std::vector<TetId> released;
-    std::vector<NodeId> moved;
-    std::vector<Vec3> used_active;
+    VolumeReport volume = {};
+    std::vector<TetId> released = {};
+    std::vector<NodeId> moved = {};
+    std::vector<Vec3> used_active = {};
     std::optional<SizingField> sizing = {};  ///< as asked; what the mesher itself made shorter is not in it
     bool refines_narrow_faces = false;       ///< the sizing does
 };
@@ -43,9 +43,9 @@ std::string in_words_of_plain_size(const std::string& why);
 /// What to fill a full mesh from.
 Kept nothing_kept(NextNumbers next);
 
-/// Surface, volume, mid-side nodes and validation of all that is not kept. Whatever finds that a place needs other
-/// lengths asks for them, and all is filled again with these, as often as `rounds` leaves room for; each is noted
-/// there. `sources` are the field's own. The refusal of the last where no valid mesh can be made.
+/// Surface, volume (of solids only), mid-side nodes and validation of all that is not kept. Whatever finds that a place
+/// needs other lengths asks for them, and all is filled again with these, as often as `rounds` leaves room for; each is
+/// noted there. `sources` are the field's own. The refusal of the last where no valid mesh can be made.
 std::variant<Filled, std::string> fill_part(const Brep& brep, const SizingField& sizing, Kept kept,
                                             const MeshOptions& options, std::span<const SizeSource> sources,
                                             std::vector<Round>& rounds, RunContext& context);

@@ -219,7 +219,7 @@ class Matcher {
     std::vector<FaceId> faces_around(EdgeId edge) const {
         std::vector<FaceId> faces;
         for (const FaceId face : brep_.faces_of(edge)) {
-            if (!is_used(brep_, face)) continue;
+            if (!brep_.is_meshed(face)) continue;
             faces.push_back(face);
             if (brep_.is_seam(edge, face)) faces.push_back(face);
         }

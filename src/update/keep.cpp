@@ -2,12 +2,15 @@
 #include "update/keep.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "update/carried_nodes.h"
 #include "update/enclosure.h"
+#include "update/entity_finder.h"
 #include "update/kept_entities.h"
 #include "update/kept_mesh.h"
 #include "update/kept_tets.h"
+#include "update/kept_triangles.h"
 #include "update/solid_sides.h"
 
 namespace featuremesh {
@@ -29,16 +32,23 @@ class Keeper {
           is_resized_(motions_.size(), 0) {}
 
     Kept run() {
-        choose_motions();
-        context_.check_cancelled();
-        find_untouched_solids();
+        if (has_tets()) {
+            choose_motions();
+            context_.check_cancelled();
+            find_untouched_solids();
+        } else {
+            find_untouched_entities();
+            const std::vector<std::int32_t> motions = motions_without_tets(in_, untouched_entities_, context_);
+            std::copy(motions.begin(), motions.end(), motions_.begin());
+        }
         drop_near_changes();
         place_on_entities();
         clear_between_motions();
         context_.check_cancelled();
+        const std::optional<KeptTriangles> triangles = keep_triangles();
         const KeptTets tets(in_.old_mesh, motions_, nodes_.regions(), in_.old_brep, in_.new_brep, near_change_,
                             untouched_solids_, is_resized_);
-        Kept kept = assemble(nodes_, entities_, tets, context_);
+        Kept kept = assemble(nodes_, entities_, tets, triangles ? &*triangles : nullptr, context_);
         context_.check_cancelled();
         collect_active(kept, tets);
         return kept;
@@ -46,6 +56,7 @@ class Keeper {
 
   private:
     std::size_t node_count() const { return motions_.size(); }
+    bool has_tets() const { return in_.new_brep.dimension() == Dimension::solids; }
 
     // The nodes of tets inside a feature that moved prefer its motion, all others stay where they are. Nodes on the
     // feature's own faces may be outside of its triangulation; the middles of their tets are not.
@@ -93,6 +104,22 @@ class Keeper {
             if (old.order == 2)
                 for (const NodeId n : old.tet_mids[t]) in_untouched_[n.index()] = 1;
         }
+    }
+
+    void find_untouched_entities() {
+        untouched_entities_ = untouched_entities(in_);
+        if (std::count(untouched_entities_.begin(), untouched_entities_.end(), 1) == 0) return;
+        near_change_.assign(node_count(), 0);
+        in_untouched_ = nodes_on(in_.old_mesh, untouched_entities_);
+    }
+
+    // A node without a triangle that stays serves nothing.
+    std::optional<KeptTriangles> keep_triangles() {
+        if (in_.new_brep.dimension() != Dimension::faces) return std::nullopt;
+        KeptTriangles triangles(in_.old_mesh, motions_, near_change_, untouched_entities_);
+        for (std::size_t n = 0; n < node_count(); ++n)
+            if (!triangles.has_kept(n)) motions_[n] = dropped;
+        return triangles;
     }
 
     bool has_same_vertices_inside(const FaceChange& kept) const {
@@ -144,6 +171,7 @@ class Keeper {
 
     // Identity first: a carried node that comes near one that stayed is dropped.
     void clear_between_motions() {
+        if (!has_tets()) return clear_between_motions_without_tets();
         for (std::size_t r = 1; r < nodes_.regions().size(); ++r) {
             Box box;
             double spacing = 0;
@@ -165,6 +193,39 @@ class Keeper {
         }
     }
 
+    // Likewise, but only on a face, or edge, that both are on.
+    void clear_between_motions_without_tets() {
+        if (nodes_.regions().size() < 2) return;
+        const bool has_faces = in_.new_brep.dimension() == Dimension::faces;
+        std::vector<std::vector<std::size_t>> on(has_faces ? in_.new_brep.face_count() : in_.new_brep.edge_count());
+        for (std::size_t n = 0; n < node_count(); ++n) {
+            if (motions_[n] == dropped) continue;
+            const Entity entity = entities_.entities()[n];
+            if (has_faces)
+                for (const FaceId face : in_.new_brep.faces_at(entity)) on[face.index()].push_back(n);
+            else
+                for (const EdgeId edge : edges_at(in_.new_brep, entity)) on[edge.index()].push_back(n);
+        }
+        for (const std::vector<std::size_t>& nodes : on)
+            for (std::size_t r = 1; r < nodes_.regions().size(); ++r) clear_beside_settled(nodes, std::int32_t(r));
+    }
+
+    void clear_beside_settled(const std::vector<std::size_t>& nodes, std::int32_t motion) {
+        std::vector<Vec3> settled;
+        double spacing = 0;
+        for (const std::size_t n : nodes) {
+            if (motions_[n] >= 0 && motions_[n] < motion) settled.push_back(nodes_.at(n));
+            if (motions_[n] == motion)
+                spacing = std::max(spacing, clearance_between_motions * in_.new_sizing.at(nodes_.at(n)));
+        }
+        if (settled.empty() || spacing == 0) return;
+        const PointGrid grid(std::move(settled), spacing);
+        for (const std::size_t n : nodes)
+            if (motions_[n] == motion &&
+                grid.has_within(nodes_.at(n), clearance_between_motions * in_.new_sizing.at(nodes_.at(n))))
+                motions_[n] = dropped;
+    }
+
     void collect_active(Kept& kept, const KeptTets& tets) const {
         RoundWatch watch(context_);
         for (std::size_t n = 0; n < in_.old_mesh.corner_count; ++n) {
@@ -183,9 +244,10 @@ class Keeper {
     std::vector<std::int32_t> motions_;  // by old node: index of its carried region
     const CarriedNodes nodes_;
     KeptEntities entities_;
-    std::vector<char> untouched_solids_;  // by old solid; empty where there is only one
-    std::vector<char>
-        in_untouched_;  // by old node: a tet of an untouched solid has it; empty where there is no such solid
+    std::vector<char> untouched_solids_;    // by old solid; empty where there is only one
+    std::vector<char> untouched_entities_;  // by old face, or edge, where those are meshed
+    // By old node: an element of an untouched solid, or face, has it; empty where there is none.
+    std::vector<char> in_untouched_;
     std::vector<char> near_change_;  // likewise: and it stays for those tets only
     std::vector<char> is_resized_;   // by old node: it goes, since another size is wanted
 };

@@ -13,8 +13,9 @@ namespace {
 
 class Assembler {
   public:
-    Assembler(const CarriedNodes& nodes, const KeptEntities& entities, const KeptTets& tets, RunContext& context)
-        : nodes_(nodes), in_(nodes.input), entities_(entities), tets_(tets), context_(context) {}
+    Assembler(const CarriedNodes& nodes, const KeptEntities& entities, const KeptTets& tets,
+              const KeptTriangles* triangles, RunContext& context)
+        : nodes_(nodes), in_(nodes.input), entities_(entities), tets_(tets), triangles_(triangles), context_(context) {}
 
     Kept run() {
         Kept kept;
@@ -146,7 +147,7 @@ class Assembler {
 
     void take_triangles(Kept& kept, const std::vector<std::int32_t>& new_index) const {
         const Mesh& old = in_.old_mesh;
-        const std::vector<char> backed = backed_by_kept_tets(new_index);
+        const std::vector<char> backed = triangles_ ? kept_triangles() : backed_by_kept_tets(new_index);
         std::map<std::tuple<std::size_t, FaceId, FaceId>, bool> flipped;
         auto flip = flipped.end();
         for (std::size_t t = 0; t < old.triangles.size(); ++t) {
@@ -172,6 +173,12 @@ class Assembler {
             kept.mesh.triangle_numbers.push_back(old.triangle_numbers[t]);
             kept.triangle_origin.push_back(std::int32_t(t));
         }
+    }
+
+    std::vector<char> kept_triangles() const {
+        std::vector<char> is_kept(in_.old_mesh.triangles.size());
+        for (std::size_t t = 0; t < is_kept.size(); ++t) is_kept[t] = triangles_->is_kept(t);
+        return is_kept;
     }
 
     // A triangle stays with the tet behind it: the cavity's boundary is then where kept tets end. Around a node off the
@@ -290,21 +297,37 @@ class Assembler {
         for (const CarriedRegion& region : nodes_.regions()) kept.by_motion.push_back({region.motion, region.features});
         for (const std::int32_t n : kept.node_origin)
             ++kept.by_motion[std::size_t(nodes_.motions[std::size_t(n)])].nodes;
+        if (in_.old_mesh.tets.empty()) return count_elements_without_tets(kept);
         const std::vector<std::size_t> counts = tets_.counts();
         for (std::size_t r = 0; r < counts.size(); ++r) kept.by_motion[r].tets = counts[r];
+    }
+
+    void count_elements_without_tets(Kept& kept) const {
+        const auto count = [&](const auto& elements) {
+            for (const auto& nodes : elements) {
+                const std::size_t first = std::size_t(kept.node_origin[nodes[0].index()]);
+                ++kept.by_motion[std::size_t(nodes_.motions[first])].tets;
+            }
+        };
+        if (triangles_)
+            count(kept.mesh.triangles);
+        else
+            count(kept.mesh.segments);
     }
 
     const CarriedNodes& nodes_;
     const KeepInput& in_;
     const KeptEntities& entities_;
     const KeptTets& tets_;
+    const KeptTriangles* triangles_;
     RunContext& context_;
 };
 
 }  // namespace
 
-Kept assemble(const CarriedNodes& nodes, const KeptEntities& entities, const KeptTets& tets, RunContext& context) {
-    return Assembler(nodes, entities, tets, context).run();
+Kept assemble(const CarriedNodes& nodes, const KeptEntities& entities, const KeptTets& tets,
+              const KeptTriangles* triangles, RunContext& context) {
+    return Assembler(nodes, entities, tets, triangles, context).run();
 }
 
 }  // namespace featuremesh

@@ -5,11 +5,14 @@
 #include "update/carried_nodes.h"
 #include "update/kept_entities.h"
 #include "update/kept_tets.h"
+#include "update/kept_triangles.h"
 
 namespace featuremesh {
 
 /// Takes the nodes of kept tets, those tets, the triangles before them and the segments between kept nodes, in their
-/// old order, with their numbers. Nothing active yet.
-Kept assemble(const CarriedNodes& nodes, const KeptEntities& entities, const KeptTets& tets, RunContext& context);
+/// old order, with their numbers. Nothing active yet. `triangles`: of a mesh of faces those that stay; null where tets
+/// tell.
+Kept assemble(const CarriedNodes& nodes, const KeptEntities& entities, const KeptTets& tets,
+              const KeptTriangles* triangles, RunContext& context);
 
 }  // namespace featuremesh

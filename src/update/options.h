@@ -2,6 +2,7 @@
 // What the user asks of a mesh.
 #pragma once
 
+#include "core/dimension.h"
 #include "sizing/sizing_field.h"
 #include "volume/fill_solids.h"
 
@@ -10,7 +11,8 @@ namespace featuremesh {
 struct MeshOptions {
     SizingOptions sizing;
     VolumeOptions volume;
-    int order = 1;            ///< 1: 4-node tets, 2: 10-node tets
+    int order = 1;  ///< 1: 4-node tets, 3-node triangles and 2-node segments; 2: with mid-side nodes
+    Dimension dimension = Dimension::from_shape;
     double keep_margin = 0;   ///< a node is kept when the changed boundary is further off than this many edge lengths;
                               ///< 0: as the sizes need
     double most_tets = 50e6;  ///< more than this are refused

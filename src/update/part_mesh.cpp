@@ -37,8 +37,8 @@ constexpr double resolution_of_changes = 1.0 / 3, finest_resolution_needed = 0.5
 /// What is wrong with so many tets, if there are too many.
 std::string if_too_many(const Brep& brep, const SizingField& sizing, const MeshOptions& options,
                         const RunContext& context) {
-    if (!may_ask_for_more_tets(brep, sizing, options.most_tets)) return {};
-    const double tets = estimate_tets(brep, sizing, context);
+    if (brep.dimension() == Dimension::solids && !may_ask_for_more_tets(brep, sizing, options.most_tets)) return {};
+    const double tets = estimate_elements(brep, sizing, context);
     if (tets <= options.most_tets) return {};
     return "A size of " + in_words(options.sizing.size) + " mm would make about " +
            std::to_string(std::llround(tets / 1e6)) + " million elements; at most " +
@@ -65,11 +65,21 @@ auto with_our_errors(Function work) {
     }
 }
 
-void record_mesh(const Mesh& mesh, const SizingField& sizing, const MeshOptions& options, RunContext& context,
-                 Report& report) {
+/// Of the elements that fill the part.
+std::size_t element_count(const Mesh& mesh, Dimension dimension) {
+    return dimension == Dimension::solids  ? mesh.tets.size()
+           : dimension == Dimension::faces ? mesh.triangles.size()
+                                           : mesh.segments.size();
+}
+
+void record_mesh(const Mesh& mesh, const PartState& part, const SizingField& sizing, const MeshOptions& options,
+                 RunContext& context, Report& report) {
     const RunContext::Step step(context, "measure");
     report.nodes = mesh.node_count();
     report.tets = mesh.tets.size();
+    report.triangles = mesh.triangles.size();
+    report.segments = mesh.segments.size();
+    report.dimension = part.brep.dimension();
     report.order = options.order;
     report.size = options.sizing.size;
     report.quality = measure_quality(mesh, context);
@@ -166,14 +176,15 @@ std::string reason_for_full_mesh(const PartMesh& old, const MeshOptions& options
     return {};
 }
 
-FeatureTree interpreted(const RawDocument& document, RunContext& context, const FeatureTree* known) {
+FeatureTree interpreted(const RawDocument& document, RunContext& context, const FeatureTree* known,
+                        Dimension dimension) {
     const RunContext::Step step(context, "read");
-    return interpret(document, context, known);
+    return interpret(document, context, known, dimension);
 }
 
-PartState part_of(FeatureTree tree, RunContext& context) {
+PartState part_of(FeatureTree tree, Dimension dimension, RunContext& context) {
     const RunContext::Step step(context, "read");
-    Brep brep(tree.final_shape);
+    Brep brep(tree.final_shape, dimension);
     return {std::move(tree), std::move(brep), {}};
 }
 
@@ -191,8 +202,9 @@ double margin_of(const MeshOptions& options, const SizingField& sizing) {
 }
 
 /// The share of the part that is not kept.
-double share_to_fill(const Kept& kept, const Mesh& old) {
-    return 1 - double(kept.tet_origin.size()) / double(std::max<std::size_t>(1, old.tets.size()));
+double share_to_fill(const Kept& kept, const Mesh& old, Dimension dimension) {
+    return 1 - double(element_count(kept.mesh, dimension)) /
+                   double(std::max<std::size_t>(1, element_count(old, dimension)));
 }
 
 /// The document is the same to the last bit, and so is its mesh.
@@ -205,7 +217,7 @@ PartMeshResult unchanged(const PartMesh& old, RunContext& context) {
     std::iota(now->node_origin.begin(), now->node_origin.end(), 0);
     std::iota(now->tet_origin.begin(), now->tet_origin.end(), 0);
     now->active_points.clear();
-    record_mesh(old.mesh, old.sizing, old.options, context, report);
+    record_mesh(old.mesh, old.part, old.sizing, old.options, context, report);
     record_kept(
         *now, {{RigidMotion{}, report.difference.regions[0].features, now->node_origin.size(), now->tet_origin.size()}},
         report);
@@ -221,7 +233,9 @@ class Stages {
         : options_(std::move(options)), document_(std::move(document)), context_(context) {}
 
     /// `before`: the state before an edit, or none.
-    void read(const PartState* before) { part_ = read_part_to_mesh(document_, context_, before); }
+    void read(const PartState* before) { part_ = read_part_to_mesh(document_, context_, before, options_.dimension); }
+
+    Dimension dimension() const { return part_->brep.dimension(); }
 
     void make_sizing(std::vector<SizeSource> adopted_sizes) {
         const RunContext::Step step(context_, "surface");
@@ -238,7 +252,7 @@ class Stages {
                     [&] { report_.difference = compare(before, *part_, resolution(*sizing_, options_), context_); }))
             return true;
         report_.fallbacks.push_back("full mesh: what changed could not be found: " + why);
-        part_ = read_part_to_mesh(document_, context_);
+        part_ = read_part_to_mesh(document_, context_, nullptr, options_.dimension);
         return false;
     }
 
@@ -257,7 +271,7 @@ class Stages {
                              context_);
             });
             if (is_kept) {
-                const double share = share_to_fill(kept_, old.mesh);
+                const double share = share_to_fill(kept_, old.mesh, dimension());
                 if (share_tried > 0 && share_tried + share > 1) {
                     why_nothing_ = "full mesh: keeping still less would take longer than meshing the part anew";
                     return;
@@ -316,12 +330,13 @@ class Stages {
     /// The mesh with all that its next update needs, and the report. `before`: what it was an update of, or none.
     PartMeshResult finish(const Mesh* before_mesh, const PartMesh* before) {
         Mesh& mesh = filled_->mesh;
-        record_mesh(mesh, *sizing_, options_, context_, report_);
+        record_mesh(mesh, *part_, *sizing_, options_, context_, report_);
         record_fill(*filled_, report_);
         std::vector<std::int32_t> node_origin = before_mesh
                                                     ? node_origins(*before_mesh, *filled_, node_origin_, context_)
                                                     : extended({}, mesh.node_count());
-        std::vector<std::int32_t> tet_origin = extended(without(tet_origin_, filled_->released), mesh.tets.size());
+        std::vector<std::int32_t> tet_origin =
+            extended(without(tet_origin_, filled_->released), element_count(mesh, dimension()));
         MadeFor sizes;
         if (before) sizes = made_for(mesh, *sizing_, {before->mesh, before->sizing, before->made_for}, node_origin);
         auto now = std::make_shared<PartMesh>(PartMesh{std::move(*part_), std::move(document_), options_,
@@ -351,7 +366,9 @@ class Stages {
 
     bool fill_gaps(const MeshOptions& options, std::string& why) {
         node_origin_ = std::move(kept_.node_origin);
-        tet_origin_ = std::move(kept_.tet_origin);
+        tet_origin_ = std::move(dimension() == Dimension::solids  ? kept_.tet_origin
+                                : dimension() == Dimension::faces ? kept_.triangle_origin
+                                                                  : kept_.segment_origin);
         report_.kept = std::move(kept_.by_motion);
         auto filled =
             fill_part(part_->brep, *sizing_, std::move(kept_), options, adopted_sizes_, report_.rounds, context_);
@@ -392,15 +409,17 @@ class Stages {
 
 }  // namespace
 
-PartState read_part(const RawDocument& document, RunContext& context, const FeatureTree* known) {
-    PartState part = part_of(interpreted(document, context, known), context);
+PartState read_part(const RawDocument& document, RunContext& context, const FeatureTree* known, Dimension dimension) {
+    PartState part = part_of(interpreted(document, context, known, dimension), dimension, context);
     const RunContext::Step step(context, "cells");
     part.cells = build_cells(part.tree, part.brep, context);
     return part;
 }
 
-PartState read_part_to_mesh(const RawDocument& document, RunContext& context, const PartState* before) {
-    PartState part = part_of(interpreted(document, context, before ? &before->tree : nullptr), context);
+PartState read_part_to_mesh(const RawDocument& document, RunContext& context, const PartState* before,
+                            Dimension dimension) {
+    PartState part =
+        part_of(interpreted(document, context, before ? &before->tree : nullptr, dimension), dimension, context);
     const RunContext::Step step(context, "read");
     part.cells = before ? cells_without_fuse(part.tree, part.brep, CellsBefore{before->tree, before->cells})
                         : cells_without_fuse(part.tree, part.brep);
@@ -418,12 +437,14 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     MeshOptions options = asked;
     options.sizing.refines_narrow_faces = old.options.sizing.refines_narrow_faces;
     if (options == old.options && document == old.document) return unchanged(old, context);
-    const std::string why_full = reason_for_full_mesh(old, options);
+    std::string why_full = reason_for_full_mesh(old, options);
 
     Stages stages(std::move(document), std::move(options), context);
     stages.read(&old.part);
+    const bool is_alike = stages.dimension() == old.part.brep.dimension();
+    if (!is_alike) why_full = "solids, faces or edges are meshed that were not before";
     stages.make_sizing(why_full.empty() ? old.adopted_sizes : std::vector<SizeSource>{});
-    const bool is_compared = stages.compare_with(old.part);
+    const bool is_compared = is_alike && stages.compare_with(old.part);
     if (!why_full.empty())
         stages.give_up_keeping("full mesh: " + why_full);
     else if (is_compared)
@@ -439,6 +460,8 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& asked, const 
 
     Stages stages(std::move(document), std::move(options), context);
     stages.read(nullptr);
+    if (stages.dimension() != Dimension::solids)
+        throw InputError("Only meshes of solids can be adopted. Mesh the part's faces or edges anew.");
     stages.make_sizing(local_sizes(foreign, asked.sizing.size));
     stages.fill_beside_fitting(foreign);
     stages.fill_rest({foreign.next_node_number, foreign.next_element_number});
@@ -448,18 +471,18 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& asked, const 
 std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& options, Mesh mesh,
                                              RunContext& context, MadeFor made_for,
                                              std::vector<SizeSource> adopted_sizes) {
-    PartState part = read_part_to_mesh(document, context);
+    PartState part = read_part_to_mesh(document, context, nullptr, options.dimension);
     const std::vector<std::string> broken = broken_invariants(mesh, expectation_of(part.brep), context);
     if (!broken.empty()) throw StateError("The saved mesh does not fit the part: " + broken.front() + ".");
     const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
-    const std::size_t nodes = mesh.node_count(), tets = mesh.tets.size();
+    const std::size_t nodes = mesh.node_count(), elements = element_count(mesh, part.brep.dimension());
     return std::make_shared<const PartMesh>(PartMesh{std::move(part),
                                                      std::move(document),
                                                      options,
                                                      sizing,
                                                      std::move(mesh),
                                                      std::vector<std::int32_t>(nodes, -1),
-                                                     std::vector<std::int32_t>(tets, -1),
+                                                     std::vector<std::int32_t>(elements, -1),
                                                      {},
                                                      std::move(made_for),
                                                      std::move(adopted_sizes)});

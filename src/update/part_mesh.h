@@ -22,7 +22,7 @@ struct PartMesh {
     SizingField sizing;    ///< that the mesh was made with
     Mesh mesh;
     std::vector<std::int32_t> node_origin;  ///< by node: its index in the mesh before the update, -1 for a new one
-    std::vector<std::int32_t> tet_origin;   ///< by tet, likewise
+    std::vector<std::int32_t> tet_origin;   ///< by tet, likewise; by triangle or segment where those fill the part
     std::vector<Vec3> active_points;        ///< start positions that survived without being kept, for pictures
     MadeFor made_for = {};                  ///< what kept nodes were made for, where that is not what is wanted now
     std::vector<SizeSource> adopted_sizes =
@@ -36,9 +36,11 @@ struct PartMeshResult {
 
 /// The feature tree, the final shape and the cells of a document. What features did as in `known`, the tree of another
 /// state, is not looked into again. Throws InputError when there is no solid.
-PartState read_part(const RawDocument& document, RunContext& context, const FeatureTree* known = nullptr);
+PartState read_part(const RawDocument& document, RunContext& context, const FeatureTree* known = nullptr,
+                    Dimension dimension = Dimension::from_shape);
 /// The same without cells, which a mesh does not need (see cells_without_fuse). `before`: the state before an edit.
-PartState read_part_to_mesh(const RawDocument& document, RunContext& context, const PartState* before = nullptr);
+PartState read_part_to_mesh(const RawDocument& document, RunContext& context, const PartState* before = nullptr,
+                            Dimension dimension = Dimension::from_shape);
 
 /// Meshes the part from scratch, with numbers from `next` on.
 PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context, NextNumbers next = {});
@@ -49,7 +51,8 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
 /// Makes another maker's mesh of the part ours: what fits the part's shape stays bit for bit with its numbers, the rest
 /// is filled anew and reported. Of `foreign` the nodes, tets, numbers and counters count; its triangles and segments
 /// only give theirs their numbers. options.order is its order. Where its edges are clearly shorter than the wanted size
-/// they are the wanted size from then on, until a mesh is made from scratch. Throws InputError when nothing of it fits.
+/// they are the wanted size from then on, until a mesh is made from scratch. Throws InputError when nothing of it fits,
+/// and for a part without solids.
 PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, const Mesh& foreign, RunContext& context);
 
 /// Rebuilds the state of a part whose mesh was saved. Throws StateError when mesh and part do not fit.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/dimension.h"
 #include "difference/feature_difference.h"
 #include "mesh/quality.h"
 #include "sizing/size_conformity.h"
@@ -18,11 +19,12 @@ namespace featuremesh {
 struct KeptByMotion {
     RigidMotion motion;
     std::vector<std::string> features;
-    std::size_t nodes = 0, tets = 0;
+    std::size_t nodes = 0, tets = 0;  ///< tets, or what fills the part
 };
 
 struct Report {
-    std::size_t nodes = 0, tets = 0;
+    std::size_t nodes = 0, tets = 0, triangles = 0, segments = 0;
+    Dimension dimension = Dimension::solids;  ///< of the elements that fill the part
     int order = 1;
     double size = 0;                        ///< mm
     std::map<std::string, double> seconds;  ///< read, difference, keep, surface, volume, optimise, validate, measure
@@ -30,7 +32,7 @@ struct Report {
     double peak_memory_mb = 0;
     QualityReport quality;
     SizeConformity lengths;
-    double kept_nodes_share = 0, kept_tets_share = 0;  ///< of the new mesh
+    double kept_nodes_share = 0, kept_tets_share = 0;  ///< of the new mesh, and of the elements that fill the part
     std::vector<KeptByMotion> kept;
     std::size_t active_nodes = 0;
     FeatureDifference difference;

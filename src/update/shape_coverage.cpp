@@ -71,7 +71,7 @@ void sample_open_faces(const Brep& brep, const Mesh& mesh, const std::vector<Mat
         }
     const Projector projector(brep);
     for (std::size_t f = 0; f < brep.face_count(); ++f) {
-        if (!is_used(brep, FaceId(f))) continue;
+        if (!brep.is_meshed(FaceId(f))) continue;
         const double reach = nearest_corner * longest[f] + spacing;
         const PointGrid grid(std::move(corners[f]), reach);
         const std::size_t before = points.size();

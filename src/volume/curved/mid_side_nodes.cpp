@@ -113,6 +113,17 @@ struct Curved {
     double smallest = 1;             ///< scaled Jacobian
 };
 
+/// Gives the mesh its mid-side nodes; which nodes are new.
+std::vector<bool> place_mid_side_nodes(const Brep& brep, const Projector& projector, Mesh& mesh, const Mesh* kept,
+                                       RunContext& context) {
+    const std::vector<NodeId> added = add_mid_side_nodes(mesh, kept, context);
+    std::vector<bool> is_new(mesh.points.size(), false);
+    for (NodeId n : added) is_new[n.index()] = true;
+    place_on_edges(projector, brep.tolerances().negligible(), is_new, mesh);
+    place_on_faces(projector, is_new, mesh, context);
+    return is_new;
+}
+
 /// Gives the mesh its mid-side nodes and moves nodes until every element reaches the target, if that can be.
 Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh* kept, RunContext& context) {
     // an element whose Jacobian varies more than this makes the solution worse
@@ -122,11 +133,7 @@ Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh
     if (kept)
         for (std::size_t n = 0; n < mesh.points.size(); ++n)
             is_movable[n] = mesh.node_numbers[n] >= kept->next_node_number;
-    const std::vector<NodeId> added = add_mid_side_nodes(mesh, kept, context);
-    std::vector<bool> is_new(mesh.points.size(), false);
-    for (NodeId n : added) is_new[n.index()] = true;
-    place_on_edges(projector, brep.tolerances().negligible(), is_new, mesh);
-    place_on_faces(projector, is_new, mesh, context);
+    std::vector<bool> is_new = place_mid_side_nodes(brep, projector, mesh, kept, context);
     std::copy(is_movable.begin(), is_movable.end(), is_new.begin());
     Curved result{std::move(mesh), {}, {}, 1};
     result.low = unfold_tets(result.mesh, projector, is_new, {wanted_scaled_jacobian, brep.tolerances().least_volume()},
@@ -228,6 +235,12 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
         context.log(std::to_string(trouble.size()) + " elements are refined near " + place +
                     " so that their curved sides do not fold them.");
     }
+}
+
+Mesh curved_without_tets(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {
+    RunContext::Step step(context, "surface");
+    place_mid_side_nodes(brep, Projector(brep), mesh, kept, context);
+    return mesh;
 }
 
 Mesh curve_to_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {

@@ -27,7 +27,9 @@ struct SecondOrder {
 /// (those on entities along them), then the mesh is refined there. Elements of `kept` (a 10-node mesh, its elements in
 /// front in the same order) keep their nodes bit for bit.
 SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context);
-/// The same; throws MeshError that names the face where elements stay folded.
+/// Makes 3-node triangles and their segments 6-node and 3-node ones; no node moves. Of `kept` as above.
+Mesh curved_without_tets(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context);
+/// As try_second_order; throws MeshError that names the face where elements stay folded.
 Mesh curve_to_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context);
 
 }  // namespace featuremesh

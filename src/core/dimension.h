@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a mesh is made of.
+#pragma once
+
+namespace featuremesh {
+
+/// The elements that fill a part: segments on its edges, triangles on its faces, or tets in its solids. From the shape:
+/// solids where it has some, else faces, else edges.
+enum class Dimension { from_shape, edges, faces, solids };
+
+}  // namespace featuremesh
