@@ -60,6 +60,8 @@ def add_mesh(subparsers):
     add_part(mesh)
     mesh.add_argument("--size", type=float, metavar="H", help="edge length of the elements (default: chosen from the part)")
     mesh.add_argument("--order", type=int, choices=(1, 2), help="1: 4-node tetrahedra, too stiff in bending; 2: 10-node tetrahedra (default: 2, or as the document's mesh has it)")
+    mesh.add_argument("--dimension", choices=("solids", "faces", "edges"), help="what is meshed: solids with tetrahedra, faces with triangles (shells), edges "
+                      "with segments (beams); default: solids, else faces, else edges, as the part has them, or as the document's mesh has it")
     add_run(mesh)
 
 

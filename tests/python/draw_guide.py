@@ -10,6 +10,7 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
+import Part  # noqa: E402
 import window  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
 from window import panel, spin, wait_for  # noqa: E402
@@ -85,6 +86,42 @@ def draw():
     spin()
     draw_live(document, mesh)
     draw_difference(main, versions.part_of(mesh), mesh, compare.Command().show, path)
+    draw_shells()
+
+
+def folded_sheet(document):
+    """A sheet with a round fold and a hole in it; "Sheet", and "Tool", which cuts the hole."""
+    Vector = FreeCAD.Vector
+    wire = Part.Wire([Part.makeLine(Vector(0, 0, 60), Vector(0, 0, 12)), Part.Arc(Vector(0, 0, 12), Vector(3.5, 0, 3.5), Vector(12, 0, 0)).toShape(),
+                      Part.makeLine(Vector(12, 0, 0), Vector(90, 0, 0))])
+    profile, fold = document.addObject("Part::Feature", "Profile"), document.addObject("Part::Extrusion", "Fold")
+    profile.Shape = wire
+    fold.Base, fold.DirMode, fold.Dir, fold.LengthFwd, fold.Solid = profile, "Custom", Vector(0, 1, 0), 70, False
+    tool, sheet = document.addObject("Part::Cylinder", "Tool"), document.addObject("Part::Cut", "Sheet")
+    tool.Radius, tool.Height, tool.Placement.Base = 10, 20, Vector(45, 35, -10)
+    sheet.Base, sheet.Tool = fold, tool
+    document.recompute()
+    return sheet, tool
+
+
+def draw_shells():
+    """What the last update of a sheet kept."""
+    from freecad.featuremesh import api
+    document = FreeCAD.newDocument("Shells")
+    sheet, tool = folded_sheet(document)
+    mesh = api.add_mesh(sheet, 4)
+    document.recompute()
+    tool.Placement.Base = FreeCAD.Vector(52, 35, -10)
+    document.recompute()
+    sheet.ViewObject.Visibility = False
+    view = Gui.activeDocument().activeView()
+    view.viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(mesh)
+    Gui.runCommand("FeatureMesh_ShowKept")
+    save("shells")
+    panel("KeptPanel").reject()
 
 
 def draw_live(document, mesh):

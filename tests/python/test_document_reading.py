@@ -276,10 +276,23 @@ class Finding(unittest.TestCase):
 
     def test_none(self):
         document = new_document()
-        document.addObject("Part::Plane", "Plane")
+        document.addObject("App::FeaturePython", "Plan")
         document.recompute()
         with self.assertRaisesRegex(UserError, "no solid"):
             reading.find_meshable(document)
+
+    def test_without_a_solid_faces_count_and_without_these_edges(self):
+        document = new_document()
+        wire = document.addObject("Part::Feature", "Wire")
+        wire.Shape = Part.makeLine((0, 0, 0), (10, 0, 0))
+        self.assertIs(reading.find_meshable(document), wire)
+        plane = document.addObject("Part::Plane", "Plane")
+        document.recompute()
+        self.assertIs(reading.find_meshable(document), plane)
+        box = document.addObject("Part::Box", "Box")
+        document.recompute()
+        self.assertIs(reading.find_meshable(document), box)
+        self.assertIs(reading.find_meshable(document, "Plane"), plane)
 
     def test_unknown_name_comes_with_a_near_one(self):
         document = new_document()

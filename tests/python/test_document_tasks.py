@@ -183,8 +183,14 @@ class Tasks(unittest.TestCase):
         self.refused("no file", command="update", part=self.path("none.FCStd"))
 
     def test_document_without_a_solid(self):
-        path = self.save(Part.makePlane(3, 4))
+        path = self.save(Part.Vertex(3, 4, 0))
         self.refused("no solid", command="mesh", part=path)
+
+    def test_document_of_a_sheet(self):
+        path = self.save(Part.makePlane(3, 4))
+        self.refused("no solid", command="mesh", part=path, dimension="solids")
+        self.assertGreater(self.done(command="mesh", part=path)["data"]["triangles"], 100)
+        self.assertGreater(self.done(command="mesh", part=path, dimension="edges")["data"]["segments"], 10)
 
     def test_several_solids(self):
         path = self.save(Part.makeBox(1, 1, 1), Part.makeSphere(2))

@@ -16,6 +16,7 @@ from . import live_result as live_results
 from .about import facts
 from .errors import StateError, UserError
 from .mesh_object import FeatureMesh, is_feature_mesh, options_of
+from .mesh_properties import DIMENSIONS, FROM_SHAPE
 from .reports import plain
 
 translate = FreeCAD.Qt.translate
@@ -23,22 +24,25 @@ DEFAULT_ELEMENTS = 30
 
 
 def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=True, elements=DEFAULT_ELEMENTS,
-             join_analysis=True, active_analysis=None):
+             join_analysis=True, active_analysis=None, dimension=FROM_SHAPE):
     """Adds a mesh object for `part` to its document; recompute it, or call update_mesh, to mesh.
 
     `size` in mm, by default the part's diagonal over `elements`; `order` 2 for 10-node tetrahedra, 1 for 4-node ones, which are far too stiff
-    in bending. It joins the active analysis, where one is given, or the one that it is for, see analyses.for_new_mesh. Throws UserError for
-    sizes that make no sense.
+    in bending; `dimension` "Solids", "Faces" (triangles for shells), "Edges" (segments for beams), or by default what the shape has. It joins the
+    active analysis, where one is given, or the one that it is for, see analyses.for_new_mesh. Throws UserError for sizes that make no sense.
     """
     reading.refuse_unmeshable(part)
     if order not in (1, 2):
         raise UserError(translate("FeatureMesh", "the order is 1 (4-node) or 2 (10-node), not %s") % order)
+    if dimension not in DIMENSIONS:
+        raise UserError(translate("FeatureMesh", "the dimension is one of %s, not %s") % (", ".join(DIMENSIONS), dimension))
     size = default_size(part, elements) if size is None else length_of(size)
     check_size(size, part)
     mesh = part.Document.addObject(versions.mesh_object_type(), name)
     FeatureMesh(mesh)
     setattr(mesh, versions.part_property(mesh), part)
     mesh.Size, mesh.Order, mesh.Threads, mesh.Automatic = size, "2nd" if order == 2 else "1st", threads, automatic
+    mesh.Dimension = dimension
     if join_analysis:
         analysis, said = analyses.for_new_mesh(part, active_analysis)
         if analysis is not None:
@@ -162,7 +166,7 @@ def difference_to_file(part, path):
 
 
 def estimate_tets(mesh):
-    """About how many tets the mesh would have with its present settings."""
+    """About how many elements the mesh would have with its present settings."""
     return estimated_tets(*estimate_input(mesh))
 
 

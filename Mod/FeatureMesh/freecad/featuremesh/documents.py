@@ -117,7 +117,7 @@ def _shown(document):
     """Names of what a person wants to see first: the meshes, or without one the finished parts; loads and supports."""
     shown = [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemMeshObject")]
     if not shown:
-        shown = reading.final_solids(document)
+        shown = reading.final_parts(document)
         shown += [part.Tip for part in shown if getattr(part, "Tip", None) is not None]   # a body is drawn through its tip
     shown += [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemAnalysis") or obj.isDerivedFrom("Fem::Constraint")]
     return [obj.Name for obj in shown]

@@ -19,6 +19,8 @@ translate = FreeCAD.Qt.translate
 # Names of formats and of their files -> the module that writes them; None: FreeCAD does.
 FORMATS = {"vtu": vtu, "vtk": vtk, "inp": inp, "bdf": bdf, "msh": msh, "stl": stl, "unv": None, "med": None, "z88": None}
 _LONGEST_MED_NAME = 64
+# NASTRAN wants to know how the section lies, of which a mesh knows nothing; FreeCAD writes bars for Z88, without their middles.
+_WITHOUT_BEAMS = ("bdf", "stl", "z88")
 
 
 def write(mesh, path, file_format):
@@ -26,8 +28,12 @@ def write(mesh, path, file_format):
     file_format = file_format.lower()
     if file_format not in FORMATS:
         raise UserError(translate("FeatureMesh", "cannot export to %s, only to %s") % (file_format or path, ", ".join(FORMATS)))
-    if not mesh.FemMesh.VolumeCount:
+    if not mesh.FemMesh.NodeCount:
         raise UserError(translate("FeatureMesh", "%s has no mesh yet") % mesh.Label)
+    if file_format in _WITHOUT_BEAMS and not mesh.FemMesh.FaceCount:
+        raise UserError(translate("FeatureMesh", "%s has no form for a mesh of edges; export it as inp, vtu, vtk, msh, unv or med") % file_format)
+    if file_format == "z88" and not mesh.FemMesh.VolumeCount and mesh.Order == "1st" and mesh.FemMesh.FaceCount:
+        raise UserError(translate("FeatureMesh", "z88 has no 3-node triangles; mesh with 6-node triangles, or export it as inp, vtu, vtk, msh, unv or med"))
     name = os.path.splitext(os.path.basename(path))[0]
     if file_format == "med" and len(name.encode()) > _LONGEST_MED_NAME:
         raise UserError(translate("FeatureMesh", "a MED file keeps its mesh under the file's own name, which may have %d characters at most; "

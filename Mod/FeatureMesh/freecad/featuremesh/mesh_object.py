@@ -13,7 +13,7 @@ import numpy as np
 from . import adopt, analyses, engine, hand_over, history, log, mesh_properties, messages, references, refinements, results, solve_guard, state, too_fine, versions
 from .errors import EngineMissing, FailedUpdate, StateError, UserError
 from .job import MeshJob
-from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, is_of_its_part,
+from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FROM_SHAPE, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, is_of_its_part,
                               settings_of, status_in_words)
 from .numbering import Numbering
 from .reading import describe, elements_of_today, read_document, shape_of_record, with_elements
@@ -302,7 +302,7 @@ class FeatureMesh:
     def renew_analysis_groups(self, mesh):
         """Makes the groups of constraints and materials anew, without touching the mesh."""
         part = versions.part_of(mesh)
-        if part is None or not mesh.FemMesh.VolumeCount or not self._shown or self._following:
+        if part is None or not mesh.FemMesh.NodeCount or not self._shown or self._following:
             return
         try:
             arrays = self.arrays(mesh)
@@ -319,7 +319,7 @@ class FeatureMesh:
         At most one of the three is not None, none for a first mesh.
         """
         if self._part_mesh is None and not mesh.SavedState:
-            return None, None, (None if not mesh.FemMesh.VolumeCount else "the document holds no mesh state")
+            return None, None, (None if not mesh.FemMesh.NodeCount else "the document holds no mesh state")
         if self._has_in_memory(state.checksum_of(mesh.SavedState)):
             return self._part_mesh, None, None
         try:
@@ -480,6 +480,8 @@ def options_of(mesh, part, raw=None, refined=None):
                         % (describe(mesh), _HIGHEST_TARGET, mesh.QualityTarget))
     options["threads"] = int(options["threads"]) or os.cpu_count() or 1
     options["order"] = 2 if mesh.Order == "2nd" else 1
+    if mesh.Dimension != FROM_SHAPE:
+        options["dimension"] = mesh.Dimension.lower()
     options["min_size"] = options["min_size"] or AUTOMATIC_SHARE * options["size"]
     refined = refined or refinements.read(mesh, part, raw)
     too_fine.refuse_too_fine(part.Shape, options["size"], options["growth"], refined.at_entities())
@@ -510,10 +512,15 @@ def one_line(error):
     return " ".join(str(error).split()) or type(error).__name__
 
 
+def element_count(report):
+    """How many elements fill the part: tetrahedra, or triangles or segments where those are meshed."""
+    return int(report[{"faces": "triangles", "edges": "segments"}.get(report.get("dimension"), "tets")])
+
+
 def _show_report(mesh, report):
     report.setdefault("fallback", None)
     quality, kept = report.get("quality", {}), report.get("kept") or {}
-    mesh.NodeCount, mesh.TetCount = int(report["nodes"]), int(report["tets"])
+    mesh.NodeCount, mesh.TetCount = int(report["nodes"]), element_count(report)
     mesh.KeptNodes = int(100 * kept.get("nodes_share", 0.0))
     mesh.KeptTets = int(100 * kept.get("tets_share", 0.0))
     mesh.MinDihedral = float(quality.get("min_dihedral", 0.0))

@@ -15,6 +15,9 @@ OUT_OF_DATE = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: the part or a setti
 SETTINGS_CHANGED = QT_TRANSLATE_NOOP("FeatureMesh", "settings changed, not meshed yet")
 CANCELLED = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: the last update was cancelled")
 
+DIMENSIONS = ("From shape", "Solids", "Faces", "Edges")
+FROM_SHAPE = DIMENSIONS[0]
+
 # (type, name, group, default, read-only, tooltip)
 PROPERTIES = [
     ("App::PropertyLength", "Size", "Mesh size", 0.0, False, "Wanted edge length of the elements"),
@@ -30,6 +33,8 @@ PROPERTIES = [
      "Smallest angle in degrees that new elements are improved towards; below 30 is faster, above 35 is rarely reached"),
     ("App::PropertyEnumeration", "Order", "Mesh", ["1st", "2nd"], False,
      "1st: 4-node tetrahedra; 2nd: 10-node tetrahedra with their mid-side nodes on the surface"),
+    ("App::PropertyEnumeration", "Dimension", "Mesh", list(DIMENSIONS), False,
+     "What is meshed: solids with tetrahedra, faces with triangles (shells), edges with segments (beams); From shape: solids, else faces, else edges"),
     ("App::PropertyInteger", "Threads", "Mesh", 0, False,
      "Processor threads to use; 0: all. The mesh is the same for any number"),
     ("App::PropertyBool", "Automatic", "Mesh", True, False, "Update the mesh whenever the document is recomputed"),
@@ -37,12 +42,12 @@ PROPERTIES = [
     ("App::PropertyLinkList", "MeshGroupList", "Mesh", [], False, "FEM mesh groups"),
     ("App::PropertyString", "Status", "Result", NOT_MESHED, True, "Whether the mesh fits the part, and if not, why"),
     ("App::PropertyInteger", "NodeCount", "Result", 0, True, "Nodes of the mesh"),
-    ("App::PropertyInteger", "TetCount", "Result", 0, True, "Elements of the mesh: tetrahedra"),
+    ("App::PropertyInteger", "TetCount", "Result", 0, True, "Elements of the mesh: tetrahedra, or triangles or segments where faces or edges are meshed"),
     ("App::PropertyPercent", "KeptNodes", "Result", 0, True, "Share of the nodes kept bit for bit by the last update"),
     ("App::PropertyPercent", "KeptTets", "Result", 0, True, "Share of the elements kept by the last update"),
-    ("App::PropertyAngle", "MinDihedral", "Result", 0.0, True, "Smallest angle between two faces of an element"),
+    ("App::PropertyAngle", "MinDihedral", "Result", 0.0, True, "Smallest angle between two faces of an element, or at a corner of a triangle"),
     ("App::PropertyFloat", "MeanRadiusRatio", "Result", 0.0, True,
-     "Mean of three times the inscribed over the circumscribed radius; 1 for regular tetrahedra"),
+     "Mean of three times (of triangles, twice) the inscribed over the circumscribed radius; 1 for regular elements"),
     ("App::PropertyFloat", "Seconds", "Result", 0.0, True, "Time the last mesh or update took"),
     ("App::PropertyString", "Report", "Result", "", True, "Everything about the last mesh or update, as JSON"),
     ("App::PropertyFileIncluded", "SavedState", "Result", None, True, "What the next update needs"),
@@ -54,7 +59,8 @@ OPTION_OF = {"Size": "size", "MinSize": "min_size", "ElementsPerCircle": "elemen
               "ElementsAcrossGap": "elements_across_gap", "Growth": "growth", "QualityTarget": "target_dihedral_deg",
               "Threads": "threads"}
 # What a mesh depends on beside the part and its refinements.
-SETTINGS = (*(name for name in OPTION_OF if name != "Threads"), "Order")
+SETTINGS = (*(name for name in OPTION_OF if name != "Threads"), "Order", "Dimension")
+_WHAT_OLD_MESHES_HAD = {"Dimension": FROM_SHAPE}   # settings that came later
 AUTOMATIC_SHARE = 0.1   # of Size is the smallest size where none is given
 
 
@@ -83,7 +89,7 @@ def settings_of(mesh):
 
 def differ_from_mesh(mesh, settings):
     """Are these other settings than the mesh was made with? Meshes from before that was written down count as made with them."""
-    return settings != json.loads(mesh.Report or "{}").get("settings", settings)
+    return settings != {**_WHAT_OLD_MESHES_HAD, **json.loads(mesh.Report or "{}").get("settings", settings)}
 
 
 def status_in_words(status):

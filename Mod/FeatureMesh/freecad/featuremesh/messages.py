@@ -36,6 +36,8 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "The shape is empty. Recompute the document and mesh an object that has a solid."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The shape has no solid. Mesh a body or a Part object whose result is a solid."),
     QT_TRANSLATE_NOOP("FeatureMesh", "%s has no solid. Recompute the document, and mesh a body or a Part object whose result is a solid."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s has no face. Recompute the document, and mesh an object with faces, or its edges."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s has no edge. Recompute the document, and mesh an object with edges."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The shell of %s is open at %s. Close the gap (Part: Check geometry, then sew or rebuild the feature there)."),
     QT_TRANSLATE_NOOP("FeatureMesh", "%s has no positive volume. Its faces point inwards or cross each other; check the feature that made it "
                                      "(Part: Check geometry)."),
@@ -51,6 +53,8 @@ SENTENCES = (
                                      "any mesh of this size can follow; repair the feature, or ask for a smaller size on these faces."),
     QT_TRANSLATE_NOOP("FeatureMesh", "%s 10-node tetrahedra would be folded near %s: the face bends too much within one element. Ask for a smaller size "
                                      "there, or for 4-node tetrahedra."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "%s 6-node triangles would be folded near %s: the face bends too much within one element. Ask for a smaller size "
+                                     "there, or for 3-node triangles."),
     # The volume
     QT_TRANSLATE_NOOP("FeatureMesh", "The geometry kernel failed while meshing: %s. Try another size, or check the shape (Part: Check geometry)."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The part could not be filled: %s. Try another size, or check the shape (Part: Check geometry)."),
@@ -58,6 +62,7 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "the surface mesh does not close at %s; check the shape there, or try another size"),
     QT_TRANSLATE_NOOP("FeatureMesh", "the shape touches itself: nodes of %s lie in the same place, such as %s; repair it there (Part: Check geometry)"),
     QT_TRANSLATE_NOOP("FeatureMesh", "Not meshed, because no solid has them: %s."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "Not meshed, because no face has them: %s."),
     QT_TRANSLATE_NOOP("FeatureMesh", "triangles of %s cut one another; the shape may touch or cut itself there: repair it, or mesh finer there"),
     QT_TRANSLATE_NOOP("FeatureMesh", "the volume mesh cannot be made to meet the triangles of %s; mesh finer there, or check the shape for faces "
                                      "that cut or touch one another"),
@@ -82,6 +87,7 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked at %s, because elements of that size cannot follow the part there."),
     QT_TRANSLATE_NOOP("FeatureMesh", "Faces far narrower than the size are meshed at the plain size, since shorter edges failed: %s"),
     QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked at %s, because 10-node tetrahedra of that size would be folded, or nearly so, by the curved face."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked at %s, because 6-node triangles of that size would be folded, or nearly so, by the curved face."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The local size at %s is left out: the part has no such face, edge or vertex any more. Refer the refinement to another one."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s is suppressed and left out."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s refers to nothing and is left out. Choose faces, edges or vertices for it, or suppress it."),
@@ -95,6 +101,8 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "These solids touch or overlap without sharing faces: %s (%s). Each has a mesh of its own: no load passes "
                                      "between them, and where they overlap the material counts twice. If that is not meant, fuse them or join "
                                      "them (Part: Boolean Fragments)."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "These faces touch or cross without sharing edges: %s. Each sheet has a mesh of its own, and no load passes between "
+                                     "them. If that is not meant, join them (Part: Boolean Fragments)."),
     QT_TRANSLATE_NOOP("FeatureMesh", "the solids of the final shape overlap by %s mm^3; fuse them or mesh them one by one"),
     QT_TRANSLATE_NOOP("FeatureMesh", "In the place of another vertex within a millionth of the part, with which they share a node: %s."),
     QT_TRANSLATE_NOOP("FeatureMesh", "Too short for an element of their own: %s."),

@@ -2,7 +2,8 @@
 """What the faces, edges, vertices and solids of a part are called after an edit.
 
 Faces are followed by the engine. An edge is known by the faces that meet in it, a vertex likewise, a solid by the faces around
-it; where these leave a choice, the one that has not moved is meant.
+it; where these leave a choice, the one that has not moved is meant, or else the one that lies among the others as it did (of a sheet's
+free edges, which have the same one face).
 """
 
 import re
@@ -40,8 +41,17 @@ class Numbering:
             [i for i, around in enumerate(new_faces) if len(around) == len(images) and all(image & around for image in images)]
         if len(found) != 1:
             tolerance = _SAME_PLACE * self._new_shape.BoundBox.DiagonalLength
-            found = [i for i in found or range(len(news)) if _same_place(olds[index], news[i], tolerance)]
+            staying = [i for i in found or range(len(news)) if _same_place(olds[index], news[i], tolerance)]
+            alike = [i for i, around in enumerate(old_faces) if around == old_faces[index]]
+            is_choice = len(staying) != 1 and kind != "Solid" and len(alike) == len(found)
+            found = self._lying_alike(index, alike, found, olds, news) if is_choice else staying
         return ["%s%d" % (kind, found[0] + 1)] if len(found) == 1 else []
+
+    def _lying_alike(self, index, alike, found, olds, news):
+        """Of as many members after as before, all with the same faces, the one that lies among them as `index` did; none where that leaves a choice."""
+        before, after = _places_among([olds[i] for i in alike]), _places_among([news[i] for i in found])
+        chosen = [min(range(len(found)), key=lambda i, place=place: (after[i] - place).Length) for place in before]
+        return [found[chosen[alike.index(index)]]] if len(set(chosen)) == len(found) else []
 
     def was(self, name):
         """Names of the faces before that are in the face `name` now; empty for anything but a face."""
@@ -94,6 +104,14 @@ def _best_overlap(images, candidates):
     image = set().union(*images) if images else set()
     shared = [len(image & around) for around in candidates]
     return [i for i, count in enumerate(shared) if count and count == max(shared)]
+
+
+def _places_among(members):
+    """Where each lies among all of them, in shares of how far they reach."""
+    places = [member.Point if member.ShapeType == "Vertex" else member.CenterOfMass for member in members]
+    middle = sum(places[1:], places[0]) * (1 / len(places))
+    reach = max((place - middle).Length for place in places) or 1
+    return [(place - middle) * (1 / reach) for place in places]
 
 
 def _same_place(old, new, tolerance):

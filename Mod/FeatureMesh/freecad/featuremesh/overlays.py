@@ -8,9 +8,9 @@ import numpy as np
 
 from . import preferences
 from .errors import UserError
-from .formats import connectivity
+from .formats import connectivity, filling_of
 from .quality import MEASURES, mean_edge_length
-from .section import SeenMesh
+from .section import seen_of
 
 translate = FreeCAD.Qt.translate
 
@@ -21,7 +21,7 @@ class Overlay:
     numbers: np.ndarray            # (m,) of the elements
     colours: np.ndarray            # (m,3) shares of red, green and blue
     points: np.ndarray             # (n,3) mm
-    tets: np.ndarray               # (m,4) corners
+    elements: np.ndarray           # (m,4) corners of tets, or (m,3) of triangles
     on_surface: np.ndarray         # (n,) bool
     values: np.ndarray = None      # (m,) of the measure
     kept: np.ndarray = None        # (m,) bool
@@ -32,7 +32,7 @@ class Overlay:
     def drawn(self, plane=None, is_filled=False):
         """(k,3,3) corners of the triangles to draw, mm, and (k,3) their colours; cut open by a section.Plane: whole elements, or with the cut filled."""
         if self._seen is None:
-            self._seen = SeenMesh(self.points, self.tets)
+            self._seen = seen_of(self.points, self.elements)
         corners, owners = self._seen.cut_open(self.on_surface, plane, is_filled)
         return corners, self.colours[owners]
 
@@ -77,20 +77,28 @@ def worst_tets(mesh, count=10, measure="dihedral_angle"):
 
 
 def values_of(mesh, measure, arrays):
-    """(m,) the measure of each tet."""
-    tets = connectivity(arrays, "tets", "tet_mids")
+    """(m,) the measure of each element. Throws UserError where only edges are meshed."""
+    kind, mids, _, _ = _filling_to_look_at(arrays)
     if MEASURES[measure].values is not None:
-        return MEASURES[measure].values(arrays["points"], tets)
-    return size_ratio(mesh, arrays["points"], arrays["tets"])
+        return MEASURES[measure].values(arrays["points"], connectivity(arrays, kind, mids))
+    return size_ratio(mesh, arrays["points"], arrays[kind])
 
 
-def size_ratio(mesh, points, tets):
-    """(m,) mean edge length over the length that is wanted in the middle of each tet."""
-    wanted = mesh.Proxy.last_part_mesh(mesh).wanted_sizes(points[tets].mean(axis=1))
-    return mean_edge_length(points, tets) / np.maximum(wanted, np.finfo(float).tiny)
+def size_ratio(mesh, points, elements):
+    """(m,) mean edge length over the length that is wanted in the middle of each element."""
+    wanted = mesh.Proxy.last_part_mesh(mesh).wanted_sizes(points[elements].mean(axis=1))
+    return mean_edge_length(points, elements) / np.maximum(wanted, np.finfo(float).tiny)
+
+
+def _filling_to_look_at(arrays):
+    names = filling_of(arrays)
+    if names[0] == "segments":
+        raise UserError(translate("FeatureMesh", "the mesh of edges has segments only, which have no shape to judge and nothing to colour"))
+    return names
 
 
 def _mesh_of(arrays):
     on_surface = np.zeros(len(arrays["points"]), dtype=bool)
     on_surface[arrays["triangles"]] = True
-    return {"numbers": arrays["tet_numbers"], "points": arrays["points"], "tets": arrays["tets"], "on_surface": on_surface}
+    kind, _, numbers, _ = _filling_to_look_at(arrays)
+    return {"numbers": arrays[numbers], "points": arrays["points"], "elements": arrays[kind], "on_surface": on_surface}

@@ -40,7 +40,7 @@ def read_document(part):
     if not has_shape(part):
         raise UserError(translate("FeatureMesh", "%s has no shape to mesh") % describe(part) + _what_leaves_nothing(part))
     walk = _Walk(part)
-    shapes = _ShapeList()
+    shapes = _ShapeList(_highest_in(_shape_of(part)))
     home = part.Document
     keys = {obj: key_of(obj, home) for obj in walk.frames}
     records = [_record(obj, walk, shapes, keys, home) for obj in _in_dependency_order(part, walk.children)]
@@ -68,13 +68,13 @@ def shape_of_record(raw):
 
 
 def find_meshable(document, name=None):
-    """The object to mesh: the one called `name` (or so labelled), else the only solid that no other one uses.
+    """The object to mesh: the one called `name` (or so labelled), else the only solid that no other one uses, or the only object with faces.
 
-    Throws UserError: unknown name, an object without a solid, none, or several (which it lists).
+    Throws UserError: unknown name, an object with nothing to mesh, none, or several (which it lists).
     """
     if name:
-        return _checked_solid(find_object(document, name))
-    final = final_solids(document)
+        return _checked_part(find_object(document, name))
+    final = final_parts(document)
     if not final:
         raise UserError(translate("FeatureMesh", "the document %s has no solid to mesh") % document.Label)
     if len(final) > 1:
@@ -83,9 +83,13 @@ def find_meshable(document, name=None):
     return final[0]
 
 
-def final_solids(document):
-    """The objects with a solid that no other one uses."""
-    candidates = [obj for obj in document.Objects if _is_candidate(obj)]
+def final_parts(document):
+    """The objects with a solid that no other one uses; where there is no solid, those with a face, or else with an edge."""
+    return next((found for found in (_final_objects(document, kind) for kind in _KINDS) if found), [])
+
+
+def _final_objects(document, kind):
+    candidates = [obj for obj in document.Objects if _is_candidate(obj, kind)]
     used = set()
     for obj in candidates:
         used.update(_used_by(obj))
@@ -134,9 +138,16 @@ def describe(obj):
 
 
 def has_shape(obj):
-    """Is there a shape with at least one face?"""
-    shape = _shape_of(obj)
-    return _has_solid(shape) or shape is not None and shape.countElement("Face") > 0
+    """Is there a shape with at least one face or edge?"""
+    return _highest_in(_shape_of(obj)) is not None
+
+
+def filled_with(part, dimension):
+    """"Solids", "Faces" or "Edges": what is meshed of the part, where `dimension` may leave that to the shape."""
+    if dimension in (kind + "s" for kind in _KINDS):
+        return dimension
+    highest = None if part is None else _highest_in(_shape_of(part))
+    return (highest or "Solid") + "s"
 
 
 def key_of(obj, home):
@@ -313,7 +324,8 @@ def _record(obj, walk, shapes, keys, home):
     own, frame, properties = walk.placements[obj], walk.frames[obj], walk.properties[obj]
     kind = properties.kind
     volume = None if _gives_no_volume(obj, kind) else properties.value(obj, "AddSubShape")
-    shown = None if _is_reference(obj, kind) else walk.parents[obj] if _is_shown_by_body(obj, volume, walk) else obj
+    is_hidden = _is_reference(obj, kind) and obj in walk.parents   # what is meshed itself is shown
+    shown = None if is_hidden else walk.parents[obj] if _is_shown_by_body(obj, volume, walk) else obj
     numbers, texts = properties.parameters(obj)
     whole = own if frame.isIdentity() else frame.multiply(own)
     place = matrix_entries(own)
@@ -387,10 +399,27 @@ def _has_solid(shape):
     return shape is not None and not shape.isNull() and (shape.ShapeType == "Solid" or bool(shape.Solids))
 
 
-class _ShapeList:
-    """Collects shapes that travel together, so that shared faces stay shared."""
+_KINDS = ("Solid", "Face", "Edge")   # of what is meshed, the highest first
 
-    def __init__(self):
+
+def _highest_in(shape):
+    """"Solid", "Face" or "Edge": the highest that the shape has; None for nothing."""
+    if shape is None or shape.isNull():
+        return None
+    return "Solid" if _has_solid(shape) else next((kind for kind in _KINDS[1:] if shape.countElement(kind) > 0), None)
+
+
+def _has(shape, kind):
+    """Has the shape something of that kind, or of a higher one?"""
+    highest = _highest_in(shape)
+    return highest is not None and _KINDS.index(highest) <= _KINDS.index(kind)
+
+
+class _ShapeList:
+    """Collects shapes that travel together, so that shared faces stay shared; those that have what the part has: solids, else faces, else edges."""
+
+    def __init__(self, kind):
+        self._kind = kind
         self._shapes = []
         self._numbers = {}
 
@@ -401,8 +430,8 @@ class _ShapeList:
         return self._numbers[obj]
 
     def add(self, shape, frame):
-        """Index of the shape, moved by `frame`; -1 for a null shape or one without a solid."""
-        if not _has_solid(shape):
+        """Index of the shape, moved by `frame`; -1 for a null shape or one with nothing of the kind."""
+        if not _has(shape, self._kind):
             return -1
         if not frame.isIdentity():
             shape = Part.Shape(shape)
@@ -495,23 +524,22 @@ def _shape_of(obj):
 # Which object is the part
 
 
-def _checked_solid(obj):
+def _checked_part(obj):
     if obj.isDerivedFrom("App::Part") or obj.isDerivedFrom("App::DocumentObjectGroup"):
         raise UserError(translate("FeatureMesh", "%s is a group, name one of its objects: %s")
                         % (describe(obj), ", ".join(member.Name for member in obj.Group)))
     shape = _shape_of(obj)
-    if shape is None or not shape.Solids:
+    if not _has(shape, "Edge" if not obj.isDerivedFrom("Part::Part2DObject") else "Face"):
         raise UserError(translate("FeatureMesh", "%s has no solid%s") % (describe(obj), ": " + error_of(obj) if error_of(obj) else ""))
     return obj
 
 
-def _is_candidate(obj):
+def _is_candidate(obj, kind):
     if not (obj.isDerivedFrom("Part::Feature") or obj.isDerivedFrom("App::Link")):
         return False
     if _gives_no_volume(obj, obj.TypeId) or _is_feature_of_body(obj):
         return False
-    shape = _shape_of(obj)
-    return shape is not None and len(shape.Solids) > 0
+    return _has(_shape_of(obj), kind)
 
 
 def _is_feature_of_body(obj):

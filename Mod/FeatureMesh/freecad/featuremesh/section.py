@@ -143,6 +143,26 @@ class SeenMesh:
         return self._sides
 
 
+class SeenSheet(SeenMesh):
+    """The same of a mesh of triangles (m,3), which are their own outside."""
+
+    def surface(self, on_surface=None):
+        return self.tets, np.arange(len(self.tets))
+
+    def whole(self, plane):
+        rows = np.flatnonzero(plane.heights(self.points[self.tets].mean(axis=1)) <= 0)
+        return self.tets[rows], rows
+
+    def filled(self, plane):
+        """A sheet has no inside."""
+        return np.zeros((0, 3, 3)), np.zeros(0, dtype=np.int64)
+
+
+def seen_of(points, elements):
+    """What is seen of tets (m,4) or triangles (m,3)."""
+    return (SeenSheet if elements.shape[1] == 3 else SeenMesh)(points, elements)
+
+
 def outer_triangles(tets):
     """(k,3) triangles that belong to one tet only, seen from outside, and (k,) their tets."""
     sides = tets[:, SIDES].reshape(-1, 3)

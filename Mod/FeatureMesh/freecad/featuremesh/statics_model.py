@@ -78,6 +78,8 @@ class _Reader:
         self.part = versions.part_of(mesh)
         self.resolver = Resolver(self.part)
         self.arrays = mesh.Proxy.arrays(mesh)
+        if not len(self.arrays["tets"]):
+            raise NotUnderstood("the live solver knows solids only; %s is of shells or beams, which CalculiX solves" % describe(mesh))
         self.statics = Statics(self.arrays)
         self.entities = EntityGroups(self.arrays)
         self.row_of = np.full(int(self.arrays["node_numbers"].max(initial=0)) + 1, -1)

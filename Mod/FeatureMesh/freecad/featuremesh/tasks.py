@@ -10,7 +10,8 @@ import traceback
 from . import about, api, documents, engine, reading, tables, versions
 from .errors import UserError
 from .transfer import find_result
-from .mesh_object import one_line
+from .mesh_object import element_count, one_line
+from .mesh_properties import FROM_SHAPE
 from .reports import add_fallback, plain
 from .quality import MEASURES
 
@@ -29,8 +30,10 @@ def mesh(task):
             obj.Size = float(size)
         if task.get("order"):
             obj.Order = "2nd" if task["order"] == 2 else "1st"
+        if task.get("dimension"):
+            obj.Dimension = task["dimension"].capitalize()
     else:
-        obj = api.add_mesh(part, size, task.get("order") or 2)
+        obj = api.add_mesh(part, size, task.get("order") or 2, dimension=(task.get("dimension") or FROM_SHAPE).capitalize())
     obj.Threads = task.get("threads") or 0
     report = api.update_mesh(obj, full=True, progress=_progress)
     report["seconds"]["recompute"] = 0.0
@@ -109,7 +112,7 @@ def export(task):
     document = documents.open_document(task["part"])
     obj = api.find_mesh(document, task.get("object"))
     api.export_mesh(obj, task["out"], task.get("format"))
-    data = {"nodes": obj.FemMesh.NodeCount, "tets": obj.FemMesh.VolumeCount, "groups": obj.FemMesh.GroupCount}
+    data = {"nodes": obj.FemMesh.NodeCount, "tets": obj.TetCount, "groups": obj.FemMesh.GroupCount}
     return "wrote %s (%d nodes, %d elements, %d groups)" % (task["out"], data["nodes"], data["tets"], data["groups"]), data
 
 
@@ -231,7 +234,7 @@ def _size_in_words(report):
     quality = report["quality"]
     forced = "" if not quality["forced_by_cad"] else ", %.1f deg where the part's own details do not force less" % quality["min_dihedral_unforced"]
     return "%d nodes and %d elements (smallest angle %.1f deg%s) in %.2f s" % (
-        report["nodes"], report["tets"], quality["min_dihedral"], forced, report["seconds"]["total"])
+        report["nodes"], element_count(report), quality["min_dihedral"], forced, report["seconds"]["total"])
 
 
 def _solution_in_words(report):

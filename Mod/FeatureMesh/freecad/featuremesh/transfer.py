@@ -45,8 +45,10 @@ def result(old, mesh, name=None):
 
     `old` may be of another document. Vectors and scalars per node are carried; the report tells the error of each field.
     """
-    old_arrays, order = _mesh_of(old)
     new_arrays = mesh.Proxy.arrays(mesh)
+    if not len(new_arrays["tets"]):
+        raise UserError("old results are carried over between meshes of solids only, not to %s" % describe(mesh))
+    old_arrays, order = _mesh_of(old)
     diagonal = float(np.linalg.norm(np.ptp(old_arrays["points"], axis=0)))
     fields = _fields_of(old)
     if not fields:

@@ -72,11 +72,11 @@ class ViewFeatureMesh(EditedInPanel):
         self.elements(mesh).mark(points, (), colour)
 
     def mark_tets(self, mesh, overlay, rows, colour):
-        """Draws the edges of tets of an overlay over everything else; none: takes them away."""
-        corners = overlay.points[overlay.tets[rows]].reshape(-1, 3) if len(rows) else ()
-        lines = []
-        for start in range(0, 4 * len(rows), 4):
-            for first, second in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)):
+        """Draws the edges of elements of an overlay over everything else; none: takes them away."""
+        corners = overlay.points[overlay.elements[rows]].reshape(-1, 3) if len(rows) else ()
+        lines, width = [], overlay.elements.shape[1]
+        for start in range(0, width * len(rows), width):
+            for first, second in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))[:3 if width == 3 else 6]:
                 lines += [start + first, start + second, -1]
         self.elements(mesh).mark(corners, lines, colour)
 

@@ -98,5 +98,5 @@ def _part_of(obj):
         return group
     if reading.has_shape(obj):
         return obj
-    made_of_it = [part for part in reading.final_solids(obj.Document) if obj in reading.dependencies(part)]
+    made_of_it = [part for part in reading.final_parts(obj.Document) if obj in reading.dependencies(part)]
     return made_of_it[0] if len(made_of_it) == 1 else obj

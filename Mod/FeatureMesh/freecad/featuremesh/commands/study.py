@@ -12,7 +12,7 @@ class Command(MeshCommand):
     tooltip = "Varies dimensions of the part, meshes and solves each variant, and shows what matters"
 
     def is_possible(self, document):
-        return bool(reading.final_solids(document))
+        return bool(reading.final_parts(document))
 
     def run(self, document):
         from ..gui.study_panel import StudyPanel

@@ -15,6 +15,16 @@ def connectivity(arrays, elements, mids):
     return np.hstack([corners, arrays[mids].reshape(len(corners), -1)])
 
 
+# Arrays of the elements that fill a part, the highest first: nodes, mid-side nodes, numbers, and the solid, face or edge of each.
+FILLING = (("tets", "tet_mids", "tet_numbers", "tet_solids"), ("triangles", "triangle_mids", "triangle_numbers", "triangle_faces"),
+           ("segments", "segment_mids", "segment_numbers", "segment_edges"))
+
+
+def filling_of(arrays):
+    """The names of the arrays of what fills the part of a mesh: tets, else triangles, else segments."""
+    return next((names for names in FILLING if len(arrays[names[0]])), FILLING[0])
+
+
 def is_single_entity(name):
     """Is it the name of a group of one edge, face or solid, which every mesh has?"""
     return re.fullmatch(r"(Solid|Face|Edge)[0-9]+(_Nodes)?", name) is not None

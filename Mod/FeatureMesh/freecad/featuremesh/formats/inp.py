@@ -1,30 +1,36 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Abaqus and CalculiX: nodes, tets, node and element sets, and each face as an element surface."""
+"""Abaqus and CalculiX: nodes, tets, node and element sets, and each face as an element surface; or shells, or beams, with sets."""
 
 import numpy as np
 
-from . import connectivity
+from . import connectivity, filling_of
 
 # Corners of the faces S1 to S4 of a tet. Mid-side nodes are in the order of `connectivity`.
+_TYPES = {"tets": ("C3D4", "C3D10"), "triangles": ("S3", "S6"), "segments": ("B31", "B32")}
+_KINDS = {"tets": "Volume", "triangles": "Face", "segments": "Edge"}
+_MIDDLE_LAST = [0, 2, 1]   # a beam's nodes are in the order of its length
 _FACES = ((0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3))
 
 
 def write(path, arrays, groups):
     """Sets have the groups' names; of groups of faces the element surfaces tell."""
-    order = 2 if len(arrays["tet_mids"]) else 1
-    nodes, numbers = arrays["node_numbers"], arrays["tet_numbers"]
+    kind, mids, own, _ = filling_of(arrays)
+    nodes, numbers = arrays["node_numbers"], arrays[own]
     with open(path, "w", encoding="ascii", errors="replace") as stream:
         stream.write("** FeatureMesh, lengths in mm\n*NODE, NSET=Nall\n")
         np.savetxt(stream, np.column_stack([nodes, arrays["points"]]), fmt="%d, %.17g, %.17g, %.17g")
-        stream.write("*ELEMENT, TYPE=%s, ELSET=Eall\n" % ("C3D10" if order == 2 else "C3D4"))
-        tets = nodes[connectivity(arrays, "tets", "tet_mids")]
-        np.savetxt(stream, np.column_stack([numbers, tets]), fmt=", ".join(["%d"] * (tets.shape[1] + 1)))
-        for name, kind, members in groups:
-            if kind in ("Node", "Volume"):
-                keyword = "*NSET, NSET=" if kind == "Node" else "*ELSET, ELSET="
+        stream.write("*ELEMENT, TYPE=%s, ELSET=Eall\n" % _TYPES[kind][1 if len(arrays[mids]) else 0])
+        elements = nodes[connectivity(arrays, kind, mids)]
+        if kind == "segments" and elements.shape[1] == 3:
+            elements = elements[:, _MIDDLE_LAST]
+        np.savetxt(stream, np.column_stack([numbers, elements]), fmt=", ".join(["%d"] * (elements.shape[1] + 1)))
+        for name, of, members in groups:
+            if of in ("Node", _KINDS[kind]):
+                keyword = "*NSET, NSET=" if of == "Node" else "*ELSET, ELSET="
                 stream.write("%s%s\n" % (keyword, name))
                 _write_numbers(stream, members)
-        _write_surfaces(stream, arrays)
+        if kind == "tets":
+            _write_surfaces(stream, arrays)
 
 
 def _write_surfaces(stream, arrays):

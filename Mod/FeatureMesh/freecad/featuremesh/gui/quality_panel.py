@@ -123,7 +123,7 @@ class QualityPanel(OverlayPanel):
         rows = [self.worst.row(item) for item in self.worst.selectedItems()]
         if self.worst.currentRow() in rows:
             row = self._rows[self.worst.currentRow()]
-            self._look_at(self.overlay.points[self.overlay.tets[row]].mean(axis=0).tolist())
+            self._look_at(self.overlay.points[self.overlay.elements[row]].mean(axis=0).tolist())
 
     def _look_at(self, centre):
         view = Gui.getDocument(self.mesh.Document).activeView()

@@ -9,10 +9,10 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import analyses, api, log, versions
+from .. import analyses, api, log, reading, versions
 from ..mesh_object import is_cancelled, one_line
 from ..reports import remarks_of
-from ..mesh_properties import AUTOMATIC_SHARE, NOT_MESHED, OPTION_OF, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
+from ..mesh_properties import AUTOMATIC_SHARE, DIMENSIONS, NOT_MESHED, OPTION_OF, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
 from ..messages import in_words
 from ..view_provider import drawn_icon
 from .errors import select_named
@@ -67,8 +67,15 @@ class MeshPanel:
         self.min_automatic.setToolTip(self._tooltip("MinSize"))
         self.min_automatic.setChecked(not self.mesh.MinSize.Value)
         self.min_automatic.toggled.connect(self._settings_changed)
+        self.dimension = QtGui.QComboBox()
+        self.dimension.addItems([translate("FeatureMesh", "From the shape"), translate("FeatureMesh", "Solids"),
+                                 translate("FeatureMesh", "Faces (shells)"), translate("FeatureMesh", "Edges (beams)")])
+        self.dimension.setToolTip(self._tooltip("Dimension"))
+        self.dimension.setCurrentIndex(DIMENSIONS.index(self.mesh.Dimension))
+        self.dimension.currentIndexChanged.connect(self._dimension_changed)
         self.order = QtGui.QComboBox()
-        self.order.addItems([translate("FeatureMesh", "4-node tetrahedra"), translate("FeatureMesh", "10-node tetrahedra")])
+        self.order.addItems(["", ""])
+        self._name_orders()
         self.order.setToolTip(self._tooltip("Order"))
         self.order.setCurrentIndex(1 if self.mesh.Order == "2nd" else 0)
         self.order.currentIndexChanged.connect(self._settings_changed)
@@ -83,6 +90,7 @@ class MeshPanel:
         smallest.addWidget(self.min_automatic)
         for label, widget in ((translate("FeatureMesh", "Size"), self.size),
                               (translate("FeatureMesh", "Smallest"), smallest),
+                              (translate("FeatureMesh", "Mesh of"), self.dimension),
                               (translate("FeatureMesh", "Element"), self.order),
                               (translate("FeatureMesh", "Per circle"), self.per_circle),
                               (translate("FeatureMesh", "Across gaps"), self.across_gap),
@@ -103,6 +111,20 @@ class MeshPanel:
             label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
             layout.addWidget(label)
         layout.addStretch()
+
+    def _dimension_changed(self):
+        self._name_orders()
+        self._settings_changed()
+
+    def _name_orders(self):
+        """What the two orders are with what is meshed."""
+        part = versions.part_of(self.mesh)
+        kind = reading.filled_with(part, DIMENSIONS[self.dimension.currentIndex()])
+        for index, name in enumerate({
+                "Solids": (translate("FeatureMesh", "4-node tetrahedra"), translate("FeatureMesh", "10-node tetrahedra")),
+                "Faces": (translate("FeatureMesh", "3-node triangles"), translate("FeatureMesh", "6-node triangles")),
+                "Edges": (translate("FeatureMesh", "2-node segments"), translate("FeatureMesh", "3-node segments"))}[kind]):
+            self.order.setItemText(index, name)
 
     def _progress_bar(self):
         """Shown while there is progress, with a button that ends the work."""
@@ -195,7 +217,8 @@ class MeshPanel:
         """The panel's values by the names of the object's properties."""
         return {"Size": self.size.property("rawValue"), "MinSize": 0.0 if self.min_automatic.isChecked() else self.min_size.property("rawValue"),
                 "ElementsPerCircle": self.per_circle.value(), "ElementsAcrossGap": self.across_gap.value(),
-                "Growth": self.growth.value(), "Order": "2nd" if self.order.currentIndex() else "1st"}
+                "Growth": self.growth.value(), "Order": "2nd" if self.order.currentIndex() else "1st",
+                "Dimension": DIMENSIONS[self.dimension.currentIndex()]}
 
     def apply_settings(self):
         """The panel's values into the object's properties, those that differ, as one undo step."""

@@ -40,8 +40,8 @@
       <translation>Elemente quer durch dünne Wände und Schlitze; 0: die Größe folgt der Dicke nicht</translation>
     </message>
     <message>
-      <source>Elements of the mesh: tetrahedra</source>
-      <translation>Elemente des Netzes: Tetraeder</translation>
+      <source>Elements of the mesh: tetrahedra, or triangles or segments where faces or edges are meshed</source>
+      <translation>Elemente des Netzes: Tetraeder, oder Dreiecke oder Balkenelemente, wo Flächen oder Kanten vernetzt sind</translation>
     </message>
     <message>
       <source>Everything about the last mesh or update, as JSON</source>
@@ -100,8 +100,8 @@
       <translation>Lokale Größen: FEM-Netzverfeinerungen</translation>
     </message>
     <message>
-      <source>Mean of three times the inscribed over the circumscribed radius; 1 for regular tetrahedra</source>
-      <translation>Mittel aus dreifachem Inkugelradius durch Umkugelradius; 1 für regelmäßige Tetraeder</translation>
+      <source>Mean of three times (of triangles, twice) the inscribed over the circumscribed radius; 1 for regular elements</source>
+      <translation>Mittel von dreimal (bei Dreiecken zweimal) Inkugel- durch Umkugelradius; 1 für regelmäßige Elemente</translation>
     </message>
     <message>
       <source>Nodes of the mesh</source>
@@ -136,8 +136,8 @@
       <translation>Anteil der Knoten, die die letzte Aktualisierung Bit für Bit behalten hat</translation>
     </message>
     <message>
-      <source>Smallest angle between two faces of an element</source>
-      <translation>Kleinster Winkel zwischen zwei Seiten eines Elements</translation>
+      <source>Smallest angle between two faces of an element, or at a corner of a triangle</source>
+      <translation>Kleinster Winkel zwischen zwei Flächen eines Elements oder an der Ecke eines Dreiecks</translation>
     </message>
     <message>
       <source>Smallest angle in degrees that new elements are improved towards; below 30 is faster, above 35 is rarely reached</source>
@@ -186,6 +186,10 @@
     <message>
       <source>What is asked of each case, such as max_mises@Face3</source>
       <translation>Was von jedem Fall gefragt ist, etwa max_mises@Face3</translation>
+    </message>
+    <message>
+      <source>What is meshed: solids with tetrahedra, faces with triangles (shells), edges with segments (beams); From shape: solids, else faces, else edges</source>
+      <translation>Was vernetzt wird: Solids: Körper mit Tetraedern; Faces: Flächen mit Dreiecken (Schalen); Edges: Kanten mit Balkenelementen; From shape: Körper, sonst Flächen, sonst Kanten</translation>
     </message>
     <message>
       <source>What is varied, such as Fillet.Radius=2:6</source>
@@ -267,6 +271,10 @@
       <translation>%s Tetraeder mit 10 Knoten wären gefaltet, bei %s: die Fläche biegt sich innerhalb eines Elements zu stark. Dort eine kleinere Größe wählen, oder Tetraeder mit 4 Knoten.</translation>
     </message>
     <message>
+      <source>%s 6-node triangles would be folded near %s: the face bends too much within one element. Ask for a smaller size there, or for 3-node triangles.</source>
+      <translation>%s Dreiecke mit 6 Knoten wären bei %s gefaltet: Die Fläche biegt sich innerhalb eines Elements zu stark. Verlangen Sie dort eine kleinere Größe oder Dreiecke mit 3 Knoten.</translation>
+    </message>
+    <message>
       <source>%s and %s are in the same place but run differently. Check the feature that made them (Part: Check geometry).</source>
       <translation>%s und %s liegen am selben Ort, verlaufen aber verschieden. Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen).</translation>
     </message>
@@ -317,6 +325,18 @@
     <message>
       <source>%s has a mesh already: %s; delete one of the two</source>
       <translation>%s hat schon ein Netz: %s; bitte eines von beiden löschen</translation>
+    </message>
+    <message>
+      <source>%s has no edge. Recompute the document, and mesh an object with edges.</source>
+      <translation>%s hat keine Kante. Berechnen Sie das Dokument neu und vernetzen Sie ein Objekt mit Kanten.</translation>
+    </message>
+    <message>
+      <source>%s has no face. Recompute the document, and mesh an object with faces, or its edges.</source>
+      <translation>%s hat keine Fläche. Berechnen Sie das Dokument neu und vernetzen Sie ein Objekt mit Flächen oder seine Kanten.</translation>
+    </message>
+    <message>
+      <source>%s has no form for a mesh of edges; export it as inp, vtu, vtk, msh, unv or med</source>
+      <translation>%s kann kein Netz aus Kanten enthalten; exportieren Sie es als inp, vtu, vtk, msh, unv oder med</translation>
     </message>
     <message>
       <source>%s has no mesh of FeatureMesh to copy along</source>
@@ -471,8 +491,24 @@
       <translation>Tetraeder mit 10 Knoten</translation>
     </message>
     <message>
+      <source>2-node segments</source>
+      <translation>Balkenelemente mit 2 Knoten</translation>
+    </message>
+    <message>
+      <source>3-node segments</source>
+      <translation>Balkenelemente mit 3 Knoten</translation>
+    </message>
+    <message>
+      <source>3-node triangles</source>
+      <translation>Dreiecke mit 3 Knoten</translation>
+    </message>
+    <message>
       <source>4-node tetrahedra</source>
       <translation>Tetraeder mit 4 Knoten</translation>
+    </message>
+    <message>
+      <source>6-node triangles</source>
+      <translation>Dreiecke mit 6 Knoten</translation>
     </message>
     <message>
       <source>: %s leaves nothing of it</source>
@@ -607,6 +643,10 @@
       <translation>Abstand</translation>
     </message>
     <message>
+      <source>Edges (beams)</source>
+      <translation>Kanten (Balken)</translation>
+    </message>
+    <message>
       <source>Edit the part: move a hole, change a thickness. The mesh follows, and only around the edit; loads and supports stay where they are.</source>
       <translation>Das Bauteil ändern: eine Bohrung verschieben, eine Dicke anpassen. Das Netz folgt, und nur rund um die Änderung; Lasten und Lager bleiben, wo sie sind.</translation>
     </message>
@@ -621,6 +661,10 @@
     <message>
       <source>FEM meshes that are updated, not thrown away, when the part is edited</source>
       <translation>FEM-Netze, die bei Änderungen am Bauteil aktualisiert statt weggeworfen werden</translation>
+    </message>
+    <message>
+      <source>Faces (shells)</source>
+      <translation>Flächen (Schalen)</translation>
     </message>
     <message>
       <source>Faces far narrower than the size are meshed at the plain size, since shorter edges failed: %s</source>
@@ -683,6 +727,10 @@
       <translation>Von Grund auf</translation>
     </message>
     <message>
+      <source>From the shape</source>
+      <translation>Nach der Form</translation>
+    </message>
+    <message>
       <source>Go on</source>
       <translation>Weiter</translation>
     </message>
@@ -739,6 +787,10 @@
       <translation>In einem eigenen Prozess vernetzen</translation>
     </message>
     <message>
+      <source>Mesh of</source>
+      <translation>Vernetzt</translation>
+    </message>
+    <message>
       <source>Mesh of %s</source>
       <translation>Netz von %s</translation>
     </message>
@@ -769,6 +821,10 @@
     <message>
       <source>Nodes kept as start positions</source>
       <translation>Als Startlage behaltene Knoten</translation>
+    </message>
+    <message>
+      <source>Not meshed, because no face has them: %s.</source>
+      <translation>Nicht vernetzt, weil keine Fläche sie hat: %s.</translation>
     </message>
     <message>
       <source>Not meshed, because no solid has them: %s.</source>
@@ -879,6 +935,10 @@
       <translation>Kleinste</translation>
     </message>
     <message>
+      <source>Solids</source>
+      <translation>Körper</translation>
+    </message>
+    <message>
       <source>Solve</source>
       <translation>Lösen</translation>
     </message>
@@ -933,6 +993,10 @@
     <message>
       <source>The mesh is finer than asked at %s, because 10-node tetrahedra of that size would be folded, or nearly so, by the curved face.</source>
       <translation>Das Netz ist bei %s feiner als verlangt, weil 10-Knoten-Tetraeder dieser Größe durch die gekrümmte Fläche ganz oder fast umklappen würden.</translation>
+    </message>
+    <message>
+      <source>The mesh is finer than asked at %s, because 6-node triangles of that size would be folded, or nearly so, by the curved face.</source>
+      <translation>Das Netz ist bei %s feiner als verlangt, weil Dreiecke dieser Größe mit 6 Knoten durch die gekrümmte Fläche gefaltet wären oder fast.</translation>
     </message>
     <message>
       <source>The mesh is finer than asked at %s, because elements of that size cannot follow the part there.</source>
@@ -1093,6 +1157,10 @@
     <message>
       <source>These faces cross each other: %s. The shape intersects itself (Part: Check geometry), or is thinner there than any mesh of this size can follow; repair the feature, or ask for a smaller size on these faces.</source>
       <translation>Diese Flächen kreuzen einander: %s. Die Form durchdringt sich selbst (Part: Geometrie prüfen), oder sie ist dort dünner, als ein Netz dieser Größe folgen kann; das Formelement reparieren, oder auf diesen Flächen eine kleinere Größe wählen.</translation>
+    </message>
+    <message>
+      <source>These faces touch or cross without sharing edges: %s. Each sheet has a mesh of its own, and no load passes between them. If that is not meant, join them (Part: Boolean Fragments).</source>
+      <translation>Diese Flächen berühren oder schneiden sich, ohne Kanten zu teilen: %s. Jede Schale hat ein eigenes Netz, und zwischen ihnen wird keine Last übertragen. Ist das nicht gemeint, verbinden Sie sie (Part: Boolesche Fragmente).</translation>
     </message>
     <message>
       <source>These solids touch or overlap without sharing faces: %s (%s). Each has a mesh of its own: no load passes between them, and where they overlap the material counts twice. If that is not meant, fuse them or join them (Part: Boolean Fragments).</source>
@@ -1705,6 +1773,10 @@
       <translation>entnommen aus</translation>
     </message>
     <message>
+      <source>the dimension is one of %s, not %s</source>
+      <translation>die Dimension ist eine von %s, nicht %s</translation>
+    </message>
+    <message>
       <source>the document %s has no mesh%s; make one with `featuremesh mesh`</source>
       <translation>das Dokument %s hat kein Netz%s; bitte eines anlegen (`featuremesh mesh`)</translation>
     </message>
@@ -1735,6 +1807,10 @@
     <message>
       <source>the mesh of a copy is one of %s, not %s</source>
       <translation>das Netz einer Kopie ist eines von %s, nicht %s</translation>
+    </message>
+    <message>
+      <source>the mesh of edges has segments only, which have no shape to judge and nothing to colour</source>
+      <translation>das Netz aus Kanten hat nur Balkenelemente, die keine Form haben, die man beurteilen oder einfärben könnte</translation>
     </message>
     <message>
       <source>the new mesh's state cannot be stored (%s), the old mesh stays; is the disk full?</source>
@@ -1907,6 +1983,10 @@
     <message>
       <source>working out the stresses</source>
       <translation>Spannungen ausrechnen</translation>
+    </message>
+    <message>
+      <source>z88 has no 3-node triangles; mesh with 6-node triangles, or export it as inp, vtu, vtk, msh, unv or med</source>
+      <translation>z88 kennt keine Dreiecke mit 3 Knoten; vernetzen Sie mit Dreiecken mit 6 Knoten oder exportieren Sie als inp, vtu, vtk, msh, unv oder med</translation>
     </message>
   </context>
   <context>

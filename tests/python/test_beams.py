@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes of edges: in the document, in the formats that hold them, and solved by CalculiX as beams, as FreeCAD's own examples are."""
+import os
+import shutil
+import tempfile
+import unittest
+
+import Fem
+import FreeCAD
+import numpy as np
+import ObjectsFem
+import Part
+from analyses import LONG, add_material, add_solver, clear_results, print_table, quantity, solve
+from freecad.featuremesh import api, export, mesh_object, overlays, versions
+from freecad.featuremesh.errors import UserError
+from parts import new_document, plate_with_hole
+from test_fem_examples import example_here, set_up
+
+WITHIN = 0.02
+STEEL = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.30", "Density": "7900 kg/m^3"}
+
+
+def line(document, length=200.0):
+    obj = document.addObject("Part::Line", "Axis")
+    obj.X2, obj.Y2, obj.Z2 = length, 0, 0
+    document.recompute()
+    return obj
+
+
+def segments_of(mesh):
+    """{number: (2, 3) points}."""
+    arrays = mesh.Proxy.arrays(mesh)
+    return {int(number): arrays["points"][nodes] for number, nodes in zip(arrays["segment_numbers"], arrays["segments"])}
+
+
+class BeamMeshes(unittest.TestCase):
+
+    def test_a_line_is_meshed_with_segments_and_an_edit_keeps_the_others(self):
+        for order, nodes in ((1, 2), (2, 3)):
+            document = new_document()
+            frame = document.addObject("Part::Feature", "Frame")
+            frame.Shape = Part.makePolygon([(0, 0, 0), (0, 0, 30), (80, 0, 30), (80, 0, 0)])
+            mesh = api.add_mesh(frame, 5, order)
+            document.recompute()
+            self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+            self.assertEqual((mesh.FemMesh.VolumeCount, mesh.FemMesh.FaceCount, mesh.FemMesh.EdgeCount), (0, 0, 28))
+            self.assertEqual(mesh.TetCount, 28)
+            self.assertEqual(len(mesh.FemMesh.getElementNodes(mesh.FemMesh.Edges[0])), nodes)
+            names = {mesh.FemMesh.getGroupName(group) for group in mesh.FemMesh.Groups}
+            self.assertTrue({"Edge1", "Edge2_Nodes", "Edge3"} <= names)
+            before = segments_of(mesh)
+            frame.Shape = Part.makePolygon([(0, 0, 0), (0, 0, 30), (90, 0, 30), (90, 0, 0)])
+            document.recompute()
+            kept = [number for number, points in segments_of(mesh).items() if number in before and np.array_equal(before[number], points)]
+            self.assertGreater(len(kept), 18)
+
+    def test_the_edges_of_a_body_as_asked(self):
+        document = new_document()
+        mesh = api.add_mesh(plate_with_hole(document), 5, dimension="Edges")
+        document.recompute()
+        self.assertEqual((mesh.FemMesh.VolumeCount, mesh.FemMesh.FaceCount), (0, 0))
+        self.assertGreater(mesh.FemMesh.EdgeCount, 80)
+
+    def test_formats_and_colours(self):
+        document = new_document()
+        mesh = api.add_mesh(line(document), 10)
+        document.recompute()
+        with tempfile.TemporaryDirectory() as folder:
+            for file_format in export.FORMATS:
+                path = os.path.join(folder, "axis." + file_format)
+                with self.subTest(file_format):
+                    if file_format in ("bdf", "stl", "z88"):
+                        with self.assertRaisesRegex(UserError, "edges"):
+                            api.export_mesh(mesh, path)
+                        continue
+                    api.export_mesh(mesh, path)
+                    if file_format in ("inp", "msh", "vtu", "vtk"):   # FreeCAD reads no segments from VTK
+                        with open(path, "rb") as stream:
+                            self.assertIn({"inp": b"TYPE=B32", "msh": b"1 1 8 20", "vtu": b'NumberOfCells="20"', "vtk": b"CELL_TYPES 20"}[file_format], stream.read())
+                    else:
+                        self.assertEqual(Fem.read(path).EdgeCount, 20)
+        with self.assertRaisesRegex(UserError, "segments only"):
+            overlays.quality(mesh)
+
+
+# (example, in each run)
+EXAMPLES = [("ccx_cantilever_ele_seg3", True), ("ccx_cantilever_ele_seg2", False), ("ccx_cantilever_beam_circle", True), ("ccx_cantilever_beam_rect", False),
+            ("ccx_cantilever_beam_pipe", False)]
+
+
+@unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+class BeamsSolved(unittest.TestCase):
+
+    def test_our_beams_give_the_figures_of_the_examples(self):
+        rows = []
+        for example, always in EXAMPLES:
+            if example_here(example) and (always or LONG):
+                with self.subTest(example):
+                    rows.append(self.compare(example))
+        self.assertGreater(len(rows), 1)
+        print_table("FreeCAD's beam examples", ("example", "its segments", "ours", "its displacement, mm", "ours, mm", "off, %"), rows)
+
+    def compare(self, example):
+        document = new_document()
+        set_up(example, document)
+        analysis = document.Analysis
+        theirs, = [member for member in analysis.Group if member.isDerivedFrom("Fem::FemMeshObject")]
+        part, count = versions.part_of(theirs), theirs.FemMesh.EdgeCount
+        order = 2 if len(theirs.FemMesh.getElementNodes(theirs.FemMesh.Edges[0])) == 3 else 1
+        reference = solve(analysis)["displacement"]
+        clear_results(analysis)
+        analysis.removeObject(theirs)
+        document.removeObject(theirs.Name)
+        mesh = api.add_mesh(part, part.Shape.Length / count, order, active_analysis=analysis)
+        document.recompute()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        ours = solve(analysis)["displacement"]
+        self.assertLess(abs(ours / reference - 1), WITHIN, "%s: %g, the example itself %g" % (example, ours, reference))
+        return (example, count, mesh.TetCount, "%.5g" % reference, "%.5g" % ours, "%+.2f" % (100 * (ours / reference - 1)))
+
+    def test_an_edit_and_a_second_solution(self):
+        """A cantilever of 20 x 20 mm that becomes a quarter longer: F L^3 / 3 E I."""
+        document = new_document()
+        axis = line(document)
+        analysis = ObjectsFem.makeAnalysis(document, "Analysis")
+        add_solver(document, analysis)
+        add_material(document, analysis, "Steel", STEEL)
+        analysis.addObject(ObjectsFem.makeElementGeometry1D(document, "Rectangular", 20.0, 20.0, "Section"))
+        fixed, load = ObjectsFem.makeConstraintFixed(document, "Fixed"), ObjectsFem.makeConstraintForce(document, "Load")
+        ends = {vertex.X: "Vertex%d" % (i + 1) for i, vertex in enumerate(axis.Shape.Vertexes)}
+        fixed.References, load.References = [(axis, ends[0])], [(axis, ends[200])]
+        load.Force, load.DirectionVector = quantity(100.0, "N"), FreeCAD.Vector(0, 0, -1)
+        analysis.addObject(fixed), analysis.addObject(load)
+        mesh = api.add_mesh(axis, 10, active_analysis=analysis)
+        document.recompute()
+        for length in (200, 250):
+            axis.X2 = length
+            document.recompute()
+            self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+            found = solve(analysis)
+            force = sum(abs(float(words[2])) for words in (row.split(",") for row in found["input"].split("*CLOAD")[1].split("***")[0].splitlines())
+                        if len(words) == 3)
+            expected = force * length ** 3 / (3 * 210000 * 20 ** 4 / 12)
+            self.assertLess(abs(found["displacement"] / expected - 1), WITHIN)
+            self.assertGreater(found["displacement"], 0)
+        self.assertGreater(mesh.KeptTets, 50)
+        self.assertEqual([sub for _, subs in load.References for sub in subs], [name for name in (
+            "Vertex%d" % (i + 1) for i, vertex in enumerate(axis.Shape.Vertexes) if vertex.X == 250)])

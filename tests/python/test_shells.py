@@ -1,0 +1,274 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes of faces: in the document, in every format, and solved by CalculiX as shells, as FreeCAD's own examples are."""
+import json
+import os
+import shutil
+import tempfile
+import unittest
+
+import Fem
+import FreeCAD
+import numpy as np
+import ObjectsFem
+import Part
+from analyses import LONG, add_material, add_solver, clear_results, print_table, quantity, solve
+from freecad.featuremesh import api, export, mesh_object, overlays, statics, versions
+from freecad.featuremesh.errors import UserError
+from parts import new_document, placement, plate_with_hole, rectangle
+from test_fem_examples import example_here, set_up
+
+WITHIN = 0.02
+STEEL = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.30", "Density": "7900 kg/m^3"}
+
+
+def square_pipe(document, height=100.0):
+    """A Part::Extrusion of a square of 40 mm, open at both ends; "Pipe"."""
+    sketch = document.addObject("Sketcher::SketchObject", "Square")
+    rectangle(sketch, 0, 0, 40, 40)
+    pipe = document.addObject("Part::Extrusion", "Pipe")
+    pipe.Base, pipe.DirMode, pipe.LengthFwd, pipe.Solid = sketch, "Normal", height, False
+    document.recompute()
+    return pipe
+
+
+def triangles_of(mesh):
+    """{number: (nodes per triangle, 3) points}."""
+    arrays = mesh.Proxy.arrays(mesh)
+    return {int(number): arrays["points"][nodes] for number, nodes in zip(arrays["triangle_numbers"], arrays["triangles"])}
+
+
+def count_kept(before, after):
+    return sum(number in before and np.array_equal(before[number], points) for number, points in after.items())
+
+
+def edge_at(shape, z):
+    """Names of the edges all of whose points are at that height."""
+    return ["Edge%d" % (i + 1) for i, edge in enumerate(shape.Edges) if abs(edge.BoundBox.ZMin - z) < 1e-6 and abs(edge.BoundBox.ZMax - z) < 1e-6]
+
+
+class ShellMeshes(unittest.TestCase):
+
+    def test_an_extruded_wire_is_meshed_with_triangles(self):
+        for order, corners in ((1, 3), (2, 6)):
+            pipe = square_pipe(new_document())
+            mesh = api.add_mesh(pipe, 10, order)
+            pipe.Document.recompute()
+            self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+            self.assertEqual((mesh.FemMesh.VolumeCount, mesh.FemMesh.FaceCount), (0, mesh.TetCount))
+            self.assertGreater(mesh.TetCount, 300)
+            self.assertEqual(len(mesh.FemMesh.getElementNodes(mesh.FemMesh.Faces[0])), corners)
+            self.assertGreater(mesh.MinDihedral.Value, 30)
+            self.assertGreater(mesh.MeanRadiusRatio, 0.9)
+            names = {mesh.FemMesh.getGroupName(group) for group in mesh.FemMesh.Groups}
+            self.assertTrue({"Face1", "Face4", "Edge1", "Face1_Nodes"} <= names)
+            off = max(pipe.Shape.distToShape(Part.Vertex(point))[0] for point in list(mesh.FemMesh.Nodes.values())[::7])
+            self.assertLess(off, 1e-7)
+
+    def test_an_edit_keeps_the_rest_and_loads_follow(self):
+        document = new_document()
+        pipe = square_pipe(document)
+        analysis = ObjectsFem.makeAnalysis(document, "Analysis")
+        fixed, load = ObjectsFem.makeConstraintFixed(document, "Fixed"), ObjectsFem.makeConstraintForce(document, "Load")
+        low, high = edge_at(pipe.Shape, 0), edge_at(pipe.Shape, 100)
+        fixed.References, load.References = [(pipe, name) for name in low], [(pipe, name) for name in high]
+        analysis.addObject(fixed), analysis.addObject(load)
+        mesh = api.add_mesh(pipe, 8, active_analysis=analysis)
+        document.recompute()
+        before = triangles_of(mesh)
+        pipe.LengthFwd = 120
+        document.recompute()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        after = triangles_of(mesh)
+        self.assertGreater(count_kept(before, after), 0.6 * len(before))
+        self.assertGreaterEqual(mesh.KeptTets, 50)
+        for member, names in ((fixed, edge_at(pipe.Shape, 0)), (load, edge_at(pipe.Shape, 120))):
+            self.assertEqual(sorted(sub for _, subs in member.References for sub in subs), sorted(names))
+        nodes = {mesh.FemMesh.getGroupName(group): mesh.FemMesh.getGroupElements(group) for group in mesh.FemMesh.Groups}["Load_Nodes"]
+        self.assertGreater(len(nodes), 20)
+        self.assertTrue(all(abs(mesh.FemMesh.Nodes[node].z - 120) < 1e-9 for node in nodes))
+
+    def test_a_sheet_that_moved_carries_its_mesh(self):
+        document = new_document()
+        pipe = square_pipe(document)
+        plane = document.addObject("Part::Plane", "Plane")
+        plane.Length = plane.Width = 60
+        plane.Placement = placement(0, 0, -30)
+        both = document.addObject("Part::Compound", "Both")
+        both.Links = [pipe, plane]
+        document.recompute()
+        mesh = api.add_mesh(both, 6)
+        document.recompute()
+        numbers = set(triangles_of(mesh))
+        plane.Placement = placement(25, 0, -30)
+        document.recompute()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        self.assertEqual(set(triangles_of(mesh)), numbers)
+        self.assertEqual(mesh.KeptTets, 100)
+
+    def test_the_faces_of_a_body_as_asked(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        mesh = api.add_mesh(body, 3, dimension="Faces")
+        document.recompute()
+        self.assertEqual((mesh.FemMesh.VolumeCount, mesh.FemMesh.FaceCount), (0, mesh.TetCount))
+        before = triangles_of(mesh)
+        document.HoleSketch.setDatum("X", 24)
+        document.recompute()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        self.assertGreater(count_kept(before, triangles_of(mesh)), 0.4 * len(before))
+        mesh.Dimension = "Solids"
+        self.assertEqual(mesh.Status, mesh_object.SETTINGS_CHANGED)
+        document.recompute()
+        self.assertGreater(mesh.FemMesh.VolumeCount, 0)
+
+    def test_a_document_that_was_saved_updates_as_locally(self):
+        document = new_document()
+        pipe = square_pipe(document)
+        mesh = api.add_mesh(pipe, 8)
+        document.recompute()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "pipe.FCStd")
+            document.saveAs(path)
+            FreeCAD.closeDocument(document.Name)
+            document = FreeCAD.openDocument(path)
+            mesh = api.find_mesh(document)
+            before = triangles_of(mesh)
+            document.Pipe.LengthFwd = 110
+            document.recompute()
+            self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+            self.assertGreater(count_kept(before, triangles_of(mesh)), 0.6 * len(before))
+            self.assertIsNone(json.loads(mesh.Report)["fallback"])
+            FreeCAD.closeDocument(document.Name)
+
+    def test_quality_and_what_the_update_kept(self):
+        document = new_document()
+        pipe = square_pipe(document)
+        mesh = api.add_mesh(pipe, 8)
+        document.recompute()
+        for measure in ("dihedral_angle", "radius_ratio", "aspect_ratio", "scaled_jacobian", "skewness", "size_ratio"):
+            overlay = overlays.quality(mesh, measure)
+            self.assertEqual(len(overlay.values), mesh.TetCount)
+            corners, colours = overlay.drawn()
+            self.assertEqual(corners.shape, (mesh.TetCount, 3, 3))
+        self.assertAlmostEqual(overlays.quality(mesh, "dihedral_angle").values.min(), mesh.MinDihedral.Value, places=3)
+        self.assertAlmostEqual(overlays.quality(mesh, "radius_ratio").values.mean(), mesh.MeanRadiusRatio, places=6)
+        pipe.LengthFwd = 120
+        document.recompute()
+        self.assertEqual(int(100 * overlays.kept(mesh).kept.mean()), mesh.KeptTets)
+
+    def test_the_live_solver_and_wrong_dimensions_say_so(self):
+        document = new_document()
+        pipe = square_pipe(document)
+        with self.assertRaisesRegex(UserError, "dimension"):
+            api.add_mesh(pipe, 8, dimension="Shells")
+        mesh = api.add_mesh(pipe, 8, dimension="Solids")
+        with self.assertRaisesRegex(Exception, "no solid"):
+            api.update_mesh(mesh)
+        mesh.Dimension = "From shape"
+        analysis = ObjectsFem.makeAnalysis(document, "Analysis")
+        analysis.addObject(mesh)
+        add_material(document, analysis, "Steel", STEEL)
+        api.update_mesh(mesh)
+        with self.assertRaisesRegex(statics.NotUnderstood, "solids only"):
+            statics.solve(analysis)
+
+
+class ShellFiles(unittest.TestCase):
+
+    def test_every_format_holds_the_triangles(self):
+        for order in (1, 2):
+            document = new_document()
+            mesh = api.add_mesh(square_pipe(document), 10, order)
+            document.recompute()
+            with tempfile.TemporaryDirectory() as folder:
+                for file_format in export.FORMATS:
+                    if (file_format, order) == ("z88", 1):
+                        with self.assertRaisesRegex(UserError, "6-node"):
+                            api.export_mesh(mesh, os.path.join(folder, "pipe.z88"))
+                        continue
+                    path = os.path.join(folder, "pipe." + file_format)
+                    api.export_mesh(mesh, path, file_format)
+                    with self.subTest(file_format=file_format, order=order):
+                        self.assertEqual(self.triangles_in(path, file_format, order), mesh.TetCount)
+
+    def triangles_in(self, path, file_format, order):
+        if file_format == "stl":
+            with open(path, "rb") as stream:
+                stream.seek(80)
+                return int(np.frombuffer(stream.read(4), dtype="<u4")[0]) // (4 if order == 2 else 1)
+        if file_format in ("inp", "unv", "med", "vtk", "vtu", "z88") or (file_format, order) == ("bdf", 1):
+            return Fem.read(path).FaceCount
+        if file_format == "bdf":   # FreeCAD reads no CTRIA6
+            with open(path, encoding="ascii") as stream:
+                return sum(line.startswith("CTRIA6  ") for line in stream)
+        with open(path, encoding="utf-8") as stream:
+            lines = stream.read().split("$Elements\n")[1].split("\n")
+        kinds = {1: "2", 2: "9"}
+        return sum(int(line.split()[3]) for line in lines if len(line.split()) == 4 and line.split()[0] == "2" and line.split()[2] == kinds[order])
+
+
+# (example, in each run)
+EXAMPLES = [("ccx_cantilever_ele_tria6", True), ("square_pipe_end_twisted_edgeforces", True)]
+
+
+@unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+class ShellsSolved(unittest.TestCase):
+
+    def test_our_shells_give_the_figures_of_the_examples(self):
+        rows = []
+        for example, always in EXAMPLES:
+            if example_here(example) and (always or LONG):
+                with self.subTest(example):
+                    rows.append(self.compare(example))
+        self.assertGreater(len(rows), 1)
+        print_table("FreeCAD's shell examples", ("example", "its triangles", "ours", "its displacement, mm", "ours, mm", "off, %"), rows)
+
+    def compare(self, example):
+        document = new_document()
+        set_up(example, document)
+        analysis = document.Analysis
+        theirs, = [member for member in analysis.Group if member.isDerivedFrom("Fem::FemMeshObject")]
+        part, count = versions.part_of(theirs), theirs.FemMesh.FaceCount
+        reference = solve(analysis)["displacement"]
+        clear_results(analysis)
+        analysis.removeObject(theirs)
+        document.removeObject(theirs.Name)
+        mesh = api.add_mesh(part, (part.Shape.Area / count * 2.3) ** 0.5, active_analysis=analysis)
+        document.recompute()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        ours = solve(analysis)["displacement"]
+        self.assertLess(abs(ours / reference - 1), WITHIN, "%s: %g, the example itself %g" % (example, ours, reference))
+        return (example, count, mesh.TetCount, "%.5g" % reference, "%.5g" % ours, "%+.2f" % (100 * (ours / reference - 1)))
+
+    def test_an_edit_and_a_second_solution(self):
+        """A cantilever of sheet metal 8 mm thick, 200 mm long and 50 mm wide, that becomes a quarter longer: F L^3 / 3 E I."""
+        document = new_document()
+        sheet = document.addObject("Part::Plane", "Sheet")
+        sheet.Length, sheet.Width = 200, 50
+        document.recompute()
+        analysis = ObjectsFem.makeAnalysis(document, "Analysis")
+        add_solver(document, analysis)
+        add_material(document, analysis, "Steel", {**STEEL, "PoissonRatio": "0.0"})
+        analysis.addObject(ObjectsFem.makeElementGeometry2D(document, 8.0, "Thickness"))
+        fixed, load = ObjectsFem.makeConstraintFixed(document, "Fixed"), ObjectsFem.makeConstraintForce(document, "Load")
+        at = {x: next("Edge%d" % (i + 1) for i, edge in enumerate(sheet.Shape.Edges) if abs(edge.CenterOfMass.x - x) < 1e-6) for x in (0, 200)}
+        fixed.References, load.References = [(sheet, at[0])], [(sheet, at[200])]
+        load.Force = quantity(100.0, "N")
+        load.DirectionVector = FreeCAD.Vector(0, 0, -1)
+        analysis.addObject(fixed), analysis.addObject(load)
+        mesh = api.add_mesh(sheet, 10, active_analysis=analysis)
+        document.recompute()
+        force = self.force_in(analysis)
+        for length in (200, 250):
+            sheet.Length = length
+            document.recompute()
+            self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+            expected = force * length ** 3 / (3 * 210000 * 50 * 8 ** 3 / 12)
+            self.assertLess(abs(solve(analysis)["displacement"] / expected - 1), WITHIN)
+        self.assertGreater(mesh.KeptTets, 70)
+
+    def force_in(self, analysis):
+        """N, the sum of what the input file has."""
+        lines = solve(analysis)["input"].split("*CLOAD")[1].split("***")[0].splitlines()
+        return float(np.linalg.norm(np.sum([np.eye(3)[int(words[1]) - 1] * float(words[2]) for words in (line.split(",") for line in lines[1:])
+                                            if len(words) == 3], axis=0)))
