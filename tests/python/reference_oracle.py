@@ -4,6 +4,9 @@
 A point on the side or cap of a sweep goes with the sketch's geometry that is nearest to it, and with the sweep's height; one on a primitive keeps its
 place relative to the primitive's box. What is on no such feature (a fillet, a pattern, an import) is not judged.
 """
+import collections
+import functools
+
 import FreeCAD
 import Part
 
@@ -33,10 +36,15 @@ def _grid_of(face, across):
     return found
 
 
-def is_on(point, face):
-    box = FreeCAD.BoundBox(face.BoundBox)
-    box.enlarge(NEAR)
-    return box.isInside(point) and face.distToShape(Part.Vertex(point))[0] < NEAR
+class BoxedFace:
+    """A face and its box, which tells of most points at once that they are not on it."""
+
+    def __init__(self, face):
+        self.face, self.box = face, FreeCAD.BoundBox(face.BoundBox)
+        self.box.enlarge(NEAR)
+
+    def holds(self, point):
+        return self.box.isInside(point) and self.face.distToShape(Part.Vertex(point))[0] < NEAR
 
 
 class Feature:
@@ -60,11 +68,12 @@ class Feature:
             moved.Placement = to_sketch.multiply(moved.Placement)
             self.faces, self.box = moved.Faces, moved.BoundBox
             self.curves = [curve.toShape() for curve in sketch.Geometry if not _is_construction(curve)]
+        self.faces = [BoxedFace(face) for face in self.faces]
 
     def sides_at(self, point):
         """Which faces of the feature's own volume the point is on."""
         local = self.frame.inverse().multVec(point)
-        return {(self.name, number) for number, face in enumerate(self.faces) if is_on(local, face)}
+        return {(self.name, number) for number, face in enumerate(self.faces) if face.holds(local)}
 
     def carry(self, point, after):
         """To the same place of the feature as it is `after`."""
@@ -100,38 +109,45 @@ def features_of(part):
 
 
 def _is_placed_by_another(obj, part):
-    """Has a boolean operation between the feature and the part a placement of its own?"""
+    """Has a boolean operation between the feature and the part a placement of its own? Those in a body do not place each other."""
+    if part.TypeId == "PartDesign::Body":
+        return False
     above = [user for user in obj.InList if user.isDerivedFrom("Part::Feature") and user is not part and part in user.InListRecursive]
     return any(not user.Placement.isIdentity() or _is_placed_by_another(user, part) for user in above)
 
 
 class Oracle:
-    """Judges what an edit did to loads."""
+    """Made before an edit, judges what it did to loads."""
 
     def __init__(self, part):
         self.part = part
         self.before = features_of(part)
         self.shape = part.Shape.copy()
 
+    @functools.cached_property
+    def after(self):
+        return features_of(self.part)
+
+    @functools.cached_property
+    def faces_after(self):
+        return {"Face%d" % number: BoxedFace(face) for number, face in enumerate(self.part.Shape.Faces, 1)}
+
     def judge(self, old_names, new_names):
         """Of a load that was on faces of the part before and is on others now: "right", "stranger", "not all of it", "lost", "lost, but there" or
         "not judged"."""
-        after = features_of(self.part)
-        expected, sides, known, total = {}, set(), 0, 0
+        expected, sides, known, total = collections.Counter(), set(), 0, 0
         for name in old_names:
             for point in points_of(self.shape.getElement(name)):
                 total += 1
                 at = set().union(*(feature.sides_at(point) for feature in self.before.values()))
-                carried = self._carried(point, {owner for owner, _ in at}, after)
+                carried = self._carried(point, {owner for owner, _ in at})
                 sides |= at
                 known += bool(carried)
                 for place in carried:
-                    for number, face in enumerate(self.part.Shape.Faces, 1):
-                        if is_on(place, face):
-                            expected["Face%d" % number] = expected.get("Face%d" % number, 0) + 1
+                    expected.update(name for name, face in self.faces_after.items() if face.holds(place))
         if known < total or not total:
             return "not judged"
-        strangers = [name for name in new_names if not expected.get(name) and not self._is_on(sides, self.part.Shape.getElement(name), after)]
+        strangers = [name for name in new_names if not expected[name] and not self._is_on(sides, self.faces_after[name].face)]
         if strangers:
             return "stranger"
         wanted = [name for name, count in expected.items() if count > 0.3 * total]
@@ -139,17 +155,17 @@ class Oracle:
             return "lost, but there" if wanted else "lost"
         return "right" if all(name in new_names for name in wanted) else "not all of it"
 
-    def _carried(self, point, owners, after):
+    def _carried(self, point, owners):
         """Where the point is now, by each of the features that it was on; empty when one of them is not known any more."""
-        if not owners or not owners <= after.keys():
+        if not owners or not owners <= self.after.keys():
             return []
-        return [self.before[owner].carry(point, after[owner]) for owner in sorted(owners)]
+        return [self.before[owner].carry(point, self.after[owner]) for owner in sorted(owners)]
 
-    def _is_on(self, sides, face, after):
+    def _is_on(self, sides, face):
         """Is most of a face of today on those sides of features? So a piece is known that no point of the old face lies on."""
         points = points_of(face)
-        owners = sorted({owner for owner, _ in sides} & after.keys())
-        found = sum(any(sides & self.before[owner].sides_at(after[owner].carry(point, self.before[owner])) for owner in owners) for point in points)
+        owners = sorted({owner for owner, _ in sides} & self.after.keys())
+        found = sum(any(sides & self.before[owner].sides_at(self.after[owner].carry(point, self.before[owner])) for owner in owners) for point in points)
         return found > len(points) / 2
 
 

@@ -84,10 +84,11 @@ class RandomEdits(unittest.TestCase):
                 print("%s %d: %s: refused: %s" % (name, index, words, error), file=sys.stderr)
                 editor.take_back()
                 continue
+            found = collections.Counter()
             for load, before in chosen.items():
                 now = [sub for _, sub in names_of(load)]
                 verdict = oracle.judge(before, now)
-                verdicts[verdict] += 1
+                found[verdict] += 1
                 with self.subTest(example=name, edit=index, what=words, load=load.Name, before=before, now=now):
                     self.assertNotIn(verdict, ("stranger", "not all of it"))
                     if not now:
@@ -95,6 +96,8 @@ class RandomEdits(unittest.TestCase):
                         self.assertTrue(any(line.startswith(load.Label + " ") for line in json.loads(mesh.Report)["warnings"]))
                 if verdict not in ("right", "not judged"):
                     print("%s %d: %s: %s, %s -> %s" % (name, index, words, verdict, before, now), file=sys.stderr)
+            print("%s %d: %s: %s" % (name, index, words, dict(found)), file=sys.stderr)
+            verdicts.update(found)
 
     @staticmethod
     def resolver(part):
