@@ -44,7 +44,7 @@ def _steps():
     steps.setHorizontalSpacing(14)
     for row, (name, text) in enumerate((
             ("FeatureMesh_MeshPart", translate("FeatureMesh", "Open a part, select its body and press <b>Mesh a part</b>. Choose a size; the "
-                                                              "panel tells how many elements it gives. Press <b>Mesh</b>.")),
+                                                              "panel tells how many elements it gives. Press <b>OK</b>.")),
             ("FeatureMesh_UpdateNow", translate("FeatureMesh", "Edit the part: move a hole, change a thickness. The mesh follows, and only "
                                                                "around the edit; loads and supports stay where they are.")),
             ("FeatureMesh_ShowKept", translate("FeatureMesh", "<b>Show what was kept</b> colours what stayed and what is new; <b>Show the "

@@ -831,8 +831,8 @@
       <translation>Nicht vernetzt, weil sie zu keinem Körper gehören: %s.</translation>
     </message>
     <message>
-      <source>Open a part, select its body and press &lt;b&gt;Mesh a part&lt;/b&gt;. Choose a size; the panel tells how many elements it gives. Press &lt;b&gt;Mesh&lt;/b&gt;.</source>
-      <translation>Ein Bauteil öffnen, seinen Körper auswählen und &lt;b&gt;Bauteil vernetzen&lt;/b&gt; drücken. Eine Größe wählen; das Fenster sagt, wie viele Elemente sie ergibt. &lt;b&gt;Vernetzen&lt;/b&gt; drücken.</translation>
+      <source>Open a part, select its body and press &lt;b&gt;Mesh a part&lt;/b&gt;. Choose a size; the panel tells how many elements it gives. Press &lt;b&gt;OK&lt;/b&gt;.</source>
+      <translation>Ein Bauteil öffnen, seinen Körper auswählen und &lt;b&gt;Bauteil vernetzen&lt;/b&gt; drücken. Eine Größe wählen; das Fenster sagt, wie viele Elemente sie ergibt. &lt;b&gt;OK&lt;/b&gt; drücken.</translation>
     </message>
     <message>
       <source>Open it</source>
