@@ -119,6 +119,25 @@ def check_apply_and_ok(document, body):
     return mesh
 
 
+def check_units(mesh):
+    """In inches 6 mm are shown as 0.24 in, which are 6.1 mm: the size stays what it is, and what is said has inches, too."""
+    FreeCAD.Units.setSchema(3)
+    count = mesh.TetCount
+    mesh.ViewObject.doubleClicked()
+    spin(1)
+    settings = panel("MeshPanel")
+    assert settings.size.property("text") == "0.24 in" and settings.status.text() == "Status: up to date", settings.status.text()
+    settings.size.setProperty("rawValue", 1000.0)
+    click_in_panel("Apply")
+    wait_for(lambda: settings.running is None)
+    assert " in across); try 0." in settings.status.text() and "mm" not in settings.status.text(), settings.status.text()
+    settings.size.setProperty("rawValue", 6.0)
+    click_in_panel("Ok")
+    wait_for(lambda: not Gui.Control.activeDialog())
+    FreeCAD.Units.setSchema(0)
+    assert (mesh.Size.Value, mesh.MinSize.Value, mesh.Status, mesh.TetCount) == (6.0, 0.6, "up to date", count), (mesh.Size, mesh.MinSize, mesh.Status)
+
+
 def check_question(document, body, mesh):
     """The part has a mesh: open that, add another one, or neither."""
     before, seen = names(document), []
@@ -300,6 +319,7 @@ def drive():
     check_cancel(document, document.getObject("HoleSketch"))
     check_analyses(document, body)
     mesh = check_apply_and_ok(document, body)
+    check_units(mesh)
     check_question(document, body, mesh)
     check_errors(document, body)
     check_report_view(document, mesh)

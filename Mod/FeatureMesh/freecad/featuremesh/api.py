@@ -477,5 +477,5 @@ def check_size(size, part):
     if not size > 0 or math.isinf(size):
         raise UserError(translate("FeatureMesh", "the size has to be greater than 0 mm, not %g") % size)
     if size > diagonal:
-        raise UserError(translate("FeatureMesh", "the size %g mm is larger than the part (%g mm across); try %g")
+        raise UserError(translate("FeatureMesh", "the size %g mm is larger than the part (%g mm across); try %g mm")
                         % (size, diagonal, default_size(part)))

@@ -38,6 +38,7 @@ class MeshPanel:
         self.running = None
         self.job = None
         self._estimate = None
+        self._written = {}   # length widget -> (mm that were written into it, the text that it shows for them)
         self._raw = None   # the part as it was read for the last estimate; it stays the same while the panel is open
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(mesh.Label)
@@ -148,11 +149,20 @@ class MeshPanel:
         widget = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
         widget.setProperty("unit", "mm")
         widget.setProperty("minimum", 0.0)
-        widget.setProperty("rawValue", getattr(self.mesh, name).Value)
+        self._write_length(widget, getattr(self.mesh, name).Value)
         widget.setMinimumWidth(70)
         widget.setToolTip(self._tooltip(name))
         widget.valueChanged.connect(self._settings_changed)
         return widget
+
+    def _write_length(self, widget, length):
+        widget.setProperty("rawValue", length)
+        self._written[widget] = length, widget.property("text")
+
+    def _length_in(self, widget):
+        """In mm. FreeCAD's widget rounds to what it shows, 8 mm to 0.31 in; what was written counts as long as nothing else is typed."""
+        length, text = self._written[widget]
+        return length if widget.property("text") == text else widget.property("rawValue")
 
     def _number(self, name, least, most, step=1.0):
         widget = QtGui.QDoubleSpinBox()
@@ -215,7 +225,7 @@ class MeshPanel:
 
     def settings(self):
         """The panel's values by the names of the object's properties."""
-        return {"Size": self.size.property("rawValue"), "MinSize": 0.0 if self.min_automatic.isChecked() else self.min_size.property("rawValue"),
+        return {"Size": self._length_in(self.size), "MinSize": 0.0 if self.min_automatic.isChecked() else self._length_in(self.min_size),
                 "ElementsPerCircle": self.per_circle.value(), "ElementsAcrossGap": self.across_gap.value(),
                 "Growth": self.growth.value(), "Order": "2nd" if self.order.currentIndex() else "1st",
                 "Dimension": DIMENSIONS[self.dimension.currentIndex()]}
@@ -330,7 +340,7 @@ class MeshPanel:
         self.min_size.setVisible(not self.min_automatic.isChecked())
         if self.min_automatic.isChecked():
             self.min_size.blockSignals(True)
-            self.min_size.setProperty("rawValue", self.size.property("rawValue") * AUTOMATIC_SHARE)   # what it starts with when it is asked for
+            self._write_length(self.min_size, round(self._length_in(self.size) * AUTOMATIC_SHARE, 9))   # what it starts with when it is asked for
             self.min_size.blockSignals(False)
         self._show_status()
         self._estimate_timer.start(_ESTIMATE_MS)
@@ -340,7 +350,7 @@ class MeshPanel:
             self._estimate_timer.start(_ESTIMATE_MS)
             return
         try:
-            settings = {**self.settings(), "MinSize": self.min_size.property("rawValue") or None}
+            settings = {**self.settings(), "MinSize": self._length_in(self.min_size) or None}
             raw, options = api.estimate_input(self.mesh, self._raw, **{OPTION_OF[name]: value for name, value in settings.items() if name in OPTION_OF})
         except Exception as error:
             self.estimate.setText(in_words(one_line(error)))

@@ -1873,8 +1873,8 @@
       <translation>die Form berührt sich selbst: Knoten von %s liegen an derselben Stelle, etwa bei %s; dort reparieren (Part: Geometrie prüfen)</translation>
     </message>
     <message>
-      <source>the size %g mm is larger than the part (%g mm across); try %g</source>
-      <translation>die Größe %g mm ist größer als das Bauteil (%g mm Diagonale); Vorschlag: %g</translation>
+      <source>the size %g mm is larger than the part (%g mm across); try %g mm</source>
+      <translation>die Größe %g mm ist größer als das Bauteil (%g mm Diagonale); Vorschlag: %g mm</translation>
     </message>
     <message>
       <source>the size has to be greater than 0 mm, not %g</source>
