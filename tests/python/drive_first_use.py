@@ -190,7 +190,7 @@ def drive():
     combo = next(dock for dock in main.findChildren(QtGui.QDockWidget) if dock.isVisible())
     main.resizeDocks([combo], [430], QtCore.Qt.Horizontal)
     document = FreeCAD.ActiveDocument
-    window.come_to_view_of(document)
+    window.choose_tab(document.Label)
     choose_workbench("FEM")
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")

@@ -3,7 +3,6 @@
 import hashlib
 import os
 import sys
-import unittest
 from pathlib import Path
 from unittest import mock
 
@@ -228,8 +227,6 @@ def check_stop(shown, study):
 
 
 def drive():
-    if int(FreeCAD.Version()[0]) > 0:
-        raise unittest.SkipTest("was not seen to pass with FreeCAD 1.x yet")
     Gui.getMainWindow().setGeometry(0, 0, 1280, 1024)
     Gui.activateWorkbench("FeatureMeshWorkbench")
     spin()
@@ -238,7 +235,7 @@ def drive():
     preferences.put("SecondOrder", False)   # what a new mesh starts with, also that of a study
     document = FreeCAD.ActiveDocument
     document.UndoMode = 1
-    window.come_to_view_of(document)
+    window.choose_tab(document.Label)
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
     spin()

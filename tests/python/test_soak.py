@@ -67,7 +67,8 @@ class Editor:
     def _misses(self):
         """Does one of the added features not touch the part? FreeCAD 0.20 then shifts the whole body."""
         features = [self.document.getObject(name) for name in self.added]
-        return any(abs(feature.Shape.Volume - feature.BaseFeature.Shape.Volume) < 1e-9 * feature.Shape.Volume for feature in features)
+        return any(feature.Shape.isNull() or abs(feature.Shape.Volume - feature.BaseFeature.Shape.Volume) < 1e-9 * feature.Shape.Volume
+                   for feature in features)
 
     def change(self):
         """A dimension by up to a fifth."""

@@ -7,7 +7,6 @@ import time
 import traceback
 import unittest
 
-import FreeCAD
 import FreeCADGui as Gui
 import numpy as np
 from PySide import QtCore, QtGui
@@ -115,16 +114,6 @@ def click_button_of(command):
     button = button_of(command)
     wait_for(button.isEnabled)
     click(button)
-
-
-def come_to_view_of(document):
-    """FreeCAD 1.x shows its start page over a document that it was started with, and comes back to it unless it is closed."""
-    if int(FreeCAD.Version()[0]) > 0:
-        spin(3)   # while it still looks for examples it crashes when it is closed
-        choose_tab("Start")
-        Gui.runCommand("Std_CloseActiveWindow")
-        spin()
-    choose_tab(document.Label)
 
 
 def choose_tab(text):

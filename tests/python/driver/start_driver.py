@@ -8,11 +8,21 @@ import FreeCAD
 from PySide import QtCore
 
 
+def named_documents():
+    """Those that FreeCAD was started with."""
+    return [word for word in sys.argv if word.endswith(".FCStd")]
+
+
+def keep_start_page_away():
+    """As "Don't show this Start page again" does: FreeCAD 1.x shows its start page over the document that it was started with, again and again, and crashes
+    when the page is closed while it still looks for examples."""
+    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Start").SetBool("ShowOnStartup", False)
+
+
 def is_ready():
     """Does FreeCAD wait for its user, with all that it was started with open?"""
     documents = list(FreeCAD.listDocuments().values())
-    named = [word for word in sys.argv if word.endswith(".FCStd")]
-    return (QtCore.QThread.currentThread().loopLevel() > 0 and len(documents) >= len(named)
+    return (QtCore.QThread.currentThread().loopLevel() > 0 and len(documents) >= len(named_documents())
             and not any(document.Restoring for document in documents))
 
 
@@ -26,6 +36,8 @@ def start_when_ready():
         importlib.import_module(script[:-len(".py")])
 
 
+if named_documents():
+    keep_start_page_away()
 seen = 0
 timer = QtCore.QTimer()
 timer.timeout.connect(start_when_ready)
