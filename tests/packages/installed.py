@@ -2,6 +2,7 @@
 """A fresh home of a user with FreeCAD, into which the tests install what is in dist. The roots in which they run have no network."""
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -19,8 +20,22 @@ IS_DEBIAN_12 = "bookworm" in Path("/etc/os-release").read_text(encoding="utf-8")
 # Of the tests that run in FreeCAD, those that need nothing but FreeCAD and the engine.
 TESTS_IN_FREECAD = ("state_file", "mesh_object", "mesh_in_document", "worker", "refusals", "document_reading", "document_edits",
                     "document_files", "examples")
+SECONDS = 1200   # a machine that has much else to do takes minutes; what never ends is told of
 NOT_OF_THE_ROOT = ("/proc", "/sys", "/dev", "/run", "/featuremesh", "/var/cache/ccache")
 FREECADCMD = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
+FREECAD = shutil.which("freecad") or shutil.which("FreeCAD")
+ON_A_SCREEN = ("xvfb-run", "-a", "-s", "-screen 0 1280x800x24")
+# Runs a command where the folder of Debian's Python packages has all but numpy; $1 is a folder for what that takes. Ends with the command.
+WITHOUT_NUMPY = """
+set -e
+folder=$(mktemp -d -p "$1") packages=/usr/lib/python3/dist-packages; shift
+mkdir "$folder/all" "$folder/but-numpy"
+mount --bind "$packages" "$folder/all"
+ln -s "$folder"/all/* "$folder/but-numpy"
+rm "$folder"/but-numpy/numpy*
+mount --bind "$folder/but-numpy" "$packages"
+exec "$@"
+"""
 
 
 def one_of(pattern):
@@ -38,17 +53,32 @@ class Home(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.above, ignore_errors=True)
         self.home = self.above / "Jürgen Größer"
         self.home.mkdir()
+        self.started_by = ()   # words before those that start FreeCAD
         self.environment = {"HOME": str(self.home), "PATH": os.environ["PATH"], "LC_ALL": "C.UTF-8", "PYTHONDONTWRITEBYTECODE": "1"}
 
     def freecad(self, script, **variables):
         """Runs a script in FreeCAD; gives what it wrote as JSON, with all that was printed as `printed`."""
+        return self.result_of([FREECADCMD, str(script)], variables)
+
+    def window(self, script):
+        """The same in FreeCAD's window, on a virtual screen, once it waits for its user."""
+        driver = self.user_folder() / "Mod" / "Driver"
+        if not driver.exists():
+            shutil.copytree(ROOT / "tests" / "python" / "driver", driver)
+        return self.result_of([*ON_A_SCREEN, FREECAD], {"FEATUREMESH_DRIVER": str(script), "QTWEBENGINE_DISABLE_SANDBOX": "1"})
+
+    def result_of(self, command, variables):
         result = self.above / "result.json"
         result.unlink(missing_ok=True)
-        done = subprocess.run([FREECADCMD, str(script)], cwd=self.above, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              text=True, errors="replace", timeout=600,
+        done = subprocess.run([*self.started_by, *command], cwd=self.above, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              text=True, errors="replace", timeout=SECONDS,
                               env={**self.environment, "FEATUREMESH_RESULT": str(result), "FEATUREMESH_EXAMPLE": str(EXAMPLE), **variables})
         self.assertTrue(result.is_file(), done.stdout)
         return {**json.loads(result.read_text(encoding="utf-8")), "printed": done.stdout}
+
+    def hide_numpy(self):
+        """From now on FreeCAD is started where there is none."""
+        self.started_by = ("unshare", "--mount", "--propagation", "unchanged", "sh", "-c", WITHOUT_NUMPY, "sh", str(self.above))
 
     def check_tests_in_freecad(self, workbench):
         """Those tests pass with the workbench that FreeCAD found in this folder, whose files are not those of the checkout."""
@@ -98,13 +128,22 @@ class Home(unittest.TestCase):
         return target
 
     def install_addon(self):
-        target = self.user_folder() / "Mod" / "FeatureMesh"
-        unpack(one_of("featuremesh-addon-*.zip"), target)
-        return target
+        return self.unzip_as_told("featuremesh-addon")
 
     def install_portable(self):
-        unpack(one_of("featuremesh-portable-*.zip"), self.user_folder() / "Mod")
-        return self.user_folder() / "Mod" / "FeatureMesh"
+        return self.unzip_as_told("featuremesh-portable")
+
+    def unzip_as_told(self, archive):
+        """Types the commands of the readme, for the folder that it names for this FreeCAD; gives the addon's folder."""
+        readme = (ROOT / "README.md").read_text(encoding="utf-8")
+        addons = self.user_folder() / "Mod"
+        told = f"~/{addons.relative_to(self.home)}"
+        self.assertIn(f"`{told}`", readme)
+        for start in ("mkdir -p", f"unzip {archive}"):
+            command = re.search(f"`({start}[^`]*)`", readme).group(1)
+            self.run_as_typed(command.replace("~/.local/share/FreeCAD/Mod", told), shell=True, cwd=DIST)
+        self.assertTrue((addons / "FeatureMesh" / "package.xml").is_file())
+        return addons / "FeatureMesh"
 
 
 def unpack(archive, target):

@@ -10,6 +10,8 @@ import time
 import FreeCAD
 import ObjectsFem
 
+from . import requirements
+requirements.check()   # before what cannot be imported otherwise
 from . import (adopt, analyses, difference_drawing, documents, edits, engine, export, load_cases, mesh_drawing, overlays, reading, resolving, section, size_zone,
                solve_guard, solving, statics, statics_result, transfer, versions)
 from . import live_result as live_results

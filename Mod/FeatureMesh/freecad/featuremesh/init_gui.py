@@ -1,55 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes the workbench known when FreeCAD's window starts."""
+"""Makes the workbench known when FreeCAD's window starts, or says what it lacks."""
 
-import importlib.util
 import os
 
+import FreeCAD
 import FreeCADGui as Gui
 
-if importlib.util.find_spec("numpy") is None:
-    raise ImportError("FeatureMesh needs numpy, which this FreeCAD has not; install it (Debian: python3-numpy) and start FreeCAD anew")
+from freecad.featuremesh import requirements
 
 Gui.addLanguagePath(os.path.join(os.path.dirname(__file__), "translations"))
 Gui.updateLocale()
 
-from freecad.featuremesh import live_result, live_view, mesh_object, size_zone, study_view, view_provider, waiting, zone_view
-from freecad.featuremesh.commands import COMMANDS, IN_FEM, register
-from freecad.featuremesh.gui import fem_toolbar, live_runner, open_panels, preferences_page, running, study_runs
-from freecad.featuremesh.study import study_object
-
-
-class FeatureMeshWorkbench(Gui.Workbench):
-    """Meshes that stay alive."""
-
-    MenuText = "FeatureMesh"
-    ToolTip = preferences_page.translate("FeatureMesh", "FEM meshes that are updated, not thrown away, when the part is edited")
-    Icon = view_provider.icon("FeatureMesh")
-
-    def Initialize(self):
-        self.appendToolbar("FeatureMesh", list(COMMANDS))
-        self.appendMenu("FeatureMesh", list(COMMANDS))
-
-    def Activated(self):
-        from freecad.featuremesh.gui import welcome
-        welcome.show_once()
-
-    def GetClassName(self):
-        return "Gui::PythonWorkbench"
-
-
-mesh_object.on_ready.append(view_provider.attach)
-live_result.on_ready.append(live_view.attach)
-live_result.on_solution.append(live_view.show_solution)
-study_object.on_ready.append(study_view.attach)
-size_zone.on_ready.append(zone_view.attach)
-live_runner.install()
-study_runs.install()
-mesh_object.run_job = running.run_with_escape
-waiting.repaint = running.repaint
-preferences_page.choose_place()
-Gui.addIconPath(view_provider.ICONS)
-Gui.addPreferencePage(preferences_page.PreferencesPage, "FeatureMesh")
-register()
-Gui.addWorkbench(FeatureMeshWorkbench())
-fem_toolbar.install(IN_FEM)
-open_panels.install()
+if requirements.what_is_missing():
+    FreeCAD.Console.PrintError(requirements.what_is_missing() + "\n")
+else:
+    from freecad.featuremesh.gui import start
+    start.start()

@@ -683,6 +683,10 @@
       <translation>FeatureMesh hat mehrere Rechenprogramme gefunden und nimmt das neueste, %s in %s; die anderen: %s</translation>
     </message>
     <message>
+      <source>FeatureMesh needs numpy, which this FreeCAD has not; install it (Debian: python3-numpy) and start FreeCAD anew.</source>
+      <translation>FeatureMesh braucht numpy, das dieses FreeCAD nicht hat; bitte installieren (Debian: python3-numpy) und FreeCAD neu starten.</translation>
+    </message>
+    <message>
       <source>FeatureMesh's compiled engine (featuremesh_engine) is not installed for Python %d.%d; the mesh is shown as it was saved.</source>
       <translation>Das Rechenprogramm von FeatureMesh (featuremesh_engine) ist für Python %d.%d nicht installiert; das Netz wird gezeigt, wie es gespeichert wurde.</translation>
     </message>

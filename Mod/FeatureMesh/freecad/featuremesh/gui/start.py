@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The workbench, and all that it connects with FreeCAD's window when that starts."""
+
+import FreeCADGui as Gui
+
+from .. import live_result, live_view, mesh_object, size_zone, study_view, view_provider, waiting, zone_view
+from ..commands import COMMANDS, IN_FEM, register
+from ..study import study_object
+from . import fem_toolbar, live_runner, open_panels, preferences_page, running, study_runs
+
+
+class FeatureMeshWorkbench(Gui.Workbench):
+    """Meshes that stay alive."""
+
+    MenuText = "FeatureMesh"
+    ToolTip = preferences_page.translate("FeatureMesh", "FEM meshes that are updated, not thrown away, when the part is edited")
+    Icon = view_provider.icon("FeatureMesh")
+
+    def Initialize(self):
+        self.appendToolbar("FeatureMesh", list(COMMANDS))
+        self.appendMenu("FeatureMesh", list(COMMANDS))
+
+    def Activated(self):
+        from . import welcome
+        welcome.show_once()
+
+    def GetClassName(self):
+        return "Gui::PythonWorkbench"
+
+
+def start():
+    """Makes the workbench known."""
+    mesh_object.on_ready.append(view_provider.attach)
+    live_result.on_ready.append(live_view.attach)
+    live_result.on_solution.append(live_view.show_solution)
+    study_object.on_ready.append(study_view.attach)
+    size_zone.on_ready.append(zone_view.attach)
+    live_runner.install()
+    study_runs.install()
+    mesh_object.run_job = running.run_with_escape
+    waiting.repaint = running.repaint
+    preferences_page.choose_place()
+    Gui.addIconPath(view_provider.ICONS)
+    Gui.addPreferencePage(preferences_page.PreferencesPage, "FeatureMesh")
+    register()
+    Gui.addWorkbench(FeatureMeshWorkbench())
+    fem_toolbar.install(IN_FEM)
+    open_panels.install()
