@@ -17,7 +17,7 @@ import sanitizers
 import wheels
 from engine_build import ALL, IN_FREECAD, PYTHON, set_up
 from freecad_task import freecad_environment, run_script, run_task
-from layout import EXAMPLES, RELEASE, ROOT, WORKBENCH, Failure, UserError
+from layout import EXAMPLES, RELEASE, ROOT, WORKBENCH, Failure, Unavailable, UserError
 from setup_log import say
 
 CLOSING_LINES = 30
@@ -240,11 +240,20 @@ def uninstall(given):
 
 
 def package(given):
+    fetch_packaging_tools()
     set_up(packages.PACKAGING_PACKAGES)
-    wheels.fetch_tools()
     for path in published.make_all(ROOT / "dist", given.python):
         print(f"{path.stat().st_size / 1e6:5.1f} MB  {path.relative_to(ROOT)}")
     return 0
+
+
+def fetch_packaging_tools():
+    """Installs and unpacks what makes packages. Throws Unavailable."""
+    try:
+        packages.install_missing(packages.PACKAGING_PACKAGES)
+        wheels.fetch_tools()
+    except Failure as failure:
+        raise Unavailable(f"what makes packages cannot be had here: {failure}") from None
 
 
 def task(given, **options):

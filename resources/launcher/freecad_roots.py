@@ -72,9 +72,7 @@ def run_in_root(version, command):
     """Runs a command of the checkout in the root with that FreeCAD; gives its exit code. Throws Unavailable when there can be no root."""
     prefix = prepare_machine()
     root = CACHE / RELEASE_OF[version]
-    with alone(prefix):
-        if not is_fresh(root):
-            make_root(RELEASE_OF[version], root, prefix, "FOR_TESTS")
+    make_unless_fresh(RELEASE_OF[version], root, prefix, "FOR_TESTS")
     try:
         return run_mounted(prefix, root, [f"FEATUREMESH_BUILD={CHECKOUT}/build/freecad-{version}"], command)
     finally:
@@ -83,11 +81,9 @@ def run_in_root(version, command):
 
 def run_in_users_root(version, command):
     """Runs a command in a root that has that FreeCAD and pip, but nothing to build with and no network; gives its exit code. Throws Unavailable."""
-    prefix = prepare_machine()
+    prefix = prepare_machine(OFFLINE)
     root = CACHE / (USERS_RELEASE_OF[version] + "-users")
-    with alone(prefix):
-        if not is_fresh(root):
-            make_root(USERS_RELEASE_OF[version], root, prefix, "FOR_USERS")
+    make_unless_fresh(USERS_RELEASE_OF[version], root, prefix, "FOR_USERS")
     try:
         return run_mounted(prefix, root, [], command, OFFLINE)
     finally:
@@ -105,12 +101,12 @@ def run_mounted(prefix, root, variables, command, unshared=()):
                            root, ROOT, ccache, *environment, *command], stdin=subprocess.DEVNULL).returncode
 
 
-def prepare_machine():
-    """Installs debootstrap and sees whether mounts are allowed; gives the words to become root."""
+def prepare_machine(unshared=()):
+    """Installs debootstrap and sees whether mounts are allowed; gives the words to become root. `unshared` are more options of unshare."""
     try:
         packages.install_missing(ROOT_PACKAGES)
         prefix = packages.root_prefix(ROOT_PACKAGES)
-        run_logged([*prefix, "unshare", "--mount", "--pid", "--fork", "mount", "--make-rprivate", "/"], "mounting in a namespace")
+        run_logged([*prefix, "unshare", "--mount", "--pid", "--fork", *unshared, "mount", "--make-rprivate", "/"], "mounting in a namespace")
         run_logged([*prefix, "mkdir", "-p", CACHE], "making the cache folder")
     except Failure as failure:
         raise Unavailable(f"a root of another Debian release cannot be made here: {failure}") from None
@@ -134,6 +130,15 @@ def is_fresh(root, now=None):
     except (OSError, ValueError, KeyError):
         return False
     return datetime.timedelta(0) <= (now or datetime.datetime.now()) - made < datetime.timedelta(days=FRESH_DAYS)
+
+
+def make_unless_fresh(name, root, prefix, wanted):
+    """Who finds a fresh root does not wait for those who make another."""
+    if is_fresh(root):
+        return
+    with alone(prefix):
+        if not is_fresh(root):
+            make_root(name, root, prefix, wanted)
 
 
 def make_root(name, root, prefix, wanted):

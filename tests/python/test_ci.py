@@ -8,40 +8,47 @@ import unittest
 from pathlib import Path
 
 RUN = Path(__file__).resolve().parents[2] / ".ci" / "run"
-# Ends with the first number when this machine's FreeCAD is tested, with the second in the root; "slow" takes longer than any limit.
+# Ends with the first number when this machine's FreeCAD is tested, with the second in the root, with the third for packages; "slow" takes longer than
+# any limit.
 STAND_IN = """#!/usr/bin/env bash
 case "$*" in
     "test") exit %s ;;
     "test --freecad 1.1 --in-freecad") [ %s = slow ] && exec sleep 60; exit %s ;;
+    "test --packages --freecad 0.20") exit %s ;;
     *) exit 99 ;;
 esac
 """
 
 
 class Decisions(unittest.TestCase):
-    def run_with(self, here, in_root, **variables):
+    def run_with(self, here, in_root, packages=0, **variables):
         """(exit code, what was said)."""
         with tempfile.TemporaryDirectory() as folder:
             os.mkdir(os.path.join(folder, ".ci"))
             shutil.copy(RUN, os.path.join(folder, ".ci"))
             launcher = Path(folder, "featuremesh")
-            launcher.write_text(STAND_IN % (here, in_root, in_root), encoding="utf-8")
+            launcher.write_text(STAND_IN % (here, in_root, in_root, packages), encoding="utf-8")
             launcher.chmod(0o755)
             done = subprocess.run([os.path.join(folder, ".ci", "run")], env={**os.environ, **variables}, stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT, text=True)
         return done.returncode, done.stdout
 
-    def test_both_pass(self):
+    def test_all_pass(self):
         code, said = self.run_with(0, 0)
         self.assertEqual(code, 0)
         self.assertIn("FreeCAD 1.1 passes, too", said)
+        self.assertIn("installing the packages passes, too", said)
 
-    def test_a_failure_of_either_is_one(self):
+    def test_a_failure_of_any_is_one(self):
         code, said = self.run_with(1, 0)
         self.assertEqual((code, said), (1, ""))
         code, said = self.run_with(0, 1)
         self.assertEqual(code, 1)
         self.assertIn("FreeCAD 1.1 fails", said)
+        self.assertNotIn("packages", said)
+        code, said = self.run_with(0, 0, 1)
+        self.assertEqual(code, 1)
+        self.assertIn("installing the packages fails", said)
 
     def test_where_there_can_be_no_root_it_is_skipped(self):
         code, said = self.run_with(0, 3)
@@ -52,6 +59,10 @@ class Decisions(unittest.TestCase):
         code, said = self.run_with(0, 1, FEATUREMESH_CI_SECONDS="1140")
         self.assertEqual(code, 0)
         self.assertIn("FreeCAD 1.1 is skipped, since fewer than 20 of 19 minutes are left", said)
+        self.assertIn("installing the packages passes, too", said)
+        code, said = self.run_with(0, 0, 1, FEATUREMESH_CI_SECONDS="60", FEATUREMESH_CI_SECONDS_NEEDED="0")
+        self.assertEqual(code, 0)
+        self.assertIn("installing the packages is skipped, since fewer than 15 of 1 minutes are left", said)
 
     def test_when_its_time_is_over_it_ends(self):
         code, said = self.run_with(0, "slow", FEATUREMESH_CI_SECONDS="2", FEATUREMESH_CI_SECONDS_NEEDED="0")

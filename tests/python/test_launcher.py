@@ -231,6 +231,12 @@ class OtherReleases(unittest.TestCase):
             with self.assertRaisesRegex(Unavailable, "not permitted"):
                 freecad_roots.run_in_root("1.0", ["true"])
 
+    def test_nobody_waits_for_a_fresh_root(self):
+        with mock.patch.object(freecad_roots, "is_fresh", return_value=True), mock.patch.object(freecad_roots, "alone", side_effect=AssertionError), \
+                mock.patch.object(freecad_roots, "prepare_machine", return_value=[]), mock.patch.object(freecad_roots, "give_back"), \
+                mock.patch.object(freecad_roots, "run_mounted", return_value=7):
+            self.assertEqual([freecad_roots.run_in_root("1.1", []), freecad_roots.run_in_users_root("0.20", [])], [7, 7])
+
 
 class AddOn(unittest.TestCase):
     def setUp(self):
@@ -333,6 +339,20 @@ class SetUp(unittest.TestCase):
     def test_sources_of_the_engine_are_watched(self):
         watched = {path.relative_to(ROOT).as_posix() for path in engine_build.source_files()}
         self.assertLessEqual({"CMakeLists.txt", "src/core/errors.h", "bindings/CMakeLists.txt"}, watched)
+
+
+class Packages(unittest.TestCase):
+    def test_without_what_makes_them_they_cannot_be_had(self):
+        with mock.patch.object(packages, "install_missing"), mock.patch.object(wheels, "fetch_tools", side_effect=Failure("no network")):
+            with self.assertRaisesRegex(Unavailable, "what makes packages cannot be had here: no network"):
+                commands.package(mock.Mock(python=[]))
+
+    def test_a_root_without_network_must_be_allowed(self):
+        with mock.patch.object(packages, "install_missing"), mock.patch.object(packages, "root_prefix", return_value=[]), \
+                mock.patch.object(freecad_roots, "run_logged", side_effect=Failure("not permitted")) as run:
+            with self.assertRaisesRegex(Unavailable, "not permitted"):
+                freecad_roots.run_in_users_root("0.20", ["true"])
+        self.assertIn("--net", run.call_args[0][0])
 
 
 class Pythons(unittest.TestCase):
