@@ -87,7 +87,7 @@ MadeFaces::MadeFaces(const PartState& state, const SketchElements& elements)
 void MadeFaces::take_volume(FeatureId feature, const FeatureVolume& volume, int& number) {
     for (const TopoDS_Shape& shape : featuremesh::pieces_of(volume.shape)) {
         const int piece = int(pieces_.size());
-        pieces_.push_back({feature, volume.instance, number++, volume.motion, shape, {}, {}});
+        pieces_.push_back({feature, volume.instance, number++, volume.motion, volume.effect, shape, {}, {}});
         pieces_of_[feature.index()].push_back(piece);
         for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
             const TopoDS_Face& face = TopoDS::Face(it.Current());
@@ -165,11 +165,22 @@ const std::vector<int>& MadeFaces::made(FaceId final_face) const {
         if (!made.probe.box().grown(boolean_tolerance).overlaps(box) ||
             !same_underlying(made.underlying, underlying, sameness))
             continue;
-        if (std::any_of(points.begin(), points.end(),
-                        [&](const Vec3& p) { return made.probe.contains(p, boolean_tolerance); }))
-            known->push_back(int(f));
+        const auto on_it = std::find_if(points.begin(), points.end(),
+                                        [&](const Vec3& p) { return made.probe.contains(p, boolean_tolerance); });
+        if (on_it != points.end() && bounds_same_side(made, final_face, *on_it)) known->push_back(int(f));
     }
     return *known;
+}
+
+// Of solids that lie on one another each has a face there. They look in opposite directions, as do the volumes that
+// they come from.
+bool MadeFaces::bounds_same_side(const MadeFace& made, FaceId final_face, const Vec3& p) const {
+    const auto sides = state_.brep.sides_of(final_face);
+    const MadePiece& piece = pieces_[std::size_t(made.piece)];
+    if (state_.brep.solid_count() < 2 || sides[0].is_valid() == sides[1].is_valid()) return true;
+    if (piece.solid.ShapeType() != TopAbs_SOLID) return true;
+    const double cosine = dot(made.probe.normal_at(p), FaceProbe(state_.brep.face(final_face)).normal_at(p));
+    return cosine == 0 || (cosine > 0) == (sides[0].is_valid() != (piece.effect == Effect::removes));
 }
 
 }  // namespace featuremesh

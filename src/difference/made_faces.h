@@ -52,6 +52,7 @@ struct MadePiece {
     int instance = 0;    ///< number within a pattern
     int number = 0;      ///< among the pieces of that instance
     RigidMotion motion;  ///< from the first instance to this one
+    Effect effect = Effect::adds;
     TopoDS_Shape solid;
     std::vector<int> faces;             ///< indices into MadeFaces::faces, in the order of the solid
     std::vector<ElementName> elements;  ///< of all its faces, and those whose centres lie on their axes; sorted
@@ -78,6 +79,7 @@ class MadeFaces {
   private:
     std::vector<PlacedElement> elements_of(FeatureId feature, const RigidMotion& motion) const;
     void take_volume(FeatureId feature, const FeatureVolume& volume, int& number);
+    bool bounds_same_side(const MadeFace& made, FaceId final_face, const Vec3& p) const;
     void find_elements(FeatureId feature);
     void give(const PlacedElement& placed, std::span<const int> pieces);
 

@@ -82,6 +82,7 @@ const std::map<std::string, TypeMeaning, std::less<>>& proxies() {
         {"FeatureXOR", boolean(Combination::exclusive, {}, {"Objects"})},
         {"FeatureSlice", copy(Role::boolean, {"Base"})},
         {"FeatureConnect", boolean(Combination::fuse, {}, {"Objects"})},
+        {"AssembledParts", boolean(Combination::fuse, {}, {"Parts"})},
         {"FeatureEmbed", boolean(Combination::fuse, {"Base"}, {"Tool"})},
         {"Clone", copy(Role::transform, {"Objects"})},
         {"_Clone", copy(Role::transform, {"Objects"})},

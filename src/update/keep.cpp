@@ -11,7 +11,7 @@
 #include "update/kept_mesh.h"
 #include "update/kept_tets.h"
 #include "update/kept_triangles.h"
-#include "update/solid_sides.h"
+#include "update/untouched_solids.h"
 
 namespace featuremesh {
 
@@ -77,32 +77,25 @@ class Keeper {
         }
     }
 
-    // Of several solids those with the same faces as before and no others: what changes beside them is none of their
-    // business.
+    // What changes beside a solid that is as it was, or moved as a whole, is none of its business.
     void find_untouched_solids() {
-        if (in_.old_brep.solid_count() < 2) return;
-        const std::vector<std::vector<FaceId>> old_faces = faces_of_solids(in_.old_brep),
-                                               new_faces = faces_of_solids(in_.new_brep);
-        std::vector<FaceId> kept_as(in_.old_brep.face_count());
-        for (const FaceChange& change : in_.difference.faces)
-            if (change.verdict == BoundaryVerdict::kept && has_same_vertices_inside(change))
-                kept_as[change.old_face.index()] = change.new_face;
-        untouched_solids_.assign(old_faces.size(), 0);
-        for (std::size_t s = 0; s < old_faces.size(); ++s) {
-            std::vector<FaceId> now;
-            for (const FaceId f : old_faces[s]) now.push_back(kept_as[f.index()]);
-            std::sort(now.begin(), now.end());
-            untouched_solids_[s] = std::find(new_faces.begin(), new_faces.end(), now) != new_faces.end();
-        }
+        const std::vector<std::int32_t> motion_of = motions_of_untouched_solids(in_);
+        untouched_solids_.assign(motion_of.size(), 0);
+        for (std::size_t s = 0; s < motion_of.size(); ++s) untouched_solids_[s] = motion_of[s] != dropped;
         if (std::count(untouched_solids_.begin(), untouched_solids_.end(), 1) == 0) return;
         near_change_.assign(node_count(), 0);
-        in_untouched_.assign(node_count(), 0);
+        untouched_under_.assign(node_count(), dropped);
         const Mesh& old = in_.old_mesh;
         for (std::size_t t = 0; t < old.tets.size(); ++t) {
-            if (!untouched_solids_[old.tet_solids[t].index()]) continue;
-            for (const NodeId n : old.tets[t]) in_untouched_[n.index()] = 1;
+            const std::int32_t motion = motion_of[old.tet_solids[t].index()];
+            if (motion == dropped) continue;
+            const auto take = [&](NodeId n) {
+                untouched_under_[n.index()] = motion;
+                if (motion > 0) motions_[n.index()] = motion;  // it shares no nodes with others
+            };
+            for (const NodeId n : old.tets[t]) take(n);
             if (old.order == 2)
-                for (const NodeId n : old.tet_mids[t]) in_untouched_[n.index()] = 1;
+                for (const NodeId n : old.tet_mids[t]) take(n);
         }
     }
 
@@ -110,7 +103,15 @@ class Keeper {
         untouched_entities_ = untouched_entities(in_);
         if (std::count(untouched_entities_.begin(), untouched_entities_.end(), 1) == 0) return;
         near_change_.assign(node_count(), 0);
-        in_untouched_ = nodes_on(in_.old_mesh, untouched_entities_);
+        untouched_under_.assign(node_count(), dropped);
+        const std::vector<char> on_them = nodes_on(in_.old_mesh, untouched_entities_);
+        for (std::size_t n = 0; n < on_them.size(); ++n)
+            if (on_them[n]) untouched_under_[n] = 0;
+    }
+
+    /// Or of an untouched face, or edge; under the motion that it has.
+    bool is_of_untouched_solid(std::size_t n) const {
+        return !untouched_under_.empty() && untouched_under_[n] != dropped && untouched_under_[n] == motions_[n];
     }
 
     // A node without a triangle that stays serves nothing.
@@ -120,14 +121,6 @@ class Keeper {
         for (std::size_t n = 0; n < node_count(); ++n)
             if (!triangles.has_kept(n)) motions_[n] = dropped;
         return triangles;
-    }
-
-    bool has_same_vertices_inside(const FaceChange& kept) const {
-        std::vector<VertexId> were, are;
-        for (const VertexId v : in_.old_brep.vertices_inside(kept.old_face))
-            were.push_back(nodes_.regions()[0].new_vertex_of[v.index()]);
-        for (const VertexId v : in_.new_brep.vertices_inside(kept.new_face)) are.push_back(v);
-        return std::is_permutation(were.begin(), were.end(), are.begin(), are.end());
     }
 
     bool size_changed(std::size_t n, double wanted) const {
@@ -154,7 +147,7 @@ class Keeper {
                 const double wanted = in_.new_sizing.at(p), limit = in_.margin * wanted;
                 const bool is_resized = may_be_resized && size_changed(n, wanted);
                 if (!is_resized && !(may_be_near && nodes_.regions()[r].changed.distance(p, limit) < limit)) continue;
-                if (r == 0 && !in_untouched_.empty() && in_untouched_[n] && (in_.same_sizes_asked || !is_resized))
+                if (is_of_untouched_solid(n) && (in_.same_sizes_asked || !is_resized))
                     near_change_[n] = 1;
                 else
                     motions_[n] = dropped, is_resized_[n] = is_resized;
@@ -169,7 +162,8 @@ class Keeper {
         }
     }
 
-    // Identity first: a carried node that comes near one that stayed is dropped.
+    // Identity first: a carried node that comes near one that stayed is dropped, but those of a solid that moved as a
+    // whole.
     void clear_between_motions() {
         if (!has_tets()) return clear_between_motions_without_tets();
         for (std::size_t r = 1; r < nodes_.regions().size(); ++r) {
@@ -187,7 +181,7 @@ class Keeper {
                     settled.push_back(nodes_.at(n));
             const PointGrid grid(std::move(settled), spacing);
             for (std::size_t n = 0; n < node_count(); ++n)
-                if (motions_[n] == std::int32_t(r) &&
+                if (motions_[n] == std::int32_t(r) && !is_of_untouched_solid(n) &&
                     grid.has_within(nodes_.at(n), clearance_between_motions * in_.new_sizing.at(nodes_.at(n))))
                     motions_[n] = dropped;
         }
@@ -246,8 +240,8 @@ class Keeper {
     KeptEntities entities_;
     std::vector<char> untouched_solids_;    // by old solid; empty where there is only one
     std::vector<char> untouched_entities_;  // by old face, or edge, where those are meshed
-    // By old node: an element of an untouched solid, or face, has it; empty where there is none.
-    std::vector<char> in_untouched_;
+    // By old node: the motion of the untouched solid, face or edge that it is of; empty where there is none.
+    std::vector<std::int32_t> untouched_under_;
     std::vector<char> near_change_;  // likewise: and it stays for those tets only
     std::vector<char> is_resized_;   // by old node: it goes, since another size is wanted
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "catch.h"
+#include "difference/followed_faces.h"
 #include "part_documents.h"
 #include "update/kept_tets.h"
 #include "update/part_mesh.h"
@@ -63,6 +64,21 @@ RawDocument two_plates(double x, double z = 20) {
     PartDocument document;
     document.box("PlateA", {0, 0, 0}, {40, 20, 6}).cylinder("HoleA", {x, 10, -1}, 4, 8).cut("A", "PlateA", "HoleA");
     document.box("PlateB", {0, 0, z}, {40, 20, 6}).cylinder("HoleB", {20, 10, z - 1}, 4, 8).cut("B", "PlateB", "HoleB");
+    return document
+        .add("Part", "Part::Compound", together(document.shape("A"), document.shape("B")),
+             {{"Links", "A", ""}, {"Links", "B", ""}})
+        .finish();
+}
+
+/// A plate with a hole and another one on it, which moves with the thickness of the first.
+RawDocument stacked_plates(double thickness) {
+    PartDocument document;
+    document.box("PlateA", {0, 0, 0}, {40, 20, thickness})
+        .cylinder("HoleA", {12, 10, -1}, 4, thickness + 2)
+        .cut("A", "PlateA", "HoleA");
+    document.box("PlateB", {0, 0, thickness}, {40, 20, 6})
+        .cylinder("HoleB", {26, 10, thickness - 1}, 4, 8)
+        .cut("B", "PlateB", "HoleB");
     return document
         .add("Part", "Part::Compound", together(document.shape("A"), document.shape("B")),
              {{"Links", "A", ""}, {"Links", "B", ""}})
@@ -175,6 +191,44 @@ TEST_CASE("an edit in one solid leaves the mesh of another alone, however near t
         }
         CHECK(released == 0);
         CHECK(second.report.kept_tets_share < 0.95);
+    }
+}
+
+TEST_CASE("a solid that moves as a whole takes its mesh along, though it lies on one that changes") {
+    for (const int order : {1, 2}) {
+        const auto first = meshed(stacked_plates(6), options_of(2.5, order));
+        const auto second = updated(*first.part_mesh, stacked_plates(8), options_of(2.5, order));
+        const Mesh &old = first.part_mesh->mesh, &now = second.part_mesh->mesh;
+        CHECK(second.report.fallbacks.empty());
+        std::size_t released = 0, carried = 0;
+        for (std::size_t t = 0; t < now.tets.size(); ++t) {
+            if (now.tet_solids[t] != SolidId(1)) continue;
+            const std::int32_t was = second.part_mesh->tet_origin[t];
+            ++(was < 0 ? released : carried);
+            if (was < 0) continue;
+            for (int k = 0; k < 4; ++k) {
+                const NodeId before = old.tets[std::size_t(was)][std::size_t(k)], after = now.tets[t][std::size_t(k)];
+                CHECK(now.node_numbers[after.index()] == old.node_numbers[before.index()]);
+                CHECK(distance(now.point(after), old.point(before) + Vec3{0, 0, 2}) < 1e-9);
+            }
+        }
+        CHECK(released == 0);
+        CHECK(carried == std::size_t(std::count(old.tet_solids.begin(), old.tet_solids.end(), SolidId(1))));
+        CHECK(second.report.kept_tets_share < 0.95);
+    }
+}
+
+TEST_CASE("faces of solids that lie on one another are followed each by itself") {
+    RunContext context;
+    const PartState was = read_part_to_mesh(stacked_plates(6), context),
+                    is = read_part_to_mesh(stacked_plates(8), context);
+    for (const FollowedFace& followed : follow_faces(was, {}, is, {})) {
+        REQUIRE(followed.new_faces.size() == 1);
+        const auto solid_of = [](const PartState& part, FaceId f) {
+            const auto sides = part.brep.sides_of(f);
+            return sides[0].is_valid() ? sides[0] : sides[1];
+        };
+        CHECK(solid_of(is, followed.new_faces[0]) == solid_of(was, followed.old_face));
     }
 }
 
