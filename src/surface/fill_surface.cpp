@@ -351,8 +351,8 @@ std::string warning_of_contact(const Brep& brep, const Mesh& mesh, const Triangl
         names += (names.empty() ? "" : ", ") + name_of(entity_of(a)) + " and " + name_of(entity_of(b));
     }
     return "These solids touch or overlap without sharing faces: " + names + " (" + names_of(mesh, crossings) +
-           "). Each has a mesh of its own: no load passes between them, and where they overlap the material counts "
-           "twice. If that is not meant, fuse them or join them (Part: Boolean Fragments).";
+           "). Each has a mesh of its own: no load passes between them but by ties and contacts, and where they "
+           "overlap the material counts twice. If that is not meant, fuse them or join them (Part: Boolean Fragments).";
 }
 
 /// What lies beside the solids of a compound, or beside its faces where those are meshed.

@@ -190,6 +190,38 @@ def face_of_hole(body):
     return next("Face%d" % (i + 1) for i, face in enumerate(body.Shape.Faces) if face.Surface.TypeId == "Part::GeomCylinder")
 
 
+def check_container():
+    """All parts of a selected container are meshed; Cancel leaves nothing of that behind, and a second time the mesh is asked about."""
+    document = FreeCAD.newDocument("Machine")
+    document.UndoMode = 1
+    container = document.addObject("App::Part", "Container")
+    for index in range(2):
+        box = document.addObject("Part::Box", "Box%d" % index)
+        box.Placement.Base.z = 10 * index
+        container.addObject(box)
+    document.recompute()
+    before = names(document)
+    assert open_new(container).form.isVisible()
+    click_in_panel("Cancel")
+    assert names(document) == before and not document.HasPendingTransaction, names(document) - before
+    settings = open_new(container)
+    mesh, part = settings.mesh, versions().part_of(settings.mesh)
+    click_in_panel("Ok")
+    wait_for(lambda: not Gui.Control.activeDialog())
+    assert mesh.Status == "up to date" and part.Parts == [document.Box0, document.Box1] and len(part.Shape.Solids) == 2, mesh.Status
+    Gui.activeDocument().activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    picture("container")
+    seen = []
+    timer = answer_with("Cancel", seen)
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(container)
+    Gui.runCommand("FeatureMesh_MeshPart")
+    spin()
+    assert not timer.isActive() and len(seen) == 1 and not document.HasPendingTransaction, seen
+    FreeCAD.closeDocument(document.Name)
+
+
 def check_groups(document, body, mesh):
     """Groups and refinements of clicked faces, or of what is clicked in FEM's panel once the mesh alone was selected; groups follow edits."""
     wall, steps = face_of_hole(body), document.UndoCount
@@ -325,6 +357,7 @@ def drive():
     check_report_view(document, mesh)
     check_groups(document, body, mesh)
     check_solving(document, body, mesh)
+    check_container()
     figures.append("panel: as other panels of FreeCAD")
 
 

@@ -17,7 +17,7 @@ SHOW_OCCT = {"brep", "features", "cells", "difference", "update"}
 KNOW_CGAL = {"surface", "volume"}
 NAME = re.compile(r"[A-Za-z_]\w*")
 KERNEL_NAMES = ("BOP", "BRep", "Geom_", "Message_")
-WINDOW_FILES = {"init_gui.py", "live_view.py", "view_provider.py", "element_view.py", "study_view.py", "zone_view.py"}
+WINDOW_FILES = {"init_gui.py", "live_view.py", "view_provider.py", "element_view.py", "study_view.py", "zone_view.py", "assembled_view.py"}
 WINDOW_FOLDERS = {"commands", "gui"}
 WINDOW_MODULES = {"FreeCADGui", "pivy", "FemGui", "PySide", "PySide2", "PySide6"}
 

@@ -29,7 +29,7 @@ class Parts(unittest.TestCase):
     def test_no_shape(self):
         self.refused("Empty has no shape", self.document.addObject("Part::Feature", "Empty"))
         self.refused("Body has no shape", self.document.addObject("PartDesign::Body", "Body"))
-        self.refused("Group has no shape", self.document.addObject("App::DocumentObjectGroup", "Group"))
+        self.refused("Group has no part with a solid", self.document.addObject("App::DocumentObjectGroup", "Group"))
         point = self.document.addObject("Part::Feature", "Point")
         point.Shape = Part.Vertex(0, 0, 0)
         self.refused("Point has no shape", point)

@@ -12,8 +12,8 @@ import ObjectsFem
 
 from . import requirements
 requirements.check()   # before what cannot be imported otherwise
-from . import (adopt, analyses, difference_drawing, documents, edits, engine, export, load_cases, mesh_drawing, overlays, reading, resolving, section, size_zone,
-               solve_guard, solving, statics, statics_result, transfer, versions)
+from . import (adopt, analyses, assembled, difference_drawing, documents, edits, engine, export, load_cases, mesh_drawing, overlays, reading, resolving,
+               section, size_zone, solve_guard, solving, statics, statics_result, transfer, versions)
 from . import live_result as live_results
 from .about import facts
 from .errors import StateError, UserError
@@ -29,15 +29,20 @@ def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=
              join_analysis=True, active_analysis=None, dimension=FROM_SHAPE):
     """Adds a mesh object for `part` to its document; recompute it, or call update_mesh, to mesh.
 
+    Of a container (App::Part, group, assembly) all parts are meshed, each by itself, by way of an object that shows them (see assembled.py).
+
     `size` in mm, by default the part's diagonal over `elements`; `order` 2 for 10-node tetrahedra, 1 for 4-node ones, which are far too stiff
     in bending; `dimension` "Solids", "Faces" (triangles for shells), "Edges" (segments for beams), or by default what the shape has. It joins the
     active analysis, where one is given, or the one that it is for, see analyses.for_new_mesh. Throws UserError for sizes that make no sense.
     """
-    reading.refuse_unmeshable(part)
+    reading.refuse_gone(part)
     if order not in (1, 2):
         raise UserError(translate("FeatureMesh", "the order is 1 (4-node) or 2 (10-node), not %s") % order)
     if dimension not in DIMENSIONS:
         raise UserError(translate("FeatureMesh", "the dimension is one of %s, not %s") % (", ".join(DIMENSIONS), dimension))
+    if assembled.is_container(part):
+        part = assembled.of(part)
+    reading.refuse_unmeshable(part)
     size = default_size(part, elements) if size is None else length_of(size)
     check_size(size, part)
     mesh = part.Document.addObject(versions.mesh_object_type(), name)
@@ -392,6 +397,12 @@ def copy_analysis(analysis, name=None, mesh="shared"):
     """
     reading.refuse_gone(analysis)
     return load_cases.copy(analysis, name, mesh)
+
+
+def find_part(document, name=None):
+    """What is to be meshed: the object of that name, else the only solid that no other one uses; for a container the object that shows its parts. Throws UserError."""
+    named = reading.find_object(document, name) if name else None
+    return assembled.of(named) if named is not None and assembled.is_container(named) else reading.find_meshable(document, name)
 
 
 def find_mesh(document, part_name=None):

@@ -10,7 +10,7 @@ import FreeCAD
 import Fem
 import numpy as np
 
-from . import adopt, analyses, engine, hand_over, history, log, mesh_properties, messages, references, refinements, results, solve_guard, state, too_fine, versions
+from . import adopt, analyses, contact_faces, engine, hand_over, history, log, mesh_properties, messages, references, refinements, results, solve_guard, state, too_fine, versions
 from .errors import EngineMissing, FailedUpdate, StateError, UserError
 from .job import MeshJob
 from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FROM_SHAPE, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, is_of_its_part,
@@ -445,6 +445,7 @@ class FeatureMesh:
         mesh_properties.add(mesh)
         history.watch()
         solve_guard.install()
+        contact_faces.install()
         for hook in on_ready:
             hook(mesh)
 

@@ -99,8 +99,8 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s grows to %s mm over %s mm, not over %s mm: neighbouring elements may differ by a factor of %s at most "
                                      "(Growth)."),
     QT_TRANSLATE_NOOP("FeatureMesh", "These solids touch or overlap without sharing faces: %s (%s). Each has a mesh of its own: no load passes "
-                                     "between them, and where they overlap the material counts twice. If that is not meant, fuse them or join "
-                                     "them (Part: Boolean Fragments)."),
+                                     "between them but by ties and contacts, and where they overlap the material counts twice. If that is not "
+                                     "meant, fuse them or join them (Part: Boolean Fragments)."),
     QT_TRANSLATE_NOOP("FeatureMesh", "These faces touch or cross without sharing edges: %s. Each sheet has a mesh of its own, and no load passes between "
                                      "them. If that is not meant, join them (Part: Boolean Fragments)."),
     QT_TRANSLATE_NOOP("FeatureMesh", "the solids of the final shape overlap by %s mm^3; fuse them or mesh them one by one"),

@@ -27,6 +27,8 @@ translate = FreeCAD.Qt.translate
 # (feature_types.cpp) means the same types; here they also spare the reading of shapes.
 _REFERENCE_TYPES = ("Sketcher::", "Spreadsheet::", "App::Line", "App::Plane", "App::Point", "App::Origin",
                     "PartDesign::Plane", "PartDesign::Point", "PartDesign::CoordinateSystem", "Part::Datum", "App::TextDocument")
+# The class of what shows the parts of a container, each where it is (assembled.py).
+ASSEMBLED = "AssembledParts"
 # A base for the engine: a binder's shape is all that comes from the parts behind it, which lie in frames of their own. Nothing that uses one
 # takes its volume over.
 BINDERS = ("PartDesign::ShapeBinder", "PartDesign::SubShapeBinder")
@@ -45,6 +47,13 @@ def read_document(part):
     keys = {obj: key_of(obj, home) for obj in walk.frames}
     records = [_record(obj, walk, shapes, keys, home) for obj in _in_dependency_order(part, walk.children)]
     return {"final_object": keys[part], "records": records, "shapes": shapes.to_bytes()}
+
+
+def shape_in_place(part):
+    """The object's shape where it is in the document."""
+    shape = Part.Shape(_shape_of(part))
+    shape.Placement = versions.frame_around(part).multiply(shape.Placement)
+    return shape
 
 
 def outline_of(part):
@@ -85,15 +94,20 @@ def find_meshable(document, name=None):
 
 def final_parts(document):
     """The objects with a solid that no other one uses; where there is no solid, those with a face, or else with an edge."""
-    return next((found for found in (_final_objects(document, kind) for kind in _KINDS) if found), [])
+    return next((found for found in (_final_objects(document.Objects, kind) for kind in _KINDS) if found), [])
 
 
-def _final_objects(document, kind):
-    candidates = [obj for obj in document.Objects if _is_candidate(obj, kind)]
+def final_solids_of(objects):
+    """Those of the objects with a solid that no other one of them uses."""
+    return _final_objects(objects, _KINDS[0])
+
+
+def _final_objects(objects, kind):
+    candidates = [obj for obj in objects if _is_candidate(obj, kind)]
     used = set()
     for obj in candidates:
         used.update(_used_by(obj))
-    for obj in document.Objects:
+    for obj in objects:
         if obj.TypeId == "PartDesign::Body" or _is_feature_of_body(obj):
             used.update(_used_by(obj))
     return [obj for obj in candidates if obj not in used]
@@ -204,6 +218,8 @@ def _children(obj, own, links, properties, kinds):
     if kind == "PartDesign::Body":
         return [(member, own, not _gives_no_volume(member, kinds[member])) for name, member, _ in links if name == "Group"]
     linked = _linked_objects(links, kinds)
+    if properties.proxy_name(obj) == ASSEMBLED:
+        return [(part, versions.frame_around(part), True) for part in linked]
     result = []
     gives_no_volume, undoes = _gives_no_volume(obj, kind), _undoes_placements(obj, properties)
     is_step = _derives(obj, "PartDesign::Feature", kind)

@@ -19,7 +19,7 @@ from .quality import MEASURES
 def mesh(task):
     """Adds a mesh to a document and saves it."""
     document = documents.open_document(task["part"])
-    part = reading.find_meshable(document, task.get("object"))
+    part = api.find_part(document, task.get("object"))
     reading.refuse_errors(part)
     existing = [m for m in api.meshes_of(document) if versions.part_of(m) is part]
     size = task.get("size")

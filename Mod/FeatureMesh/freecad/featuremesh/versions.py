@@ -49,7 +49,12 @@ def parent_frame(part):
         return FreeCAD.Placement()
     if hasattr(part, "getGlobalPlacement"):
         return part.getGlobalPlacement().multiply(part.Placement.inverse())
-    parent = part.getParentGeoFeatureGroup()  # a link, whose global placement 1.0 does not tell
+    return frame_around(part)   # of a link, whose global placement 1.0 does not tell
+
+
+def frame_around(obj):
+    """Placement of the frame that the object's own is relative to: that of the container it is in."""
+    parent = obj.getParentGeoFeatureGroup()
     return parent.getGlobalPlacement() if parent is not None else FreeCAD.Placement()
 
 

@@ -6,7 +6,7 @@ import contextlib
 import FreeCAD
 import FreeCADGui as Gui
 
-from .. import api, reading, versions
+from .. import api, assembled, reading, versions
 from ..gui.undo import undo_step
 from ..mesh_object import is_feature_mesh
 from ..view_provider import icon
@@ -81,6 +81,12 @@ def selected_part(document):
     has to do with a solid, the only one of the document. Throws UserError."""
     selected = [obj for obj in Gui.Selection.getSelection(document.Name) if not _is_of_fem(obj)]
     return reading.find_meshable(document, _part_of(selected[0]).Name if selected else None)
+
+
+def selected_container(document):
+    """The selected App::Part, group or assembly, None where another thing is selected."""
+    selected = [obj for obj in Gui.Selection.getSelection(document.Name) if not _is_of_fem(obj)]
+    return selected[0] if selected and assembled.is_container(selected[0]) else None
 
 
 def _is_of_fem(obj):

@@ -4,9 +4,9 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtGui
 
-from .. import api, preferences, versions
+from .. import api, assembled, preferences, versions
 from ..errors import UserError
-from .base import MeshCommand, selected_part
+from .base import MeshCommand, selected_container, selected_part
 
 translate = FreeCAD.Qt.translate
 
@@ -14,15 +14,15 @@ translate = FreeCAD.Qt.translate
 class Command(MeshCommand):
     name = "FeatureMesh_MeshPart"
     text = "Mesh a part"
-    tooltip = "Adds a mesh that follows the selected part (or the only one) and opens its settings"
+    tooltip = "Adds a mesh that follows the selected part (or the only one), or all parts of the selected container, and opens its settings"
     edits = False   # its panel ends the transaction
 
     def is_possible(self, document):
         return bool(document.Objects)
 
     def run(self, document):
-        part = selected_part(document)
-        existing = [mesh for mesh in api.meshes_of(document) if versions.part_of(mesh) is part]
+        part = selected_container(document) or selected_part(document)
+        existing = [mesh for mesh in api.meshes_of(document) if versions.part_of(mesh) is part or assembled.shows(versions.part_of(mesh), part)]
         if not existing:
             self.add(document, part)
             return

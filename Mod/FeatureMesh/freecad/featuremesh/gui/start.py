@@ -3,7 +3,7 @@
 
 import FreeCADGui as Gui
 
-from .. import live_result, live_view, mesh_object, size_zone, study_view, view_provider, waiting, zone_view
+from .. import assembled, assembled_view, live_result, live_view, mesh_object, size_zone, study_view, view_provider, waiting, zone_view
 from ..commands import COMMANDS, IN_FEM, register
 from ..study import study_object
 from . import fem_toolbar, live_runner, open_panels, preferences_page, running, study_runs
@@ -35,6 +35,7 @@ def start():
     live_result.on_solution.append(live_view.show_solution)
     study_object.on_ready.append(study_view.attach)
     size_zone.on_ready.append(zone_view.attach)
+    assembled.on_ready.append(assembled_view.attach)
     live_runner.install()
     study_runs.install()
     mesh_object.run_job = running.run_with_escape

@@ -327,6 +327,10 @@
       <translation>%s hat schon ein Netz: %s; bitte eines von beiden löschen</translation>
     </message>
     <message>
+      <source>%s has no container, set its property Container</source>
+      <translation>%s hat keinen Container, setzen Sie seine Eigenschaft Container</translation>
+    </message>
+    <message>
       <source>%s has no edge. Recompute the document, and mesh an object with edges.</source>
       <translation>%s hat keine Kante. Berechnen Sie das Dokument neu und vernetzen Sie ein Objekt mit Kanten.</translation>
     </message>
@@ -357,6 +361,10 @@
     <message>
       <source>%s has no part to mesh, set its property %s</source>
       <translation>%s hat kein Bauteil, das vernetzt werden kann; bitte die Eigenschaft %s setzen</translation>
+    </message>
+    <message>
+      <source>%s has no part with a solid</source>
+      <translation>%s hat kein Teil mit einem Volumenkörper</translation>
     </message>
     <message>
       <source>%s has no positive volume. Its faces point inwards or cross each other; check the feature that made it (Part: Check geometry).</source>
@@ -851,6 +859,10 @@
       <translation>Bauteil</translation>
     </message>
     <message>
+      <source>Parts of %s</source>
+      <translation>Teile von %s</translation>
+    </message>
+    <message>
       <source>Per circle</source>
       <translation>Je Kreis</translation>
     </message>
@@ -1167,8 +1179,8 @@
       <translation>Diese Flächen berühren oder schneiden sich, ohne Kanten zu teilen: %s. Jede Schale hat ein eigenes Netz, und zwischen ihnen wird keine Last übertragen. Ist das nicht gemeint, verbinden Sie sie (Part: Boolesche Fragmente).</translation>
     </message>
     <message>
-      <source>These solids touch or overlap without sharing faces: %s (%s). Each has a mesh of its own: no load passes between them, and where they overlap the material counts twice. If that is not meant, fuse them or join them (Part: Boolean Fragments).</source>
-      <translation>Diese Körper berühren oder überlappen sich, ohne Flächen zu teilen: %s (%s). Jeder hat ein eigenes Netz: Zwischen ihnen geht keine Last über, und wo sie sich überlappen, zählt das Material doppelt. Wenn das nicht gemeint ist, vereinigen oder verbinden (Part: Boolesche Fragmente).</translation>
+      <source>These solids touch or overlap without sharing faces: %s (%s). Each has a mesh of its own: no load passes between them but by ties and contacts, and where they overlap the material counts twice. If that is not meant, fuse them or join them (Part: Boolean Fragments).</source>
+      <translation>Diese Körper berühren oder überlappen sich, ohne Flächen zu teilen: %s (%s). Jeder hat ein eigenes Netz: Zwischen ihnen geht außer durch Verbindungen (Tie) und Kontakte keine Last über, und wo sie sich überlappen, zählt das Material doppelt. Wenn das nicht gemeint ist, vereinigen oder verbinden (Part: Boolesche Fragmente).</translation>
     </message>
     <message>
       <source>Threads</source>
@@ -2084,8 +2096,8 @@
   <context>
     <name>FeatureMesh_MeshPart</name>
     <message>
-      <source>Adds a mesh that follows the selected part (or the only one) and opens its settings</source>
-      <translation>Legt ein Netz an, das dem ausgewählten (oder einzigen) Bauteil folgt, und öffnet seine Einstellungen</translation>
+      <source>Adds a mesh that follows the selected part (or the only one), or all parts of the selected container, and opens its settings</source>
+      <translation>Fügt ein Netz hinzu, das dem ausgewählten Teil (oder dem einzigen) oder allen Teilen des ausgewählten Containers folgt, und öffnet seine Einstellungen</translation>
     </message>
     <message>
       <source>Mesh a part</source>

@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Several parts in one mesh: containers, links, touching parts, and ties and contacts that find their faces, solved by CalculiX."""
+import json
+import os
+import re
+import shutil
+import tempfile
+import unittest
+
+import FreeCAD
+import numpy as np
+import ObjectsFem
+from analyses import add_material, add_solver, quantity, solve
+from freecad.featuremesh import api, assembled, mesh_object, versions
+from freecad.featuremesh.errors import UserError
+from parts import new_document, placement
+
+STEEL = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.0", "Density": "7900 kg/m^3"}
+SIDE, HEIGHT, COUNT, FORCE = 10, 4, 10, 1000.0   # mm, mm, parts, N
+
+
+def tower(document, container=None, gap=0.0):
+    """Ten boxes on one another."""
+    boxes = []
+    for index in range(COUNT):
+        box = document.addObject("Part::Box", "Plate%d" % index)
+        box.Length = box.Width = SIDE
+        box.Height, box.Placement = HEIGHT, placement(0, 0, index * (HEIGHT + gap))
+        boxes.append(box)
+    if container is not None:
+        for box in boxes:
+            container.addObject(box)
+    document.recompute()
+    return boxes
+
+
+def nodes_by_solid(mesh):
+    """By solid the numbers of its nodes."""
+    arrays = mesh.Proxy.arrays(mesh)
+    numbers = arrays["node_numbers"]
+    rows = [np.hstack([arrays["tets"], arrays["tet_mids"].reshape(len(arrays["tets"]), -1)])[arrays["tet_solids"] == solid]
+            for solid in range(arrays["tet_solids"].max() + 1)]
+    return [set(numbers[np.unique(part)].tolist()) for part in rows]
+
+
+def points_of(mesh):
+    return {number: np.array(point) for number, point in mesh.FemMesh.Nodes.items()}
+
+
+def face_at(shape, solid, z):
+    """Name of the horizontal face of one solid of a shape at that height."""
+    own = [face for face in shape.Solids[solid].Faces if face.BoundBox.ZLength < 1e-6 and abs(face.CenterOfMass.z - z) < 1e-6]
+    return next("Face%d" % number for number, face in enumerate(shape.Faces, 1) if face.isSame(own[0]))
+
+
+class InADocument(unittest.TestCase):
+
+    def setUp(self):
+        self.document = new_document()
+
+    def meshed(self, part, size=2.5, order=1):
+        mesh = api.add_mesh(part, size, order=order)
+        self.document.recompute()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        return mesh
+
+    def compound(self, boxes):
+        compound = self.document.addObject("Part::Compound", "Compound")
+        compound.Links = boxes
+        self.document.recompute()
+        return compound
+
+    def assert_own_nodes(self, mesh, count):
+        parts = nodes_by_solid(mesh)
+        self.assertEqual(len(parts), count)
+        self.assertEqual(sum(map(len, parts)), len(set().union(*parts)))
+        return parts
+
+    def check_edit(self, mesh, boxes, edited=5, growth=2):
+        """One part is made higher, those above it move up: parts below keep their bits, those above their numbers."""
+        before, parts = points_of(mesh), self.assert_own_nodes(mesh, COUNT)
+        boxes[edited].Height = HEIGHT + growth
+        for box in boxes[edited + 1:]:
+            box.Placement.Base.z += growth
+        self.document.recompute()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        self.assertIsNone(json.loads(mesh.Report)["fallback"])
+        now, parts_now = points_of(mesh), self.assert_own_nodes(mesh, COUNT)
+        for index in range(COUNT):
+            if index == edited:
+                continue
+            self.assertEqual(parts_now[index], parts[index], index)
+            shift = (0, 0, growth if index > edited else 0)
+            for number in parts[index]:
+                if index < edited:
+                    self.assertTrue(np.array_equal(now[number], before[number]), (index, number))
+                else:
+                    self.assertLess(np.abs(now[number] - before[number] - shift).max(), 1e-9, (index, number))
+
+
+class Assembly(InADocument):
+
+    def test_a_compound_of_touching_parts(self):
+        boxes = tower(self.document)
+        self.check_edit(self.meshed(self.compound(boxes)), boxes)
+
+    def test_the_parts_of_a_container(self):
+        container = self.document.addObject("App::Part", "Machine")
+        boxes = tower(self.document, container)
+        mesh = self.meshed(container)
+        self.assertTrue(assembled.is_assembled(versions.part_of(mesh)))
+        self.assertEqual(versions.part_of(mesh).Parts, boxes)
+        self.check_edit(mesh, boxes)
+
+    def test_a_part_that_is_hidden_placed_or_in_a_container_in_it_counts(self):
+        outer, inner = (self.document.addObject("App::Part", name) for name in ("Outer", "Inner"))
+        outer.addObject(inner)
+        outer.Placement, inner.Placement = placement(100, 0, 0), placement(0, 50, 0, 90)
+        box, tool, cut = (self.document.addObject(kind, name) for kind, name in (("Part::Box", "Box"), ("Part::Cylinder", "Tool"), ("Part::Cut", "Cut")))
+        cut.Base, cut.Tool = box, tool
+        for obj in (box, tool, cut):
+            inner.addObject(obj)
+        plain = self.document.addObject("Part::Box", "Plain")
+        outer.addObject(plain)
+        plain.Visibility = False
+        self.document.recompute()
+        shape = assembled.of(outer).Shape
+        self.assertEqual([part.Name for part in assembled.of(outer).Parts], ["Cut", "Plain"])
+        self.assertEqual(len(shape.Solids), 2)
+        corners = [tuple(round(x, 6) for x in (solid.BoundBox.XMin, solid.BoundBox.YMin, solid.BoundBox.ZMin)) for solid in shape.Solids]
+        self.assertEqual(corners, [(90.0, 50.0, 0.0), (100.0, 0.0, 0.0)])
+        self.assertIs(assembled.of(outer), assembled.of(outer))
+
+    def test_links_each_have_a_mesh_and_one_that_moves_takes_its_own_along(self):
+        box = self.document.addObject("Part::Box", "Box")
+        box.Length = box.Width = SIDE
+        box.Height = HEIGHT
+        container = self.document.addObject("App::Part", "Machine")
+        links = []
+        for index in range(3):
+            link = self.document.addObject("App::Link", "Link%d" % index)
+            link.LinkedObject, link.Placement = box, placement(0, 0, index * HEIGHT)
+            container.addObject(link)
+            links.append(link)
+        self.document.recompute()
+        mesh = self.meshed(container)
+        before, parts = points_of(mesh), self.assert_own_nodes(mesh, 3)
+        links[2].Placement = placement(1, 0, 2 * HEIGHT + 3, 90)
+        self.document.recompute()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        now = points_of(mesh)
+        self.assertEqual(self.assert_own_nodes(mesh, 3), parts)
+        motion = links[2].Placement.multiply(placement(0, 0, 2 * HEIGHT).inverse())
+        for number in parts[2]:
+            self.assertLess((FreeCAD.Vector(*now[number]) - motion.multVec(FreeCAD.Vector(*before[number]))).Length, 1e-9)
+        for number in parts[0] | parts[1]:
+            self.assertTrue(np.array_equal(now[number], before[number]), number)
+
+    def test_an_empty_container_is_refused(self):
+        empty = self.document.addObject("App::Part", "Empty")
+        with self.assertRaisesRegex(UserError, "Empty has no part with a solid"):
+            api.add_mesh(empty, 2.0)
+        self.assertEqual([obj for obj in self.document.Objects if assembled.is_assembled(obj)], [])
+
+    def test_saved_and_reopened_it_updates_as_locally(self):
+        container = self.document.addObject("App::Part", "Machine")
+        tower(self.document, container)
+        self.meshed(container)
+        folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, folder)
+        path = os.path.join(folder, "machine.FCStd")
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        mesh = api.find_mesh(self.document)
+        self.check_edit(mesh, [self.document.getObject("Plate%d" % index) for index in range(COUNT)])
+
+
+@unittest.skipUnless(shutil.which("ccx"), "this machine has no CalculiX")
+class TiedAndInContact(InADocument):
+    """A tower, held at its foot, pressed from above: nine joints, of which one is a contact and the others are ties."""
+
+    def add_analysis(self, mesh):
+        analysis = ObjectsFem.makeAnalysis(self.document, "Analysis")
+        analysis.addObject(mesh)
+        part, shape = versions.part_of(mesh), versions.part_of(mesh).Shape
+        add_solver(self.document, analysis)
+        add_material(self.document, analysis, "Material", STEEL)
+        fixed = ObjectsFem.makeConstraintFixed(self.document, "Fixed")
+        fixed.References = [(part, face_at(shape, 0, 0))]
+        force = ObjectsFem.makeConstraintForce(self.document, "Force")
+        force.References = [(part, face_at(shape, COUNT - 1, COUNT * HEIGHT))]
+        force.Force = quantity(FORCE, "N")
+        force.Reversed = True
+        for obj in (fixed, force):
+            analysis.addObject(obj)
+        self.joints = []
+        for index in range(1, COUNT):
+            is_contact = index == COUNT - 1
+            joint = (ObjectsFem.makeConstraintContact if is_contact else ObjectsFem.makeConstraintTie)(self.document, "Joint%d" % index)
+            joint.References = [(part, face_at(shape, index, index * HEIGHT)), (part, face_at(shape, index - 1, index * HEIGHT))]
+            if is_contact:
+                joint.Friction, joint.Slope = 0.0 if versions.version() < (1, 0) else False, quantity(1e6, "GPa/m")
+            else:
+                joint.Tolerance = quantity(0.01, "mm")
+            analysis.addObject(joint)
+            self.joints.append(joint)
+        self.document.recompute()
+        return analysis
+
+    def check_solution(self, analysis, mesh, length):
+        solution = solve(analysis)
+        parts = nodes_by_solid(mesh)
+        elements = {number: set(mesh.FemMesh.getElementNodes(number)) for number in mesh.FemMesh.Volumes}
+        surfaces = dict(re.findall(r"\*SURFACE, ?NAME=(\w+)\n((?:\d+,\s*S\d\n)+)", solution["input"], re.IGNORECASE))
+        for index, joint in enumerate(self.joints, 1):
+            of_joint = [surfaces[prefix + joint.Name] for prefix in (("DEP", "IND") if "Contact" in joint.TypeId else ("TIE_DEP", "TIE_IND"))]
+            for solid, lines in zip((index, index - 1), of_joint):
+                numbers = [int(line.split(",")[0]) for line in lines.split()]
+                self.assertGreater(len(numbers), 10)
+                self.assertEqual([number for number in numbers if not elements[number] <= parts[solid]], [], (joint.Name, solid))
+        expected = FORCE * length / (210000 * SIDE * SIDE)
+        self.assertAlmostEqual(solution["displacement_z"] / expected, 1, delta=0.06)
+
+    def test_solved_before_and_after_an_edit(self):
+        boxes = tower(self.document)
+        mesh = self.meshed(self.compound(boxes), order=2)
+        analysis = self.add_analysis(mesh)
+        self.check_solution(analysis, mesh, COUNT * HEIGHT)
+        self.check_edit(mesh, boxes)
+        self.check_solution(analysis, mesh, COUNT * HEIGHT + 2)
+
+    def test_references_as_they_are_clicked_on_the_parts(self):
+        """A face of a part that lies on a face of another one: the part that was clicked is meant."""
+        container = self.document.addObject("App::Part", "Machine")
+        boxes = tower(self.document, container)
+        mesh = self.meshed(container)
+        analysis = ObjectsFem.makeAnalysis(self.document, "Analysis")
+        analysis.addObject(mesh)
+        tie = ObjectsFem.makeConstraintTie(self.document, "Tie")
+        tie.References = [(boxes[3], face_at(boxes[3].Shape, 0, 3 * HEIGHT)), (boxes[2], face_at(boxes[2].Shape, 0, 3 * HEIGHT))]
+        analysis.addObject(tie)
+        self.document.recompute()
+        part = versions.part_of(mesh)
+        self.assertEqual([(obj, name) for obj, names in tie.References for name in names],
+                         [(part, face_at(part.Shape, 3, 3 * HEIGHT)), (part, face_at(part.Shape, 2, 3 * HEIGHT))])
