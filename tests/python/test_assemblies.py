@@ -156,6 +156,50 @@ class Assembly(InADocument):
         for number in parts[0] | parts[1]:
             self.assertTrue(np.array_equal(now[number], before[number]), number)
 
+    def joined_tower(self):
+        container = self.document.addObject("App::Part", "Machine")
+        boxes = tower(self.document, container)
+        for index, box in enumerate(boxes):   # each smaller than the one below, so that faces have to be cut
+            box.Length = SIDE - 0.5 * index
+        part = assembled.of(container)
+        part.Join = True
+        self.document.recompute()
+        return part, boxes
+
+    def test_parts_that_touch_are_joined_on_request_and_told_face_by_face(self):
+        part, boxes = self.joined_tower()
+        self.assertEqual(len(part.Joints), COUNT - 1)
+        for index, line in enumerate(part.Joints):
+            name, told = line.split(": ", 1)
+            face = part.Shape.getElement(name)
+            self.assertAlmostEqual(face.CenterOfMass.z, (index + 1) * HEIGHT)
+            self.assertEqual(told, "Plate%d and Plate%d, %.6g mm^2" % (index, index + 1, face.Area))
+        mesh = self.meshed(part)
+        parts = nodes_by_solid(mesh)
+        self.assertEqual(len(parts), COUNT)
+        shared = [len(below & above) for below, above in zip(parts, parts[1:])]
+        self.assertGreater(min(shared), 9)
+        before = points_of(mesh)
+        boxes[-1].Height = HEIGHT + 2
+        self.document.recompute()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        now, parts_now = points_of(mesh), nodes_by_solid(mesh)
+        for own, then in zip(parts_now[:-1], parts[:-1]):
+            self.assertEqual(own, then)
+            self.assertTrue(all(np.array_equal(now[number], before[number]) for number in own))
+        self.assertEqual(len(parts_now[-2] & parts_now[-1]), shared[-1])
+        part.Join = False
+        self.document.recompute()
+        self.assertEqual(part.Joints, [])
+        self.assert_own_nodes(mesh, COUNT)
+
+    def test_parts_that_overlap_are_not_joined(self):
+        part, boxes = self.joined_tower()
+        boxes[4].Height = HEIGHT + 1
+        self.document.recompute()
+        with self.assertRaisesRegex(UserError, "Plate4 and Plate5 overlap"):
+            part.Proxy.assemble(part)
+
     def test_an_empty_container_is_refused(self):
         empty = self.document.addObject("App::Part", "Empty")
         with self.assertRaisesRegex(UserError, "Empty has no part with a solid"):
@@ -180,7 +224,7 @@ class Assembly(InADocument):
 class TiedAndInContact(InADocument):
     """A tower, held at its foot, pressed from above: nine joints, of which one is a contact and the others are ties."""
 
-    def add_analysis(self, mesh):
+    def add_analysis(self, mesh, with_joints=True):
         analysis = ObjectsFem.makeAnalysis(self.document, "Analysis")
         analysis.addObject(mesh)
         part, shape = versions.part_of(mesh), versions.part_of(mesh).Shape
@@ -195,7 +239,7 @@ class TiedAndInContact(InADocument):
         for obj in (fixed, force):
             analysis.addObject(obj)
         self.joints = []
-        for index in range(1, COUNT):
+        for index in range(1, COUNT if with_joints else 1):
             is_contact = index == COUNT - 1
             joint = (ObjectsFem.makeConstraintContact if is_contact else ObjectsFem.makeConstraintTie)(self.document, "Joint%d" % index)
             joint.References = [(part, face_at(shape, index, index * HEIGHT)), (part, face_at(shape, index - 1, index * HEIGHT))]
@@ -229,6 +273,17 @@ class TiedAndInContact(InADocument):
         self.check_solution(analysis, mesh, COUNT * HEIGHT)
         self.check_edit(mesh, boxes)
         self.check_solution(analysis, mesh, COUNT * HEIGHT + 2)
+
+    def test_joined_parts_are_solved_without_ties(self):
+        container = self.document.addObject("App::Part", "Machine")
+        tower(self.document, container)
+        part = assembled.of(container)
+        part.Join = True
+        self.document.recompute()
+        mesh = self.meshed(part, order=2)
+        analysis = self.add_analysis(mesh, with_joints=False)
+        expected = FORCE * COUNT * HEIGHT / (210000 * SIDE * SIDE)
+        self.assertAlmostEqual(solve(analysis)["displacement_z"] / expected, 1, delta=0.02)
 
     def test_references_as_they_are_clicked_on_the_parts(self):
         """A face of a part that lies on a face of another one: the part that was clicked is meant."""

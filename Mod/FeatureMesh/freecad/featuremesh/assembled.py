@@ -2,17 +2,24 @@
 """Several parts as one shape that a mesh can be made of: the solids of a container (App::Part, group, assembly), each where it is.
 
 A container has no shape of its own that a mesh or a load could refer to. This document object has one: a compound of its parts in their order,
-whatever is hidden. Nothing is joined, so each part gets a mesh of its own, and an edit of one leaves those of the others.
+whatever is hidden. Unless they are to be joined each part gets a mesh of its own, and an edit of one leaves those of the others.
 """
 
 import FreeCAD
 import Part
 
 from . import reading
-from .errors import UserError
+from .errors import FailedUpdate, UserError
 
 translate = FreeCAD.Qt.translate
 _CONTAINERS = ("App::Part", "App::DocumentObjectGroup")   # FreeCAD 1.x's assemblies are App::Parts, too
+# (type, name, group, default, read-only, tooltip)
+PROPERTIES = [
+    ("App::PropertyLink", "Container", "Parts", None, False, "The container whose parts these are"),
+    ("App::PropertyLinkList", "Parts", "Parts", None, True, "The parts, in the order of the solids of the shape"),
+    ("App::PropertyBool", "Join", "Parts", False, False, "Parts that lie on one another share faces, and the mesh its nodes there"),
+    ("App::PropertyStringList", "Joints", "Parts", None, True, "The faces that joined parts share"),
+]
 # Called with every object that was made or opened; the window's side adds its view there.
 on_ready = []
 
@@ -27,7 +34,14 @@ class AssembledParts:
         self._get_ready(obj)
 
     def execute(self, obj):
-        """Puts the parts of the container together as they are now."""
+        """Called by recompute."""
+        try:
+            self.assemble(obj)
+        except UserError as error:
+            raise FailedUpdate(obj.Label, str(error)) from None
+
+    def assemble(self, obj):
+        """Puts the parts of the container together as they are now. Throws UserError."""
         if obj.Container is None:
             raise UserError(translate("FeatureMesh", "%s has no container, set its property Container") % reading.describe(obj))
         parts = parts_in(obj.Container)
@@ -35,7 +49,11 @@ class AssembledParts:
             raise UserError(translate("FeatureMesh", "%s has no part with a solid") % reading.describe(obj.Container))
         if parts != obj.Parts:
             obj.Parts = parts
-        obj.Shape = Part.makeCompound([reading.shape_in_place(part) for part in parts])
+        shapes = [reading.shape_in_place(part) for part in parts]
+        if obj.Join:
+            shapes = joined(parts, shapes)
+        obj.Shape = Part.makeCompound(shapes)
+        obj.Joints = joints_in(parts, obj.Shape) if obj.Join else []
 
     def onDocumentRestored(self, obj):
         self._get_ready(obj)
@@ -50,13 +68,43 @@ class AssembledParts:
     __setstate__ = loads
 
     def _get_ready(self, obj):
-        if "Container" not in obj.PropertiesList:
-            obj.addProperty("App::PropertyLink", "Container", "Parts", "The container whose parts these are")
-            obj.addProperty("App::PropertyLinkList", "Parts", "Parts", "The parts, in the order of the solids of the shape")
-        obj.setEditorMode("Parts", 1)
+        for kind, name, group, default, read_only, tooltip in PROPERTIES:
+            if name not in obj.PropertiesList:
+                obj.addProperty(kind, name, group, tooltip)
+                if default is not None:
+                    setattr(obj, name, default)
+            obj.setEditorMode(name, 1 if read_only else 0)
         obj.setEditorMode("Placement", 2)   # the parts are where they are
         for hook in on_ready:
             hook(obj)
+
+
+def joined(parts, shapes):
+    """The shapes with faces in common where they lie on one another, in their order. Throws UserError for parts that overlap."""
+    if len(shapes) < 2:
+        return shapes
+    _, pieces_of = shapes[0].generalFuse(shapes[1:])
+    solids = [[solid for piece in pieces for solid in piece.Solids] for pieces in pieces_of]
+    for index, own in enumerate(solids):
+        for other in range(index):
+            if any(solid.isSame(known) for solid in own for known in solids[other]):
+                raise UserError(translate("FeatureMesh", "%s and %s overlap; parts that are joined may only touch") % (
+                    reading.describe(parts[other]), reading.describe(parts[index])))
+    return [own[0] if len(own) == 1 else Part.makeCompound(own) for own in solids]
+
+
+def joints_in(parts, shape):
+    """A line for each face of the shape that two of its parts share."""
+    owners = {}
+    for part, own in zip(parts, shape.SubShapes):
+        for face in own.Faces:
+            owners.setdefault(face.hashCode(), []).append((face, part))
+    lines = []
+    for number, face in enumerate(shape.Faces, 1):
+        sharing = [part for known, part in owners.get(face.hashCode(), ()) if known.isSame(face)]
+        if len(sharing) == 2:
+            lines.append(translate("FeatureMesh", "Face%d: %s and %s, %.6g mm^2") % (number, *(part.Label for part in sharing), face.Area))
+    return lines
 
 
 def is_container(obj):
@@ -90,7 +138,7 @@ def of(container):
     AssembledParts(obj)
     obj.Label = translate("FeatureMesh", "Parts of %s") % container.Label
     obj.Container = container
-    obj.Proxy.execute(obj)
+    obj.Proxy.assemble(obj)
     return obj
 
 

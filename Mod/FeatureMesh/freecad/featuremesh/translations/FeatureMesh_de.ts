@@ -116,6 +116,10 @@
       <translation>Über welche Strecke sie zur äußeren Größe wächst; 0: so schnell, wie Growth des Netzes es zulässt</translation>
     </message>
     <message>
+      <source>Parts that lie on one another share faces, and the mesh its nodes there</source>
+      <translation>Teile, die aufeinander liegen, teilen sich Flächen, und das Netz dort seine Knoten</translation>
+    </message>
+    <message>
       <source>Processor threads to use; 0: all. The mesh is the same for any number</source>
       <translation>Zu nutzende Prozessor-Threads; 0: alle. Das Netz ist für jede Anzahl dasselbe</translation>
     </message>
@@ -160,8 +164,20 @@
       <translation>Die Analyse, die für jeden Fall gelöst wird</translation>
     </message>
     <message>
+      <source>The container whose parts these are</source>
+      <translation>Der Container, dessen Teile dies sind</translation>
+    </message>
+    <message>
+      <source>The faces that joined parts share</source>
+      <translation>Die Flächen, die verbundene Teile sich teilen</translation>
+    </message>
+    <message>
       <source>The part that is varied</source>
       <translation>Das Teil, das verändert wird</translation>
+    </message>
+    <message>
+      <source>The parts, in the order of the solids of the shape</source>
+      <translation>Die Teile, in der Reihenfolge der Volumenkörper der Form</translation>
     </message>
     <message>
       <source>Time the last mesh or update took</source>
@@ -277,6 +293,10 @@
     <message>
       <source>%s and %s are in the same place but run differently. Check the feature that made them (Part: Check geometry).</source>
       <translation>%s und %s liegen am selben Ort, verlaufen aber verschieden. Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen).</translation>
+    </message>
+    <message>
+      <source>%s and %s overlap; parts that are joined may only touch</source>
+      <translation>%s und %s überlappen sich; Teile, die verbunden werden, dürfen sich nur berühren</translation>
     </message>
     <message>
       <source>%s at %s</source>
@@ -669,6 +689,10 @@
     <message>
       <source>FEM meshes that are updated, not thrown away, when the part is edited</source>
       <translation>FEM-Netze, die bei Änderungen am Bauteil aktualisiert statt weggeworfen werden</translation>
+    </message>
+    <message>
+      <source>Face%d: %s and %s, %.6g mm^2</source>
+      <translation>Face%d: %s und %s, %.6g mm^2</translation>
     </message>
     <message>
       <source>Faces (shells)</source>
