@@ -50,6 +50,14 @@ class Resolving(unittest.TestCase):
         self.assertEqual(self.names(self.body, "Fillet.Face19"), ["Face19"])
         self.assertEqual(self.names(self.body, "Face19", self.fillet), ["Face19"])
 
+    def test_the_only_solid_is_meant_though_freecad_lost_it(self):
+        for obj in (self.body, self.fillet, self.document.Plate):
+            self.assertEqual(self.names(obj, "?Solid1"), ["Solid1"])
+            self.assertEqual(self.names(obj, "?Face1"), [])
+        other = self.document.addObject("Part::Box", "Other")
+        self.document.recompute()
+        self.assertEqual(self.names(other, "?Solid1"), [])
+
     def test_a_feature_before_the_tip_has_its_faces_on_the_final_shape(self):
         for placed in (FreeCAD.Placement(), placement(10, 20, 30, 40, (1, 2, 3))):
             self.body.Placement = placed

@@ -35,7 +35,7 @@ def settle(objects, resolver):
     """Lets `objects` refer to the meshed part itself: what was clicked names the tip of a body, which may be deleted, or a step before it."""
     for obj in objects:
         pairs = pairs_of(obj)
-        if all(target is resolver.bearer for target, _ in pairs) or not may_change(obj, resolver) or "" in (sub for _, sub in pairs):
+        if all(target is resolver.bearer and LOST not in sub for target, sub in pairs) or not may_change(obj, resolver) or "" in (sub for _, sub in pairs):
             continue
         meant = [resolver.names(target, sub) for target, sub in pairs]
         if all(meant):

@@ -36,7 +36,7 @@ class Resolver:
         if self._shows_another(path):
             return None
         if element.startswith(LOST):
-            return []
+            return self._only_solid(target, element)
         if self.is_alike(target):
             return [element] if element else self._all_solids()
         if not _ELEMENT.match(element):
@@ -63,6 +63,13 @@ class Resolver:
         """Does the path go through another copy of the meshed thing than the meshed one?"""
         return self.part not in path and self.part.isDerivedFrom("App::Link") and \
             any(step.isDerivedFrom("App::Link") and not self._has_record(step) for step in path)
+
+    def _only_solid(self, target, element):
+        """FreeCAD 1.0 loses solids when it recomputes, even the only one of a body."""
+        if not element.startswith(LOST + "Solid") or not (self.is_alike(target) or self._has_record(target)):
+            return []
+        solids = self._all_solids()
+        return solids if len(solids) == 1 else []
 
     def _all_solids(self):
         return ["Solid%d" % (i + 1) for i in range(self.part.Shape.countElement("Solid"))]
