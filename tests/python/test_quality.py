@@ -10,12 +10,14 @@ import numpy as np
 sys.path.append(str(Path(__file__).resolve().parents[2] / "Mod" / "FeatureMesh" / "freecad" / "featuremesh"))
 
 from quality import MEASURES, scaled_jacobian  # noqa: E402
-from section import SeenMesh, plane_across, plane_from_text, Plane  # noqa: E402
+from section import SeenMesh, plane_across, plane_from_text, Plane, seen_of  # noqa: E402
 
 BEST = {"dihedral_angle": np.degrees(np.arccos(1 / 3)), "radius_ratio": 1, "aspect_ratio": 1, "scaled_jacobian": 1, "skewness": 0}
 REGULAR = np.array(((1, 1, 1), (1, -1, -1), (-1, -1, 1), (-1, 1, -1)), dtype=float)
 CORNER = np.array(((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)), dtype=float)
 ONE = np.array([[0, 1, 2, 3]])
+TRIANGLE = np.array(((0, 0, 0), (1, 0, 0), (0.5, np.sqrt(0.75), 0)))
+THREE_FOUR_FIVE = np.array(((0, 0, 0), (3, 0, 0), (0, 4, 0)), dtype=float)
 PAIRS = ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))
 N = 6
 
@@ -153,6 +155,37 @@ class Cuts(unittest.TestCase):
         """Across axes, one oblique through the middle, one through a layer of nodes, all away, nothing away."""
         return (plane_across("z", 2.3), plane_across("x", 4.25, keeps_above=True), Plane((N / 2,) * 3, (0.6, 0.0, 0.8)),
                 plane_across("y", 3.0), plane_across("z", -1.0), plane_across("z", N + 1.0))
+
+
+class Triangles(unittest.TestCase):
+    def of(self, name, points, elements=ONE[:, :3]):
+        return float(MEASURES[name].values(points, elements)[0])
+
+    def test_the_regular_one_is_best(self):
+        for name, best in {**BEST, "dihedral_angle": 60}.items():
+            self.assertAlmostEqual(self.of(name, TRIANGLE), best, places=12, msg=name)
+
+    def test_with_sides_3_4_and_5(self):
+        self.assertAlmostEqual(self.of("dihedral_angle", THREE_FOUR_FIVE), np.degrees(np.arctan(3 / 4)))
+        self.assertAlmostEqual(self.of("radius_ratio", THREE_FOUR_FIVE), 2 * 1 / 2.5)
+        self.assertAlmostEqual(self.of("aspect_ratio", THREE_FOUR_FIVE), 5 / 1 / (2 * np.sqrt(3)))
+        self.assertAlmostEqual(self.of("scaled_jacobian", THREE_FOUR_FIVE), 2 / np.sqrt(3) * 3 / 5)
+        self.assertAlmostEqual(self.of("skewness", THREE_FOUR_FIVE), 1 - 6 / (3 * np.sqrt(3) / 4 * 2.5 ** 2))
+
+    def test_mid_side_nodes_count_for_the_jacobian(self):
+        mids = [(THREE_FOUR_FIVE[i] + THREE_FOUR_FIVE[(i + 1) % 3]) / 2 for i in range(3)]
+        six = np.arange(6)[None]
+        self.assertAlmostEqual(self.of("scaled_jacobian", np.vstack([THREE_FOUR_FIVE, mids]), six), 2 / np.sqrt(3) * 3 / 5)
+        mids[0] = np.array((1.5, 2.5, 0))
+        self.assertLess(self.of("scaled_jacobian", np.vstack([THREE_FOUR_FIVE, mids]), six), 0)
+
+    def test_a_plane_leaves_those_behind_it_or_cuts_them(self):
+        points = np.array(((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)), dtype=float)
+        sheet = seen_of(points, np.array(((0, 1, 2), (0, 2, 3))))
+        self.assertEqual(len(sheet.cut_open()[0]), 2)
+        self.assertEqual(sheet.cut_open(plane=plane_across("x", 0.5))[1].tolist(), [1])
+        corners, _ = sheet.cut_open(plane=plane_across("x", 0.5), is_filled=True)
+        self.assertAlmostEqual(np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2, 0.5)
 
 
 if __name__ == "__main__":

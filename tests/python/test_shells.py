@@ -11,7 +11,7 @@ import FreeCAD
 import numpy as np
 import ObjectsFem
 import Part
-from analyses import LONG, add_material, add_solver, clear_results, print_table, quantity, solve
+from analyses import LONG, add_material, add_solver, clear_results, print_table, quantity, solve, solver_of
 from freecad.featuremesh import api, export, mesh_object, overlays, statics, versions
 from freecad.featuremesh.errors import UserError
 from parts import new_document, placement, plate_with_hole, rectangle
@@ -240,8 +240,8 @@ class ShellsSolved(unittest.TestCase):
         self.assertLess(abs(ours / reference - 1), WITHIN, "%s: %g, the example itself %g" % (example, ours, reference))
         return (example, count, mesh.TetCount, "%.5g" % reference, "%.5g" % ours, "%+.2f" % (100 * (ours / reference - 1)))
 
-    def test_an_edit_and_a_second_solution(self):
-        """A cantilever of sheet metal 8 mm thick, 200 mm long and 50 mm wide, that becomes a quarter longer: F L^3 / 3 E I."""
+    def cantilever(self):
+        """Sheet metal 8 mm thick, 200 mm long and 50 mm wide, 100 N at its end; the sheet, the analysis and the mesh."""
         document = new_document()
         sheet = document.addObject("Part::Plane", "Sheet")
         sheet.Length, sheet.Width = 200, 50
@@ -258,6 +258,23 @@ class ShellsSolved(unittest.TestCase):
         analysis.addObject(fixed), analysis.addObject(load)
         mesh = api.add_mesh(sheet, 10, active_analysis=analysis)
         document.recompute()
+        return sheet, analysis, mesh
+
+    def test_stresses_are_those_in_the_middle_unless_asked_for_outside(self):
+        _, analysis, _ = self.cantilever()
+        report = api.solve_analysis(analysis)
+        self.assertRegex(" ".join(report["warnings"]), "solids only")
+        self.assertRegex(" ".join(report["warnings"]), "middle of the thickness")
+        self.assertLess(report["responses"]["max_mises_mpa"], 10)
+        solver_of(analysis).BeamShellResultOutput3D = True
+        report = api.solve_analysis(analysis)
+        self.assertNotRegex(" ".join(report["warnings"]), "middle of the thickness")
+        self.assertAlmostEqual(report["responses"]["max_mises_mpa"] / (100 * 200 / (50 * 8 ** 2 / 6)), 1, delta=0.15)
+
+    def test_an_edit_and_a_second_solution(self):
+        """The sheet becomes a quarter longer: F L^3 / 3 E I."""
+        sheet, analysis, mesh = self.cantilever()
+        document = sheet.Document
         force = self.force_in(analysis)
         for length in (200, 250):
             sheet.Length = length

@@ -105,3 +105,28 @@ TEST_CASE("quality is the same for any number of threads, and after a motion and
     CHECK(moved.mean_radius_ratio == Approx(a.mean_radius_ratio));
     CHECK(moved.min_dihedral == Approx(a.min_dihedral));
 }
+
+TEST_CASE("triangles: regular, with sides 3, 4 and 5, and flat") {
+    CHECK(radius_ratio({0, 0, 0}, {1, 0, 0}, {0.5, std::sqrt(3.0) / 2, 0}) == Approx(1));
+    CHECK(radius_ratio({0, 0, 0}, {3, 0, 0}, {0, 4, 0}) == Approx(2 * 1 / 2.5));
+    CHECK(radius_ratio({0, 0, 0}, {1, 0, 0}, {2, 0, 0}) == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("a mesh without tets is judged by the angles of its triangles, but for those between edges") {
+    Mesh mesh;
+    for (const Vec3& p : {Vec3{0, 0, 0}, Vec3{10, 0, 0}, Vec3{10, 1, 0}, Vec3{0, 8, 0}})
+        mesh.add_node(p, entity_of(FaceId(0)));
+    mesh.corner_count = 4;
+    const std::array<NodeId, 4> n{NodeId(0), NodeId(1), NodeId(2), NodeId(3)};
+    mesh.add_triangle({n[0], n[1], n[2]}, FaceId(0));
+    mesh.add_triangle({n[0], n[2], n[3]}, FaceId(0));
+    const double sharp = std::atan(0.1) * 180 / std::numbers::pi;
+    const QualityReport free = measure_quality(mesh);
+    CHECK(free.min_dihedral == Approx(sharp));
+    CHECK(free.min_dihedral_unforced == Approx(sharp));
+    CHECK(free.below_10 == 1);
+    mesh.add_segment({n[0], n[1]}, EdgeId(0)), mesh.add_segment({n[0], n[2]}, EdgeId(1));
+    const QualityReport between = measure_quality(mesh);
+    CHECK(between.forced_by_cad == 1);
+    CHECK(between.min_dihedral_unforced > 40);
+}

@@ -203,3 +203,15 @@ TEST_CASE("kept mid-side nodes follow new corners and serve new elements") {
         CHECK(more.tet_mids.back()[s] == more.triangle_mids[0][as_seen[s]]);
     }
 }
+
+TEST_CASE("6-node triangles: straight, bent within reason, and folded") {
+    const Vec3 a{0, 0, 0}, b{2, 0, 0}, c{0, 2, 0};
+    const auto with_middle_of_ab = [&](const Vec3& ab) {
+        return min_scaled_jacobian(std::array<Vec3, 6>{a, b, c, ab, (b + c) / 2, (c + a) / 2});
+    };
+    CHECK(with_middle_of_ab({1, 0, 0}) == Approx(1));
+    CHECK(with_middle_of_ab({1, 0, 0.2}) > 0.9);  // out of the plane, as on a curved face
+    CHECK(with_middle_of_ab({1, 0.2, 0}) > 0.2);  // towards the inside
+    CHECK(with_middle_of_ab({1, 0.6, 0}) <= 0);   // across the element
+    CHECK(with_middle_of_ab({1.6, 0, 0}) <= 0);   // beyond the quarter of the side
+}
