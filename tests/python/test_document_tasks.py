@@ -66,6 +66,21 @@ class Tasks(unittest.TestCase):
 
     # What works
 
+    def test_the_parts_of_a_container_are_meshed_and_updated(self):
+        document = new_document()
+        container = document.addObject("App::Part", "Machine")
+        for index in range(2):
+            box = document.addObject("Part::Box", "Box%d" % index)
+            box.Placement.Base.z = 10 * index
+            container.addObject(box)
+        document.recompute()
+        path = self.path("machine.FCStd")
+        documents.save_document(document, path)
+        self.done(command="mesh", part=path, object="Machine", size=4.0, order=1)
+        result = self.done(command="update", part=path, set=["Box1.Height=12"])
+        self.assertIsNone(result["data"]["fallback"])
+        self.assertGreater(result["data"]["kept"]["nodes_share"], 0.4)
+
     def test_mesh_then_update(self):
         self.mesh(json=self.path("first.json"))
         result = self.done(command="update", part=self.part, set=["HoleSketch.X=23"], json=self.path("second.json"))
