@@ -123,6 +123,6 @@ class RandomEdits(unittest.TestCase):
         """A reference to faces of the part by one of three ways, where it has them."""
         if way == 0 or part.TypeId != "PartDesign::Body":
             return part, tuple(names)
-        if way == 1 or versions.version() >= (1, 1):   # which crashes where a load refers to a face through a container
+        if way == 1 or versions.version() >= (1, 0):   # which crashes where a load refers to a face through a container
             return part.Tip, tuple(names)
         return container_of(part), tuple("%s.%s.%s" % (part.Name, part.Tip.Name, name) for name in names)

@@ -65,8 +65,9 @@ class Editor:
         api.recompute(self.document)
 
     def _misses(self):
-        """Does one of the added features not touch the part? FreeCAD 0.20 then shifts the whole body."""
-        features = [self.document.getObject(name) for name in self.added]
+        """Does one of the boxes and cylinders of the body not touch it? FreeCAD 0.20 then shifts the whole body."""
+        features = [obj for obj in getattr(self.part, "Group", []) if obj.TypeId.startswith(("PartDesign::Additive", "PartDesign::Subtractive"))
+                    and obj.BaseFeature is not None]
         return any(feature.Shape.isNull() or abs(feature.Shape.Volume - feature.BaseFeature.Shape.Volume) < 1e-9 * feature.Shape.Volume
                    for feature in features)
 
