@@ -7,6 +7,7 @@
 #include "sizing/curvature.h"
 #include "sizing/edge_cover.h"
 #include "sizing/face_cover.h"
+#include "sizing/girth.h"
 #include "sizing/local_sizes.h"
 #include "sizing/lost_sizes.h"
 #include "sizing/narrow_faces.h"
@@ -19,6 +20,7 @@ std::vector<std::unique_ptr<SizeProvider>> size_providers(const Brep& brep, cons
     std::vector<std::unique_ptr<SizeProvider>> all;
     all.push_back(local_size_provider(brep, options));
     all.push_back(curvature_provider(brep, options));
+    all.push_back(rod_provider(brep, options));
     all.push_back(thin_wall_provider(brep, options));
     all.push_back(narrow_face_provider(brep, options));
     all.push_back(zone_provider(brep, options));

@@ -26,6 +26,7 @@ struct SizingOptions {
     double elements_per_circle = 12;   ///< curvature; 0 is off
     double elements_across_gap = 0;    ///< thin walls; 0 is off
     bool refines_narrow_faces = true;  ///< those far narrower than the size
+    double pieces_round_rod = 6;       ///< round what is thinner than the sizes; four leave out 36 % of a rod, six 17 %
     double growth = 1.3;  ///< neighbouring edge lengths differ at most by this factor: |h(x)-h(y)| <= (growth-1) |x-y|
     std::vector<LocalSize> local;
     std::vector<SizeZone> zones;

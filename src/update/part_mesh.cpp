@@ -17,6 +17,7 @@
 #include "core/numbers_in_words.h"
 #include "core/peak_memory.h"
 #include "mesh/validation.h"
+#include "sizing/girth.h"
 #include "sizing/lost_sizes.h"
 #include "sizing/zone_notes.h"
 #include "update/adopted_sizes.h"
@@ -97,6 +98,7 @@ void record_fill(const Filled& filled, Report& report) {
 void record_run(const PartMesh& now, const RunContext& context, double total, Report& report) {
     const SizingOptions& sizing = now.options.sizing;
     for (const std::string& line : lost_sizes(now.part.brep, sizing)) report.warnings.push_back(line);
+    for (const std::string& line : warnings_of_thin_rods(now.part.brep, sizing)) report.warnings.push_back(line);
     for (const std::string& line : notes_on_zones(now.part.brep, sizing, now.mesh.points))
         report.warnings.push_back(line);
     report.seconds = context.seconds();
@@ -205,6 +207,12 @@ double margin_of(const MeshOptions& options, const SizingField& sizing) {
 double share_to_fill(const Kept& kept, const Mesh& old, Dimension dimension) {
     return 1 - double(element_count(kept.mesh, dimension)) /
                    double(std::max<std::size_t>(1, element_count(old, dimension)));
+}
+
+/// Curved tets need more room round a rod than straight ones.
+MeshOptions with_pieces_round_rods(MeshOptions options) {
+    options.sizing.pieces_round_rod = options.order == 2 ? 8 : 6;
+    return options;
 }
 
 /// The document is the same to the last bit, and so is its mesh.
@@ -427,14 +435,14 @@ PartState read_part_to_mesh(const RawDocument& document, RunContext& context, co
 }
 
 PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context, NextNumbers next) {
-    Stages stages(std::move(document), options, context);
+    Stages stages(std::move(document), with_pieces_round_rods(options), context);
     stages.read(nullptr);
     stages.fill_rest(next);
     return stages.finish(nullptr, nullptr);
 }
 
 PartMeshResult update_part(const PartMesh& old, RawDocument document, const MeshOptions& asked, RunContext& context) {
-    MeshOptions options = asked;
+    MeshOptions options = with_pieces_round_rods(asked);
     options.sizing.refines_narrow_faces = old.options.sizing.refines_narrow_faces;
     if (options == old.options && document == old.document) return unchanged(old, context);
     std::string why_full = reason_for_full_mesh(old, options);
@@ -455,7 +463,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
 
 PartMeshResult adopt_part(RawDocument document, const MeshOptions& asked, const Mesh& foreign, RunContext& context) {
     if (asked.order != foreign.order) throw InputError("An adopted mesh keeps its element order.");
-    MeshOptions options = asked;
+    MeshOptions options = with_pieces_round_rods(asked);
     options.sizing.refines_narrow_faces = false;
 
     Stages stages(std::move(document), std::move(options), context);
@@ -474,11 +482,11 @@ std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOpt
     PartState part = read_part_to_mesh(document, context, nullptr, options.dimension);
     const std::vector<std::string> broken = broken_invariants(mesh, expectation_of(part.brep), context);
     if (!broken.empty()) throw StateError("The saved mesh does not fit the part: " + broken.front() + ".");
-    const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
+    const SizingField sizing = make_sizing(part.brep, with_pieces_round_rods(options).sizing, adopted_sizes, context);
     const std::size_t nodes = mesh.node_count(), elements = element_count(mesh, part.brep.dimension());
     return std::make_shared<const PartMesh>(PartMesh{std::move(part),
                                                      std::move(document),
-                                                     options,
+                                                     with_pieces_round_rods(options),
                                                      sizing,
                                                      std::move(mesh),
                                                      std::vector<std::int32_t>(nodes, -1),

@@ -20,10 +20,10 @@ RegionLocator::RegionLocator(std::span<const Vec3> points, std::span<const Facet
         for (const int c : f.corners) box_.add(points[c]);
     if (box_.is_empty()) box_.add(Vec3{});
     const Vec3 size = box_.size();
-    w_ = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    w_ = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
     u_ = (w_ + 1) % 3, v_ = (w_ + 2) % 3;
-    const double longest = std::max({size[u_], size[v_], 1e-300});
-    width_ = std::max(std::sqrt(size[u_] * size[v_] / (facets.size() + 1.0)), longest / 4096);
+    const double longest = std::max({size[u_], size[v_], 1e-300}), columns_wanted = double(facets.size()) + 1;
+    width_ = std::max(std::sqrt(size[u_] * size[v_] / columns_wanted), longest / columns_wanted);
     count_u_ = static_cast<int>(size[u_] / width_) + 1;
     count_v_ = static_cast<int>(size[v_] / width_) + 1;
 

@@ -88,6 +88,7 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "Faces far narrower than the size are meshed at the plain size, since shorter edges failed: %s"),
     QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked at %s, because 10-node tetrahedra of that size would be folded, or nearly so, by the curved face."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The mesh is finer than asked at %s, because 6-node triangles of that size would be folded, or nearly so, by the curved face."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The part is %s mm thick at %s: elements are smaller there than asked, so that %s go round it."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The local size at %s is left out: the part has no such face, edge or vertex any more. Refer the refinement to another one."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s is suppressed and left out."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s refers to nothing and is left out. Choose faces, edges or vertices for it, or suppress it."),

@@ -1087,6 +1087,10 @@
       <translation>Das Bauteil konnte nicht gefüllt werden: %s. Eine andere Größe versuchen, oder die Form prüfen (Part: Geometrie prüfen).</translation>
     </message>
     <message>
+      <source>The part is %s mm thick at %s: elements are smaller there than asked, so that %s go round it.</source>
+      <translation>Das Teil ist %s mm dick an %s: Die Elemente sind dort kleiner als verlangt, damit %s herumpassen.</translation>
+    </message>
+    <message>
       <source>The refinement %s changes nothing: its inner size of %s mm is not below the mesh size of %s mm.</source>
       <translation>Die Verfeinerung %s ändert nichts: ihre innere Größe von %s mm liegt nicht unter der Netzgröße von %s mm.</translation>
     </message>
