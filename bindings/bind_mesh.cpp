@@ -105,6 +105,7 @@ py::dict arrays_of_part(const py::object& self) {
         arrays["made_for_sizes"] = view<double>(part.made_for.sizes, self);
     }
     if (part.options.sizing.refines_narrow_faces) arrays["refined_narrow_faces"] = py::array_t<std::int32_t>(0);
+    if (part.options.ignored_below > 0) arrays["ignored_below"] = py::array_t<double>(1, &part.options.ignored_below);
     if (!part.adopted_sizes.empty()) arrays["adopted_sizes"] = view<double>(part.adopted_sizes, self);
     return arrays;
 }

@@ -88,6 +88,7 @@ const std::map<std::string, TakeOption>& known_options() {
          [](Asked& a, const py::handle& v) { a.options.volume.target_dihedral_deg = v.cast<double>(); }},
         {"keep_margin", [](Asked& a, const py::handle& v) { a.options.keep_margin = v.cast<double>(); }},
         {"most_tets", [](Asked& a, const py::handle& v) { a.options.most_tets = v.cast<double>(); }},
+        {"ignore_below", [](Asked& a, const py::handle& v) { a.options.ignore_below = v.cast<double>(); }},
         {"dimension",
          [](Asked& a, const py::handle& v) { a.options.dimension = dimension_from_name(v.cast<std::string>()); }},
         {"threads", [](Asked& a, const py::handle& v) { a.threads = v.cast<int>(); }},
@@ -252,6 +253,8 @@ std::shared_ptr<PartMesh> restore_document(const py::dict& raw, const py::dict& 
     RawDocument document = raw_document_from(raw);
     Asked asked = asked_from(options);
     asked.options.sizing.refines_narrow_faces = arrays.contains("refined_narrow_faces");  // not so in older states
+    if (arrays.contains("ignored_below"))
+        asked.options.ignored_below = arrays["ignored_below"].cast<py::array_t<double>>().at(0);
     Mesh mesh = mesh_from(arrays);
     MadeFor made_for = made_for_from(arrays);
     std::vector<SizeSource> adopted_sizes = adopted_sizes_from(arrays);

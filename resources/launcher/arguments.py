@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The commands and their options. Lengths in mm."""
 import argparse
+import math
 
 import commands
 import study_arguments
@@ -55,6 +56,19 @@ def add_test(subparsers):
     test.add_argument("--only", metavar="PATTERN", help="run only tests whose name matches this regular expression")
 
 
+def ignored_length(text):
+    """The property IgnoreBelow: mm, 0 for auto, -1 for off."""
+    if text in ("auto", "off"):
+        return 0.0 if text == "auto" else -1.0
+    try:
+        length = float(text)
+    except ValueError:
+        length = 0.0
+    if not 0 < length < math.inf:
+        raise argparse.ArgumentTypeError("'%s' is no length above zero, nor auto or off" % text)
+    return length
+
+
 def add_mesh(subparsers):
     mesh = command(subparsers, "mesh", commands.mesh, "add a mesh to a document's part")
     add_part(mesh)
@@ -62,6 +76,8 @@ def add_mesh(subparsers):
     mesh.add_argument("--order", type=int, choices=(1, 2), help="1: 4-node tetrahedra, too stiff in bending; 2: 10-node tetrahedra (default: 2, or as the document's mesh has it)")
     mesh.add_argument("--dimension", choices=("solids", "faces", "edges"), help="what is meshed: solids with tetrahedra, faces with triangles (shells), edges "
                       "with segments (beams); default: solids, else faces, else edges, as the part has them, or as the document's mesh has it")
+    mesh.add_argument("--ignore-below", type=ignored_length, metavar="LENGTH", help="edges, steps and strips of faces smaller than this get no elements of their own: mm, off, "
+                      "or auto, a thousandth of the size where the part cannot be meshed with them (default: auto, or as the document's mesh has it)")
     add_run(mesh)
 
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 
+#include "core/numbers_in_words.h"
 #include "core/sorted_pair.h"
 #include "surface/projection.h"
 
@@ -166,12 +167,15 @@ std::string listed(const std::vector<Entity>& entities) {
 
 }  // namespace
 
-MergedEntities::MergedEntities(const Brep& brep) : is_point(brep.edge_count(), 0), is_flat(brep.face_count(), 0) {
-    const double tolerance = brep.tolerances().negligible();
+MergedEntities::MergedEntities(const Brep& brep, double ignore_below)
+    : is_point(brep.edge_count(), 0),
+      is_flat(brep.face_count(), 0),
+      tolerance_(std::max(brep.tolerances().negligible(), ignore_below)),
+      is_wide_(ignore_below > brep.tolerances().negligible()) {
     const std::vector<std::vector<BodyId>> bodies = bodies_of_vertices(brep);
     const Projector projector(brep);
-    vertex_of = merge_vertices(brep, bodies, tolerance);
-    vertices_on = find_vertices_on(brep, bodies, vertex_of, projector, tolerance);
+    vertex_of = merge_vertices(brep, bodies, tolerance_);
+    vertices_on = find_vertices_on(brep, bodies, vertex_of, projector, tolerance_);
     join_edges(brep, projector);
     find_flat_faces(brep);
 }
@@ -185,7 +189,6 @@ std::vector<VertexId> MergedEntities::sequence_of(const Brep& brep, EdgeId edge)
 }
 
 void MergedEntities::join_edges(const Brep& brep, const Projector& projector) {
-    const double tolerance = brep.tolerances().negligible();
     std::vector<EdgeId> order;  // those with most vertices on them first: others may be parts of them
     for (std::size_t e = 0; e < brep.edge_count(); ++e) {
         edge_of.emplace_back(e);
@@ -194,7 +197,7 @@ void MergedEntities::join_edges(const Brep& brep, const Projector& projector) {
         if (vertex_of[ends[0].index()] != vertex_of[ends[1].index()])
             order.emplace_back(e);
         else if (ends[0] != ends[1])
-            is_point[e] = featuremesh::is_point(brep, EdgeId(e), vertex_of[ends[0].index()], tolerance);
+            is_point[e] = featuremesh::is_point(brep, EdgeId(e), vertex_of[ends[0].index()], tolerance_);
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](EdgeId a, EdgeId b) { return vertices_on[a.index()].size() > vertices_on[b.index()].size(); });
@@ -202,7 +205,7 @@ void MergedEntities::join_edges(const Brep& brep, const Projector& projector) {
     for (const EdgeId edge : order) {
         const std::vector<VertexId> sequence = sequence_of(brep, edge);
         for (const EdgeId other : between[sorted_pair(sequence.front(), sequence.back())])
-            if (runs_along(brep, projector, edge, other, tolerance)) {
+            if (runs_along(brep, projector, edge, other, tolerance_)) {
                 edge_of[edge.index()] = other;
                 break;
             }
@@ -236,6 +239,11 @@ void MergedEntities::find_flat_faces(const Brep& brep) {
     }
 }
 
+bool MergedEntities::is_same_as(const MergedEntities& other) const {
+    return vertex_of == other.vertex_of && edge_of == other.edge_of && vertices_on == other.vertices_on &&
+           is_point == other.is_point && is_flat == other.is_flat;
+}
+
 std::vector<std::string> MergedEntities::warnings() const {
     std::vector<Entity> vertices, edges, faces;
     for (std::size_t v = 0; v < vertex_of.size(); ++v)
@@ -245,10 +253,11 @@ std::vector<std::string> MergedEntities::warnings() const {
     for (std::size_t f = 0; f < is_flat.size(); ++f)
         if (is_flat[f]) faces.push_back(entity_of(FaceId(f)));
     std::vector<std::string> lines;
-    if (!vertices.empty())
-        lines.push_back(
-            "In the place of another vertex within a millionth of the part, with which they share a node: " +
-            listed(vertices) + ".");
+    const std::string near =
+        is_wide_ ? "Nearer to another vertex than " + in_words(tolerance_, 3) + " mm, so that they share its node: "
+                 : "In the place of another vertex within a millionth of the part, with which "
+                   "they share a node: ";
+    if (!vertices.empty()) lines.push_back(near + listed(vertices) + ".");
     if (!edges.empty()) lines.push_back("Too short for an element of their own: " + listed(edges) + ".");
     if (!faces.empty()) lines.push_back("Too narrow for elements of their own: " + listed(faces) + ".");
     return lines;

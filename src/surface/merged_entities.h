@@ -11,12 +11,13 @@
 
 namespace featuremesh {
 
-/// Vertices of one solid in the same place within Tolerances::negligible() share a node, and an edge goes through the
-/// nodes of the vertices that lie on it. Then an edge may be a point, an edge may have its chain in common with another
-/// or a part of it (a solid that touches itself along an edge; the long sides of a sliver), and a face whose edges are
-/// so in pairs has no triangles.
+/// Vertices of one solid in the same place within Tolerances::negligible(), or as far as details are ignored, share a
+/// node, and an edge goes through the nodes of the vertices that lie on it. Then an edge may be a point, an edge may
+/// have its chain in common with another or a part of it (a solid that touches itself along an edge; the long sides of
+/// a sliver), and a face whose edges are so in pairs has no triangles.
 struct MergedEntities {
-    explicit MergedEntities(const Brep& brep);
+    /// `ignore_below`: mm, details smaller than this are ignored; nodes are off the shape there by no more than it.
+    explicit MergedEntities(const Brep& brep, double ignore_below = 0);
 
     std::vector<VertexId> vertex_of;  ///< by vertex: the one that has the node, mostly itself
     std::vector<EdgeId> edge_of;      ///< by edge: the one that has the chain, or a longer one, mostly itself
@@ -25,6 +26,7 @@ struct MergedEntities {
     std::vector<char> is_point;  ///< by edge: it has no chain
     std::vector<char> is_flat;   ///< by face: it has no triangles
 
+    bool is_same_as(const MergedEntities& other) const;
     /// What the user should know of it.
     std::vector<std::string> warnings() const;
 
@@ -33,6 +35,9 @@ struct MergedEntities {
     std::vector<VertexId> sequence_of(const Brep& brep, EdgeId edge) const;
     void join_edges(const Brep& brep, const Projector& projector);
     void find_flat_faces(const Brep& brep);
+
+    double tolerance_;  ///< mm
+    bool is_wide_;      ///< wider than what is negligible
 };
 
 }  // namespace featuremesh

@@ -194,6 +194,7 @@ class SizeLoop {
           rounds_(rounds),
           context_(context) {
         options_.volume.smallest_asked = sizing.smallest();
+        if (!kept_.merged) kept_.merged = std::make_shared<const MergedEntities>(brep, options_.ignored_below);
     }
 
     std::variant<Filled, std::string> run() {

@@ -27,6 +27,7 @@ struct KeepInput {
     const MadeFor& made_for;       ///< of the old mesh's nodes
     double margin;                 ///< edge lengths between a kept node and the changed boundary
     bool same_sizes_asked = true;  ///< the user asks for the same sizes as before
+    double ignored_below = 0;      ///< mm, as in MeshOptions
 };
 
 struct Kept {

@@ -15,7 +15,7 @@ KeptEntities::KeptEntities(const CarriedNodes& nodes)
     : nodes_(nodes),
       in_(nodes.input),
       projector_(in_.new_brep),
-      merged_(std::make_shared<const MergedEntities>(in_.new_brep)),
+      merged_(std::make_shared<const MergedEntities>(in_.new_brep, in_.ignored_below)),
       entities_(in_.old_mesh.entities),
       parameters_(in_.old_mesh.parameters),
       is_untouched_(in_.old_brep.face_count(), 0),

@@ -167,10 +167,24 @@ void record_kept(const PartMesh& now, const std::vector<KeptByMotion>& by_motion
     report.active_nodes = now.active_points.size();
 }
 
+/// Whether the details that the old mesh has not are those that it would be made without now.
+bool ignore_the_same(const MeshOptions& old, const MeshOptions& now) {
+    if (now.ignore_below == 0) return old.ignore_below <= 0;
+    return old.ignored_below == std::max(0.0, now.ignore_below);
+}
+
+void check_ignored(const MeshOptions& options) {
+    if (std::isfinite(options.ignore_below) && options.ignore_below <= 0.5 * options.sizing.size) return;
+    throw InputError("Details below " + in_words(options.ignore_below) +
+                     " mm cannot be ignored; at most those below half of the mesh size of " +
+                     in_words(options.sizing.size) + " mm can be.");
+}
+
 /// What of the old mesh may be kept, or why nothing can.
 std::string reason_for_full_mesh(const PartMesh& old, const MeshOptions& options) {
     if (old.options.order != options.order) return "the element order changed";
     const double ratio = options.sizing.size / old.options.sizing.size;
+    if (!ignore_the_same(old.options, options)) return "other details are ignored";
     if (std::max(ratio, 1 / ratio) > 1.2) return "the global size changed by more than 1.2 times";
     if (options.sizing.elements_across_gap >= elements_that_bend &&
         old.options.sizing.elements_across_gap < elements_that_bend)
@@ -238,7 +252,9 @@ PartMeshResult unchanged(const PartMesh& old, RunContext& context) {
 class Stages {
   public:
     Stages(RawDocument document, MeshOptions options, RunContext& context)
-        : options_(std::move(options)), document_(std::move(document)), context_(context) {}
+        : options_(std::move(options)), document_(std::move(document)), context_(context) {
+        check_ignored(options_);
+    }
 
     /// `before`: the state before an edit, or none.
     void read(const PartState* before) { part_ = read_part_to_mesh(document_, context_, before, options_.dimension); }
@@ -275,7 +291,7 @@ class Stages {
             std::string why;
             const bool is_kept = attempt(why, [&] {
                 kept_ = keep({old.mesh, old.part.brep, part_->brep, report_.difference, old.sizing, *sizing_,
-                              old.made_for, margin, old.options.sizing == options_.sizing},
+                              old.made_for, margin, old.options.sizing == options_.sizing, options_.ignored_below},
                              context_);
             });
             if (is_kept) {
@@ -329,8 +345,12 @@ class Stages {
             report_.rounds.push_back({"narrow faces", {}, "the plain size along them", why});
             report_.warnings.push_back(in_words_of_plain_size(why));
         }
-        auto whole =
-            fill_part(part_->brep, *sizing_, nothing_kept(next), options_, adopted_sizes_, report_.rounds, context_);
+        options_.ignored_below = std::max(0.0, options_.ignore_below);
+        auto whole = fill_all(next);
+        if (const auto* refusal = std::get_if<std::string>(&whole); refusal && ignores_details(*refusal)) {
+            auto without_details = fill_all(next);
+            if (std::holds_alternative<Filled>(without_details)) whole = std::move(without_details);
+        }
         if (const auto* refusal = std::get_if<std::string>(&whole)) throw MeshError(*refusal);
         take(std::get<Filled>(std::move(whole)));
     }
@@ -370,6 +390,24 @@ class Stages {
             why = failure.what();
             return false;
         }
+    }
+
+    std::variant<Filled, std::string> fill_all(NextNumbers next) {
+        return fill_part(part_->brep, *sizing_, nothing_kept(next), options_, adopted_sizes_, report_.rounds, context_);
+    }
+
+    /// Whether the part, refused as it is, may be filled without what is too small for elements of its own, and has
+    /// anything so small.
+    bool ignores_details(const std::string& refusal) {
+        constexpr double share_of_size = 1e-3;
+        if (options_.ignore_below != 0) return false;
+        double smallest = options_.sizing.size;
+        for (const LocalSize& local : options_.sizing.local) smallest = std::min(smallest, local.size);
+        const double below = share_of_size * smallest;
+        if (MergedEntities(part_->brep, below).is_same_as(MergedEntities(part_->brep))) return false;
+        options_.ignored_below = below;
+        report_.rounds.push_back({"details", {}, "those below " + in_words(below, 3) + " mm are ignored", refusal});
+        return true;
     }
 
     bool fill_gaps(const MeshOptions& options, std::string& why) {
@@ -444,6 +482,7 @@ PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunCo
 PartMeshResult update_part(const PartMesh& old, RawDocument document, const MeshOptions& asked, RunContext& context) {
     MeshOptions options = with_pieces_round_rods(asked);
     options.sizing.refines_narrow_faces = old.options.sizing.refines_narrow_faces;
+    options.ignored_below = old.options.ignored_below;
     if (options == old.options && document == old.document) return unchanged(old, context);
     std::string why_full = reason_for_full_mesh(old, options);
 
@@ -465,6 +504,7 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& asked, const 
     if (asked.order != foreign.order) throw InputError("An adopted mesh keeps its element order.");
     MeshOptions options = with_pieces_round_rods(asked);
     options.sizing.refines_narrow_faces = false;
+    options.ignored_below = std::max(0.0, options.ignore_below);
 
     Stages stages(std::move(document), std::move(options), context);
     stages.read(nullptr);

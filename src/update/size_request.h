@@ -29,7 +29,7 @@ struct SizeRequest {
 
 /// Why all that is not kept was filled again, and with what.
 struct Round {
-    std::string reason;   ///< a word or two: narrow faces, cannot follow, boundary, folded, kept elements
+    std::string reason;   ///< a word or two: narrow faces, cannot follow, boundary, folded, details, kept elements
     std::string place;    ///< names of faces, or of a solid; may be empty
     std::string change;   ///< what was done about it
     std::string refusal;  ///< why there was no mesh, in the words of an error; empty where one was only to get better

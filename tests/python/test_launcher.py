@@ -46,6 +46,7 @@ class CommandLine(unittest.TestCase):
                       ("mesh", __file__, "--size", "nan"), ("mesh", __file__, "--order", "3"), ("mesh", __file__, "--threads", "0"),
                       ("update", "no_such.FCStd", "--set", "A.B=1"), ("diff", __file__), ("export", __file__, "out.vtu"),
                       ("mesh", __file__, "--out", "no/such/folder/out.FCStd"), ("demo", "--out", __file__),
+                      ("mesh", __file__, "--ignore-below", "little"), ("mesh", __file__, "--ignore-below", "0"),
                       ("test", "--freecad", "0.12"), ("nothing",)):
             with self.subTest(words=words):
                 done = run(*words)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What happens around a mesh object: no engine, copies, renamed and deleted parts."""
+import json
 import os
 import shutil
 import tempfile
@@ -7,7 +8,7 @@ import unittest
 from unittest import mock
 
 import FreeCAD
-from freecad.featuremesh import api, engine, engine_places, mesh_object, state, versions
+from freecad.featuremesh import api, engine, engine_places, mesh_object, mesh_properties, state, versions
 from freecad.featuremesh.errors import EngineMissing, UserError
 from meshed_plate import MeshedPlate, points_of
 from parts import new_document, placement
@@ -163,3 +164,61 @@ class NarrowFace(unittest.TestCase):
 
     def test_a_state_from_before_there_were_any_goes_on_without(self):
         self.assertAlmostEqual(self.restored(without=("refined_narrow_faces",)).wanted_sizes(self.LEDGE)[0], 3, 3)
+
+
+class IgnoredDetails(unittest.TestCase):
+    def setUp(self):
+        """A block with a step as low as 0.004 mm and a hole far from it."""
+        self.document = new_document()
+        for name, length, height, z in (("Block", 60, 8, 0), ("Top", 30, 0.004, 8)):
+            box = self.document.addObject("Part::Box", name)
+            box.Length, box.Width, box.Height, box.Placement = length, 30, height, placement(z=z)
+        stepped = self.document.addObject("Part::Fuse", "Stepped")
+        stepped.Base, stepped.Tool = self.document.Block, self.document.Top
+        hole = self.document.addObject("Part::Cylinder", "Hole")
+        hole.Radius, hole.Height, hole.Placement = 4, 20, placement(45, 15, -1)
+        part = self.document.addObject("Part::Cut", "Part")
+        part.Base, part.Tool = stepped, hole
+        self.document.recompute()
+        self.mesh = api.add_mesh(part, 4, order=1)
+
+    def move_hole(self, x):
+        self.document.Hole.Placement = placement(x, 15, -1)
+        self.document.recompute()
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        return points_of(self.mesh)
+
+    def test_have_no_elements_where_they_are_below_the_length(self):
+        self.document.recompute()
+        self.assertLess(self.mesh.MinDihedral.Value, 5)   # automatically nothing is ignored that can be meshed
+        self.mesh.IgnoreBelow = 0.01
+        report = api.update_mesh(self.mesh)
+        self.assertGreater(self.mesh.MinDihedral.Value, 20)
+        self.assertEqual(self.mesh.KeptNodes, 0)   # with other details than before, nothing of the old mesh is of use
+        self.assertEqual(sum("Nearer to another vertex than 0.01 mm" in line for line in report["warnings"]), 1)
+
+    def test_stay_without_elements_in_a_reopened_document(self):
+        self.mesh.IgnoreBelow = 0.01
+        self.document.recompute()
+        folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, folder)
+        path = os.path.join(folder, "part.FCStd")
+        self.document.saveAs(path)
+        live = self.move_hole(47)
+        self.assertGreater(self.mesh.KeptNodes, 50)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        self.mesh = self.document.FeatureMesh
+        self.assertEqual(self.move_hole(47), live)
+
+    def test_a_mesh_from_before_the_property_is_updated_locally(self):
+        self.document.recompute()
+        report = json.loads(self.mesh.Report)
+        del report["settings"]["IgnoreBelow"]
+        self.mesh.Report = json.dumps(report)
+        self.assertFalse(mesh_properties.differ_from_mesh(self.mesh, mesh_properties.settings_of(self.mesh)))
+        saved = state.load(self.mesh.SavedState)
+        options = {name: value for name, value in saved.options.items() if name != "ignore_below"}
+        old = engine.load().restore_part(saved.raw, options, saved.arrays)
+        _, update = engine.load().update_part(old, saved.raw, saved.options)
+        self.assertEqual(update["kept"]["nodes_share"], 1)

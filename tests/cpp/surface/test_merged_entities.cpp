@@ -56,6 +56,36 @@ TEST_CASE("a sliver of a face and the edges across it get no elements of their o
     CHECK(area(mesh) == Approx(2 * (30 * 20 + 30 * 10 + 20 * 10)).epsilon(1e-5));
 }
 
+TEST_CASE(
+    "details below a length get no elements of their own, and those "
+    "above it do") {
+    const auto block_cut_by = [](double detail) {
+        return prism({{0, 0}, {30, 0}, {30, 20 - detail}, {30 - detail, 20}, {0, 20}}, 10);
+    };
+    const Brep brep(block_cut_by(0.005));
+    const MergedEntities with(brep), without(brep, 0.01);
+    CHECK(std::count(with.is_flat.begin(), with.is_flat.end(), 1) == 0);
+    CHECK(std::count(without.is_flat.begin(), without.is_flat.end(), 1) == 1);
+    CHECK(std::count(without.is_point.begin(), without.is_point.end(), 1) == 2);
+    CHECK_FALSE(with.is_same_as(without));
+    REQUIRE(without.warnings().size() == 3);
+    CHECK(without.warnings()[0].starts_with("Nearer to another vertex than 0.01 mm"));
+
+    RunContext context;
+    SizingOptions options;
+    options.size = 3;
+    const SizingField sizing = make_sizing(brep, options, {}, context);
+    SurfaceOptions ignoring;
+    ignoring.known = &without;
+    const Mesh mesh = fill_surface(brep, sizing, Mesh(), context, ignoring).mesh;
+    CHECK(smallest_angle(mesh) > 25);
+    CHECK(euler_characteristic(mesh) == 2);
+    CHECK(area(mesh) == Approx(2 * (30 * 20 + 30 * 10 + 20 * 10)).epsilon(1e-3));
+
+    const Brep coarse(block_cut_by(0.05));
+    CHECK(MergedEntities(coarse, 0.01).is_same_as(MergedEntities(coarse)));
+}
+
 TEST_CASE("edges of one solid in the same place are one chain") {
     const Brep brep(touching_columns());
     const MergedEntities merged(brep);

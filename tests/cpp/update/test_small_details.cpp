@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parts with what is far smaller than the size: thin rods.
+// Parts with what is far smaller than the size: thin rods, and details that are ignored.
+#include <algorithm>
+#include <limits>
+
 #include "catch.h"
+#include "core/errors.h"
 #include "mesh/validation.h"
 #include "part_documents.h"
 #include "update/fill_part.h"
@@ -29,6 +33,21 @@ PartMeshResult updated(const PartMesh& old, const RawDocument& document, const M
 
 void check_valid(const PartMesh& part) { CHECK(broken_invariants(part.mesh, expectation_of(part.part.brep)).empty()); }
 
+/// A block with a step as low as given across its top, and a hole.
+RawDocument stepped_block(double step, double hole_x) {
+    return PartDocument()
+        .box("Block", {0, 0, 0}, {60, 30, 8})
+        .box("Top", {0, 0, 8}, {30, 30, step})
+        .fuse("Stepped", "Block", "Top")
+        .cylinder("Hole", {hole_x, 15, -1}, 4, 20)
+        .cut("Part", "Stepped", "Hole")
+        .finish();
+}
+
+bool are_same_bytes(const Mesh& a, const Mesh& b) {
+    return a.points == b.points && a.tets == b.tets && a.triangles == b.triangles && a.entities == b.entities;
+}
+
 }  // namespace
 
 TEST_CASE("a rod that is far thinner than the size is meshed in both orders, which is said once") {
@@ -45,5 +64,57 @@ TEST_CASE("a rod that is far thinner than the size is meshed in both orders, whi
         const PartMeshResult longer = updated(*result.part_mesh, rod(310), options);
         check_valid(*longer.part_mesh);
         CHECK(longer.report.kept_nodes_share > 0.9);
+    }
+}
+
+TEST_CASE(
+    "what is smaller than the length below which details are ignored has "
+    "no elements, also in updates") {
+    for (const int order : {1, 2}) {
+        MeshOptions with = options_of(4, order), without = with;
+        with.ignore_below = -1, without.ignore_below = 0.01;
+        const PartMeshResult off = meshed(stepped_block(0.004, 45), with),
+                             on = meshed(stepped_block(0.004, 45), without);
+        check_valid(*on.part_mesh);
+        CHECK(off.report.quality.min_dihedral < 5);
+        CHECK(on.report.quality.min_dihedral > 20);
+        const auto said = [](const PartMeshResult& result, const char* begin) {
+            return std::count_if(result.report.warnings.begin(), result.report.warnings.end(),
+                                 [&](const std::string& line) { return line.starts_with(begin); });
+        };
+        CHECK(said(on, "Too narrow for elements of their own: Face") == 1);
+        CHECK(said(on, "Nearer to another vertex than 0.01 mm") == 1);
+
+        const PartMeshResult moved = updated(*on.part_mesh, stepped_block(0.004, 47), without);
+        check_valid(*moved.part_mesh);
+        CHECK(moved.report.fallbacks.empty());
+        CHECK(moved.report.kept_nodes_share > 0.5);
+        CHECK(moved.report.quality.min_dihedral > 20);
+        // with other details than before, nothing of the old mesh is of use
+        const PartMeshResult again = updated(*on.part_mesh, stepped_block(0.004, 45), with);
+        CHECK(again.report.kept_nodes_share == 0);
+        CHECK(again.report.quality.min_dihedral < 5);
+    }
+}
+
+TEST_CASE(
+    "where no detail is below the length, and automatically where "
+    "nothing is refused, the bytes are the same") {
+    MeshOptions off = options_of(4), on = off, automatic = off;
+    off.ignore_below = -1, on.ignore_below = 0.01, automatic.ignore_below = 0;
+    const Mesh plain = meshed(stepped_block(3, 45), off).part_mesh->mesh;
+    CHECK(are_same_bytes(plain, meshed(stepped_block(3, 45), on).part_mesh->mesh));
+    CHECK(are_same_bytes(plain, meshed(stepped_block(3, 45), automatic).part_mesh->mesh));
+    CHECK(are_same_bytes(meshed(stepped_block(0.004, 45), off).part_mesh->mesh,
+                         meshed(stepped_block(0.004, 45), automatic).part_mesh->mesh));
+}
+
+TEST_CASE(
+    "a length below which details are ignored that is of the order of "
+    "the size is refused") {
+    MeshOptions options = options_of(4);
+    for (const double wrong : {2.5, std::numeric_limits<double>::quiet_NaN()}) {
+        options.ignore_below = wrong;
+        CHECK_THROWS_AS(meshed(stepped_block(3, 45), options), InputError);
     }
 }

@@ -31,6 +31,9 @@ PROPERTIES = [
      "By how much neighbouring elements may differ in size at most"),
     ("App::PropertyFloat", "QualityTarget", "Mesh", 30.0, False,
      "Smallest angle in degrees that new elements are improved towards; below 30 is faster, above 35 is rarely reached"),
+    ("App::PropertyDistance", "IgnoreBelow", "Mesh", 0.0, False,
+     "Edges, steps and strips of faces smaller than this get no elements of their own; 0: those below a thousandth of Size where the part "
+     "cannot be meshed with them; negative: none"),
     ("App::PropertyEnumeration", "Order", "Mesh", ["1st", "2nd"], False,
      "1st: 4-node tetrahedra; 2nd: 10-node tetrahedra with their mid-side nodes on the surface"),
     ("App::PropertyEnumeration", "Dimension", "Mesh", list(DIMENSIONS), False,
@@ -57,10 +60,10 @@ _HIDDEN = ("Report", "SavedState", "ReferredTo")
 _NO_TOUCH = 8 | 16   # status of a property whose change asks for no recompute
 OPTION_OF = {"Size": "size", "MinSize": "min_size", "ElementsPerCircle": "elements_per_circle",
               "ElementsAcrossGap": "elements_across_gap", "Growth": "growth", "QualityTarget": "target_dihedral_deg",
-              "Threads": "threads"}
+              "IgnoreBelow": "ignore_below", "Threads": "threads"}
 # What a mesh depends on beside the part and its refinements.
 SETTINGS = (*(name for name in OPTION_OF if name != "Threads"), "Order", "Dimension")
-_WHAT_OLD_MESHES_HAD = {"Dimension": FROM_SHAPE}   # settings that came later
+_WHAT_OLD_MESHES_HAD = {"Dimension": FROM_SHAPE, "IgnoreBelow": 0.0}   # settings that came later
 AUTOMATIC_SHARE = 0.1   # of Size is the smallest size where none is given
 
 

@@ -35,6 +35,8 @@ def mesh(task):
     else:
         obj = api.add_mesh(part, size, task.get("order") or 2, dimension=(task.get("dimension") or FROM_SHAPE).capitalize())
     obj.Threads = task.get("threads") or 0
+    if task.get("ignore_below") is not None:
+        obj.IgnoreBelow = task["ignore_below"]
     report = api.update_mesh(obj, full=True, progress=_progress)
     report["seconds"]["recompute"] = 0.0
     out = _save(document, task, report)

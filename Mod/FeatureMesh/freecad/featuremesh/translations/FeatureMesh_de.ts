@@ -36,6 +36,10 @@
       <translation>Kanten auf einem vollen Kreis jeder gekrümmten Fläche oder Kante; 0: die Größe folgt der Krümmung nicht</translation>
     </message>
     <message>
+      <source>Edges, steps and strips of faces smaller than this get no elements of their own; 0: those below a thousandth of Size where the part cannot be meshed with them; negative: none</source>
+      <translation>Kanten, Absätze und Flächenstreifen, die kleiner sind, bekommen keine eigenen Elemente; 0: solche unter einem Tausendstel von Size, wo das Teil mit ihnen nicht vernetzt werden kann; negativ: keine</translation>
+    </message>
+    <message>
       <source>Elements across thin walls and slots; 0: sizes do not follow thickness</source>
       <translation>Elemente quer durch dünne Wände und Schlitze; 0: die Größe folgt der Dicke nicht</translation>
     </message>
@@ -663,6 +667,10 @@
       <translation>Zylinder</translation>
     </message>
     <message>
+      <source>Details below %s mm cannot be ignored; at most those below half of the mesh size of %s mm can be.</source>
+      <translation>Einzelheiten unter %s mm können nicht übergangen werden; höchstens solche unter der Hälfte der Netzgröße von %s mm.</translation>
+    </message>
+    <message>
       <source>Details of the part far smaller than the elements force an angle below 2 degrees on %s elements: %s. Results there are poor. Take them out of the features that make them (points of a sketch that nearly coincide, a step as shallow), or mesh finer there.</source>
       <translation>Einzelheiten des Bauteils, die viel kleiner als die Elemente sind, erzwingen einen Winkel unter 2 Grad an %s Elementen: %s. Ergebnisse dort sind ungenau. Sie aus den Formelementen entfernen, die sie erzeugen (Skizzenpunkte, die fast zusammenfallen, eine ebenso flache Stufe), oder dort feiner vernetzen.</translation>
     </message>
@@ -837,6 +845,10 @@
     <message>
       <source>Meshed finer than asked, because a face beside it would cross itself: %s.</source>
       <translation>Feiner vernetzt als gewünscht, weil sich eine Fläche daneben selbst kreuzen würde: %s.</translation>
+    </message>
+    <message>
+      <source>Nearer to another vertex than %s mm, so that they share its node: %s.</source>
+      <translation>Näher als %s mm an einer anderen Ecke, sodass sie deren Knoten haben: %s.</translation>
     </message>
     <message>
       <source>New elements</source>
