@@ -86,6 +86,7 @@ def draw():
     spin()
     draw_live(document, mesh)
     draw_difference(main, versions.part_of(mesh), mesh, compare.Command().show, path)
+    draw_menu(main)
     draw_shells()
 
 
@@ -102,6 +103,17 @@ def folded_sheet(document):
     sheet.Base, sheet.Tool = fold, tool
     document.recompute()
     return sheet, tool
+
+
+def draw_menu(main):
+    """FEM's own menu with our commands."""
+    Gui.activateWorkbench("FemWorkbench")
+    spin()
+    bar = main.menuBar()
+    entry, = [action for action in bar.actions() if action.text().replace("&", "") == "Mesh"]
+    entry.menu().popup(bar.mapToGlobal(bar.actionGeometry(entry).bottomLeft()))
+    save("fem_menu", (0, 0, 1000, 120 + entry.menu().sizeHint().height()))
+    entry.menu().close()
 
 
 def draw_shells():
