@@ -104,6 +104,7 @@ SurfaceResult mesh_surface(const Brep& brep, double size, Mesh kept, int threads
     SizingOptions options;
     options.size = size;
     options.elements_per_circle = 0;
+    options.pieces_round_rod = 0;
     return fill_surface(brep, make_sizing(brep, options, {}, context), std::move(kept), context);
 }
 
