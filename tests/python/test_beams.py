@@ -125,7 +125,7 @@ class BeamsSolved(unittest.TestCase):
         analysis = ObjectsFem.makeAnalysis(document, "Analysis")
         add_solver(document, analysis)
         add_material(document, analysis, "Steel", STEEL)
-        analysis.addObject(ObjectsFem.makeElementGeometry1D(document, "Rectangular", 20.0, 20.0, "Section"))
+        analysis.addObject(ObjectsFem.makeElementGeometry1D(document, "Rectangular", 20.0, 20.0, name="Section"))
         fixed, load = ObjectsFem.makeConstraintFixed(document, "Fixed"), ObjectsFem.makeConstraintForce(document, "Load")
         ends = {vertex.X: "Vertex%d" % (i + 1) for i, vertex in enumerate(axis.Shape.Vertexes)}
         fixed.References, load.References = [(axis, ends[0])], [(axis, ends[200])]
