@@ -60,9 +60,12 @@ def wait_for(condition, seconds=120):
 
 
 def click(widget):
-    """The left button of the mouse, pressed and let go in the middle of a widget that can be seen."""
+    """The left button of the mouse, pressed and let go in the middle of a widget that can be seen; of a check box on the box."""
     assert widget.isVisible() and widget.isEnabled(), widget.text()
-    send_mouse(widget, widget.rect().center(), QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease)
+    place = widget.rect().center()
+    if isinstance(widget, QtGui.QCheckBox):
+        place.setX(10)
+    send_mouse(widget, place, QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease)
 
 
 def double_click(widget, place):

@@ -60,7 +60,11 @@ def frame_around(obj):
 
 def frame_of(obj):
     """Placement of an object in the frame in which FEM has nodes: its own in 0.20, the global one in 1.0 and later."""
-    return obj.Placement if version() < (1, 0) else obj.getGlobalPlacement()
+    if version() < (1, 0):
+        return obj.Placement
+    if hasattr(obj, "getGlobalPlacement"):
+        return obj.getGlobalPlacement()
+    return frame_around(obj).multiply(obj.Placement)   # of an object made in Python, which does not tell it
 
 
 def number_of(enumerator):
