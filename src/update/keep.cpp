@@ -109,8 +109,8 @@ class Keeper {
             if (on_them[n]) untouched_under_[n] = 0;
     }
 
-    /// Or of an untouched face, or edge; under the motion that it has.
-    bool is_of_untouched_solid(std::size_t n) const {
+    /// Of a solid, face or edge that is as it was, under the motion that it has.
+    bool is_untouched(std::size_t n) const {
         return !untouched_under_.empty() && untouched_under_[n] != dropped && untouched_under_[n] == motions_[n];
     }
 
@@ -147,7 +147,7 @@ class Keeper {
                 const double wanted = in_.new_sizing.at(p), limit = in_.margin * wanted;
                 const bool is_resized = may_be_resized && size_changed(n, wanted);
                 if (!is_resized && !(may_be_near && nodes_.regions()[r].changed.distance(p, limit) < limit)) continue;
-                if (is_of_untouched_solid(n) && (in_.same_sizes_asked || !is_resized))
+                if (is_untouched(n) && (in_.same_sizes_asked || !is_resized))
                     near_change_[n] = 1;
                 else
                     motions_[n] = dropped, is_resized_[n] = is_resized;
@@ -181,7 +181,7 @@ class Keeper {
                     settled.push_back(nodes_.at(n));
             const PointGrid grid(std::move(settled), spacing);
             for (std::size_t n = 0; n < node_count(); ++n)
-                if (motions_[n] == std::int32_t(r) && !is_of_untouched_solid(n) &&
+                if (motions_[n] == std::int32_t(r) && !is_untouched(n) &&
                     grid.has_within(nodes_.at(n), clearance_between_motions * in_.new_sizing.at(nodes_.at(n))))
                     motions_[n] = dropped;
         }

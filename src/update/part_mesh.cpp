@@ -516,17 +516,18 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& asked, const 
     return stages.finish(&foreign, nullptr);
 }
 
-std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& options, Mesh mesh,
+std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& asked, Mesh mesh,
                                              RunContext& context, MadeFor made_for,
                                              std::vector<SizeSource> adopted_sizes) {
+    const MeshOptions options = with_pieces_round_rods(asked);
     PartState part = read_part_to_mesh(document, context, nullptr, options.dimension);
     const std::vector<std::string> broken = broken_invariants(mesh, expectation_of(part.brep), context);
     if (!broken.empty()) throw StateError("The saved mesh does not fit the part: " + broken.front() + ".");
-    const SizingField sizing = make_sizing(part.brep, with_pieces_round_rods(options).sizing, adopted_sizes, context);
+    const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
     const std::size_t nodes = mesh.node_count(), elements = element_count(mesh, part.brep.dimension());
     return std::make_shared<const PartMesh>(PartMesh{std::move(part),
                                                      std::move(document),
-                                                     with_pieces_round_rods(options),
+                                                     options,
                                                      sizing,
                                                      std::move(mesh),
                                                      std::vector<std::int32_t>(nodes, -1),

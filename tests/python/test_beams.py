@@ -10,14 +10,11 @@ import FreeCAD
 import numpy as np
 import ObjectsFem
 import Part
-from analyses import LONG, add_material, add_solver, clear_results, print_table, quantity, solve
-from freecad.featuremesh import api, export, mesh_object, overlays, versions
+from analyses import add_material, add_solver, quantity, solve
+from freecad.featuremesh import api, export, mesh_object, overlays
 from freecad.featuremesh.errors import UserError
 from parts import new_document, plate_with_hole
-from test_fem_examples import example_here, set_up
-
-WITHIN = 0.02
-STEEL = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.30", "Density": "7900 kg/m^3"}
+from remeshed_examples import STEEL, WITHIN, RemeshedExamples
 
 
 def line(document, length=200.0):
@@ -89,34 +86,14 @@ EXAMPLES = [("ccx_cantilever_ele_seg3", True), ("ccx_cantilever_ele_seg2", False
 
 
 @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
-class BeamsSolved(unittest.TestCase):
+class BeamsSolved(RemeshedExamples, unittest.TestCase):
 
     def test_our_beams_give_the_figures_of_the_examples(self):
-        rows = []
-        for example, always in EXAMPLES:
-            if example_here(example) and (always or LONG):
-                with self.subTest(example):
-                    rows.append(self.compare(example))
-        self.assertGreater(len(rows), 1)
-        print_table("FreeCAD's beam examples", ("example", "its segments", "ours", "its displacement, mm", "ours, mm", "off, %"), rows)
+        self.check_examples("beam", "segments", EXAMPLES)
 
-    def compare(self, example):
-        document = new_document()
-        set_up(example, document)
-        analysis = document.Analysis
-        theirs, = [member for member in analysis.Group if member.isDerivedFrom("Fem::FemMeshObject")]
-        part, count = versions.part_of(theirs), theirs.FemMesh.EdgeCount
-        order = 2 if len(theirs.FemMesh.getElementNodes(theirs.FemMesh.Edges[0])) == 3 else 1
-        reference = solve(analysis)["displacement"]
-        clear_results(analysis)
-        analysis.removeObject(theirs)
-        document.removeObject(theirs.Name)
-        mesh = api.add_mesh(part, part.Shape.Length / count, order, active_analysis=analysis)
-        document.recompute()
-        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
-        ours = solve(analysis)["displacement"]
-        self.assertLess(abs(ours / reference - 1), WITHIN, "%s: %g, the example itself %g" % (example, ours, reference))
-        return (example, count, mesh.TetCount, "%.5g" % reference, "%.5g" % ours, "%+.2f" % (100 * (ours / reference - 1)))
+    def meshing_of(self, part, fem_mesh):
+        segment = fem_mesh.getElementNodes(fem_mesh.Edges[0])
+        return fem_mesh.EdgeCount, part.Shape.Length / fem_mesh.EdgeCount, len(segment) - 1
 
     def test_an_edit_and_a_second_solution(self):
         """A cantilever of 20 x 20 mm that becomes a quarter longer: F L^3 / 3 E I."""

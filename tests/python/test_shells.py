@@ -11,14 +11,11 @@ import FreeCAD
 import numpy as np
 import ObjectsFem
 import Part
-from analyses import LONG, add_material, add_solver, clear_results, print_table, quantity, solve, solver_of
-from freecad.featuremesh import api, export, mesh_object, overlays, statics, versions
+from analyses import add_material, add_solver, quantity, solve, solver_of
+from freecad.featuremesh import api, export, mesh_object, overlays, statics
 from freecad.featuremesh.errors import UserError
 from parts import new_document, placement, plate_with_hole, rectangle
-from test_fem_examples import example_here, set_up
-
-WITHIN = 0.02
-STEEL = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.30", "Density": "7900 kg/m^3"}
+from remeshed_examples import STEEL, WITHIN, RemeshedExamples
 
 
 def square_pipe(document, height=100.0):
@@ -212,33 +209,13 @@ EXAMPLES = [("ccx_cantilever_ele_tria6", True), ("square_pipe_end_twisted_edgefo
 
 
 @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
-class ShellsSolved(unittest.TestCase):
+class ShellsSolved(RemeshedExamples, unittest.TestCase):
 
     def test_our_shells_give_the_figures_of_the_examples(self):
-        rows = []
-        for example, always in EXAMPLES:
-            if example_here(example) and (always or LONG):
-                with self.subTest(example):
-                    rows.append(self.compare(example))
-        self.assertGreater(len(rows), 1)
-        print_table("FreeCAD's shell examples", ("example", "its triangles", "ours", "its displacement, mm", "ours, mm", "off, %"), rows)
+        self.check_examples("shell", "triangles", EXAMPLES)
 
-    def compare(self, example):
-        document = new_document()
-        set_up(example, document)
-        analysis = document.Analysis
-        theirs, = [member for member in analysis.Group if member.isDerivedFrom("Fem::FemMeshObject")]
-        part, count = versions.part_of(theirs), theirs.FemMesh.FaceCount
-        reference = solve(analysis)["displacement"]
-        clear_results(analysis)
-        analysis.removeObject(theirs)
-        document.removeObject(theirs.Name)
-        mesh = api.add_mesh(part, (part.Shape.Area / count * 2.3) ** 0.5, active_analysis=analysis)
-        document.recompute()
-        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
-        ours = solve(analysis)["displacement"]
-        self.assertLess(abs(ours / reference - 1), WITHIN, "%s: %g, the example itself %g" % (example, ours, reference))
-        return (example, count, mesh.TetCount, "%.5g" % reference, "%.5g" % ours, "%+.2f" % (100 * (ours / reference - 1)))
+    def meshing_of(self, part, fem_mesh):
+        return fem_mesh.FaceCount, (part.Shape.Area / fem_mesh.FaceCount * 2.3) ** 0.5, 2
 
     def cantilever(self):
         """Sheet metal 8 mm thick, 200 mm long and 50 mm wide, 100 N at its end; the sheet, the analysis and the mesh."""

@@ -13,9 +13,9 @@
 
 #include "mesh/validation.h"
 #include "part_documents.h"
+#include "part_meshes.h"
 #include "surface/projection.h"
 #include "update/fill_part.h"
-#include "update/part_mesh.h"
 
 using namespace featuremesh;
 
@@ -37,13 +37,6 @@ TopoDS_Shape frame(double length, double x = 0) {
     }
     builder.Add(all, BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(b, top, c).Value(), left, right).Edge());
     return all;
-}
-
-MeshOptions options_of(double size, int order) {
-    MeshOptions options;
-    options.sizing.size = size;
-    options.order = order;
-    return options;
 }
 
 RawDocument document_of(const TopoDS_Shape& shape) {

@@ -8,8 +8,8 @@
 #include "catch.h"
 #include "difference/followed_faces.h"
 #include "part_documents.h"
+#include "part_meshes.h"
 #include "update/kept_tets.h"
-#include "update/part_mesh.h"
 
 using namespace featuremesh;
 
@@ -96,23 +96,6 @@ RawDocument glued_blocks(double y) {
     glue.Perform();
     return document.add("Part", "Part::FeaturePython", glue.Shape(), {{"Objects", "A", ""}, {"Objects", "B", ""}})
         .finish();
-}
-
-MeshOptions options_of(double size, int order = 1) {
-    MeshOptions options;
-    options.sizing.size = size;
-    options.order = order;
-    return options;
-}
-
-PartMeshResult meshed(const RawDocument& document, const MeshOptions& options) {
-    RunContext context;
-    return mesh_part(document, options, context);
-}
-
-PartMeshResult updated(const PartMesh& old, const RawDocument& document, const MeshOptions& options) {
-    RunContext context;
-    return update_part(old, document, options, context);
 }
 
 /// The face whose nodes all have this x.

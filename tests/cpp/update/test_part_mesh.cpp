@@ -13,6 +13,7 @@
 #include "core/errors.h"
 #include "mesh/validation.h"
 #include "part_documents.h"
+#include "part_meshes.h"
 #include "update/feature_groups.h"
 #include "update/part_mesh.h"
 
@@ -62,25 +63,6 @@ RawDocument plate_at(Vec3 p) {
         .cylinder("Hole", p + Vec3{15, 15, -1}, 4, 10)
         .cut("Part", "Plate", "Hole")
         .finish();
-}
-
-MeshOptions options_of(double size, int order = 1) {
-    MeshOptions options;
-    options.sizing.size = size;
-    options.order = order;
-    return options;
-}
-
-PartMeshResult meshed(const RawDocument& document, const MeshOptions& options, int threads = 1) {
-    RunContext context;
-    context.threads = threads;
-    return mesh_part(document, options, context);
-}
-
-PartMeshResult updated(const PartMesh& old, const RawDocument& document, const MeshOptions& options, int threads = 1) {
-    RunContext context;
-    context.threads = threads;
-    return update_part(old, document, options, context);
 }
 
 Expectation expectation_of(const Brep& brep) {

@@ -7,29 +7,12 @@
 #include "core/errors.h"
 #include "mesh/validation.h"
 #include "part_documents.h"
+#include "part_meshes.h"
 #include "update/fill_part.h"
-#include "update/part_mesh.h"
 
 using namespace featuremesh;
 
 namespace {
-
-MeshOptions options_of(double size, int order = 1) {
-    MeshOptions options;
-    options.sizing.size = size;
-    options.order = order;
-    return options;
-}
-
-PartMeshResult meshed(const RawDocument& document, const MeshOptions& options) {
-    RunContext context;
-    return mesh_part(document, options, context);
-}
-
-PartMeshResult updated(const PartMesh& old, const RawDocument& document, const MeshOptions& options) {
-    RunContext context;
-    return update_part(old, document, options, context);
-}
 
 void check_valid(const PartMesh& part) { CHECK(broken_invariants(part.mesh, expectation_of(part.part.brep)).empty()); }
 

@@ -10,6 +10,7 @@ import Part
 
 from . import reading
 from .errors import FailedUpdate, UserError
+from .proxies import Stateless, add_missing
 
 translate = FreeCAD.Qt.translate
 _CONTAINERS = ("App::Part", "App::DocumentObjectGroup")   # FreeCAD 1.x's assemblies are App::Parts, too
@@ -24,7 +25,7 @@ PROPERTIES = [
 on_ready = []
 
 
-class AssembledParts:
+class AssembledParts(Stateless):
     """Proxy of the object. Its class path is stored in documents and never changes; reading.py and the engine know the class by its name."""
 
     Type = "Part::FeatureMeshAssembledParts"
@@ -58,22 +59,8 @@ class AssembledParts:
     def onDocumentRestored(self, obj):
         self._get_ready(obj)
 
-    def dumps(self):
-        return None
-
-    def loads(self, saved):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
-
     def _get_ready(self, obj):
-        for kind, name, group, default, read_only, tooltip in PROPERTIES:
-            if name not in obj.PropertiesList:
-                obj.addProperty(kind, name, group, tooltip)
-                if default is not None:
-                    setattr(obj, name, default)
-            obj.setEditorMode(name, 1 if read_only else 0)
+        add_missing(obj, PROPERTIES)
         obj.setEditorMode("Placement", 2)   # the parts are where they are
         for hook in on_ready:
             hook(obj)

@@ -2,6 +2,7 @@
 """How the shape of a container's parts looks: as any shape, with our icon. It is hidden at first, since the parts are there themselves."""
 
 from . import view_provider
+from .proxies import Stateless
 
 _ICON = "FeatureMesh_ShowTree"
 
@@ -14,7 +15,7 @@ def attach(obj):
         view.Visibility = False
 
 
-class ViewAssembledParts:
+class ViewAssembledParts(Stateless):
     """Proxy of the view. Its class path is stored in documents and never changes."""
 
     def __init__(self, view):
@@ -23,12 +24,3 @@ class ViewAssembledParts:
     def getIcon(self):
         view_provider.drawn_icon(_ICON)   # FreeCAD keeps it; without a Qt plugin for SVG it could not load it from the path
         return view_provider.icon(_ICON)
-
-    def dumps(self):
-        return None
-
-    def loads(self, saved):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads

@@ -10,6 +10,7 @@ import math
 import FreeCAD
 
 from . import versions
+from .proxies import Stateless, add_missing
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -39,7 +40,7 @@ _RING = 48   # pieces of a drawn circle
 on_ready = []
 
 
-class SizeZone:
+class SizeZone(Stateless):
     """Proxy of the object. Its class path is stored in documents and never changes."""
 
     Type = "Fem::FeatureMeshSizeZone"
@@ -59,21 +60,8 @@ class SizeZone:
     def onDocumentRestored(self, zone):
         self._get_ready(zone)
 
-    def dumps(self):
-        return None
-
-    def loads(self, saved):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
-
     def _get_ready(self, zone):
-        for kind, name, group, default, _, tooltip in PROPERTIES:
-            if name not in zone.PropertiesList:
-                zone.addProperty(kind, name, group, tooltip)
-                if default is not None:
-                    setattr(zone, name, default)
+        add_missing(zone, PROPERTIES)
         self._show_measures(zone)
         for hook in on_ready:
             hook(zone)

@@ -3,8 +3,10 @@
 
 import FreeCADGui as Gui
 
+from ..proxies import Stateless
 
-class EditedInPanel:
+
+class EditedInPanel(Stateless):
     """A double click opens the panel that `panel_of` gives, unless another one is open."""
 
     def panel_of(self, obj):
@@ -25,12 +27,3 @@ class EditedInPanel:
         if not document.getInEdit():
             document.setEdit(view.Object.Name)
         return True
-
-    def dumps(self):
-        return None
-
-    def loads(self, saved):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads

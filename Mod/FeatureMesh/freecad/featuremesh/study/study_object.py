@@ -7,6 +7,7 @@ import FreeCAD
 
 from .. import api, documents, preferences, resolving, statics, statics_model, versions
 from ..errors import UserError
+from ..proxies import Stateless, add_missing
 from ..reading import describe
 from . import dimensions, study_file, window_run
 from .design import COUNTED, SAMPLINGS, Study, check, parse_parameter, read_toml
@@ -37,7 +38,7 @@ PROPERTIES = [
 ]
 
 
-class StudyObject:
+class StudyObject(Stateless):
     """Proxy of the object. Its class path is stored in documents and never changes."""
 
     Type = "FeatureMesh::Study"
@@ -52,25 +53,9 @@ class StudyObject:
     def onDocumentRestored(self, obj):
         self._get_ready(obj)
 
-    def dumps(self):
-        return None
-
-    def loads(self, saved):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
-
     def _get_ready(self, obj):
-        for kind, name, group, default, read_only, tooltip in PROPERTIES:
-            if name not in obj.PropertiesList:
-                obj.addProperty(kind, name, group, tooltip, 8 | 16)   # a change asks for no recompute
-                if default is not None:
-                    setattr(obj, name, default)
-                if name == "Sampling":
-                    obj.Sampling = "lhs"
-            if read_only:
-                obj.setEditorMode(name, 1)
+        if "Sampling" in add_missing(obj, PROPERTIES, 8 | 16):   # a change asks for no recompute
+            obj.Sampling = "lhs"
         for hook in on_ready:
             hook(obj)
 

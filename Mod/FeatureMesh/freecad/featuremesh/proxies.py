@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the proxies of our document objects and views have in common."""
+
+
+class Stateless:
+    """A proxy of which nothing but its class path is stored in documents."""
+
+    def dumps(self):
+        return None
+
+    def loads(self, saved):
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def add_missing(obj, rows, attributes=0):
+    """Adds the properties that the object lacks, with their defaults; the names of those that were added.
+
+    A row is (type, name, group, default or None, read-only, tooltip); `attributes` are FreeCAD's of `addProperty`.
+    """
+    added = []
+    for kind, name, group, default, read_only, tooltip in rows:
+        if name not in obj.PropertiesList:
+            obj.addProperty(kind, name, group, tooltip, attributes)
+            if default is not None:
+                setattr(obj, name, default)
+            added.append(name)
+        if read_only:
+            obj.setEditorMode(name, 1)
+    return added
