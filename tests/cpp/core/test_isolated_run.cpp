@@ -56,7 +56,8 @@ TEST_CASE("isolated work ends when it is cancelled") {
 TEST_CASE("isolated work that does not end is ended with an error") {
     const RunContext context;
     const auto work_on = [](const RunContext&) {
-        for (volatile int i = 0;; i = i + 1) continue;
+        volatile bool waiting = true;
+        while (waiting) continue;
         return Bytes(1);
     };
     const auto sleep = [](const RunContext&) {
