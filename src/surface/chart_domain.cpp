@@ -36,7 +36,7 @@ using Face = Cdt::Face_handle;
 std::vector<std::size_t> curve_order(const std::vector<Point>& points) {
     std::vector<std::size_t> order(points.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    const auto map = CGAL::make_property_map(points);
+    const auto map = CGAL::make_property_map(points.data());
     CGAL::spatial_sort(order.begin(), order.end(), CGAL::Spatial_sort_traits_adapter_2<Kernel, decltype(map)>(map));
     return order;
 }
