@@ -133,6 +133,34 @@ class SolveGuard(unittest.TestCase):
         self.document.undo()
         self.assertEqual([results.is_old(one) for one in (result, newer)], [False, True])
 
+    def test_a_result_that_arrives_while_the_mesh_is_not_that_of_its_part_is_old(self):
+        """As when a solver that asks nobody was started, or a file of results is opened by hand."""
+        self.mesh.Automatic = False
+        self.edit(50)
+        late = self.add_result()
+        self.assertTrue(results.is_old(late))
+        self.mesh.Automatic = True
+        self.edit(60)
+        self.assertTrue(results.is_old(late))
+        self.mesh.Size = 0
+        self.document.recompute()
+        self.assertTrue(self.mesh.Status.startswith("failed"), self.mesh.Status)
+        failed = self.add_result()
+        self.assertTrue(results.is_old(failed))
+        self.mesh.Size = 5
+        self.document.recompute()
+        self.assertEqual([results.is_old(one) for one in (late, failed, self.add_result())], [True, False, False])
+
+    def test_a_refused_solution_writes_no_input(self):
+        self.assertEqual(self.problem(), "")   # writes the input of the mesh as it is
+        self.mesh.Automatic = False
+        self.edit(50)
+        self.refuses("out of date")
+        self.document.undo()
+        self.assertFalse(results.is_old(self.add_result()))
+        self.document.redo()
+        self.assertEqual([results.is_old(one) for one in self.analysis.Group if results.is_result(one)], [True, True])
+
     def test_an_old_result_is_told_after_saving(self):
         result = self.add_result()
         path = self.folder + "/solved.FCStd"

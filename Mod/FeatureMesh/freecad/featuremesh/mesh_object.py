@@ -207,9 +207,13 @@ class FeatureMesh:
                 describe(mesh), messages.in_words(mesh.Status[len("failed: "):]))
         return translate("FeatureMesh", "%s is %s; update it before solving") % (describe(mesh), status_in_words(mesh.Status))
 
+    def state_of_mesh(self, mesh):
+        """What tells the mesh from others, whether or not it is that of its part; "" where there is none."""
+        return state.checksum_of(mesh.SavedState) if mesh.SavedState else ""
+
     def state_of_part(self, mesh):
-        """What tells the mesh from others when it is that of its part as it is, else ""."""
-        return state.checksum_of(mesh.SavedState) if is_of_its_part(mesh) and mesh.SavedState else ""
+        """The same when the mesh is that of its part as it is, else ""."""
+        return self.state_of_mesh(mesh) if is_of_its_part(mesh) else ""
 
     def last_part_mesh(self, mesh):
         """The engine's mesh as it is now, from memory or from the saved state. Throws StateError."""

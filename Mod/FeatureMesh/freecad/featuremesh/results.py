@@ -17,7 +17,7 @@ _states = {}   # (document, analysis) -> the state of its mesh when input for a 
 
 def input_is_written(analysis):
     """To be called when a solver's input is written: its results belong to the mesh as it is now, however long they take."""
-    state = _state_of(analysis)
+    state = _state_of_mesh(analysis)
     if state:
         _states[analysis.Document.Name, analysis.Name] = state
 
@@ -32,19 +32,17 @@ def note(analysis):
     """To be called when an analysis has new members: notes on which mesh new results were solved."""
     new = [member for member in analysis.Group if is_result(member) and SOLVED_ON not in member.PropertiesList]
     if new:
-        now = _state_of(analysis)
         for result in new:
-            _set_state(result, _states.get((analysis.Document.Name, analysis.Name)) or now)
-            _mark(result, now)
+            _set_state(result, _states.get((analysis.Document.Name, analysis.Name)) or _state_of_mesh(analysis))
+            _mark(result, _state_of_part(analysis))
 
 
 def note_again(result, from_input=False):
     """To be called when a result was given other values: solved on the mesh as it is now, or as it was when the input was written."""
     for analysis in analyses.holding(result):
-        now = _state_of(analysis)
         written = _states.get((analysis.Document.Name, analysis.Name)) if from_input else None
-        _set_state(result, written or now)
-        _mark(result, now)
+        _set_state(result, written or _state_of_mesh(analysis))
+        _mark(result, _state_of_part(analysis))
 
 
 def mark(mesh):
@@ -89,10 +87,21 @@ def _suffixes():
     return _SUFFIX, translate("FeatureMesh", _SUFFIX)
 
 
-def _state_of(analysis):
-    """The state of our mesh in the analysis, "" where there is none."""
-    ours = [mesh for mesh in analyses.meshes_of(analysis) if analyses.is_ours(mesh)] if analysis is not None else []
-    return ours[0].Proxy.state_of_part(ours[0]) if ours else ""
+def _state_of_mesh(analysis):
+    """The state of our mesh in the analysis, which a solver takes as it is; "" where there is none."""
+    mesh = _mesh_of(analysis)
+    return mesh.Proxy.state_of_mesh(mesh) if mesh is not None else ""
+
+
+def _state_of_part(analysis):
+    """The same, but "" also where the mesh is not that of its part as it is."""
+    mesh = _mesh_of(analysis)
+    return mesh.Proxy.state_of_part(mesh) if mesh is not None else ""
+
+
+def _mesh_of(analysis):
+    """Our mesh in the analysis, None where there is none."""
+    return next((mesh for mesh in analyses.meshes_of(analysis) if analyses.is_ours(mesh)), None) if analysis is not None else None
 
 
 def _set_state(result, state):

@@ -75,6 +75,10 @@ class SharedMesh:
             return translate("FeatureMesh", "%s shows a mesh that was deleted; delete it, too, and give the analysis another mesh") % shared.Label
         return shared.Mesh.Proxy.why_not_to_solve(shared.Mesh)
 
+    def state_of_mesh(self, shared):
+        """As of the mesh itself."""
+        return shared.Mesh.Proxy.state_of_mesh(shared.Mesh) if shared.Mesh is not None else ""
+
     def state_of_part(self, shared):
         """As of the mesh itself."""
         return shared.Mesh.Proxy.state_of_part(shared.Mesh) if shared.Mesh is not None else ""

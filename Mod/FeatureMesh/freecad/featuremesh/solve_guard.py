@@ -78,15 +78,17 @@ def _of_run(original, solver, *rest, **named):
 def _of_check(original, analysis, *rest, **named):
     """What the panel of CalculiX and scripts ask before they write its input: the messages of what is missing."""
     problem = reason(analysis)
+    if problem:
+        return problem + "\n"
     results.input_is_written(analysis)
-    return problem + "\n" if problem else original(analysis, *rest, **named)
+    return original(analysis, *rest, **named)
 
 
 def _of_task(original, task):
     """The first step of the solvers that run as a chain of tasks."""
     problem = reason(task.analysis)
-    results.input_is_written(task.analysis)
     if not problem:
+        results.input_is_written(task.analysis)
         return original(task)
     task.report.error(problem)
     task.fail()
