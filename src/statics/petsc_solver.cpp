@@ -67,6 +67,9 @@ void start_petsc() {
     check(PetscOptionsSetValue(nullptr, "-no_signal_handler", nullptr));
     check(PetscInitializeNoArguments());
     check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
+    // Otherwise how it sums depends on where in memory the vectors lie, since PETSc 3.20.
+    check(PetscOptionsSetValue(nullptr, "-vec_mdot_use_gemv", "no"));
+    check(PetscOptionsSetValue(nullptr, "-vec_maxpy_use_gemv", "no"));
     for (const auto& [name, value] : {std::pair{"pc_gamg_type", "agg"},
                                       {"pc_gamg_agg_nsmooths", "1"},
                                       {"pc_gamg_threshold", "0.02"},
