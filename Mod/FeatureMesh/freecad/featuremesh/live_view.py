@@ -112,4 +112,5 @@ def _uncolour(result):
     view = getattr(getattr(result, "Mesh", None), "ViewObject", None)
     if view is not None and hasattr(view, "resetNodeColor"):
         view.resetNodeColor()
+        view.ShapeColor = view.ShapeColor   # FreeCAD 1.0 keeps the colours of nodes until the mesh gets its own
         view.resetNodeDisplacement()
