@@ -43,14 +43,21 @@ struct Brep::Data {
     std::vector<std::vector<FaceId>> faces_of_edge;
     std::vector<std::array<VertexId, 2>> ends;
     std::vector<std::array<SolidId, 2>> sides;
-    std::vector<BodyId> sheets;  ///< by face, where faces are meshed
-    std::size_t sheet_count = 0;
+    std::vector<BodyId> sheets;  ///< by face, of those that are free
+    std::size_t body_count = 0;
+    std::vector<char> is_free_face, is_free_edge;
     Dimension dimension = Dimension::solids;
     std::vector<double> volumes;
     std::vector<Box> box_of_face;
     std::vector<Vec3> points;
     std::vector<char> is_degenerated;
     Box box;
+
+    bool is_seam(EdgeId e, FaceId f) const {
+        const auto& uses = uses_in_face[f.index()];
+        return std::count_if(uses.begin(), uses.end(), [&](const FaceEdge& use) { return use.edge == e; }) == 2 &&
+               BRepTools::IsReallyClosed(edge[e.index()], face[f.index()]);
+    }
 };
 
 namespace {
@@ -111,13 +118,14 @@ Box box_of_edges(const std::vector<TopoDS_Edge>& edges) {
     return box;
 }
 
-/// By face the sheet that it belongs to: all faces that are joined by edges, in the order of their first faces.
+/// By free face the sheet that it belongs to: all that are joined by edges, in the order of their first faces, from
+/// `next` on, which comes to be the first number without a sheet.
 std::vector<BodyId> sheets_of(const std::vector<std::vector<EdgeId>>& edges_of_face,
-                              const std::vector<std::vector<FaceId>>& faces_of_edge) {
+                              const std::vector<std::vector<FaceId>>& faces_of_edge, const std::vector<char>& is_free,
+                              BodyId& next) {
     std::vector<BodyId> sheets(edges_of_face.size());
-    BodyId next{0};
     for (std::size_t first = 0; first < sheets.size(); ++first) {
-        if (sheets[first].is_valid()) continue;
+        if (!is_free[first] || sheets[first].is_valid()) continue;
         std::vector<FaceId> open{FaceId(first)};
         sheets[first] = next;
         while (!open.empty()) {
@@ -125,11 +133,35 @@ std::vector<BodyId> sheets_of(const std::vector<std::vector<EdgeId>>& edges_of_f
             open.pop_back();
             for (const EdgeId edge : edges_of_face[face.index()])
                 for (const FaceId other : faces_of_edge[edge.index()])
-                    if (!std::exchange(sheets[other.index()], next).is_valid()) open.push_back(other);
+                    if (is_free[other.index()] && !std::exchange(sheets[other.index()], next).is_valid())
+                        open.push_back(other);
         }
         ++next.value;
     }
     return sheets;
+}
+
+/// Faces without a solid and edges without a meshed face, as far as they are meshed. `takes_lower`: those of a lower
+/// dimension than the part's, too; but none of a solid, which may have some drawn into it.
+void find_free(auto& data, bool takes_lower) {
+    const bool has_solids = data.dimension == Dimension::solids, has_edges = data.dimension == Dimension::edges;
+    std::vector<char> is_of_solid_face(data.face.size(), 0), is_of_solid_edge(data.edge.size(), 0);
+    for (const TopoDS_Solid& solid : data.solid) {
+        for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
+            is_of_solid_face[id_in<FaceKind>(data.faces, it.Current()).index()] = 1;
+        for (TopExp_Explorer it(solid, TopAbs_EDGE); it.More(); it.Next())
+            is_of_solid_edge[id_in<EdgeKind>(data.edges, it.Current()).index()] = 1;
+    }
+    for (std::size_t f = 0; f < data.face.size(); ++f)
+        data.is_free_face.push_back(has_solids ? takes_lower && !is_of_solid_face[f] : !has_edges);
+    for (std::size_t e = 0; e < data.edge.size(); ++e) {
+        const auto& faces = data.faces_of_edge[e];
+        data.is_free_edge.push_back(has_edges ? faces.size() != 1 || !data.is_seam(EdgeId(e), faces[0])
+                                              : takes_lower && faces.empty() && !is_of_solid_edge[e]);
+    }
+    BodyId next(data.solid.size());
+    data.sheets = sheets_of(data.edges_of_face, data.faces_of_edge, data.is_free_face, next);
+    data.body_count = next.index();
 }
 
 void refuse_empty(Dimension dimension, std::size_t solids, std::size_t faces, std::size_t edges) {
@@ -206,8 +238,9 @@ Brep::Brep(const TopoDS_Shape& shape, Dimension dimension) {
     }
     data->points = vertex_places(data->vertex, data->edge, data->ends, data->face, data->faces_of_edge);
     data->box = data->face.empty() ? box_of_edges(data->edge) : tight_box_of(data->face);
-    if (data->dimension == Dimension::faces) data->sheets = sheets_of(data->edges_of_face, data->faces_of_edge);
-    for (const BodyId sheet : data->sheets) data->sheet_count = std::max(data->sheet_count, sheet.index() + 1);
+    if (dimension == Dimension::from_shape)
+        for (std::size_t e = 0; e < data->edge.size(); ++e)
+            if (data->faces_of_edge[e].empty()) data->box.add(featuremesh::box_of(data->edge[e]));
     for (std::size_t s = 0; s < data->solid.size(); ++s) {
         std::vector<int> uses(data->edge.size(), 0);
         double volume = 0;
@@ -233,6 +266,7 @@ Brep::Brep(const TopoDS_Shape& shape, Dimension dimension) {
                              " has no positive volume. Its faces point inwards or cross each other; check the "
                              "feature that made it (Part: Check geometry).");
     }
+    find_free(*data, dimension == Dimension::from_shape);
     data_ = std::move(data);
 }
 
@@ -258,18 +292,22 @@ std::array<VertexId, 2> Brep::ends_of(EdgeId edge) const { return data_->ends[ed
 std::array<SolidId, 2> Brep::sides_of(FaceId face) const { return data_->sides[face.index()]; }
 const std::vector<std::array<SolidId, 2>>& Brep::sides_of_faces() const { return data_->sides; }
 std::array<BodyId, 2> Brep::bodies_of(FaceId face) const {
-    if (!data_->sheets.empty()) return {data_->sheets[face.index()], BodyId()};
+    if (is_free(face)) return {data_->sheets[face.index()], BodyId()};
     const auto [behind, before] = sides_of(face);
     return {BodyId(behind.value), BodyId(before.value)};
 }
-std::size_t Brep::body_count() const { return data_->sheets.empty() ? solid_count() : data_->sheet_count; }
+std::size_t Brep::body_count() const { return data_->body_count; }
+bool Brep::is_free(FaceId face) const { return data_->is_free_face[face.index()] != 0; }
+bool Brep::is_free(EdgeId edge) const { return data_->is_free_edge[edge.index()] != 0; }
+bool Brep::has_free_faces() const { return std::count(data_->is_free_face.begin(), data_->is_free_face.end(), 1) > 0; }
+bool Brep::has_free_edges() const { return std::count(data_->is_free_edge.begin(), data_->is_free_edge.end(), 1) > 0; }
 bool Brep::is_meshed(FaceId face) const {
     const auto bodies = bodies_of(face);
     return bodies[0].is_valid() || bodies[1].is_valid();
 }
 bool Brep::is_meshed(EdgeId edge) const {
+    if (is_free(edge)) return true;
     const auto faces = faces_of(edge);
-    if (data_->dimension == Dimension::edges) return faces.size() != 1 || !is_seam(edge, faces[0]);
     return std::any_of(faces.begin(), faces.end(), [&](FaceId face) { return is_meshed(face); });
 }
 std::vector<FaceId> Brep::faces_at(Entity entity) const {
@@ -287,11 +325,7 @@ std::vector<FaceId> Brep::faces_at(Entity entity) const {
     return faces;
 }
 bool Brep::is_degenerated(EdgeId id) const { return data_->is_degenerated[id.index()]; }
-bool Brep::is_seam(EdgeId edge_id, FaceId face_id) const {
-    const auto uses = uses_in(face_id);
-    return std::count_if(uses.begin(), uses.end(), [&](const FaceEdge& use) { return use.edge == edge_id; }) == 2 &&
-           BRepTools::IsReallyClosed(edge(edge_id), face(face_id));
-}
+bool Brep::is_seam(EdgeId edge, FaceId face) const { return data_->is_seam(edge, face); }
 
 Vec3 Brep::point_of(VertexId id) const { return data_->points[id.index()]; }
 double Brep::distance_from(VertexId id, const Vec3& p) const {

@@ -35,8 +35,9 @@ Dimension dimension_of(const TopoDS_Shape& shape);
 /// "Face1"). Cheap to copy; never changes.
 class Brep {
   public:
-    /// Takes the shape's solids, or its faces, or its edges: then it has no solids, whatever the shape has. Throws
-    /// InputError with the name of what is wrong (no solid, an open shell).
+    /// Takes the shape's solids, or its faces, or its edges: then it has no solids, whatever the shape has. From the
+    /// shape it takes faces without a solid and edges without a face beside solids, and those edges beside faces.
+    /// Throws InputError with the name of what is wrong (no solid, an open shell).
     explicit Brep(const TopoDS_Shape& shape, Dimension dimension = Dimension::solids);
 
     Dimension dimension() const;  ///< never `from_shape`
@@ -69,8 +70,12 @@ class Brep {
     /// What the face belongs to: the solids at its sides, or its sheet, which is all faces joined by edges.
     std::array<BodyId, 2> bodies_of(FaceId face) const;
     std::size_t body_count() const;
-    bool is_meshed(FaceId face) const;  ///< of solids, those that bound one
-    bool is_meshed(EdgeId edge) const;  ///< of faces and solids, those of a meshed face; of edges, all but seams
+    bool is_meshed(FaceId face) const;
+    bool is_meshed(EdgeId edge) const;
+    bool is_free(FaceId face) const;  ///< meshed, and bounds no solid: its triangles are shells
+    bool is_free(EdgeId edge) const;  ///< meshed, and of no meshed face: its segments are beams
+    bool has_free_faces() const;
+    bool has_free_edges() const;
     /// The faces that what lies on a vertex, edge or face lies on; ascending. None for a solid.
     std::vector<FaceId> faces_at(Entity entity) const;
     bool is_degenerated(EdgeId edge) const;  ///< a pole: no length in space

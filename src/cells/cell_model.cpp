@@ -369,7 +369,8 @@ std::vector<Owner> owners_of_anything(const FeatureTree& tree) {
 
 CellModel build_cells(const FeatureTree& tree, const Brep& final_shape, RunContext& context) {
     RunContext::Step step(context, "cells");
-    if (final_shape.dimension() != Dimension::solids) return cells_without_fuse(tree, final_shape);
+    if (final_shape.dimension() != Dimension::solids || final_shape.has_free_faces() || final_shape.has_free_edges())
+        return cells_without_fuse(tree, final_shape);
     return CellBuilder(tree, final_shape, context).run();
 }
 

@@ -14,7 +14,8 @@ struct Cover {
     bool is_new;
 };
 
-std::vector<std::vector<Cover>> covers_of_curves(const BoundaryMatch& match) {
+/// Of the edges that are meshed for themselves: others differ as their faces do.
+std::vector<std::vector<Cover>> covers_of_curves(const BoundaryPair& pair, const BoundaryMatch& match) {
     std::vector<std::vector<Cover>> covers(match.curves.size());
     const auto add = [&](const Stretch& s, bool is_new) {
         if (s.curve < 0) return;
@@ -23,8 +24,11 @@ std::vector<std::vector<Cover>> covers_of_curves(const BoundaryMatch& match) {
         of_curve.push_back({s.first, s.last, is_new});
         if (period > 0 && s.last > period) of_curve.push_back({s.first - period, s.last - period, is_new});
     };
-    for (const Stretch& s : match.old_edges) add(s, false);
-    for (const Stretch& s : match.new_edges) add(s, true);
+    const Brep &was = pair.old_model.brep(), &is = pair.new_model.brep();
+    for (std::size_t e = 0; e < match.old_edges.size(); ++e)
+        if (was.is_free(EdgeId(e))) add(match.old_edges[e], false);
+    for (std::size_t e = 0; e < match.new_edges.size(); ++e)
+        if (is.is_free(EdgeId(e))) add(match.new_edges[e], true);
     return covers;
 }
 
@@ -35,7 +39,7 @@ class EdgeDifference {
         : pair_(pair), match_(match), resolution_(resolution), triangles_(triangles) {}
 
     void run() {
-        const auto covers = covers_of_curves(match_);
+        const auto covers = covers_of_curves(pair_, match_);
         for (std::size_t c = 0; c < covers.size(); ++c) add_changed_pieces(match_.curves[c], covers[c]);
         add_changed_vertices();
     }
@@ -75,11 +79,15 @@ class EdgeDifference {
             const VertexId partner = match_.new_vertex_of[v];
             if (partner.is_valid())
                 has_partner[partner.index()] = 1;
-            else
+            else if (has_free_edge(was, VertexId(v)))
                 add_point(pair_.motion.apply(was.point_of(VertexId(v))));
         }
         for (std::size_t v = 0; v < has_partner.size(); ++v)
-            if (!has_partner[v]) add_point(is.point_of(VertexId(v)));
+            if (!has_partner[v] && has_free_edge(is, VertexId(v))) add_point(is.point_of(VertexId(v)));
+    }
+    static bool has_free_edge(const Brep& brep, VertexId vertex) {
+        const auto edges = brep.edges_of(vertex);
+        return std::any_of(edges.begin(), edges.end(), [&](EdgeId e) { return brep.is_free(e); });
     }
     void add_point(const Vec3& p) { triangles_.push_back({p, p, p}); }
 

@@ -66,11 +66,11 @@ CarriedRegion find_region(const BoundaryPair& pair, BoundaryMatch& match) {
 
 ChangedBoundary changed_boundary(const BoundaryPair& pair, const BoundaryMatch& match, const Resolution& resolution) {
     std::vector<SpaceTriangle> triangles;
-    if (pair.new_model.brep().dimension() == Dimension::edges)
-        append_edge_difference(pair, match, resolution, triangles);
-    else
+    if (pair.new_model.brep().dimension() != Dimension::edges)
         for (const SurfaceGroup& group : match.groups)
             append_trim_difference(pair, match, group, resolution, triangles);
+    if (pair.old_model.brep().has_free_edges() || pair.new_model.brep().has_free_edges())
+        append_edge_difference(pair, match, resolution, triangles);
     return pair.domain ? ChangedBoundary(std::move(triangles), *pair.domain) : ChangedBoundary(std::move(triangles));
 }
 
@@ -123,7 +123,9 @@ FeatureDifference compare_states(const PartState& old_state, const PartState& ne
         region.features = std::move(moved.features);
         region.volumes = std::move(moved.additive_volumes);
         // Among solids a hole takes no material along, so nobody will ask.
-        const bool takes_nothing = region.volumes.empty() && new_state.brep.dimension() == Dimension::solids;
+        const Brep& brep = new_state.brep;
+        const bool takes_nothing = region.volumes.empty() && brep.dimension() == Dimension::solids &&
+                                   !brep.has_free_faces() && !brep.has_free_edges();
         region.changed = takes_nothing ? ChangedBoundary({}, Box{}) : changed_boundary(pair, match, resolution);
         difference.regions.push_back(std::move(region));
         context.progress(0.6 + 0.4 * double(m + 1) / double(verdicts.moved.size()));

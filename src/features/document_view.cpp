@@ -14,6 +14,13 @@ const TopoDS_Shape no_shape;
 Dimension highest_in(const TopoDS_Shape& shape) {
     return shape.IsNull() || !TopExp_Explorer(shape, TopAbs_EDGE).More() ? Dimension::from_shape : dimension_of(shape);
 }
+
+/// Faces of no solid, or edges of no face.
+bool has_loose(const TopoDS_Shape& shape) {
+    return TopExp_Explorer(shape, TopAbs_FACE, TopAbs_SOLID).More() ||
+           TopExp_Explorer(shape, TopAbs_EDGE, TopAbs_FACE).More();
+}
+
 }  // namespace
 
 DocumentView::DocumentView(const RawDocument& document, Dimension asked)
@@ -25,6 +32,8 @@ DocumentView::DocumentView(const RawDocument& document, Dimension asked)
     const int last = find(document.final_object);
     if (last >= 0) dimension_ = highest_of(document.records[std::size_t(last)].shape);
     if (dimension_ == Dimension::from_shape) dimension_ = Dimension::solids;
+    takes_loose_ =
+        last >= 0 && dimension_ == Dimension::solids && has_loose(shape_of(document.records[std::size_t(last)]));
 }
 
 int DocumentView::find(const std::string& name) const {
@@ -43,7 +52,8 @@ Dimension DocumentView::highest_of(int shape) const {
 }
 
 const TopoDS_Shape& DocumentView::geometry_of(const RawRecord& record) const {
-    return highest_of(record.shape) >= dimension_ ? at(record.shape) : no_shape;
+    const Dimension has = highest_of(record.shape);
+    return has >= dimension_ || (takes_loose_ && has != Dimension::from_shape) ? at(record.shape) : no_shape;
 }
 
 bool DocumentView::has_solid(const RawRecord& record) const { return highest_of(record.shape) == Dimension::solids; }

@@ -22,7 +22,10 @@ class DocumentView {
     int find(const std::string& name) const;
     /// What is meshed of the part: what was asked for, or what the final object's shape has.
     Dimension dimension() const { return dimension_; }
-    /// The record's shape when it has something of that dimension or above, else a null shape.
+    /// Faces or edges beside solids are meshed with them.
+    bool takes_loose() const { return takes_loose_; }
+    /// The record's shape when it has something of that dimension or above, or anything where what is loose is taken;
+    /// else a null shape.
     const TopoDS_Shape& geometry_of(const RawRecord& record) const;
     /// Whether the record's shape has a solid.
     bool has_solid(const RawRecord& record) const;
@@ -41,6 +44,7 @@ class DocumentView {
     std::vector<TopoDS_Shape> shapes_;
     std::vector<Dimension> has_;  // by shape, its highest; from_shape for none
     Dimension dimension_;
+    bool takes_loose_ = false;
     std::map<std::string, int> by_name_;
 };
 

@@ -85,8 +85,15 @@ class Interpreter {
         if (!r.error.empty()) note(i, "FreeCAD says: " + r.error);
     }
 
-    /// Earlier records with something to mesh that the properties link to, in order.
+    /// Earlier records with something to mesh that the properties link to, in order; of what is loose beside solids
+    /// none.
     std::vector<int> solids_linked(int i, const std::string& property) const {
+        std::vector<int> found = linked(i, property);
+        if (view_.takes_loose()) std::erase_if(found, [&](int target) { return !view_.has_solid(record(target)); });
+        return found;
+    }
+
+    std::vector<int> linked(int i, const std::string& property) const {
         std::vector<int> found;
         for (const RawLink& link : DocumentView::links_of(record(i), property)) {
             const int target = view_.find(link.object);
@@ -208,9 +215,11 @@ class Interpreter {
         std::vector<int> operands;
         if (const int source = source_of(i); source >= 0) operands.push_back(source);
         const bool has_base = !operands.empty() || meanings_[i].sources.empty();
+        const bool is_union = meanings_[i].combination == Combination::fuse;
         if (!feature(i).suppressed)
             for (const std::string& property : meanings_[i].tools)
-                for (const int tool : solids_linked(i, property)) operands.push_back(tool);
+                for (const int tool : is_union ? linked(i, property) : solids_linked(i, property))
+                    operands.push_back(tool);
         if (operands.empty() || !has_base) return take_shape(i, context);
         combine(i, meanings_[i].combination, operands, context);
     }
@@ -249,7 +258,9 @@ class Interpreter {
     }
 
     /// What a feature did is told by solids; of sheets and wires only where they are.
-    bool is_of_solids(int i) const { return view_.dimension() == Dimension::solids || view_.has_solid(record(i)); }
+    bool is_of_solids(int i) const {
+        return (view_.dimension() == Dimension::solids && !view_.takes_loose()) || view_.has_solid(record(i));
+    }
 
     void evaluate_chain(int i, Effect context) {
         const int base = base_of(i);

@@ -254,6 +254,15 @@ void check_sides(const Mesh& mesh, const Expectation& expected, std::span<const 
                              (i == 0 ? " behind it, not " : " before it, not ") + solid_name(wanted[i]));
 }
 
+bool is_free(const Expectation& expected, FaceId face) {
+    return expected.dimension == Dimension::faces ||
+           (!expected.is_free_face.empty() && expected.is_free_face[face.index()] != 0);
+}
+bool is_free(const Expectation& expected, EdgeId edge) {
+    return expected.dimension == Dimension::edges ||
+           (!expected.is_free_edge.empty() && expected.is_free_edge[edge.index()] != 0);
+}
+
 void check_triangle(const Mesh& mesh, const Expectation& expected, std::span<const TriangleUse> uses,
                     Findings& findings) {
     const auto first_triangle =
@@ -270,7 +279,8 @@ void check_triangle(const Mesh& mesh, const Expectation& expected, std::span<con
         else if (mesh.tet_solids[tets[0].element()] != mesh.tet_solids[tets[1].element()])
             findings.add("border of two solids without a triangle", tet_name(mesh, tets[0].element()));
     } else if (tets.empty()) {
-        findings.add("triangle without an element", triangle_name(mesh, triangles[0].element()));
+        if (!is_free(expected, mesh.triangle_faces[triangles[0].element()]))
+            findings.add("triangle without an element", triangle_name(mesh, triangles[0].element()));
     } else if (!expected.face_sides.empty() && tets.size() <= 2) {
         check_sides(mesh, expected, tets, triangles[0], findings);
     }
@@ -331,9 +341,9 @@ struct SideUse {
     bool is_beside(const SideUse& b) const { return low == b.low && high == b.high && face == b.face; }
 };
 
-std::vector<SideUse> sorted_sides(const Mesh& mesh) {
+std::vector<SideUse> sorted_sides(const Mesh& mesh, const std::vector<std::size_t>& triangles) {
     std::vector<SideUse> uses;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const std::size_t t : triangles)
         for (std::size_t s = 0; s < 3; ++s) {
             const NodeId a = mesh.triangles[t][s], b = mesh.triangles[t][(s + 1) % 3];
             uses.push_back({std::min(a, b).value, std::max(a, b).value, mesh.triangle_faces[t].value, a < b, t});
@@ -342,11 +352,15 @@ std::vector<SideUse> sorted_sides(const Mesh& mesh) {
     return uses;
 }
 
-/// Where faces are meshed: the triangles of each are all there, up to the segments of its edges.
-void check_faces(const Mesh& mesh, Findings& findings) {
+/// Where faces are meshed for themselves: the triangles of each are all there, up to the segments of its edges.
+void check_faces(const Mesh& mesh, const Expectation& expected, Findings& findings) {
+    std::vector<std::size_t> shells;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        if (is_free(expected, mesh.triangle_faces[t])) shells.push_back(t);
+    if (shells.empty()) return;
     SideTable segments(mesh.corner_count);
     for (const auto& [a, b] : mesh.segments) segments.value(a, b) = 1;
-    const std::vector<SideUse> uses = sorted_sides(mesh);
+    const std::vector<SideUse> uses = sorted_sides(mesh, shells);
     for (std::size_t i = 0, next; i < uses.size(); i = next) {
         for (next = i + 1; next < uses.size() && uses[next].is_beside(uses[i]);) ++next;
         const bool is_pair = next == i + 2 && uses[i].is_forward != uses[i + 1].is_forward;
@@ -356,7 +370,7 @@ void check_faces(const Mesh& mesh, Findings& findings) {
         if (is_free && segments.find(NodeId(uses[i].low), NodeId(uses[i].high)) < 0)
             findings.add("gap in a face", "at a side of " + triangle_name(mesh, uses[i].triangle));
     }
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const std::size_t t : shells) {
         const auto& [a, b, c] = mesh.triangles[t];
         const Vec3 u = mesh.point(b) - mesh.point(a), v = mesh.point(c) - mesh.point(a);
         if (!(squared_length(cross(u, v)) > 1e-24 * squared_length(u) * squared_length(v)))
@@ -366,16 +380,22 @@ void check_faces(const Mesh& mesh, Findings& findings) {
     }
 }
 
-/// Where edges are meshed: each is a chain of segments, and nothing else is there.
-void check_edges(const Mesh& mesh, Findings& findings) {
+/// Where edges are meshed for themselves: each is a chain of segments; of a mesh of edges nothing else is there.
+void check_edges(const Mesh& mesh, const Expectation& expected, Findings& findings) {
+    std::vector<std::size_t> beams;
+    for (std::size_t s = 0; s < mesh.segments.size(); ++s)
+        if (is_free(expected, mesh.segment_edges[s])) beams.push_back(s);
+    const bool has_edges_only = expected.dimension == Dimension::edges;
+    if (beams.empty() && !has_edges_only) return;
     std::vector<int> ends(mesh.corner_count, 0);
-    for (const auto& segment : mesh.segments)
-        for (const NodeId n : segment) ++ends[n.index()];
+    for (const std::size_t s : beams)
+        for (const NodeId n : mesh.segments[s]) ++ends[n.index()];
+    const auto is_of_beam = [&](const Entity& e) { return e.dim == 1 && is_free(expected, EdgeId(e.index)); };
     for (std::size_t n = 0; n < mesh.corner_count; ++n)
-        if (mesh.entities[n].dim == 1 ? ends[n] != 2 : ends[n] == 0)
+        if (is_of_beam(mesh.entities[n]) ? ends[n] != 2 : has_edges_only && ends[n] == 0)
             findings.add("gap in an edge", describe(mesh, NodeId(n)));
-    if (!mesh.triangles.empty()) findings.add("triangle in a mesh of edges", triangle_name(mesh, 0));
-    for (std::size_t s = 0; s < mesh.segments.size(); ++s) {
+    if (has_edges_only && !mesh.triangles.empty()) findings.add("triangle in a mesh of edges", triangle_name(mesh, 0));
+    for (const std::size_t s : beams) {
         const auto& [a, b] = mesh.segments[s];
         if (!(distance(mesh.point(a), mesh.point(b)) > 0))
             findings.add("segment without length", segment_name(mesh, s));
@@ -398,7 +418,8 @@ void check_segments(const Mesh& mesh, const Expectation& expected, Findings& fin
                 sides.value(triangle[s], triangle[(s + 1) % 3]) = 1;
     }
     for (std::size_t i = 0; i < mesh.segments.size(); ++i)
-        if (!are_proven(expected, mesh.segments[i]) && sides.find(mesh.segments[i][0], mesh.segments[i][1]) != 1)
+        if (!are_proven(expected, mesh.segments[i]) && !is_free(expected, mesh.segment_edges[i]) &&
+            sides.find(mesh.segments[i][0], mesh.segments[i][1]) != 1)
             findings.add("segment that is no triangle's side", segment_name(mesh, i));
 }
 
@@ -468,13 +489,11 @@ std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& 
         check_unproven_tets(mesh, expected, near, context, findings);
     else
         check_tets(mesh, expected, context, findings);
-    if (expected.dimension == Dimension::faces)
-        check_faces(mesh, findings);
-    else if (expected.dimension == Dimension::edges)
-        check_edges(mesh, findings);
-    else if (mesh.tets.empty())
+    check_faces(mesh, expected, findings);
+    check_edges(mesh, expected, findings);
+    if (expected.dimension == Dimension::solids && mesh.tets.empty())
         check_closed_surface(mesh, expected, findings);
-    else
+    else if (expected.dimension == Dimension::solids)
         check_triangles_against_tets(mesh, expected, near, context, findings);
     check_segments(mesh, expected, findings);
     if (mesh.order == 2) {

@@ -14,6 +14,8 @@ namespace featuremesh {
 /// What the mesh is checked against; empty vectors are not checked.
 struct Expectation {
     Dimension dimension = Dimension::solids;  ///< of the mesh's elements
+    std::vector<char> is_free_face;           ///< by FaceId: its triangles are elements beside tets
+    std::vector<char> is_free_edge;           ///< by EdgeId: its segments are elements beside tets and triangles
     std::vector<double> solid_volumes;        ///< mm^3, by SolidId
     double volume_tolerance = 0.05;           ///< share; coarse meshes of curved parts cut chords
     std::vector<std::array<SolidId, 2>>
@@ -30,8 +32,9 @@ struct Expectation {
 /// arrays, ids in range, distinct numbers, positive tets, every triangle in the one or two tets that its face's sides
 /// say, no boundary of the tets without a triangle, closed boundary per solid, segments on triangles' sides, volumes
 /// per solid, mid-side nodes shared by all elements around a side, positive Jacobian of 10-node tets. A mesh of solids
-/// without tets is checked as a surface: closed around every solid. Of a mesh of faces, triangles have an area, leave
-/// no gap in their face but at its edges' segments, and are folded nowhere; a mesh of edges has no triangles.
+/// without tets is checked as a surface: closed around every solid. Of a mesh of faces, and on faces without solids,
+/// triangles have an area, leave no gap in their face but at its edges' segments, and are folded nowhere; a mesh of
+/// edges has no triangles, and an edge without faces no gap.
 std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& expected, RunContext& context);
 std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& expected = {});
 

@@ -339,13 +339,12 @@ double estimate_segments(const TopoDS_Edge& edge, const SizingField& sizing) {
 }  // namespace
 
 double estimate_elements(const Brep& brep, const SizingField& sizing, const RunContext& context) {
-    if (brep.dimension() == Dimension::solids) return estimate_tets(brep, sizing, context);
-    double sum = 0;
-    if (brep.dimension() == Dimension::faces)
-        for (std::size_t f = 0; f < brep.face_count(); ++f) sum += estimate_triangles(brep.face(FaceId(f)), sizing);
-    else
-        for (std::size_t e = 0; e < brep.edge_count(); ++e)
-            if (!brep.is_degenerated(EdgeId(e))) sum += estimate_segments(brep.edge(EdgeId(e)), sizing);
+    double sum = brep.solid_count() > 0 ? estimate_tets(brep, sizing, context) : 0;
+    for (std::size_t f = 0; f < brep.face_count(); ++f)
+        if (brep.is_free(FaceId(f))) sum += estimate_triangles(brep.face(FaceId(f)), sizing);
+    for (std::size_t e = 0; e < brep.edge_count(); ++e)
+        if (brep.is_free(EdgeId(e)) && !brep.is_degenerated(EdgeId(e)))
+            sum += estimate_segments(brep.edge(EdgeId(e)), sizing);
     return sum;
 }
 

@@ -8,7 +8,9 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 
+#include "brep/solid_probe.h"
 #include "core/activity.h"
 #include "core/errors.h"
 #include "core/numbers_in_words.h"
@@ -329,7 +331,9 @@ std::string names_of(const Mesh& mesh, const TrianglePairs& crossings, bool with
 }
 
 std::string warning_of_contact(const Brep& brep, const Mesh& mesh, const TrianglePairs& crossings) {
-    if (brep.dimension() == Dimension::faces)
+    const auto is_shell = [&](TriangleId t) { return brep.is_free(mesh.triangle_faces[t.index()]); };
+    if (std::any_of(crossings.begin(), crossings.end(),
+                    [&](const auto& pair) { return is_shell(pair[0]) || is_shell(pair[1]); }))
         return "These faces touch or cross without sharing edges: " + names_of(mesh, crossings) +
                ". Each sheet has a mesh of its own, and no load passes between them. If that is not meant, join them "
                "(Part: Boolean Fragments).";
@@ -355,6 +359,35 @@ std::string warning_of_contact(const Brep& brep, const Mesh& mesh, const Triangl
            "overlap the material counts twice. If that is not meant, fuse them or join them (Part: Boolean Fragments).";
 }
 
+/// Shells and beams whose first element has its middle inside a solid that does not know them.
+std::vector<std::string> warnings_of_enclosed(const Brep& brep, const Mesh& mesh) {
+    std::vector<std::unique_ptr<SolidProbe>> probes(brep.solid_count());
+    std::string names;
+    const auto look = [&](Entity entity, const Vec3& p) {
+        for (std::size_t s = 0; s < probes.size(); ++s) {
+            if (!probes[s]) probes[s] = std::make_unique<SolidProbe>(brep, SolidId(s));
+            if (probes[s]->side_of(p) != Side::inside) continue;
+            names += (names.empty() ? "" : ", ") + name_of(entity) + " in " + name_of(entity_of(SolidId(s)));
+            return;
+        }
+    };
+    std::vector<char> is_seen_face(brep.face_count(), 0), is_seen_edge(brep.edge_count(), 0);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const FaceId face = mesh.triangle_faces[t];
+        if (!brep.is_free(face) || std::exchange(is_seen_face[face.index()], 1)) continue;
+        const auto& [a, b, c] = mesh.triangles[t];
+        look(entity_of(face), (mesh.point(a) + mesh.point(b) + mesh.point(c)) / 3);
+    }
+    for (std::size_t s = 0; s < mesh.segments.size(); ++s) {
+        const EdgeId edge = mesh.segment_edges[s];
+        if (!brep.is_free(edge) || std::exchange(is_seen_edge[edge.index()], 1)) continue;
+        look(entity_of(edge), (mesh.point(mesh.segments[s][0]) + mesh.point(mesh.segments[s][1])) / 2);
+    }
+    if (names.empty()) return {};
+    return {"These shells and beams lie inside a solid and share no nodes with it there: " + names +
+            ". No load passes between them. Divide the solid along them (Part: Boolean Fragments)."};
+}
+
 /// What lies beside the solids of a compound, or beside its faces where those are meshed.
 std::vector<std::string> warnings_of_loose(const Brep& brep) {
     if (brep.dimension() == Dimension::edges) return {};
@@ -362,7 +395,7 @@ std::vector<std::string> warnings_of_loose(const Brep& brep) {
     for (std::size_t f = 0; f < brep.face_count(); ++f)
         if (!brep.is_meshed(FaceId(f))) loose.push_back(entity_of(FaceId(f)));
     for (std::size_t e = 0; e < brep.edge_count(); ++e)
-        if (brep.faces_of(EdgeId(e)).empty()) loose.push_back(entity_of(EdgeId(e)));
+        if (brep.faces_of(EdgeId(e)).empty() && !brep.is_meshed(EdgeId(e))) loose.push_back(entity_of(EdgeId(e)));
     if (loose.empty()) return {};
     constexpr std::size_t most = 6;
     std::string names;
@@ -412,6 +445,7 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
         if (crossings.empty()) {
             std::vector<std::string> notes = merged.warnings();
             if (!found.between.empty()) notes.push_back(warning_of_contact(brep, result.mesh, found.between));
+            for (const std::string& line : warnings_of_enclosed(brep, result.mesh)) notes.push_back(line);
             for (const std::string& line : warnings_of_loose(brep)) notes.push_back(line);
             result.report.warnings.insert(result.report.warnings.end(), notes.begin(), notes.end());
             for (const std::string& names : refined)

@@ -11,6 +11,7 @@
 #include "mesh/second_order.h"
 #include "mesh/tets_at_nodes.h"
 #include "surface/turned_triangles.h"
+#include "update/shell_division.h"
 #include "volume/curved/mid_side_nodes.h"
 
 namespace featuremesh {
@@ -78,6 +79,37 @@ void widen_rim(const Mesh& mesh, std::size_t kept_triangles, Kept& kept) {
     if (is_wider) kept.rim_tets = tets_at_nodes(mesh, kept.is_rim);
 }
 
+/// Half of their longest sides, at the 6-node triangles that are folded or nearly so; those in front are kept and stay.
+SizeRequest for_bent_triangles(const Brep& brep, const Mesh& mesh, std::size_t kept, double& smallest_jacobian) {
+    constexpr double wanted_scaled_jacobian = 0.2;
+    SizeRequest request{SizeReason::folded, {}, {}};
+    for (std::size_t t = kept; t < mesh.triangles.size(); ++t) {
+        if (!brep.is_free(mesh.triangle_faces[t])) continue;
+        const double jacobian = min_scaled_jacobian(triangle_nodes(mesh, TriangleId(t)));
+        if (jacobian >= wanted_scaled_jacobian) continue;
+        smallest_jacobian = std::min(smallest_jacobian, jacobian);
+        const auto& [a, b, c] = mesh.triangles[t];
+        const Vec3 p = mesh.point(a), q = mesh.point(b), r = mesh.point(c);
+        request.lengths.push_back({(p + q + r) / 3, 0.5 * std::max({distance(p, q), distance(q, r), distance(r, p)})});
+        if (request.place.empty()) request.place = name_of(entity_of(mesh.triangle_faces[t]));
+    }
+    return request;
+}
+
+/// Of shells that bend: as for_bent_triangles, with a refusal where they stay folded.
+void ask_for_bent_shells(const Brep& brep, const Mesh& mesh, std::size_t kept, Attempt& attempt) {
+    double smallest = 1;
+    SizeRequest request = for_bent_triangles(brep, mesh, kept, smallest);
+    if (request.is_empty()) return;
+    attempt.smallest_jacobian = std::min(attempt.smallest_jacobian, smallest);
+    if (!(smallest > 0))
+        attempt.refusal = std::to_string(request.lengths.size()) + " 6-node triangles would be folded near " +
+                          request.place +
+                          ": the face bends too much within one element. Ask for a smaller size there, or for 3-node "
+                          "triangles.";
+    attempt.request = std::move(request);
+}
+
 /// Where 10-node tetrahedra stay folded there is no mesh, and shorter edges are asked for there.
 void fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult surface, Kept kept,
                  const MeshOptions& options, Attempt& attempt, RunContext& context) {
@@ -86,6 +118,9 @@ void fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult surf
     VolumeOptions volume_options = options.volume;
     volume_options.is_for_curved_tets = options.order == 2;
     volume_options.splits_wall_tets |= options.sizing.elements_across_gap >= elements_that_bend;
+    const bool has_shells = brep.has_free_faces() || brep.has_free_edges();
+    std::vector<std::array<NodeId, 2>> segments;
+    if (brep.has_free_faces()) segments = surface.mesh.segments;
     auto tried = try_fill_solids(brep, sizing, std::move(surface.mesh), kept.active, volume_options, context,
                                  {kept.is_rim, kept.rim_tets, surface.kept.nodes});
     if (auto* obstacle = std::get_if<Obstacle>(&tried)) {
@@ -95,6 +130,8 @@ void fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult surf
     }
     VolumeResult volume = std::get<VolumeResult>(std::move(tried));
     Mesh mesh = std::move(volume.mesh);
+    mesh.corner_count = mesh.node_count();
+    divide_shells(brep, segments, mesh);
     if (options.order == 2) {
         SecondOrder second = try_second_order(brep, std::move(mesh), kept.curved.get(), context);
         attempt.smallest_jacobian = second.smallest;
@@ -107,7 +144,10 @@ void fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult surf
             return;
         }
         mesh = std::move(second.mesh);
+        ask_for_bent_shells(brep, mesh, surface.kept.triangles, attempt);
+        if (!attempt.refusal.empty()) return;
     }
+    if (has_shells) kept.is_rim.clear();  // everything is checked: tets tell nothing about what is beside them
     validate(mesh, brep, std::move(kept), kept_tets - volume.released.size(), volume.released_nodes, attempt, context);
     if (!attempt.refusal.empty()) return;
     attempt.filled = Filled{.mesh = std::move(mesh),
@@ -118,22 +158,6 @@ void fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult surf
                             .used_active = std::move(volume.used_active)};
 }
 
-/// Half of their longest sides, at the 6-node triangles that are folded or nearly so; those in front are kept and stay.
-SizeRequest for_bent_triangles(const Mesh& mesh, std::size_t kept, double& smallest_jacobian) {
-    constexpr double wanted_scaled_jacobian = 0.2;
-    SizeRequest request{SizeReason::folded, {}, {}};
-    for (std::size_t t = kept; t < mesh.triangles.size(); ++t) {
-        const double jacobian = min_scaled_jacobian(triangle_nodes(mesh, TriangleId(t)));
-        if (jacobian >= wanted_scaled_jacobian) continue;
-        smallest_jacobian = std::min(smallest_jacobian, jacobian);
-        const auto& [a, b, c] = mesh.triangles[t];
-        const Vec3 p = mesh.point(a), q = mesh.point(b), r = mesh.point(c);
-        request.lengths.push_back({(p + q + r) / 3, 0.5 * std::max({distance(p, q), distance(q, r), distance(r, p)})});
-        if (request.place.empty()) request.place = name_of(entity_of(mesh.triangle_faces[t]));
-    }
-    return request;
-}
-
 /// Of a part of faces or edges: here the filling ends.
 void take_surface(const Brep& brep, const SizingField&, SurfaceResult surface, Kept kept, const MeshOptions& options,
                   Attempt& attempt, RunContext& context) {
@@ -142,14 +166,8 @@ void take_surface(const Brep& brep, const SizingField&, SurfaceResult surface, K
     mesh.corner_count = mesh.node_count();
     if (options.order == 2) {
         mesh = curved_without_tets(brep, std::move(mesh), kept.curved.get(), context);
-        attempt.request = for_bent_triangles(mesh, kept_triangles, attempt.smallest_jacobian);
-        if (!(attempt.smallest_jacobian > 0)) {
-            attempt.refusal = std::to_string(attempt.request.lengths.size()) +
-                              " 6-node triangles would be folded near " + attempt.request.place +
-                              ": the face bends too much within one element. Ask for a smaller size there, or for "
-                              "3-node triangles.";
-            return;
-        }
+        ask_for_bent_shells(brep, mesh, kept_triangles, attempt);
+        if (!attempt.refusal.empty()) return;
     }
     kept.is_rim.clear();  // everything is checked: without tets that is little
     validate(mesh, brep, std::move(kept), 0, {}, attempt, context);
@@ -362,6 +380,10 @@ Expectation expectation_of(const Brep& brep) {
     expected.dimension = brep.dimension();
     for (std::size_t s = 0; s < brep.solid_count(); ++s) expected.solid_volumes.push_back(brep.volume_of(SolidId(s)));
     expected.face_sides = brep.sides_of_faces();
+    if (brep.has_free_faces())
+        for (std::size_t f = 0; f < brep.face_count(); ++f) expected.is_free_face.push_back(brep.is_free(FaceId(f)));
+    if (brep.has_free_edges())
+        for (std::size_t e = 0; e < brep.edge_count(); ++e) expected.is_free_edge.push_back(brep.is_free(EdgeId(e)));
     // Chords cut curved faces; how much is the judgement of the surface module, so only gross errors count here.
     expected.volume_tolerance = 0.3;
     return expected;

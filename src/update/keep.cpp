@@ -36,19 +36,20 @@ class Keeper {
             choose_motions();
             context_.check_cancelled();
             find_untouched_solids();
-        } else {
+        }
+        if (has_shells()) {
+            mark_nodes_of_tets();
             find_untouched_entities();
-            const std::vector<std::int32_t> motions = motions_without_tets(in_, untouched_entities_, context_);
-            std::copy(motions.begin(), motions.end(), motions_.begin());
+            choose_motions_of_shells();
         }
         drop_near_changes();
         place_on_entities();
         clear_between_motions();
         context_.check_cancelled();
-        const std::optional<KeptTriangles> triangles = keep_triangles();
+        const std::optional<KeptShells> shells = keep_shells();
         const KeptTets tets(in_.old_mesh, motions_, nodes_.regions(), in_.old_brep, in_.new_brep, near_change_,
                             untouched_solids_, is_resized_);
-        Kept kept = assemble(nodes_, entities_, tets, triangles ? &*triangles : nullptr, context_);
+        Kept kept = assemble(nodes_, entities_, tets, shells ? &*shells : nullptr, context_);
         context_.check_cancelled();
         collect_active(kept, tets);
         return kept;
@@ -57,14 +58,17 @@ class Keeper {
   private:
     std::size_t node_count() const { return motions_.size(); }
     bool has_tets() const { return in_.new_brep.dimension() == Dimension::solids; }
+    bool has_shells() const { return in_.old_brep.has_free_faces() || in_.old_brep.has_free_edges(); }
 
     // The nodes of tets inside a feature that moved prefer its motion, all others stay where they are. Nodes on the
     // feature's own faces may be outside of its triangulation; the middles of their tets are not.
     void choose_motions() {
         const Mesh& old = in_.old_mesh;
         for (std::size_t r = 1; r < nodes_.regions().size(); ++r) {
-            if (nodes_.regions()[r].volumes.empty()) continue;
-            const Enclosure inside(nodes_.regions()[r].volumes);
+            std::vector<TopoDS_Shape> volumes = nodes_.regions()[r].volumes;
+            std::erase_if(volumes, [](const TopoDS_Shape& v) { return dimension_of(v) != Dimension::solids; });
+            if (volumes.empty()) continue;
+            const Enclosure inside(volumes);
             RoundWatch watch(context_);
             for (std::size_t t = 0; t < old.tets.size(); ++t) {
                 watch();
@@ -99,14 +103,28 @@ class Keeper {
         }
     }
 
+    void mark_nodes_of_tets() {
+        has_tet_.assign(node_count(), 0);
+        for (const auto& tet : in_.old_mesh.tets)
+            for (const NodeId n : tet) has_tet_[n.index()] = 1;
+        for (const auto& mids : in_.old_mesh.tet_mids)
+            for (const NodeId n : mids) has_tet_[n.index()] = 1;
+    }
+
     void find_untouched_entities() {
         untouched_entities_ = untouched_entities(in_);
         if (std::count(untouched_entities_.begin(), untouched_entities_.end(), 1) == 0) return;
-        near_change_.assign(node_count(), 0);
-        untouched_under_.assign(node_count(), dropped);
-        const std::vector<char> on_them = nodes_on(in_.old_mesh, untouched_entities_);
+        if (near_change_.empty()) near_change_.assign(node_count(), 0), untouched_under_.assign(node_count(), dropped);
+        const std::vector<char> on_them = nodes_on(in_, untouched_entities_);
         for (std::size_t n = 0; n < on_them.size(); ++n)
-            if (on_them[n]) untouched_under_[n] = 0;
+            if (on_them[n] && untouched_under_[n] == dropped) untouched_under_[n] = 0;
+    }
+
+    // What has tets goes with them.
+    void choose_motions_of_shells() {
+        const std::vector<std::int32_t> motions = motions_without_tets(in_, untouched_entities_, context_);
+        for (std::size_t n = 0; n < motions.size(); ++n)
+            if (!has_tet_[n]) motions_[n] = motions[n];
     }
 
     /// Of a solid, face or edge that is as it was, under the motion that it has.
@@ -114,13 +132,13 @@ class Keeper {
         return !untouched_under_.empty() && untouched_under_[n] != dropped && untouched_under_[n] == motions_[n];
     }
 
-    // A node without a triangle that stays serves nothing.
-    std::optional<KeptTriangles> keep_triangles() {
-        if (in_.new_brep.dimension() != Dimension::faces) return std::nullopt;
-        KeptTriangles triangles(in_.old_mesh, motions_, near_change_, untouched_entities_);
+    // A node without an element that stays serves nothing.
+    std::optional<KeptShells> keep_shells() {
+        if (!has_shells()) return std::nullopt;
+        KeptShells shells(in_, motions_, near_change_, untouched_entities_);
         for (std::size_t n = 0; n < node_count(); ++n)
-            if (!triangles.has_kept(n)) motions_[n] = dropped;
-        return triangles;
+            if (!has_tet_[n] && !shells.has_kept(n)) motions_[n] = dropped;
+        return shells;
     }
 
     bool size_changed(std::size_t n, double wanted) const {
@@ -158,8 +176,19 @@ class Keeper {
     void place_on_entities() {
         for (std::size_t n = 0; n < node_count(); ++n) {
             if (n % 4096 == 0) context_.check_cancelled();
-            if (motions_[n] != dropped && !entities_.place(n)) motions_[n] = dropped;
+            if (motions_[n] != dropped && !(entities_.place(n) && is_meshed(entities_.entities()[n])))
+                motions_[n] = dropped;
         }
+    }
+
+    // Faces and edges beside solids may not be meshed any more.
+    bool is_meshed(Entity entity) const {
+        const Brep& brep = in_.new_brep;
+        if (entity.dim == 1) return brep.is_meshed(EdgeId(entity.index));
+        if (entity.dim == 2) return brep.is_meshed(FaceId(entity.index));
+        const auto edges = edges_at(brep, entity);
+        return entity.dim == 3 || !faces_at(brep, entity).empty() ||
+               std::any_of(edges.begin(), edges.end(), [&](EdgeId edge) { return brep.is_meshed(edge); });
     }
 
     // Identity first: a carried node that comes near one that stayed is dropped, but those of a solid that moved as a
@@ -239,7 +268,8 @@ class Keeper {
     const CarriedNodes nodes_;
     KeptEntities entities_;
     std::vector<char> untouched_solids_;    // by old solid; empty where there is only one
-    std::vector<char> untouched_entities_;  // by old face, or edge, where those are meshed
+    std::vector<char> untouched_entities_;  // by old face, then by old edge: the free ones
+    std::vector<char> has_tet_;             // by old node; only where there are free faces or edges
     // By old node: the motion of the untouched solid, face or edge that it is of; empty where there is none.
     std::vector<std::int32_t> untouched_under_;
     std::vector<char> near_change_;  // likewise: and it stays for those tets only

@@ -13,9 +13,9 @@ namespace {
 
 class Assembler {
   public:
-    Assembler(const CarriedNodes& nodes, const KeptEntities& entities, const KeptTets& tets,
-              const KeptTriangles* triangles, RunContext& context)
-        : nodes_(nodes), in_(nodes.input), entities_(entities), tets_(tets), triangles_(triangles), context_(context) {}
+    Assembler(const CarriedNodes& nodes, const KeptEntities& entities, const KeptTets& tets, const KeptShells* shells,
+              RunContext& context)
+        : nodes_(nodes), in_(nodes.input), entities_(entities), tets_(tets), shells_(shells), context_(context) {}
 
     Kept run() {
         Kept kept;
@@ -57,7 +57,7 @@ class Assembler {
         Mesh& mesh = kept.mesh;
         std::vector<std::int32_t> new_index(nodes_.motions.size(), -1);
         for (std::size_t n = 0; n < old.corner_count; ++n) {
-            if (!tets_.has_kept_tet(n)) continue;
+            if (!tets_.has_kept_tet(n) && !(shells_ && shells_->has_kept(n))) continue;
             new_index[n] = std::int32_t(kept.node_origin.size());
             kept.node_origin.push_back(std::int32_t(n));
         }
@@ -147,7 +147,8 @@ class Assembler {
 
     void take_triangles(Kept& kept, const std::vector<std::int32_t>& new_index) const {
         const Mesh& old = in_.old_mesh;
-        const std::vector<char> backed = triangles_ ? kept_triangles() : backed_by_kept_tets(new_index);
+        std::vector<char> backed = backed_by_kept_tets(new_index);
+        if (shells_) mark_shells(backed);
         std::map<std::tuple<std::size_t, FaceId, FaceId>, bool> flipped;
         auto flip = flipped.end();
         for (std::size_t t = 0; t < old.triangles.size(); ++t) {
@@ -155,7 +156,7 @@ class Assembler {
             if (!backed[t] || !survives(nodes, new_index)) continue;
             const std::size_t r = nodes_.motion_of(nodes[0]);
             const FaceId old_face = old.triangle_faces[t], face = entities_.face_of(t);
-            if (!face.is_valid()) {
+            if (!face.is_valid() || !in_.new_brep.is_meshed(face)) {
                 for (const NodeId n : nodes) kept.is_rim[std::size_t(new_index[n.index()])] = 1;
                 continue;
             }
@@ -175,10 +176,9 @@ class Assembler {
         }
     }
 
-    std::vector<char> kept_triangles() const {
-        std::vector<char> is_kept(in_.old_mesh.triangles.size());
-        for (std::size_t t = 0; t < is_kept.size(); ++t) is_kept[t] = triangles_->is_kept(t);
-        return is_kept;
+    void mark_shells(std::vector<char>& backed) const {
+        for (std::size_t t = 0; t < backed.size(); ++t)
+            if (in_.old_brep.is_free(in_.old_mesh.triangle_faces[t])) backed[t] = shells_->is_kept(t);
     }
 
     // A triangle stays with the tet behind it: the cavity's boundary is then where kept tets end. Around a node off the
@@ -219,7 +219,7 @@ class Assembler {
             const auto& nodes = old.segments[s];
             if (!survives(nodes, new_index) || !has_its_mid(s)) continue;
             const EdgeId edge = entities_.edge_of(s);
-            if (!edge.is_valid()) continue;
+            if (!edge.is_valid() || !in_.new_brep.is_meshed(edge)) continue;
             std::array<NodeId, 2> segment{NodeId(new_index[nodes[0].index()]), NodeId(new_index[nodes[1].index()])};
             const auto [turn, is_new] =
                 turned.try_emplace({nodes_.motion_of(nodes[0]), old.segment_edges[s], edge}, false);
@@ -309,7 +309,7 @@ class Assembler {
                 ++kept.by_motion[std::size_t(nodes_.motions[first])].tets;
             }
         };
-        if (triangles_)
+        if (!in_.old_mesh.triangles.empty())
             count(kept.mesh.triangles);
         else
             count(kept.mesh.segments);
@@ -319,15 +319,15 @@ class Assembler {
     const KeepInput& in_;
     const KeptEntities& entities_;
     const KeptTets& tets_;
-    const KeptTriangles* triangles_;
+    const KeptShells* shells_;
     RunContext& context_;
 };
 
 }  // namespace
 
-Kept assemble(const CarriedNodes& nodes, const KeptEntities& entities, const KeptTets& tets,
-              const KeptTriangles* triangles, RunContext& context) {
-    return Assembler(nodes, entities, tets, triangles, context).run();
+Kept assemble(const CarriedNodes& nodes, const KeptEntities& entities, const KeptTets& tets, const KeptShells* shells,
+              RunContext& context) {
+    return Assembler(nodes, entities, tets, shells, context).run();
 }
 
 }  // namespace featuremesh

@@ -9,10 +9,10 @@
 
 namespace featuremesh {
 
-/// Takes the nodes of kept tets, those tets, the triangles before them and the segments between kept nodes, in their
-/// old order, with their numbers. Nothing active yet. `triangles`: of a mesh of faces those that stay; null where tets
-/// tell.
-Kept assemble(const CarriedNodes& nodes, const KeptEntities& entities, const KeptTets& tets,
-              const KeptTriangles* triangles, RunContext& context);
+/// Takes the nodes of kept elements, kept tets, the triangles before them, kept shells and the segments between kept
+/// nodes, in their old order, with their numbers. Nothing active yet. `shells`: what stays of free faces and edges;
+/// null where there are none.
+Kept assemble(const CarriedNodes& nodes, const KeptEntities& entities, const KeptTets& tets, const KeptShells* shells,
+              RunContext& context);
 
 }  // namespace featuremesh

@@ -28,20 +28,30 @@ bool has_same_border(const KeepInput& input, FaceId was, FaceId is) {
     return images == vertices_of(input.new_brep, is);
 }
 
-/// Calls visit(node, face) for every node of every triangle, as often as it is in one; without triangles visit(node,
-/// edge) for those of segments.
+std::size_t place_of(FaceId face) { return face.index(); }
+std::size_t place_of(const Brep& brep, EdgeId edge) { return brep.face_count() + edge.index(); }
+
+/// Calls visit(node, place) for every node of every triangle on a free face and segment on a free edge, as often as it
+/// is in one.
 template <class Visit>
-void for_each_node(const Mesh& mesh, Visit visit) {
-    if (mesh.triangles.empty())
-        for (std::size_t s = 0; s < mesh.segments.size(); ++s) {
-            for (const NodeId n : mesh.segments[s]) visit(n.index(), mesh.segment_edges[s].index());
-            if (mesh.order == 2) visit(mesh.segment_mids[s].index(), mesh.segment_edges[s].index());
-        }
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        for (const NodeId n : mesh.triangles[t]) visit(n.index(), mesh.triangle_faces[t].index());
-        if (mesh.order == 2)
-            for (const NodeId n : mesh.triangle_mids[t]) visit(n.index(), mesh.triangle_faces[t].index());
+void for_each_node(const Mesh& mesh, const Brep& brep, Visit visit) {
+    for (std::size_t s = 0; s < mesh.segments.size(); ++s) {
+        if (!brep.is_free(mesh.segment_edges[s])) continue;
+        for (const NodeId n : mesh.segments[s]) visit(n.index(), place_of(brep, mesh.segment_edges[s]));
+        if (mesh.order == 2) visit(mesh.segment_mids[s].index(), place_of(brep, mesh.segment_edges[s]));
     }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (!brep.is_free(mesh.triangle_faces[t])) continue;
+        for (const NodeId n : mesh.triangles[t]) visit(n.index(), place_of(mesh.triangle_faces[t]));
+        if (mesh.order == 2)
+            for (const NodeId n : mesh.triangle_mids[t]) visit(n.index(), place_of(mesh.triangle_faces[t]));
+    }
+}
+
+std::vector<char> nodes_of_free(const KeepInput& input) {
+    std::vector<char> is_of(input.old_mesh.node_count(), 0);
+    for_each_node(input.old_mesh, input.old_brep, [&](std::size_t n, std::size_t) { is_of[n] = 1; });
+    return is_of;
 }
 
 /// By motion and old node: whether it would be near what changed under that.
@@ -51,9 +61,10 @@ NearChanges find_near_changes(const KeepInput& input, RunContext& context) {
     const auto& regions = input.difference.regions;
     const std::size_t nodes = input.old_mesh.node_count();
     NearChanges is_near(regions.size(), std::vector<char>(nodes, 0));
+    const std::vector<char> is_asked = nodes_of_free(input);
     parallel_for(context, nodes, 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t n = begin; n < end; ++n)
-            for (std::size_t r = 0; r < regions.size(); ++r) {
+            for (std::size_t r = 0; is_asked[n] && r < regions.size(); ++r) {
                 const Vec3 p = regions[r].motion.apply(input.old_mesh.points[n]);
                 const double limit = input.margin * input.new_sizing.at(p);
                 is_near[r][n] = regions[r].changed.distance(p, limit) < limit;
@@ -65,7 +76,7 @@ NearChanges find_near_changes(const KeepInput& input, RunContext& context) {
 std::vector<std::int32_t> motions_of_entities(const KeepInput& input, const NearChanges& is_near,
                                               std::span<const char> is_untouched) {
     std::vector<std::vector<std::size_t>> counts(is_untouched.size(), std::vector<std::size_t>(is_near.size(), 0));
-    for_each_node(input.old_mesh, [&](std::size_t n, std::size_t entity) {
+    for_each_node(input.old_mesh, input.old_brep, [&](std::size_t n, std::size_t entity) {
         for (std::size_t r = 0; r < is_near.size(); ++r) counts[entity][r] += std::size_t(is_near[r][n]);
     });
     std::vector<std::int32_t> motions;
@@ -86,13 +97,13 @@ std::vector<std::int32_t> motions_without_tets(const KeepInput& input, std::span
     const std::vector<std::int32_t> of_entity = motions_of_entities(input, is_near, is_untouched);
     constexpr std::int32_t open = -1, divided = -2;
     std::vector<std::int32_t> wanted(motions.size(), open);
-    for_each_node(input.old_mesh, [&](std::size_t n, std::size_t entity) {
+    for_each_node(input.old_mesh, input.old_brep, [&](std::size_t n, std::size_t entity) {
         wanted[n] = wanted[n] == open || wanted[n] == of_entity[entity] ? of_entity[entity] : divided;
     });
-    const std::vector<char> in_untouched = nodes_on(input.old_mesh, is_untouched);
+    const std::vector<char> in_untouched = nodes_on(input, is_untouched);
     for (std::size_t n = 0; n < motions.size(); ++n) {
         if (wanted[n] > 0) motions[n] = wanted[n];
-        if (wanted[n] > 0 || in_untouched[n] || !is_near[0][n]) continue;
+        if (wanted[n] > 0 || wanted[n] == open || in_untouched[n] || !is_near[0][n]) continue;
         for (std::size_t r = 1; r < is_near.size() && motions[n] == 0; ++r)
             if (!is_near[r][n]) motions[n] = std::int32_t(r);
     }
@@ -100,31 +111,35 @@ std::vector<std::int32_t> motions_without_tets(const KeepInput& input, std::span
 }
 
 std::vector<char> untouched_entities(const KeepInput& input) {
-    if (input.new_brep.dimension() == Dimension::edges) {
-        std::vector<char> is_untouched(input.old_brep.edge_count(), 0);
-        for (const EdgeChange& change : edge_changes(input.difference, input.old_brep, input.new_brep))
-            if (change.verdict == BoundaryVerdict::kept) is_untouched[change.old_edge.index()] = 1;
-        return is_untouched;
-    }
-    std::vector<char> is_untouched(input.old_brep.face_count(), 0);
+    const Brep& was = input.old_brep;
+    std::vector<char> is_untouched(was.face_count() + was.edge_count(), 0);
+    if (was.has_free_edges())
+        for (const EdgeChange& change : edge_changes(input.difference, was, input.new_brep))
+            if (change.verdict == BoundaryVerdict::kept && was.is_free(change.old_edge))
+                is_untouched[place_of(was, change.old_edge)] = 1;
     for (const FaceChange& change : input.difference.faces)
-        if (change.verdict == BoundaryVerdict::kept && has_same_border(input, change.old_face, change.new_face))
-            is_untouched[change.old_face.index()] = 1;
+        if (change.verdict == BoundaryVerdict::kept && was.is_free(change.old_face) &&
+            has_same_border(input, change.old_face, change.new_face))
+            is_untouched[place_of(change.old_face)] = 1;
     return is_untouched;
 }
 
-std::vector<char> nodes_on(const Mesh& old, std::span<const char> is_untouched) {
-    std::vector<char> is_on(old.node_count(), 0);
-    for_each_node(old, [&](std::size_t n, std::size_t entity) { is_on[n] |= is_untouched[entity]; });
+std::vector<char> nodes_on(const KeepInput& input, std::span<const char> is_untouched) {
+    std::vector<char> is_on(input.old_mesh.node_count(), 0);
+    for_each_node(input.old_mesh, input.old_brep,
+                  [&](std::size_t n, std::size_t entity) { is_on[n] |= is_untouched[entity]; });
     return is_on;
 }
 
-KeptTriangles::KeptTriangles(const Mesh& old, std::span<const std::int32_t> motions, std::span<const char> near_change,
-                             std::span<const char> is_untouched_face)
-    : is_kept_(old.triangles.size(), 0), is_used_(old.node_count(), 0) {
+KeptShells::KeptShells(const KeepInput& input, std::span<const std::int32_t> motions, std::span<const char> near_change,
+                       std::span<const char> is_untouched)
+    : is_kept_(input.old_mesh.triangles.size(), 0), is_used_(input.old_mesh.node_count(), 0) {
+    const Mesh& old = input.old_mesh;
     for (std::size_t t = 0; t < is_kept_.size(); ++t) {
+        const FaceId face = old.triangle_faces[t];
+        if (!input.old_brep.is_free(face)) continue;
         const std::int32_t motion = motions[old.triangles[t][0].index()];
-        const bool minds_changes = !near_change.empty() && !is_untouched_face[old.triangle_faces[t].index()];
+        const bool minds_changes = !near_change.empty() && !is_untouched[place_of(face)];
         const auto stays = [&](NodeId n) {
             return motions[n.index()] == motion && !(minds_changes && near_change[n.index()]);
         };
@@ -135,6 +150,12 @@ KeptTriangles::KeptTriangles(const Mesh& old, std::span<const std::int32_t> moti
         for (const NodeId n : old.triangles[t]) is_used_[n.index()] = 1;
         if (old.order == 2)
             for (const NodeId n : old.triangle_mids[t]) is_used_[n.index()] = 1;
+    }
+    for (std::size_t s = 0; s < old.segments.size(); ++s) {
+        if (!input.old_brep.is_free(old.segment_edges[s])) continue;
+        const auto use = [&](NodeId n) { is_used_[n.index()] |= motions[n.index()] != dropped; };
+        for (const NodeId n : old.segments[s]) use(n);
+        if (old.order == 2) use(old.segment_mids[s]);
     }
 }
 

@@ -260,6 +260,7 @@ class Stages {
     void read(const PartState* before) { part_ = read_part_to_mesh(document_, context_, before, options_.dimension); }
 
     Dimension dimension() const { return part_->brep.dimension(); }
+    bool has_shells() const { return part_->brep.has_free_faces() || part_->brep.has_free_edges(); }
 
     void make_sizing(std::vector<SizeSource> adopted_sizes) {
         const RunContext::Step step(context_, "surface");
@@ -510,6 +511,10 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& asked, const 
     stages.read(nullptr);
     if (stages.dimension() != Dimension::solids)
         throw InputError("Only meshes of solids can be adopted. Mesh the part's faces or edges anew.");
+    if (stages.has_shells())
+        throw InputError(
+            "The part has faces or edges beside its solids, and only meshes of solids can be adopted. Mesh the part "
+            "anew, or adopt the mesh for the solids alone (Dimension: Solids).");
     stages.make_sizing(local_sizes(foreign, asked.sizing.size));
     stages.fill_beside_fitting(foreign);
     stages.fill_rest({foreign.next_node_number, foreign.next_element_number});

@@ -13,7 +13,7 @@ import numpy as np
 
 from . import state
 from .errors import UserError
-from .formats import bdf, inp, msh, stl, vtk, vtu
+from .formats import bdf, fillings_of, inp, msh, stl, vtk, vtu
 
 translate = FreeCAD.Qt.translate
 # Names of formats and of their files -> the module that writes them; None: FreeCAD does.
@@ -34,6 +34,7 @@ def write(mesh, path, file_format):
         raise UserError(translate("FeatureMesh", "%s has no form for a mesh of edges; export it as inp, vtu, vtk, msh, unv or med") % file_format)
     if file_format == "z88" and not mesh.FemMesh.VolumeCount and mesh.Order == "1st" and mesh.FemMesh.FaceCount:
         raise UserError(translate("FeatureMesh", "z88 has no 3-node triangles; mesh with 6-node triangles, or export it as inp, vtu, vtk, msh, unv or med"))
+    _refuse_beside_others(mesh, file_format)
     name = os.path.splitext(os.path.basename(path))[0]
     if file_format == "med" and len(name.encode()) > _LONGEST_MED_NAME:
         raise UserError(translate("FeatureMesh", "a MED file keeps its mesh under the file's own name, which may have %d characters at most; "
@@ -49,6 +50,18 @@ def write(mesh, path, file_format):
             os.replace(temporary, path)
     except OSError as error:
         raise UserError(translate("FeatureMesh", "cannot write %s: %s") % (path, error.strerror or error)) from error
+
+
+def _refuse_beside_others(mesh, file_format):
+    """Shells beside solids, and beams beside both, in a format that would lose them."""
+    if file_format not in ("bdf", "z88"):
+        return
+    kinds = [names[0] for names, _ in fillings_of(state.load(mesh.SavedState).arrays)]
+    if len(kinds) > 1 and (file_format == "z88" or "segments" in kinds):
+        raise UserError((translate("FeatureMesh", "%s would lose the beams of this mesh; export it as inp, vtu, vtk, msh, unv or med")
+                         if kinds[-1] == "segments" else
+                         translate("FeatureMesh", "%s would lose the shells of this mesh; export it as inp, vtu, vtk, msh, unv or med"))
+                        % file_format)
 
 
 def groups_in(fem_mesh):

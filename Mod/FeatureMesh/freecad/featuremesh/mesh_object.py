@@ -10,7 +10,8 @@ import FreeCAD
 import Fem
 import numpy as np
 
-from . import adopt, analyses, contact_faces, engine, hand_over, history, log, mesh_properties, messages, references, refinements, results, solve_guard, state, too_fine, versions
+from . import adopt, analyses, contact_faces, engine, hand_over, history, log, mesh_properties, messages, mixed_elements, references, refinements
+from . import results, solve_guard, state, too_fine, versions
 from .errors import EngineMissing, FailedUpdate, StateError, UserError
 from .job import MeshJob
 from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FROM_SHAPE, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, is_of_its_part,
@@ -450,6 +451,7 @@ class FeatureMesh:
         history.watch()
         solve_guard.install()
         contact_faces.install()
+        mixed_elements.install()
         for hook in on_ready:
             hook(mesh)
 

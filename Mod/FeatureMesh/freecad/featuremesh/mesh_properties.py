@@ -37,7 +37,7 @@ PROPERTIES = [
     ("App::PropertyEnumeration", "Order", "Mesh", ["1st", "2nd"], False,
      "1st: 4-node tetrahedra; 2nd: 10-node tetrahedra with their mid-side nodes on the surface"),
     ("App::PropertyEnumeration", "Dimension", "Mesh", list(DIMENSIONS), False,
-     "What is meshed: solids with tetrahedra, faces with triangles (shells), edges with segments (beams); From shape: solids, else faces, else edges"),
+     "What is meshed: solids with tetrahedra, faces with triangles (shells), edges with segments (beams); From shape: solids and what is beside them, else faces, else edges"),
     ("App::PropertyInteger", "Threads", "Mesh", 0, False,
      "Processor threads to use; 0: all. The mesh is the same for any number"),
     ("App::PropertyBool", "Automatic", "Mesh", True, False, "Update the mesh whenever the document is recomputed"),

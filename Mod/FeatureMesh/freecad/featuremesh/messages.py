@@ -64,6 +64,10 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "the shape touches itself: nodes of %s lie in the same place, such as %s; repair it there (Part: Check geometry)"),
     QT_TRANSLATE_NOOP("FeatureMesh", "Not meshed, because no solid has them: %s."),
     QT_TRANSLATE_NOOP("FeatureMesh", "Not meshed, because no face has them: %s."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "These shells and beams lie inside a solid and share no nodes with it there: %s. No load passes between them. "
+                                     "Divide the solid along them (Part: Boolean Fragments)."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The part has faces or edges beside its solids, and only meshes of solids can be adopted. Mesh the part anew, or "
+                                     "adopt the mesh for the solids alone (Dimension: Solids)."),
     QT_TRANSLATE_NOOP("FeatureMesh", "triangles of %s cut one another; the shape may touch or cut itself there: repair it, or mesh finer there"),
     QT_TRANSLATE_NOOP("FeatureMesh", "the volume mesh cannot be made to meet the triangles of %s; mesh finer there, or check the shape for faces "
                                      "that cut or touch one another"),

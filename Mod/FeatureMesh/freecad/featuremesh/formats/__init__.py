@@ -3,6 +3,7 @@
 gives them and groups as (name, kind, numbers)."""
 
 import re
+from itertools import combinations
 
 import numpy as np
 
@@ -23,6 +24,29 @@ FILLING = (("tets", "tet_mids", "tet_numbers", "tet_solids"), ("triangles", "tri
 def filling_of(arrays):
     """The names of the arrays of what fills the part of a mesh: tets, else triangles, else segments."""
     return next((names for names in FILLING if len(arrays[names[0]])), FILLING[0])
+
+
+def fillings_of(arrays):
+    """[(names as in FILLING, rows)] of all elements of the part: what fills it, the triangles beside tets, which are shells, and the segments
+    beside both, which are beams."""
+    kind = filling_of(arrays)[0]
+    fillings = [(filling_of(arrays), np.arange(len(arrays[kind])))]
+    taken = [arrays[kind]]
+    for names in FILLING[FILLING.index(fillings[0][0]) + 1:]:
+        rows = _rows_beside(arrays[names[0]], taken)
+        if len(rows):
+            fillings.append((names, rows))
+        taken.append(arrays[names[0]])
+    return fillings
+
+
+def _rows_beside(elements, larger):
+    """Rows of the elements that are no side of a larger one."""
+    corners = elements.shape[1]
+    sides = np.vstack([large[:, side] for large in larger for side in combinations(range(large.shape[1]), corners)] or [elements[:0]])
+    _, keys = np.unique(np.sort(np.vstack([sides, elements]), axis=1), axis=0, return_inverse=True)
+    keys = keys.reshape(-1)
+    return np.flatnonzero(~np.isin(keys[len(sides):], keys[:len(sides)]))
 
 
 def is_single_entity(name):

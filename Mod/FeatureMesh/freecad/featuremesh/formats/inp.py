@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Abaqus and CalculiX: nodes, tets, node and element sets, and each face as an element surface; or shells, or beams, with sets."""
+"""Abaqus and CalculiX: nodes, tets, node and element sets, and each face as an element surface; shells and beams, with sets."""
 
 import numpy as np
 
-from . import connectivity, filling_of
+from . import connectivity, fillings_of
 
 # Corners of the faces S1 to S4 of a tet. Mid-side nodes are in the order of `connectivity`.
 _TYPES = {"tets": ("C3D4", "C3D10"), "triangles": ("S3", "S6"), "segments": ("B31", "B32")}
+_CORNERS = {"tets": 4, "triangles": 3, "segments": 2}
 _KINDS = {"tets": "Volume", "triangles": "Face", "segments": "Edge"}
 _MIDDLE_LAST = [0, 2, 1]   # a beam's nodes are in the order of its length
 _FACES = ((0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3))
@@ -14,23 +15,29 @@ _FACES = ((0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3))
 
 def write(path, arrays, groups):
     """Sets have the groups' names; of groups of faces the element surfaces tell."""
-    kind, mids, own, _ = filling_of(arrays)
-    nodes, numbers = arrays["node_numbers"], arrays[own]
+    nodes, fillings = arrays["node_numbers"], fillings_of(arrays)
+    kinds = ("Node", *(_KINDS[names[0]] for names, _ in fillings))
+    elements = np.concatenate([arrays[own][rows] for (_, _, own, _), rows in fillings])
     with open(path, "w", encoding="ascii", errors="replace") as stream:
         stream.write("** FeatureMesh, lengths in mm\n*NODE, NSET=Nall\n")
         np.savetxt(stream, np.column_stack([nodes, arrays["points"]]), fmt="%d, %.17g, %.17g, %.17g")
-        stream.write("*ELEMENT, TYPE=%s, ELSET=Eall\n" % _TYPES[kind][1 if len(arrays[mids]) else 0])
-        elements = nodes[connectivity(arrays, kind, mids)]
-        if kind == "segments" and elements.shape[1] == 3:
-            elements = elements[:, _MIDDLE_LAST]
-        np.savetxt(stream, np.column_stack([numbers, elements]), fmt=", ".join(["%d"] * (elements.shape[1] + 1)))
+        for (kind, mids, own, _), rows in fillings:
+            _write_elements(stream, kind, arrays[own][rows], nodes[connectivity(arrays, kind, mids)[rows]])
         for name, of, members in groups:
-            if of in ("Node", _KINDS[kind]):
+            members = members if of == "Node" else np.intersect1d(members, elements)
+            if of in kinds and len(members):
                 keyword = "*NSET, NSET=" if of == "Node" else "*ELSET, ELSET="
                 stream.write("%s%s\n" % (keyword, name))
                 _write_numbers(stream, members)
-        if kind == "tets":
+        if "Volume" in kinds:
             _write_surfaces(stream, arrays)
+
+
+def _write_elements(stream, kind, numbers, nodes):
+    stream.write("*ELEMENT, TYPE=%s, ELSET=Eall\n" % _TYPES[kind][1 if nodes.shape[1] > _CORNERS[kind] else 0])
+    if kind == "segments" and nodes.shape[1] == 3:
+        nodes = nodes[:, _MIDDLE_LAST]
+    np.savetxt(stream, np.column_stack([numbers, nodes]), fmt=", ".join(["%d"] * (nodes.shape[1] + 1)))
 
 
 def _write_surfaces(stream, arrays):
@@ -40,12 +47,13 @@ def _write_surfaces(stream, arrays):
     triangles = np.sort(arrays["triangles"], axis=1)
     # Each triangle gets one whole number that it has among the tets' sides too.
     _, keys = np.unique(np.vstack([corners, triangles]), axis=0, return_inverse=True)
-    row_of = np.empty(len(keys), dtype=np.int64)
+    row_of = np.zeros(len(keys), dtype=np.int64)
     row_of[keys[:len(corners)]] = np.arange(len(corners))
     rows = row_of[keys[len(corners):].reshape(-1)]
-    for face in np.unique(arrays["triangle_faces"]):
+    is_side = np.isin(keys[len(corners):].reshape(-1), keys[:len(corners)])   # shells beside the tets are not
+    for face in np.unique(arrays["triangle_faces"][is_side]):
         stream.write("*SURFACE, NAME=Face%d, TYPE=ELEMENT\n" % (face + 1))
-        for row in rows[arrays["triangle_faces"] == face]:
+        for row in rows[(arrays["triangle_faces"] == face) & is_side]:
             stream.write("%d, S%d\n" % (owners[row], sides[row]))
 
 

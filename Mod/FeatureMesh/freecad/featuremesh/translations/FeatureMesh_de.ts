@@ -208,8 +208,8 @@
       <translation>Was von jedem Fall gefragt ist, etwa max_mises@Face3</translation>
     </message>
     <message>
-      <source>What is meshed: solids with tetrahedra, faces with triangles (shells), edges with segments (beams); From shape: solids, else faces, else edges</source>
-      <translation>Was vernetzt wird: Solids: Körper mit Tetraedern; Faces: Flächen mit Dreiecken (Schalen); Edges: Kanten mit Balkenelementen; From shape: Körper, sonst Flächen, sonst Kanten</translation>
+      <source>What is meshed: solids with tetrahedra, faces with triangles (shells), edges with segments (beams); From shape: solids and what is beside them, else faces, else edges</source>
+      <translation>Was vernetzt wird: Solids: Körper mit Tetraedern; Faces: Flächen mit Dreiecken (Schalen); Edges: Kanten mit Balkenelementen; From shape: Körper und was neben ihnen ist, sonst Flächen, sonst Kanten</translation>
     </message>
     <message>
       <source>What is varied, such as Fillet.Radius=2:6</source>
@@ -463,6 +463,10 @@
       <translation>%s von %s Elementen passen nicht zum Bauteil und wurden neu gemacht: %s</translation>
     </message>
     <message>
+      <source>%s presses on a shell beside a solid, which FreeCAD cannot write for CalculiX; use a force there</source>
+      <translation>%s drückt auf eine Schale neben einem Körper, was FreeCAD für CalculiX nicht schreiben kann; verwenden Sie dort eine Kraft</translation>
+    </message>
+    <message>
       <source>%s refers to %s, which is gone; choose another edge, the analysis cannot be solved without</source>
       <translation>%s bezieht sich auf %s, das es nicht mehr gibt; wählen Sie eine andere Kante, ohne lässt sich die Analyse nicht rechnen</translation>
     </message>
@@ -489,6 +493,14 @@
     <message>
       <source>%s was not updated since the document was opened, all its elements are as they were</source>
       <translation>%s wurde seit dem Öffnen des Dokuments nicht aktualisiert, alle Elemente sind, wie sie waren</translation>
+    </message>
+    <message>
+      <source>%s would lose the beams of this mesh; export it as inp, vtu, vtk, msh, unv or med</source>
+      <translation>%s würde die Balken dieses Netzes verlieren; exportieren Sie als inp, vtu, vtk, msh, unv oder med</translation>
+    </message>
+    <message>
+      <source>%s would lose the shells of this mesh; export it as inp, vtu, vtk, msh, unv or med</source>
+      <translation>%s würde die Schalen dieses Netzes verlieren; exportieren Sie als inp, vtu, vtk, msh, unv oder med</translation>
     </message>
     <message>
       <source>%s: %d features in %d pieces, volume %.10g mm^3 (FreeCAD: %.10g mm^3)</source>
@@ -1099,6 +1111,10 @@
       <translation>Das Bauteil konnte nicht gefüllt werden: %s. Eine andere Größe versuchen, oder die Form prüfen (Part: Geometrie prüfen).</translation>
     </message>
     <message>
+      <source>The part has faces or edges beside its solids, and only meshes of solids can be adopted. Mesh the part anew, or adopt the mesh for the solids alone (Dimension: Solids).</source>
+      <translation>Das Teil hat Flächen oder Kanten neben seinen Körpern, und nur Netze von Körpern können übernommen werden. Vernetzen Sie das Teil neu, oder übernehmen Sie das Netz nur für die Körper (Dimension: Solids).</translation>
+    </message>
+    <message>
       <source>The part is %s mm thick at %s: elements are smaller there than asked, so that %s go round it.</source>
       <translation>Das Teil ist %s mm dick an %s: Die Elemente sind dort kleiner als verlangt, damit %s herumpassen.</translation>
     </message>
@@ -1217,6 +1233,10 @@
     <message>
       <source>These faces touch or cross without sharing edges: %s. Each sheet has a mesh of its own, and no load passes between them. If that is not meant, join them (Part: Boolean Fragments).</source>
       <translation>Diese Flächen berühren oder schneiden sich, ohne Kanten zu teilen: %s. Jede Schale hat ein eigenes Netz, und zwischen ihnen wird keine Last übertragen. Ist das nicht gemeint, verbinden Sie sie (Part: Boolesche Fragmente).</translation>
+    </message>
+    <message>
+      <source>These shells and beams lie inside a solid and share no nodes with it there: %s. No load passes between them. Divide the solid along them (Part: Boolean Fragments).</source>
+      <translation>Diese Schalen und Balken liegen in einem Körper und haben dort keine Knoten mit ihm gemeinsam: %s. Zwischen ihnen wird keine Last übertragen. Teilen Sie den Körper an ihnen (Part: Boolesche Fragmente).</translation>
     </message>
     <message>
       <source>These solids touch or overlap without sharing faces: %s (%s). Each has a mesh of its own: no load passes between them but by ties and contacts, and where they overlap the material counts twice. If that is not meant, fuse them or join them (Part: Boolean Fragments).</source>
