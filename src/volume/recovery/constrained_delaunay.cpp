@@ -319,7 +319,7 @@ class Bytes {
 ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<const Vec3> seeds, std::size_t missing,
                                               const RunContext& context) {
     // walls of a fiftieth of the edge length took 20 to 40 vertices, made and gone again, for a missing facet
-    constexpr std::size_t spare_vertices = 20'000, vertices_per_missing = 100;
+    constexpr std::size_t spare_vertices = 1'000, vertices_per_missing = 100;
     // no vertex was seen to take a tenth of this
     constexpr std::size_t least_seconds = 60, vertices_per_second = 200;
     std::vector<Point> points;
