@@ -151,7 +151,7 @@ bool same_motion(const RigidMotion& a, const RigidMotion& b, const Sameness& s) 
 
 std::string describe(const RigidMotion& motion) {
     const auto& r = motion.rotation;
-    const std::string shifted = "moved by " + in_words(motion.translation) + " mm";
+    std::string shifted = "moved by " + in_words(motion.translation) + " mm";
     if (r == RigidMotion{}.rotation) return shifted;
     Vec3 axis{r[7] - r[5], r[2] - r[6], r[3] - r[1]};
     const double angle = std::atan2(length(axis), r[0] + r[4] + r[8] - 1);

@@ -74,7 +74,7 @@ class AngleBins {
         }
     }
     int operator()(double cosine) const {
-        const int cell = std::clamp(static_cast<int>((cosine + 1.0) * (cells / 2)), 0, cells - 1);
+        const int cell = std::clamp(static_cast<int>((cosine + 1.0) * (cells / 2.0)), 0, cells - 1);
         const int bin = first_[cell];
         return bin + (cosine <= border_[bin + 1]);
     }

@@ -242,7 +242,7 @@ double share_inside(const Brep& brep, const std::vector<Cell>& cells, double tot
     double sum = 0;
     for (const Cell& cell : cells) {
         sum += cell.extra;
-        const int due = static_cast<int>(sum / total * draws + 0.5);
+        const int due = static_cast<int>(std::floor(sum / total * draws + 0.5));
         if (due <= drawn) continue;
         context.check_cancelled();
         if (is_inside(brep, classifiers, cell.center)) inside += due - drawn;

@@ -56,7 +56,7 @@ std::optional<double> hit(const Vec3& a, const Vec3& b, const Vec3& c, const Vec
 WallRays::WallRays(const Brep& brep, double deflection)
     : diagonal_(brep.box().diagonal()), deflection_(deflection), neighbours_(brep.face_count()) {
     const TopoDS_Shape copy = BRepBuilderAPI_Copy(brep.shape(), false, false).Shape();
-    BRepMesh_IncrementalMesh(copy, deflection, false, 0.35, false);
+    const BRepMesh_IncrementalMesh mesher(copy, deflection, false, 0.35, false);
     TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(copy, TopAbs_FACE, faces);
     for (int f = 1; f <= faces.Extent(); ++f) {

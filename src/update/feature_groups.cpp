@@ -22,7 +22,7 @@ class Centroids {
         for (const auto& tet : mesh.tets)
             points_.push_back((mesh.point(tet[0]) + mesh.point(tet[1]) + mesh.point(tet[2]) + mesh.point(tet[3])) / 4);
         for (const Vec3& p : points_) box_.add(p);
-        across_ = std::max<std::size_t>(1, std::size_t(std::sqrt(double(points_.size() / points_per_column))));
+        across_ = std::max<std::size_t>(1, std::size_t(std::sqrt(double(points_.size()) / points_per_column)));
         std::vector<std::size_t> column_of;
         column_of.reserve(points_.size());
         for (const Vec3& p : points_)

@@ -372,7 +372,7 @@ class Stages {
                                                        std::move(*sizing_), std::move(mesh), std::move(node_origin),
                                                        std::move(tet_origin), std::move(filled_->used_active),
                                                        std::move(sizes), std::move(adopted_sizes_)});
-        record_kept(*now, std::move(report_.kept), report_);
+        record_kept(*now, report_.kept, report_);
         record_run(*now, context_, seconds_since(start_), report_);
         return {std::move(now), std::move(report_)};
     }

@@ -31,7 +31,6 @@ namespace featuremesh {
 namespace {
 
 constexpr double no_volume = 1e-12;  // of the cube of a shell's size
-constexpr double generous = 10;      // times the tolerances: what lies on another face's surface
 
 /// A pcurve over the range of `own` as one over the range of `piece`, which stands for it.
 Handle(Geom2d_Curve) over_range_of(const MergedEdges::Piece& piece, const MergedEdges::Piece& own, bool turned,
