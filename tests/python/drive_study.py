@@ -123,7 +123,7 @@ def check_plots(study, results):
 
 def check_rows(document, study, results):
     """A double click on a row gives the document the case's values: part, mesh and result; undo and As it was take that back."""
-    from freecad.featuremesh import api, live_result
+    from freecad.featuremesh import api, engine, live_result
     press_at(results.tabs.tabBar(), results.tabs.tabBar().tabRect(3).center())
     cases = cases_of(study)
     assert results.table.rowCount() == len(cases) == 16
@@ -139,23 +139,34 @@ def check_rows(document, study, results):
     assert abs(study.Part.Shape.Volume * density / case.responses["mass"] - 1) < 1e-9 and study.Part.Shape.Volume != volume
     mesh, = api.meshes_of(document)
     assert mesh.Status == "up to date"
-    live, = [obj for obj in document.Objects if live_result.is_live_result(obj)]
-    wait_for(lambda: live.Status == live_result.UP_TO_DATE, LONG)
-    spin(1)
-    assert abs(live.MaxMises / case.responses["max_mises"] - 1) < 0.2, (live.MaxMises, case.responses)
-    assert abs(live.MaxDisplacement / case.responses["max_displacement"] - 1) < 0.02, (live.MaxDisplacement, case.responses)
-    figures.append("stress of the case %.2f MPa, in the window %.2f MPa" % (case.responses["max_mises"], live.MaxMises))
+    live = next((obj for obj in document.Objects if live_result.is_live_result(obj)), None)
+    assert (live is None) == bool(engine.load().statics_missing())   # without PETSc CalculiX solves it
+    if live is not None:
+        check_live(live, case)
+    else:
+        solved, = [obj for obj in study.Analysis.Group if obj.isDerivedFrom("Fem::FemResultObject")]
+        assert abs(max(solved.vonMises) / case.responses["max_mises"] - 1) < 0.02, (max(solved.vonMises), case.responses)
     results.hide()
     picture("study_case")
     results.show()
     click(results.back_button)
-    wait_for(lambda: live.Status == live_result.UP_TO_DATE, LONG)
+    wait_for(lambda: live is None or live.Status == live_result.UP_TO_DATE, LONG)
     assert document.Fillet.Radius.Value == 3 and abs(study.Part.Shape.Volume / volume - 1) < 1e-9
     document.undo()
     assert abs(document.Fillet.Radius.Value - case.parameters["Fillet.Radius"]) < 1e-9
     document.undo()
     document.recompute()
     assert document.Fillet.Radius.Value == 3
+
+
+def check_live(live, case):
+    """The window's result is that of the case."""
+    from freecad.featuremesh import live_result
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE, LONG)
+    spin(1)
+    assert abs(live.MaxMises / case.responses["max_mises"] - 1) < 0.2, (live.MaxMises, case.responses)
+    assert abs(live.MaxDisplacement / case.responses["max_displacement"] - 1) < 0.02, (live.MaxDisplacement, case.responses)
+    figures.append("stress of the case %.2f MPa, in the window %.2f MPa" % (case.responses["max_mises"], live.MaxMises))
 
 
 def check_report(study, results):
@@ -241,9 +252,6 @@ def drive():
     spin()
     shown, study, results = check_five_clicks(document)
     check_plots(study, results)
-    if int(FreeCAD.Version()[0]) > 0:   # the rest was not seen to pass there yet; a row's live result needs PETSc, which 1.1 does not have
-        figures.append("from the bracket to the plots")
-        return
     check_rows(document, study, results)
     check_report(study, results)
     check_stop(check_settings(document, study), study)

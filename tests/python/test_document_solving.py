@@ -3,10 +3,13 @@
 import shutil
 import tempfile
 import unittest
+from unittest import mock
 
 import ObjectsFem
 from femtools import ccxtools
-from freecad.featuremesh import api, mesh_object, versions
+from freecad.featuremesh import api, engine, mesh_object, versions
+from freecad.featuremesh.errors import UserError
+from freecad.featuremesh.study import study_object
 from parts import new_document
 
 STEEL = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.30", "Density": "7850 kg/m^3"}
@@ -131,6 +134,21 @@ class Solving(unittest.TestCase):
         self.document.recompute()
         names = sorted(("Solid1", "Solid2"), key=lambda n: fragments.Shape.Solids[int(n[5:]) - 1].CenterOfMass.x)
         return left, right, fragments, names
+
+    def test_without_petsc_calculix_solves(self):
+        part = self.document.addObject("Part::Box", "Beam")
+        part.Length, part.Width, part.Height = LENGTH, WIDTH, HEIGHT
+        self.document.recompute()
+        analysis = analysis_of(self.document, part, [("Steel", STEEL, [])])
+        api.add_mesh(part, 5.0)
+        self.document.recompute()
+        with mock.patch.object(engine.load(), "statics_missing", return_value="it is not there"):
+            self.assertFalse(study_object.is_for_live(analysis))
+            report = api.solve_analysis(analysis)
+            with self.assertRaisesRegex(UserError, "needs PETSc"):
+                api.solve_analysis(analysis, "live")
+        self.assertEqual(report["solver"], "CalculiX")
+        self.assertIn("needs PETSc", " ".join(report["warnings"]))
 
     def test_two_materials_in_one_part(self):
         _, _, fragments, names = self.two_boxes()

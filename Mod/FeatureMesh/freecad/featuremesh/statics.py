@@ -67,7 +67,7 @@ class SolveJob:
         start, statics = time.perf_counter(), self.statics
         missing = engine.load().statics_missing()
         if missing:
-            raise UserError("the live solver needs PETSc: install Debian's package libpetsc-real-dev, then any command of ./featuremesh in a clone "
+            raise NotUnderstood("the live solver needs PETSc: install Debian's package libpetsc-real-dev, then any command of ./featuremesh in a clone "
                             "builds the solver with it")
         statics.add_up()
         refuse_free_motions(statics)

@@ -5,7 +5,7 @@ import os
 
 import FreeCAD
 
-from .. import api, documents, preferences, resolving, statics, statics_model, versions
+from .. import api, documents, engine, preferences, resolving, statics, statics_model, versions
 from ..errors import UserError
 from ..proxies import Stateless, add_missing
 from ..reading import describe
@@ -159,8 +159,8 @@ def place_on_part(obj, clicked, element):
 
 
 def is_for_live(analysis):
-    """Does the live solver know all that the analysis holds, and is it statics?"""
-    if kind_of(analysis) != "static":
+    """Is there a live solver that knows all that the analysis holds, and is it statics?"""
+    if kind_of(analysis) != "static" or engine.load().statics_missing():
         return False
     try:
         statics_model.read(analysis, statics.mesh_of(analysis))
