@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What .ci/run makes of the runs it starts, with a stand-in for ./featuremesh."""
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -8,26 +9,27 @@ import unittest
 from pathlib import Path
 
 RUN = Path(__file__).resolve().parents[2] / ".ci" / "run"
-# Ends with the first number when this machine's FreeCAD is tested, with the second in the root, with the third for packages; "slow" takes longer than
-# any limit.
+# Ends with the first number when this machine's FreeCAD is tested, with the second in the root of 1.1, with the third for packages, with the fourth in the
+# root of 1.0; "slow" takes longer than any limit.
 STAND_IN = """#!/usr/bin/env bash
 case "$*" in
     "test") exit %s ;;
     "test --freecad 1.1 --in-freecad") [ %s = slow ] && exec sleep 60; exit %s ;;
     "test --packages --freecad 0.20") exit %s ;;
+    "test --freecad 1.0 --in-freecad --only ^python_("*")$") exit %s ;;
     *) exit 99 ;;
 esac
 """
 
 
 class Decisions(unittest.TestCase):
-    def run_with(self, here, in_root, packages=0, **variables):
+    def run_with(self, here, in_root, packages=0, few=0, **variables):
         """(exit code, what was said)."""
         with tempfile.TemporaryDirectory() as folder:
             os.mkdir(os.path.join(folder, ".ci"))
             shutil.copy(RUN, os.path.join(folder, ".ci"))
             launcher = Path(folder, "featuremesh")
-            launcher.write_text(STAND_IN % (here, in_root, in_root, packages), encoding="utf-8")
+            launcher.write_text(STAND_IN % (here, in_root, in_root, packages, few), encoding="utf-8")
             launcher.chmod(0o755)
             done = subprocess.run([os.path.join(folder, ".ci", "run")], env={**os.environ, **variables}, stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT, text=True)
@@ -37,6 +39,7 @@ class Decisions(unittest.TestCase):
         code, said = self.run_with(0, 0)
         self.assertEqual(code, 0)
         self.assertIn("FreeCAD 1.1 passes, too", said)
+        self.assertIn("FreeCAD 1.0 passes, too", said)
         self.assertIn("installing the packages passes, too", said)
 
     def test_a_failure_of_any_is_one(self):
@@ -49,6 +52,15 @@ class Decisions(unittest.TestCase):
         code, said = self.run_with(0, 0, 1)
         self.assertEqual(code, 1)
         self.assertIn("installing the packages fails", said)
+        code, said = self.run_with(0, 0, 0, 1)
+        self.assertEqual(code, 1)
+        self.assertIn("FreeCAD 1.0 fails", said)
+
+    def test_the_few_tests_are_there(self):
+        wanted = re.search(r"^few='\^python_\((.*)\)\$'$", RUN.read_text(encoding="utf-8"), re.MULTILINE).group(1).split("|")
+        declared = (Path(__file__).parent / "CMakeLists.txt").read_text(encoding="utf-8")
+        for name in wanted:
+            self.assertRegex(declared, r"\b%s\b" % name)
 
     def test_where_there_can_be_no_root_it_is_skipped(self):
         code, said = self.run_with(0, 3)
