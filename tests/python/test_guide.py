@@ -45,6 +45,18 @@ class Guide(unittest.TestCase):
         self.assertGreater(len(commands), 10)
         self.assertLessEqual(set(re.findall(r"\./featuremesh (\w+)", GUIDE)), commands)
 
+    def test_our_properties_on_the_page_beside_gmsh_and_netgen_exist(self):
+        page = (ROOT / "docs" / "beside-gmsh-and-netgen.md").read_text(encoding="utf-8")
+        ours = set(re.findall(r'\("App::Property\w+", "(\w+)", "', (WORKBENCH / "mesh_properties.py").read_text(encoding="utf-8")
+                              + (WORKBENCH / "size_zone.py").read_text(encoding="utf-8")))
+        theirs = {name for row in re.findall(r"^\| ([^|]*) \|", page, re.MULTILINE) for name in re.findall(r"`(\w+)`", row)}
+        named = {name for row in re.findall(r"^\|.*\| ([^|]*) \|$", page, re.MULTILINE) for name in re.findall(r"`([A-Z]\w+)`", row)}
+        self.assertGreater(len(named), 20)
+        self.assertEqual(named - ours - theirs - {"Part", "Face3", "Face3_Nodes"}, set())
+        wishes = ("same", "better", "other way", "not")
+        rows = [row for row in page.splitlines() if row.startswith("| `")]
+        self.assertEqual([row for row in rows if row.split(" | ")[2].strip() not in wishes], [])
+
 
 if __name__ == "__main__":
     unittest.main()

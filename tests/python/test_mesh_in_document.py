@@ -8,6 +8,7 @@ import unittest
 from unittest import mock
 
 import FreeCAD
+import ObjectsFem
 from freecad.featuremesh import api, engine, engine_places, mesh_object, mesh_properties, state, versions
 from freecad.featuremesh.errors import EngineMissing, UserError
 from meshed_plate import MeshedPlate, points_of
@@ -222,3 +223,16 @@ class IgnoredDetails(unittest.TestCase):
         old = engine.load().restore_part(saved.raw, options, saved.arrays)
         _, update = engine.load().update_part(old, saved.raw, saved.options)
         self.assertEqual(update["kept"]["nodes_share"], 1)
+
+
+class BesideGmshAndNetgen(unittest.TestCase):
+    def test_the_page_names_every_property_of_their_mesh_objects(self):
+        with open(os.path.join(os.path.dirname(__file__), "..", "..", "docs", "beside-gmsh-and-netgen.md"), encoding="utf-8") as stream:
+            page = stream.read()
+        document = new_document()
+        known = set()
+        for make in (ObjectsFem.makeMeshGmsh, ObjectsFem.makeMeshNetgen):
+            mesh = make(document)
+            known |= {name for name in mesh.PropertiesList if mesh.getGroupOfProperty(name) in ("Mesh Parameters", "FEM Gmsh Mesh Params")}
+        self.assertGreater(len(known), 15)
+        self.assertEqual([name for name in sorted(known) if "`%s`" % name not in page], [])
