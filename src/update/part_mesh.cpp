@@ -35,15 +35,42 @@ namespace {
 // ones and in global sizes. A detail with tiny elements anywhere is no reason to look that closely at all that changed.
 constexpr double resolution_of_changes = 1.0 / 3, finest_resolution_needed = 0.5, coarsest_resolution_needed = 0.05;
 
+/// The refinement, as the user knows it, without which there would be less than half of so many elements; nothing where
+/// no single one is to blame.
+std::string refinement_to_blame(const Brep& brep, const SizingOptions& options, double elements, RunContext& context) {
+    std::string name;
+    double least = 0.5 * elements;
+    const auto try_without = [&](const SizingOptions& others, const std::string& refinement, double size) {
+        const double left = estimate_elements(brep, make_sizing(brep, others, {}, context), context);
+        if (left >= least) return;
+        least = left;
+        name = refinement + " with a size of " + in_words(size, 3) + " mm";
+    };
+    for (std::size_t z = 0; z < options.zones.size(); ++z) {
+        SizingOptions others = options;
+        others.zones.erase(others.zones.begin() + std::ptrdiff_t(z));
+        try_without(others, "The refinement " + options.zones[z].name, options.zones[z].inner);
+    }
+    for (std::size_t l = 0; l < options.local.size(); ++l) {
+        SizingOptions others = options;
+        others.local.erase(others.local.begin() + std::ptrdiff_t(l));
+        try_without(others, "The refinement at " + name_of(options.local[l].entity), options.local[l].size);
+    }
+    return name;
+}
+
 /// What is wrong with so many tets, if there are too many.
-std::string if_too_many(const Brep& brep, const SizingField& sizing, const MeshOptions& options,
-                        const RunContext& context) {
+std::string if_too_many(const Brep& brep, const SizingField& sizing, const MeshOptions& options, RunContext& context) {
     if (brep.dimension() == Dimension::solids && !may_ask_for_more_tets(brep, sizing, options.most_tets)) return {};
     const double tets = estimate_elements(brep, sizing, context);
     if (tets <= options.most_tets) return {};
-    return "A size of " + in_words(options.sizing.size) + " mm would make about " +
-           std::to_string(std::llround(tets / 1e6)) + " million elements; at most " +
-           std::to_string(std::llround(options.most_tets / 1e6)) + " million are made. Choose a larger size.";
+    const std::string many = std::to_string(std::llround(tets / 1e6)) + " million elements; at most " +
+                             std::to_string(std::llround(options.most_tets / 1e6));
+    const std::string refinement = refinement_to_blame(brep, options.sizing, tets, context);
+    if (!refinement.empty())
+        return refinement + " would make about " + many + " million are made. Choose a larger size there.";
+    return "A size of " + in_words(options.sizing.size) + " mm would make about " + many +
+           " million are made. Choose a larger size.";
 }
 
 std::string first_line(const char* text) { return std::string(text).substr(0, std::string(text).find('\n')); }

@@ -6,6 +6,7 @@ import sys
 import unittest
 
 import FreeCAD as App
+from freecad.featuremesh import api
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples")
 sys.path.insert(0, EXAMPLES)
@@ -87,3 +88,11 @@ class Examples(unittest.TestCase):
             (part, faces), = document.getObject(name).References
             self.assertEqual(part.Name, "Body")
             self.assertLess((part.Shape.getElement(faces[0]).CenterOfMass - place).Length, 1e-6)
+
+    def test_the_estimate_of_elements_is_within_15_percent(self):
+        for name, shares in (("bracket", (15, 18, 30, 50)), ("csg_flange", (12, 18, 30, 50)), ("tool", (18, 30, 50)), ("block_and_cylinder", (12, 18, 30))):
+            part = part_of(self.stored(name))
+            for share in shares:
+                mesh = api.add_mesh(part, part.Shape.BoundBox.DiagonalLength / share, 1, join_analysis=False)
+                estimate = api.estimate_tets(mesh)
+                self.assertAlmostEqual(estimate / api.update_mesh(mesh)["tets"], 1, delta=0.15, msg="%s, diagonal / %d" % (name, share))

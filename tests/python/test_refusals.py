@@ -100,6 +100,13 @@ class FarTooSmall(unittest.TestCase):
         with self.assertRaisesRegex(engine.load().InputError, "A size of 0.01 mm would make about [0-9]+ million"):
             api.update_mesh(self.mesh)
 
+    def test_a_zone_is_named(self):
+        middle = FreeCAD.Placement(self.body.Shape.BoundBox.Center, FreeCAD.Rotation())
+        api.add_size_zone(self.mesh, "Sphere", placement=middle, inner=0.8, radius=2).Label = "Mild"
+        api.add_size_zone(self.mesh, "Sphere", placement=middle, inner=0.01, radius=5).Label = "Fierce"
+        with self.assertRaisesRegex(engine.load().InputError, "The refinement Fierce with a size of 0.01 mm would make about [0-9]+ million elements; at most 50"):
+            api.update_mesh(self.mesh)
+
     def test_a_refinement_is_named(self):
         self.refine(["Face1"], 1.0, "Side")
         fine = self.refine(["Face6", "Edge1"], 0.001, "Top")

@@ -32,6 +32,8 @@ SENTENCES = (
     QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s has a height of %s mm; it must be larger than zero."),
     QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s is coarser inside (%s mm) than outside (%s mm); exchange the two sizes."),
     QT_TRANSLATE_NOOP("FeatureMesh", "A size of %s mm would make about %s million elements; at most %s million are made. Choose a larger size."),
+    QT_TRANSLATE_NOOP("FeatureMesh", "The refinement %s with a size of %s mm would make about %s million elements; at most %s million are made. Choose a "
+                                     "larger size there."),
     QT_TRANSLATE_NOOP("FeatureMesh", "There is not enough memory for this mesh. Choose a larger size."),
     # The part
     QT_TRANSLATE_NOOP("FeatureMesh", "The shape is empty. Recompute the document and mesh an object that has a solid."),

@@ -1175,6 +1175,10 @@
       <translation>Die Verfeinerung %s verweist auf nichts und wird weggelassen. Wählen Sie Flächen, Kanten oder Ecken für sie, oder unterdrücken Sie sie.</translation>
     </message>
     <message>
+      <source>The refinement %s with a size of %s mm would make about %s million elements; at most %s million are made. Choose a larger size there.</source>
+      <translation>Die Verfeinerung %s mit einer Größe von %s mm ergäbe etwa %s Millionen Elemente; höchstens %s Millionen werden gemacht. Wählen Sie dort eine größere Größe.</translation>
+    </message>
+    <message>
       <source>The report is %s</source>
       <translation>Der Bericht ist %s</translation>
     </message>
