@@ -107,6 +107,29 @@ class MixedMeshes(unittest.TestCase):
             self.assertGreater(kept[0], 0.4)
             self.assertGreater(kept[1], 0.6)
 
+    def test_a_sheet_that_moved_takes_its_triangles_along(self):
+        document = new_document()
+        block = document.addObject("Part::Box", "Block")
+        sheet = document.addObject("Part::Plane", "Sheet")
+        sheet.Length = sheet.Width = 20
+        tool = document.addObject("Part::Box", "Tool")
+        tool.Placement = placement(15, 15, -5)
+        cut = document.addObject("Part::Cut", "Cut")
+        cut.Base, cut.Tool = sheet, tool
+        both = document.addObject("Part::Compound", "Both")
+        both.Links = [block, cut]
+        cut.Placement = placement(30, 0, 5)
+        document.recompute()
+        mesh = api.add_mesh(both, 2, 1)
+        document.recompute()
+        self.assertEqual(json.loads(mesh.Report)["warnings"], [])
+        before = by_number(mesh)
+        cut.Placement = placement(33, 4, 7)
+        document.recompute()
+        after = by_number(mesh)
+        self.assertEqual(shares_kept(before, after)[0], 1)
+        self.assertEqual(set(before[1]), set(after[1]))
+
     def test_only_the_solids_as_asked(self):
         both = block_with_sheet(with_beam=True)
         document = both.Document

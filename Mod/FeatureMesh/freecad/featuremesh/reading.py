@@ -42,7 +42,7 @@ def read_document(part):
     if not has_shape(part):
         raise UserError(translate("FeatureMesh", "%s has no shape to mesh") % describe(part) + _what_leaves_nothing(part))
     walk = _Walk(part)
-    shapes = _ShapeList(_highest_in(_shape_of(part)))
+    shapes = _ShapeList(_lowest_meshed_in(_shape_of(part)))
     home = part.Document
     keys = {obj: key_of(obj, home) for obj in walk.frames}
     records = [_record(obj, walk, shapes, keys, home) for obj in _in_dependency_order(part, walk.children)]
@@ -423,6 +423,18 @@ def _highest_in(shape):
     if shape is None or shape.isNull():
         return None
     return "Solid" if _has_solid(shape) else next((kind for kind in _KINDS[1:] if shape.countElement(kind) > 0), None)
+
+
+def _lowest_meshed_in(shape):
+    """The highest kind in the shape, or the lowest that it has beside that: faces of no solid, edges of no face."""
+    highest = _highest_in(shape)
+    if highest is None or shape.ShapeType != "Compound":
+        return highest
+    for kind, above in (("Edge", "Face"), ("Face", "Solid")):
+        of_above = Part.Compound(getattr(shape, above + "s"))
+        if _has(shape, above) and shape.countElement(kind) > of_above.countElement(kind):
+            return kind
+    return highest
 
 
 def _has(shape, kind):
