@@ -73,7 +73,10 @@ def study_of_options(given):
 def new_folder(study, path):
     """The study's folder, with the base document and the planned cases; locked."""
     from freecad.featuremesh.study import beginning
-    return beginning.begin(study, path, make_base)
+    folder = beginning.begin(study, path, make_base)
+    for remark in folder.facts()["remarks"]:
+        print(f"warning: {remark}", file=sys.stderr)
+    return folder
 
 
 def make_base(plain_study, out):

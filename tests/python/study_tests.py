@@ -33,10 +33,10 @@ class StudyTest(unittest.TestCase):
         cls.pulled_face, cls.best_solver = cls.make_part(cls.made / "part.FCStd")
 
     @staticmethod
-    def make_part(path, kind="static"):
-        """Saves the part there, with an analysis of that kind (see make_study_part.py). Returns the name of the face that is pulled, and the best
-        solver that there is: live or ccx."""
-        done = subprocess.run([LAUNCHER, "run", HERE / "make_study_part.py"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    def make_part(path, kind="static", script="make_study_part.py"):
+        """Saves the part there, with an analysis of that kind (see the script). Returns the name of the face that is pulled, and the best solver that
+        there is: live or ccx."""
+        done = subprocess.run([LAUNCHER, "run", HERE / script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                               env={**os.environ, "FEATUREMESH_STUDY_PART": str(path), "FEATUREMESH_STUDY_KIND": kind})
         if done.returncode:
             raise RuntimeError(done.stderr)

@@ -144,6 +144,76 @@ class Studies(StudyTest):
             self.assertTrue(360 < found["middle"] < 372, found)
             self.assertGreater(found["max_displacement"], 1.2e-5 * 50 * 60)
 
+    def of_other_part(self, kind, vary, responses):
+        """The responses of the cases of another kind of part (see make_other_study_part.py)."""
+        self.make_part(self.part, kind, "make_other_study_part.py")
+        self.study("run", "part.FCStd", *(word for text in vary for word in ("--vary", text)), "--sampling", "grid", "--responses", responses, "--folder", "s")
+        return [row["responses"] for row in self.rows("s")]
+
+    def test_shells_bend_as_beams_do_and_their_thickness_is_varied(self):
+        found = self.of_other_part("sheet", ("Sheet.Length=200,250", "Thickness.Thickness=8,10"),
+                                   "mass,area,max_mises,root=max_mises@Edge1,max_displacement,end=displacement_z@Sheet,reaction_z@Fixed,strain_energy")
+        for row, (length, thickness) in zip(found, ((200, 8), (200, 10), (250, 8), (250, 10)), strict=True):
+            bent = 100 * length ** 3 / (3 * 210000 * 50 * thickness ** 3 / 12)
+            self.assertAlmostEqual(row["mass"], 7850e-9 * length * 50 * thickness, places=9)
+            self.assertAlmostEqual(row["area"], length * 50, places=6)
+            self.assertAlmostEqual(row["max_mises"] / (100 * length / (50 * thickness ** 2 / 6)), 1, delta=0.05)   # outside, where the sheet is held
+            self.assertEqual(row["root"], row["max_mises"])
+            self.assertAlmostEqual(row["max_displacement"] / bent, 1, delta=0.02)
+            self.assertAlmostEqual(abs(row["end"]) / bent, 1, delta=0.02)
+            self.assertAlmostEqual(abs(row["reaction_z@Fixed"]), 100, delta=0.1)
+            self.assertAlmostEqual(row["strain_energy"] / (100 * bent / 2), 1, delta=0.02)
+
+    def test_sheets_of_several_thicknesses_and_materials_weigh_what_they_weigh(self):
+        for row, length in zip(self.of_other_part("sheets", ("Near.Length=100,120",), "mass"), (100, 120), strict=True):
+            self.assertAlmostEqual(row["mass"], 1e-9 * 50 * (7850 * length * 8 + 2700 * 100 * 2), places=9)
+
+    def test_beams_with_their_section_as_a_parameter(self):
+        found = self.of_other_part("beam", ("Axis.X2=200,250", "Section.RectHeight=20,24"), "mass,max_mises,max_displacement,displacement_z@Vertex2")
+        for row, (length, height) in zip(found, ((200, 20), (200, 24), (250, 20), (250, 24)), strict=True):
+            self.assertAlmostEqual(row["mass"], 7850e-9 * length * 20 * height, places=9)
+            self.assertAlmostEqual(row["max_mises"] / (100 * length / (20 * height ** 2 / 6)), 1, delta=0.05)
+            bent = 100 * length ** 3 / (3 * 210000 * 20 * height ** 3 / 12)
+            self.assertAlmostEqual(row["max_displacement"] / bent, 1, delta=0.03)
+            self.assertAlmostEqual(abs(row["displacement_z@Vertex2"]) / bent, 1, delta=0.03)
+
+    def test_parts_of_two_materials_held_by_a_tie(self):
+        found = self.of_other_part("tied", ("Upper.Height=20,24",), "mass,max_displacement,reaction_z@Fixed,max_mises@Lower")
+        for row, height in zip(found, (20, 24), strict=True):
+            self.assertAlmostEqual(row["mass"], 1e-9 * 100 * (7850 * 20 + 2700 * height), places=9)
+            self.assertAlmostEqual(row["max_displacement"] / (10 * (20 / 210000 + height / 70000)), 1, delta=0.01)
+            self.assertAlmostEqual(abs(row["reaction_z@Fixed"]), 1000, delta=1)
+            self.assertAlmostEqual(row["max_mises@Lower"], 10, delta=0.1)
+
+    def test_a_zone_of_the_mesh_is_varied(self):
+        self.of_other_part("zone", ("HoleSketch.Radius=4,6", "SizeZone.InnerSize=3,1.5"), "max_mises")
+        coarse, fine, coarse_too, fine_too = (row["mesh"]["nodes"] for row in self.rows("s"))
+        self.assertGreater(fine, 1.2 * coarse)
+        self.assertGreater(fine_too, 1.2 * coarse_too)
+        self.assertEqual({row["mesh"]["fallback"] for row in self.rows("s")}, {None})
+
+    def test_what_shells_cannot_be_asked_is_told_in_one_line(self):
+        self.make_part(self.part, "middle", "make_other_study_part.py")
+        vary = ("run", "part.FCStd", "--vary", "Sheet.Length=200", "--sampling", "grid")
+        for words, message in ((("--responses", "volume"), "the response volume needs a solid, and Sheet has none"),
+                               (("--responses", "max_mises", "--solver", "live"), "the live solver knows solids only")):
+            _, err = self.study(*vary, *words, "--folder", "refused", code=2)
+            self.assertIn(message, err.splitlines()[-1])
+        _, err = self.study(*vary, "--responses", "displacement_z@100,25,0", "--folder", "point", code=1)
+        self.assertIn("the part has no solid that the point 100,25,0 mm could be in", err)
+        _, err = self.study(*vary, "--responses", "max_mises", "--folder", "middle")
+        self.assertIn("warning: the stresses of shells and beams are those in the middle of the thickness", err)
+        self.assertLess(self.rows("middle")[0]["responses"]["max_mises"], 10)
+
+    def test_shells_beside_solids_are_refused_in_one_line(self):
+        self.make_part(self.part, "mixed", "make_other_study_part.py")
+        vary = ("run", "part.FCStd", "--vary", "Block.Height=20,24", "--sampling", "grid", "--responses")
+        for responses in ("mass", "max_mises"):
+            _, err = self.study(*vary, responses, "--folder", "refused", code=2)
+            self.assertIn("Both has several of them in one analysis", err.splitlines()[-1])
+        self.study(*vary, "volume", "--folder", "volume")
+        self.assertEqual([round(row["responses"]["volume"]) for row in self.rows("volume")], [2000, 2400])
+
     def test_optimising_finds_the_known_best_and_counts_every_evaluation_as_a_case(self):
         """The thinnest plate of a volume of 20 000 mm^3 has the smallest hole: its height is 20 000 / (60 * 40 - pi r^2)."""
         self.study("run", "part.FCStd", "--vary", "HoleSketch.Radius=4:8", "--vary", "Plate.Length=6:12", "--sampling", "central_composite",

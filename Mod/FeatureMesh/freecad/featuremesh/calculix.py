@@ -60,14 +60,14 @@ def solve(analysis):
                           "mass_kg": statics.mass(known) if known is not None and known.has_density else _figure(_MASS, printed, statics.TONNE),
                           "strain_energy_mj": printed_strain_energy(printed)},
             "iterations": None, "residual": None, "energy_error": None, "mesh_error": None,
-            "reused": {"preconditioner": False, "start_share": 0.0}, "warnings": _remarks(tools.mesh, solver),
+            "reused": {"preconditioner": False, "start_share": 0.0}, "warnings": remarks(tools.mesh.FemMesh.VolumeCount > 0, solver),
             "seconds": {"read": written - start, "assemble": 0.0, "setup": 0.0, "solve": solved - written, "stresses": 0.0,
                         "result": time.perf_counter() - solved, "total": time.perf_counter() - start}}
 
 
-def _remarks(mesh, solver):
-    """What the figures of shells and beams do not say."""
-    if mesh.FemMesh.VolumeCount or getattr(solver, "BeamShellResultOutput3D", False):
+def remarks(is_solid, solver):
+    """What the stresses of shells and beams do not say."""
+    if is_solid or getattr(solver, "BeamShellResultOutput3D", False):
         return []
     return ["the stresses of shells and beams are those in the middle of the thickness, where bending makes none; switch BeamShellResultOutput3D of %s on "
             "for those on the outside" % describe(solver)]

@@ -19,6 +19,21 @@ def read(path, names):
     return found
 
 
+def read_mesh(path):
+    """(numbers (n,), points (n,3) mm, {element: its nodes' numbers}) of the mesh that CalculiX solved: of shells and beams the solids that it made of them."""
+    with open(path, "rb") as stream:
+        data = stream.read()
+    numbers, points = _block(data, data.index(b"\n    2C"), 3)
+    start = data.index(b"\n    3C")
+    elements, nodes = {}, []
+    for line in data[start:data.index(b"\n -3", start)].splitlines():
+        if line.startswith(b" -1"):
+            nodes = elements.setdefault(int(line[_NUMBER]), [])
+        elif line.startswith(b" -2"):
+            nodes += [int(line[at:at + 10]) for at in range(_NUMBER.start, len(line), 10)]
+    return numbers, points, elements
+
+
 def _block(data, start, count):
     first = data.index(b"\n -1", start) + 1
     end = data.index(b"\n -3", start) + 1

@@ -25,6 +25,7 @@ _SAMPLINGS = {
 _RESPONSES = {
     "mass": QT_TRANSLATE_NOOP("FeatureMesh", "mass"),
     "volume": QT_TRANSLATE_NOOP("FeatureMesh", "volume"),
+    "area": QT_TRANSLATE_NOOP("FeatureMesh", "area"),
     "max_mises": QT_TRANSLATE_NOOP("FeatureMesh", "largest von Mises stress"),
     "max_principal": QT_TRANSLATE_NOOP("FeatureMesh", "largest principal stress"),
     "max_displacement": QT_TRANSLATE_NOOP("FeatureMesh", "largest displacement"),
@@ -35,8 +36,8 @@ _RESPONSES = {
     "max_temperature": QT_TRANSLATE_NOOP("FeatureMesh", "largest temperature"),
 }
 _STATICS = ("max_mises", "max_principal", "max_displacement", "strain_energy", "reaction")
-_GIVEN_BY = {None: ("volume",), "static": ("mass", "volume", *_STATICS), "thermomech": ("mass", "volume", "max_temperature", *_STATICS),
-             "frequency": ("mass", "volume", "frequency_1"), "buckling": ("mass", "volume", "buckling_factor_1")}
+_GIVEN_BY = {None: (), "static": ("mass", *_STATICS), "thermomech": ("mass", "max_temperature", *_STATICS),
+             "frequency": ("mass", "frequency_1"), "buckling": ("mass", "buckling_factor_1")}   # beside how much of the part there is
 _AT_A_PLACE = ("max_mises", "max_principal", "max_displacement")
 _LOOK_EVERY = 500   # ms
 
@@ -127,7 +128,7 @@ class StudyPanel:
     def _fill_responses(self):
         """Those that the analysis gives, and whatever else is asked for already."""
         known = _GIVEN_BY.get(self._kind, _GIVEN_BY["static"])
-        for text in dict.fromkeys([*known, *self.study.Responses]):
+        for text in dict.fromkeys([*known[:1], study_object.extent_of(self.study.Part), *known[1:], *self.study.Responses]):
             self._add_response(text, text in self.study.Responses)
 
     def _add_response(self, text, ticked):

@@ -3,7 +3,9 @@
 
 import os
 
-from .. import api, documents, edits, engine, live_result, mesh_object, reading, statics, statics_model, versions
+from femtools import femutils
+
+from .. import api, documents, edits, engine, formats, live_result, mesh_object, reading, statics, statics_model, versions
 from ..errors import UserError
 from . import places, response_words, responses
 from .design import from_plain
@@ -28,12 +30,15 @@ def make(plain_study, out):
         api.update_mesh(mesh, full=True)
     elif groups:
         mesh.Proxy.note_references(mesh, groups)
+    _refuse_volume(study, part)
     solver = _solver(document, study, mesh)
     documents.save_document(document, out)
     arrays = mesh.Proxy.arrays(mesh)
-    return {"base_values": values, "integers": integers, "solver": solver, "nodes": len(arrays["points"]), "tets": len(arrays["tets"]),
-            "order": 2 if len(arrays["tet_mids"]) else 1, "part": part.Name, "mesh": mesh.Name, "engine": engine.about()["version"],
-            "freecad": ".".join(map(str, versions.version())), "bytes": os.path.getsize(out)}
+    _refuse_mixed(document, study, part, arrays)
+    kind, mids, _, _ = formats.filling_of(arrays)
+    return {"base_values": values, "integers": integers, "solver": solver, "nodes": len(arrays["points"]), "elements": len(arrays[kind]),
+            "filled_by": kind, "order": 2 if len(arrays[mids]) else 1, "part": part.Name, "mesh": mesh.Name, "engine": engine.about()["version"],
+            "freecad": ".".join(map(str, versions.version())), "bytes": os.path.getsize(out), "remarks": _remarks(document, study, solver, kind == "tets")}
 
 
 def _mesh_of(document, study):
@@ -56,6 +61,31 @@ def _refuse_unknown_places(study, part):
         if response.at and not response.kind.startswith("reaction") and response.at not in places.of_nodes(study.responses) \
                 and places.point_of(response.at) is None:
             places.feature(part, response.at)
+
+
+def _refuse_volume(study, part):
+    for response in study.responses:
+        if response.kind == "volume" and not part.Shape.Solids:
+            raise UserError("the response %s needs a solid, and %s has none; ask for its mass or area" % (response.name, reading.describe(part)))
+
+
+def _refuse_mixed(document, study, part, arrays):
+    """Throws UserError where shells or beams lie beside solids, or on their skin: what is known here of masses and places is of one kind of element."""
+    if not response_words.needs_solution(study.responses) and not any(response.kind == "mass" for response in study.responses):
+        return
+    members = statics_model.members_of(api.find_analysis(document, study.analysis))
+    skins = [member for member in members for kind in ("Fem::ElementGeometry1D", "Fem::ElementGeometry2D") if femutils.is_of_type(member, kind)]
+    if len(formats.fillings_of(arrays)) > 1 or (len(arrays["tets"]) and skins):
+        raise UserError("a study asks for figures of solids, of shells or of beams alone, and %s has several of them in one analysis; study a part of one "
+                        "kind, or ask for its volume or area only" % reading.describe(part))
+
+
+def _remarks(document, study, solver, is_solid):
+    """What the figures of the cases do not say, in sentences."""
+    if solver != "ccx" or not any(response.kind in response_words.STRESSES for response in study.responses):
+        return []
+    from .. import calculix   # FreeCAD's tools for CalculiX take a while to load
+    return calculix.remarks(is_solid, calculix.solver_of(api.find_analysis(document, study.analysis)))
 
 
 def _solver(document, study, mesh):

@@ -11,7 +11,7 @@ import traceback
 
 from .. import api, documents, engine, reading, versions
 from ..errors import UserError
-from ..mesh_object import one_line
+from ..mesh_object import element_count, one_line
 from . import case_solver, places, response_words, responses
 from .database import DONE, FAILED, INFEASIBLE
 from .design import from_plain
@@ -78,7 +78,7 @@ def _run(base, case, seconds):
         api.export_mesh(base.mesh, os.path.join(case["folder"], "case.vtu"))
     seconds["responses"] = time.perf_counter() - start
     return {"state": DONE, "responses": values, "seconds": seconds, "message": "; ".join(report["warnings"]),
-            "mesh": {"nodes": report["nodes"], "tets": report["tets"], "kept_share": (report.get("kept") or {}).get("nodes_share", 0.0),
+            "mesh": {"nodes": report["nodes"], "elements": element_count(report), "kept_share": (report.get("kept") or {}).get("nodes_share", 0.0),
                      "fallback": report["fallback"]},
             "hashes": {"mesh": hash_of(arrays), "result": _hash_of_values(hash_of(arrays), values)}}
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from femtools import ccxtools
 
-from .. import calculix, frd, statics
+from .. import calculix, formats, frd, statics
 from ..errors import UserError
 from ..reading import describe
 from . import modes, parent_process
@@ -23,7 +23,11 @@ class Killed(RuntimeError):
 
 @dataclass
 class Fields:
-    """A solution; rows as in the mesh's arrays. None or empty: the analysis gives no such thing."""
+    """A solution. None or empty: the analysis gives no such thing.
+
+    Of solids n counts the nodes of the mesh's arrays; of shells and beams whose result is asked for in 3D those of the solids that CalculiX makes of them.
+    """
+    rows: np.ndarray = None            # (n,) the row of the mesh's arrays that each value belongs to
     displacements: np.ndarray = None   # (n,3) mm
     stresses: np.ndarray = None        # (n,6) MPa: xx, yy, zz, xy, yz, zx
     temperatures: np.ndarray = None    # (n,) K
@@ -37,7 +41,7 @@ class Fields:
 def solve_live(analysis, threads):
     """Linear statics by our own solver, from nothing, so that the order of cases does not matter."""
     fields, report = statics.solve(analysis, "", threads)
-    return Fields(fields["displacements"], fields["stresses"], reactions=report["responses"]["reactions_n"],
+    return Fields(np.arange(len(fields["displacements"])), fields["displacements"], fields["stresses"], reactions=report["responses"]["reactions_n"],
                   strain_energy=report["responses"]["strain_energy_mj"], residual=report["residual"])
 
 
@@ -57,22 +61,44 @@ def solve_ccx(analysis, arrays, folder, threads):
             found = modes.read(printed, kind)
             return Fields(frequencies=found if kind == "frequency" else [], buckling_factors=found if kind == "buckling" else [])
         found = frd.read(base + ".frd", {"DISP": 3, "STRESS": 6, "FORC": 3, "NDTEMP": 1})
+        swollen = _rows_of_swollen(base + ".frd", arrays) if _is_swollen(found, arrays) else None
     except (OSError, ValueError) as error:
         raise UserError("CalculiX left no readable result: %s" % error) from error
     if "DISP" not in found:
         raise UserError("CalculiX gave no displacements for %s" % describe(analysis))
-    return _fields(found, printed, analysis, arrays, known)
+    return _fields(found, swollen, printed, analysis, arrays, known)
 
 
-def _fields(found, printed, analysis, arrays, known):
-    """What was read, by the rows of the mesh. Reactions are sums over the nodes where the analysis is known as arrays, else those that were printed."""
-    rows = {name: _by_row(numbers, values, arrays) for name, (numbers, values) in found.items()}
-    if known is not None and "FORC" in rows:
-        reactions = statics.reactions(known, rows["FORC"] - known.add_up().loads)
+def _fields(found, swollen, printed, analysis, arrays, known):
+    """What was read, by the rows of the mesh or, where there are such, of `swollen`. Reactions are sums over the nodes where the analysis is known as
+    arrays, else those that were printed."""
+    numbers, rows = swollen or (arrays["node_numbers"], np.arange(len(arrays["node_numbers"])))
+    values = {name: _by_number(*block, numbers) for name, block in found.items()}
+    if known is not None and "FORC" in values:
+        reactions = statics.reactions(known, values["FORC"] - known.add_up().loads)
     else:
         reactions = calculix.printed_reactions(printed, analysis)
-    temperatures = rows["NDTEMP"][:, 0] if "NDTEMP" in rows else None
-    return Fields(rows["DISP"], rows.get("STRESS"), temperatures, reactions, calculix.printed_strain_energy(printed))
+    temperatures = values["NDTEMP"][:, 0] if "NDTEMP" in values else None
+    return Fields(rows, values["DISP"], values.get("STRESS"), temperatures, reactions, calculix.printed_strain_energy(printed))
+
+
+def _is_swollen(found, arrays):
+    """Are the values at nodes of solids that CalculiX made of shells or beams?"""
+    return "DISP" in found and not np.isin(found["DISP"][0], arrays["node_numbers"]).any()
+
+
+def _rows_of_swollen(path, arrays):
+    """(numbers, rows) of the nodes of such solids: which node of the mesh each is made of, the nearest one of its own shell or beam."""
+    numbers, points, solids = frd.read_mesh(path)
+    kind, mids, own, _ = formats.filling_of(arrays)
+    nodes_of = dict(zip(arrays[own].tolist(), formats.connectivity(arrays, kind, mids)))
+    order = np.argsort(numbers)
+    rows = np.empty(len(numbers), dtype=np.int64)
+    for element, of_solid in solids.items():
+        at, nodes = order[np.searchsorted(numbers, of_solid, sorter=order)], nodes_of[element]
+        off = np.linalg.norm(points[at][:, None] - arrays["points"][nodes][None], axis=2)
+        rows[at] = nodes[off.argmin(axis=1)]
+    return numbers, rows
 
 
 def _run(base, threads):
@@ -98,12 +124,12 @@ def _complaint(log):
     return " ".join(" ".join(lines[-3:]).split()) or "it says nothing of why"
 
 
-def _by_row(numbers, values, arrays):
-    """A field with a row for each node of the mesh; no number where CalculiX gave none."""
-    result = np.full((len(arrays["node_numbers"]), values.shape[1]), np.nan)
-    order = np.argsort(arrays["node_numbers"])
-    place = np.minimum(np.searchsorted(arrays["node_numbers"], numbers, sorter=order), len(order) - 1)
-    ours = arrays["node_numbers"][order[place]] == numbers
+def _by_number(numbers, values, wanted):
+    """A field with a row for each of the nodes that are wanted; no number where CalculiX gave none."""
+    result = np.full((len(wanted), values.shape[1]), np.nan)
+    order = np.argsort(wanted)
+    place = np.minimum(np.searchsorted(wanted, numbers, sorter=order), len(order) - 1)
+    ours = wanted[order[place]] == numbers
     result[order[place[ours]]] = values[ours]
     return result
 

@@ -107,7 +107,7 @@ class DaskRunner:
     def _resources(self):
         """What a case needs of `cores` and `GB`, where the workers say what they have of them."""
         said = [worker.get("resources", {}) for worker in self._client.scheduler_info()["workers"].values()]
-        needed = {"cores": self._book.study.threads, "GB": memory.estimated_bytes(self._book.facts["nodes"], self._book.facts["solver"]) / 1e9}
+        needed = {"cores": self._book.study.threads, "GB": memory.of_case(self._book.facts) / 1e9}
         return {name: amount for name, amount in needed.items() if said and all(name in resources for resources in said)}
 
     def _finished(self):

@@ -9,8 +9,17 @@ _FILL = 80.0
 _LIVE_PER_UNKNOWN = 9e3
 
 
+# Nodes of the solids that CalculiX makes of shells and beams, by those of the mesh.
+_NODES_MADE_OF_ONE = {"tets": 1, "triangles": 3, "segments": 12}
+
+
+def of_case(facts):
+    """Bytes of one case whose mesh has about as many nodes as the base. `facts` are what base.make gave."""
+    return estimated_bytes(facts["nodes"] * _NODES_MADE_OF_ONE[facts["filled_by"]], facts["solver"])
+
+
 def estimated_bytes(nodes, solver):
-    """Of one case whose mesh has about as many nodes as the base. `solver` is "ccx", "live" or None."""
+    """Of one case with so many nodes. `solver` is "ccx", "live" or None."""
     unknowns = 3 * nodes
     if solver == "ccx":
         return _BASE + _PER_UNKNOWN * unknowns + _FILL * unknowns ** (4 / 3)

@@ -9,7 +9,7 @@ import re
 import numpy as np
 import ObjectsFem
 
-from .. import resolving
+from .. import formats, resolving
 from ..errors import UserError
 from ..hand_over import EntityGroups
 
@@ -51,18 +51,21 @@ class Places:
         self._mesh, self._part, self._arrays, self._part_mesh = mesh, part, arrays, part_mesh
         self._elements = of_nodes(responses)
         self._entities = EntityGroups(arrays)
+        self._filling = formats.filling_of(arrays)
         self._row_of = np.full(int(arrays["node_numbers"].max(initial=0)) + 1, -1)
         self._row_of[arrays["node_numbers"]] = np.arange(len(arrays["node_numbers"]))
 
-    def values(self, at, values):
-        """Those of a field, (n,k), that a place has: (m,k), with a single row for a point. Throws UserError for a place that is gone."""
-        if not at:
-            return values[self._rows_of_tets(self._arrays["tet_numbers"])]   # a node without a tet has no solution
-        point = point_of(at)
+    def values(self, at, values, rows):
+        """Those of a field, (n,) or (n,k), that a place has: (m,) or (m,k), with a single row for a point. `rows` (n,) are the rows of the mesh that they belong to.
+        Throws UserError for a place that is gone."""
+        point = point_of(at) if at else None
         if point is not None:
-            return _interpolated(self._arrays, values, point)[None, :]
-        rows = self._of_element(at) if at in self._elements else self._of_feature(at)
-        return values[rows]
+            return np.asarray(_interpolated(self._arrays, values, point))[None]
+        if not at:
+            there = self._rows_of_elements(self._arrays[self._filling[2]])   # a node without an element has no solution
+        else:
+            there = self._of_element(at) if at in self._elements else self._of_feature(at)
+        return values[np.isin(rows, there)]
 
     def _of_element(self, at):
         group = self._part.Document.getObject(_GROUP % (self._elements.index(at) + 1))
@@ -75,7 +78,7 @@ class Places:
     def _of_feature(self, at):
         obj = feature(self._part, at)
         faces = ["Face%d" % number for number, owners in enumerate(self._part_mesh.owners_of_faces(), 1) if obj.Name in owners]
-        tets = [self._rows_of_tets(numbers) for name, numbers in self._part_mesh.owners_of_tets() if name == obj.Name]
+        tets = [self._rows_of_elements(numbers) for name, numbers in self._part_mesh.owners_of_tets() if name == obj.Name]
         rows = np.unique(np.concatenate([self._rows_of_names(faces), *tets]))
         if not len(rows):
             raise UserError("%s, where a response is asked for, has no face and no element of the part" % at)
@@ -85,10 +88,9 @@ class Places:
         numbers = [self._entities.nodes(name) for name in names]
         return np.unique(self._row_of[np.concatenate(numbers)]) if numbers else np.empty(0, dtype=np.int64)
 
-    def _rows_of_tets(self, numbers):
-        tets = np.isin(self._arrays["tet_numbers"], numbers)
-        mids = self._arrays["tet_mids"]
-        return np.unique(np.concatenate([self._arrays["tets"][tets].ravel(), mids[tets].ravel() if len(mids) else []]).astype(np.int64))
+    def _rows_of_elements(self, numbers):
+        kind, mids, own, _ = self._filling
+        return np.unique(formats.connectivity(self._arrays, kind, mids)[np.isin(self._arrays[own], numbers)])
 
 
 def feature(part, name):
@@ -109,7 +111,9 @@ def point_of(at):
 
 
 def _interpolated(arrays, values, point):
-    """(k,) at a point, by the shape functions of the tet it lies in. Throws UserError for a point outside of the part."""
+    """The field at a point, by the shape functions of the tet it lies in. Throws UserError for a point outside of the part."""
+    if not len(arrays["tets"]):
+        raise UserError("the part has no solid that the point %g,%g,%g mm could be in; ask at a face, edge or vertex" % tuple(point))
     corners = arrays["points"][arrays["tets"]]
     matrix = np.moveaxis(corners[:, 1:] - corners[:, :1], 1, 2)
     inner = np.linalg.solve(matrix, (point - corners[:, 0])[..., None])[..., 0]

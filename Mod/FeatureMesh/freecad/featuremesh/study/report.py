@@ -47,9 +47,10 @@ def _title(folder):
 def _head(folder, data):
     counts, facts = folder.database.counts(), folder.facts()
     study = data.study
+    remarks = "".join("<p class=note>%s.</p>" % html.escape(remark) for remark in facts["remarks"])
     return "<h1>%s</h1><p>%s: %s. Every case starts from one base mesh (%d nodes, %d elements); %s.</p>" % (
         html.escape(_title(folder)), html.escape(study.sampling), ", ".join("%d %s" % (count, state) for state, count in counts.items() if count),
-        facts["nodes"], facts["tets"], {"ccx": "solved by CalculiX", "live": "solved live", None: "not solved"}[facts["solver"]])
+        facts["nodes"], facts["elements"], {"ccx": "solved by CalculiX", "live": "solved live", None: "not solved"}[facts["solver"]]) + remarks
 
 
 def _best_cases(data, goal, limits):

@@ -9,12 +9,13 @@ from .expressions import Expression
 
 # Kind -> what it is and its unit.
 KINDS = {
-    "mass": "kg", "volume": "mm^3", "max_mises": "MPa", "max_principal": "MPa", "min_principal": "MPa", "max_displacement": "mm",
+    "mass": "kg", "volume": "mm^3", "area": "mm^2", "max_mises": "MPa", "max_principal": "MPa", "min_principal": "MPa", "max_displacement": "mm",
     "displacement_x": "mm", "displacement_y": "mm", "displacement_z": "mm", "reaction": "N", "reaction_x": "N", "reaction_y": "N",
     "reaction_z": "N", "strain_energy": "mJ", "buckling_factor": "", "frequency": "Hz", "max_temperature": "K", "min_temperature": "K",
 }
-_OF_NODES = ("max_mises", "max_principal", "min_principal", "max_displacement", "displacement_x", "displacement_y", "displacement_z",
-             "max_temperature", "min_temperature")
+OF_PART = ("mass", "volume", "area")   # need no solution
+STRESSES = ("max_mises", "max_principal", "min_principal")
+_OF_NODES = (*STRESSES, "max_displacement", "displacement_x", "displacement_y", "displacement_z", "max_temperature", "min_temperature")
 _BY_MODE = ("buckling_factor", "frequency")
 _KEYS = {"name", "kind", "at", "percentile", "mode", "expression", "file"}
 
@@ -58,7 +59,7 @@ def at_place(kind, place):
 
 def needs_solution(responses):
     """Must the analysis be solved for these?"""
-    return any(response.kind not in ("mass", "volume") and not response.expression for response in responses)
+    return any(response.kind not in OF_PART and not response.expression for response in responses)
 
 
 def _from_table(said):

@@ -5,22 +5,17 @@ import math
 import runpy
 from dataclasses import dataclass, field
 
-import FreeCAD
 import numpy as np
-from femtools import femutils
 
-from .. import materials, statics, statics_model
 from ..errors import UserError
-from ..hand_over import EntityGroups
-from ..reading import describe
-from ..resolving import Resolver
 from ..statics_result import principal, von_mises
+from . import mass
 from .expressions import Expression
+from .response_words import OF_PART
 
 # What an analysis of one kind gives; FreeCAD's names of the kinds.
 _OF_STATICS = ("static", "thermomech")
 _NEEDS = {"buckling_factor": ("buckling",), "frequency": ("frequency",), "max_temperature": ("thermomech",), "min_temperature": ("thermomech",)}
-_FROM_PART = ("mass", "volume")
 _ONLY_CCX = ("buckling_factor", "frequency", "max_temperature", "min_temperature")
 
 
@@ -40,7 +35,7 @@ class SolvedCase:
 def refuse_unfit(responses, kind, live):
     """Throws UserError for a response that an analysis of that kind, or the live solver, does not give."""
     for response in responses:
-        if response.kind is None or response.kind in _FROM_PART:
+        if response.kind is None or response.kind in OF_PART:
             continue
         needed = _NEEDS.get(response.kind, _OF_STATICS)
         if kind not in needed:
@@ -68,9 +63,11 @@ def _value(response, case):
     if response.file:
         return _of_file(response.file, case)
     if response.kind == "volume":
-        return case.part.Shape.Volume
+        return mass.whole(case.part, "tets")
+    if response.kind == "area":
+        return mass.whole(case.part, "triangles")
     if response.kind == "mass":
-        return mass(case.part, case.analysis, case.arrays)
+        return mass.of_part(case.part, case.analysis, case.arrays)
     if response.kind.startswith("reaction"):
         return _reaction(response, case.fields)
     if response.kind == "strain_energy":
@@ -81,13 +78,17 @@ def _value(response, case):
 
 
 def _of_nodes(response, case):
-    fields, at = case.fields, response.at
+    fields = case.fields
+
+    def there(values, what):
+        return case.places.values(response.at, _given(values, what), fields.rows)
+
     if response.kind.endswith("temperature"):
-        values, sign = case.places.values(at, _given(fields.temperatures, "temperature")[:, None])[:, 0], -1 if response.kind[:3] == "min" else 1
+        values, sign = there(fields.temperatures, "temperature"), -1 if response.kind[:3] == "min" else 1
     elif "displacement" in response.kind:
-        values, sign = _displacements(response.kind, case.places.values(at, _given(fields.displacements, "displacement"))), 1
+        values, sign = _displacements(response.kind, there(fields.displacements, "displacement")), 1
     else:
-        values, sign = _stresses(response.kind, case.places.values(at, _given(fields.stresses, "stress"))), -1 if response.kind[:3] == "min" else 1
+        values, sign = _stresses(response.kind, there(fields.stresses, "stress")), -1 if response.kind[:3] == "min" else 1
     if response.percentile is not None:
         return float(np.percentile(values, response.percentile))
     return float(values[np.argmax(np.abs(values))] if response.kind.startswith("displacement_") else sign * (sign * values).max())
@@ -138,24 +139,3 @@ def _of_file(path, case):
         raise
     except Exception as error:
         raise UserError("%s: %s: %s" % (path, type(error).__name__, error)) from error
-
-
-def mass(part, analysis, arrays):
-    """kg: the part's volume, shared among materials as the mesh shares it, times their densities. Throws UserError."""
-    found = [member for member in statics_model.members_of(analysis) if femutils.is_of_type(member, "Fem::MaterialCommon")] if analysis else []
-    if not found:
-        raise UserError("the mass needs an analysis with a material")
-    if len(found) == 1:
-        return part.Shape.Volume * _density(found[0]) * statics.TONNE
-    groups = {name: numbers for name, _, numbers in materials.material_groups(found, Resolver(part), EntityGroups(arrays))}
-    volumes = statics.tet_volumes(arrays)
-    meshed = sum(volumes[np.isin(arrays["tet_numbers"], groups[member.Name + "_Volumes"])].sum() * _density(member) for member in found)
-    return meshed * part.Shape.Volume / volumes.sum() * statics.TONNE
-
-
-def _density(material):
-    """t/mm^3."""
-    text = material.Material.get("Density")
-    if text is None:
-        raise UserError("the material %s has no density" % describe(material))
-    return float(FreeCAD.Units.Quantity(text).getValueAs("t/mm^3").Value)

@@ -68,7 +68,7 @@ class Runner:
 
     def _jobs_now(self, jobs):
         """As many as have memory. Throws Stopped when not even one case has."""
-        needed, available = memory.estimated_bytes(self._book.facts["nodes"], self._book.facts["solver"]), memory.available_bytes()
+        needed, available = memory.of_case(self._book.facts), memory.available_bytes()
         fitting = memory.jobs_that_fit(jobs, needed, available)
         if not fitting:
             raise Stopped("a case needs about %.1f GB of memory, and %.1f GB are free; take a coarser mesh, or free memory"

@@ -19,7 +19,7 @@ def slurm_cluster(jobs, study, facts):
         raise UserError("--slurm needs dask-jobqueue, which is not among Debian's packages: python3 -m pip install dask-jobqueue") from error
     if jobs < 1:
         raise UserError("--slurm %d: at least one job is needed" % jobs)
-    gigabytes = study.memory_limit_gb or memory.estimated_bytes(facts["nodes"], facts["solver"]) / 1e9
+    gigabytes = study.memory_limit_gb or memory.of_case(facts) / 1e9
     cluster = SLURMCluster(cores=study.threads, processes=1, memory="%.2fGB" % gigabytes, worker_extra_args=[
         "--nthreads", "1", "--resources", "cores=%d GB=%.2f" % (study.threads, gigabytes)])
     try:

@@ -75,8 +75,13 @@ def add(part, analysis=None):
     obj.Label = translate("FeatureMesh", "Study")
     StudyObject(obj)
     obj.Part, obj.Analysis = part, analysis
-    obj.Responses = USUAL_RESPONSES.get(kind_of(analysis), ["volume"])
+    obj.Responses = USUAL_RESPONSES.get(kind_of(analysis), [extent_of(part)])
     return obj
+
+
+def extent_of(part):
+    """The response that tells how much of the part there is."""
+    return "volume" if part is None or part.Shape.Solids else "area"
 
 
 def kind_of(analysis):

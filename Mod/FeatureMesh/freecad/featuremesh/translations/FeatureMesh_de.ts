@@ -1359,6 +1359,10 @@
       <translation>neu</translation>
     </message>
     <message>
+      <source>area</source>
+      <translation>Fläche</translation>
+    </message>
+    <message>
       <source>area %s mm^2</source>
       <translation>Flächeninhalt %s mm^2</translation>
     </message>

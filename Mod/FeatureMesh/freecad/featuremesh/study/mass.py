@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The mass of a part: of its solids, of shells by their thicknesses, of beams by their sections."""
+
+import math
+
+import FreeCAD
+import numpy as np
+from femtools import femutils
+
+from .. import formats, materials, statics, statics_model
+from ..errors import UserError
+from ..hand_over import EntityGroups
+from ..reading import describe
+from ..resolving import Resolver
+
+_SECTIONS = {"triangles": ("Fem::ElementGeometry2D", "thickness"), "segments": ("Fem::ElementGeometry1D", "section")}
+_AREAS = {   # of FreeCAD's sections of beams, mm^2
+    "Rectangular": lambda width, height: width * height,
+    "Circular": lambda diameter: math.pi / 4 * diameter ** 2,
+    "Elliptical": lambda first, second: math.pi / 4 * first * second,
+    "Pipe": lambda diameter, thickness: math.pi * thickness * (diameter - thickness),
+    "Box": lambda width, height, right, top, left, bottom: width * height - (width - right - left) * (height - top - bottom),
+}
+_MEASURES = {
+    "Rectangular": ("RectWidth", "RectHeight"), "Circular": ("CircDiameter",), "Elliptical": ("Axis1Length", "Axis2Length"),
+    "Pipe": ("PipeDiameter", "PipeThickness"), "Box": ("BoxWidth", "BoxHeight", "BoxT1", "BoxT2", "BoxT3", "BoxT4"),
+}
+
+
+def of_part(part, analysis, arrays):
+    """kg. What the mesh says of shares is of its straight elements, the whole is FreeCAD's. Throws UserError."""
+    kind, _, own, _ = formats.filling_of(arrays)
+    resolver, entities = Resolver(part), EntityGroups(arrays)
+    members = statics_model.members_of(analysis) if analysis else []
+
+    def by_element(fem_type, what, value_of, numbers_of):
+        found = [member for member in members if femutils.is_of_type(member, fem_type)]
+        if not found:
+            raise UserError("the mass needs an analysis with a %s" % what)
+        return _by_element(arrays[own], what, [(numbers, value_of(member)) for member, numbers in zip(found, numbers_of(found))])
+
+    def named(found):
+        return [_numbers(member, resolver, entities) for member in found]
+
+    def of_solids(found):
+        groups = {name: numbers for name, _, numbers in materials.material_groups(found, resolver, entities)}
+        return [groups.get(member.Name + "_Volumes", ()) for member in found]
+
+    each = by_element("Fem::MaterialCommon", "material", _density, of_solids if kind == "tets" else named) * _sizes(arrays, kind)
+    if kind in _SECTIONS:
+        each *= by_element(*_SECTIONS[kind], _thickness if kind == "triangles" else _section, named)
+    return float(each.sum()) * whole(part, kind) / float(_sizes(arrays, kind).sum()) * statics.TONNE
+
+
+def whole(part, kind):
+    """mm^3 of a part's solids, mm^2 of its faces or mm of its edges, by the array's name of what fills it."""
+    shape = part.Shape   # whose own Volume counts open sheets in
+    return {"tets": lambda: sum(solid.Volume for solid in shape.Solids), "triangles": lambda: sum(face.Area for face in shape.Faces),
+            "segments": lambda: sum(edge.Length for edge in shape.Edges)}[kind]()
+
+
+def _sizes(arrays, kind):
+    """(m,) volumes, areas or lengths of straight elements."""
+    if kind == "tets":
+        return statics.tet_volumes(arrays)
+    corners = arrays["points"][arrays[kind]]
+    sides = corners[:, 1:] - corners[:, :1]
+    return np.linalg.norm(sides[:, 0] if kind == "segments" else np.cross(sides[:, 0], sides[:, 1]) / 2, axis=1)
+
+
+def _by_element(own, what, claims):
+    """(m,) the value of each element. `claims` are (the elements' numbers or None for all the rest, value). Throws UserError for elements without one."""
+    values = np.full(len(own), np.nan)
+    for numbers, value in claims:
+        if numbers is not None:
+            values[np.isin(own, numbers)] = value
+    for value in [value for numbers, value in claims if numbers is None][:1]:
+        values[np.isnan(values)] = value
+    if np.isnan(values).any():
+        raise UserError("the mass needs a %s for all of the part, and %d elements have none" % (what, np.isnan(values).sum()))
+    return values
+
+
+def _numbers(member, resolver, entities):
+    """Of the elements on what a member refers to, None where it refers to nothing."""
+    if not member.References:
+        return None
+    names, _ = resolver.of_object(member)
+    return np.concatenate([entities.elements(name) for name in names]) if names else ()
+
+
+def _density(material):
+    """t/mm^3."""
+    text = material.Material.get("Density")
+    if text is None:
+        raise UserError("the material %s has no density" % describe(material))
+    return float(FreeCAD.Units.Quantity(text).getValueAs("t/mm^3").Value)
+
+
+def _thickness(member):
+    """mm."""
+    return statics_model.amount(member.Thickness, "mm")
+
+
+def _section(member):
+    """mm^2."""
+    if member.SectionType not in _AREAS:
+        raise UserError("the mass of a beam with the section %s of %s is not known" % (member.SectionType, describe(member)))
+    return _AREAS[member.SectionType](*(statics_model.amount(getattr(member, name), "mm") for name in _MEASURES[member.SectionType]))
