@@ -14,6 +14,7 @@ import package_tests
 import packages
 import published
 import sanitizers
+import tidy
 import wheels
 from engine_build import ALL, IN_FREECAD, PYTHON, set_up
 from freecad_task import freecad_environment, run_script, run_task
@@ -139,6 +140,8 @@ def test(given):
         return test_elsewhere(given)
     if given.sanitize:
         return sanitizers.run(given.sanitize, given.only)
+    if given.tidy:
+        return tidy.run(given.tidy)
     extra = () if given.in_freecad else packages.STYLE_PACKAGES + packages.WINDOWS_PACKAGES + packages.SOLVER_PACKAGES + packages.CLUSTER_PACKAGES
     set_up(packages.PICTURE_PACKAGES + packages.PEER_PACKAGES + packages.READER_PACKAGES + packages.STUDY_PACKAGES + extra, IN_FREECAD if given.in_freecad else ALL)
     say("running the tests" + (" in FreeCAD" if given.in_freecad else ""))

@@ -54,9 +54,10 @@ def is_done(wanted, target):
 
 
 @contextlib.contextmanager
-def alone():
+def alone(folder=BUILD):
     """Only one set-up at a time works in a build folder; others wait for it."""
-    with open(BUILD / "setup.lock", "w", encoding="utf-8") as lock:
+    folder.mkdir(parents=True, exist_ok=True)
+    with open(folder / "setup.lock", "w", encoding="utf-8") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:

@@ -20,15 +20,15 @@ SECONDS_AT_MOST = 1500   # for one module: about four times what the slowest tak
 def run(kind, only=None):
     """Builds and runs; raises Failure when a test fails or the sanitizer finds something."""
     folder = BUILD / PRESET_OF[kind]
-    BUILD.mkdir(exist_ok=True)
     with alone():
         packages.install_missing(packages.BUILD_PACKAGES)
         cgal_headers.fetch_cgal()
+    with alone(folder):
         say(f"building the engine's tests with the {kind} sanitizer")
         run_logged(["cmake", "--preset", PRESET_OF[kind], "-B", folder, f"-DFEATUREMESH_CGAL_DIR={CGAL / 'usr'}"], "configuring the build", cwd=ROOT)
         run_logged(["cmake", "--build", folder, "-j", str(compilers_at_once())], "building", cwd=ROOT)
     say(f"running them with the {kind} sanitizer")
-    code = subprocess.run(["ctest", "--test-dir", str(folder), "--output-on-failure", "--no-tests=error", "--timeout", str(SECONDS_AT_MOST),
+    code = subprocess.run(["ctest", "--test-dir", str(folder), "-j", str(compilers_at_once()), "--output-on-failure", "--no-tests=error", "--timeout", str(SECONDS_AT_MOST),
                            *(["-R", only] if only else [])], env={**os.environ, **OPTIONS}).returncode
     if code:
         raise Failure(f"the tests failed with the {kind} sanitizer (see above)")

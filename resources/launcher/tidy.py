@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""clang-tidy on what changed, with the checks of .clang-tidy, in a build that is configured but not built."""
+import os
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import cgal_headers
+import packages
+from engine_build import alone, compilers_at_once
+from layout import BUILD, CGAL, ROOT, Failure, Unavailable
+from setup_log import run_logged, say
+
+CLANG_TIDY = "clang-tidy-16"   # 14 does not know all of C++20
+FOLDERS = ("src", "bindings")
+
+
+def run(since):
+    """Looks at every source file that changed since the commit `since`, or whose header did; raises Failure when there is something to mend."""
+    files = sources_to_look_at(changed_since(since))
+    folder = BUILD / "dev"
+    with alone():
+        packages.install_missing(packages.BUILD_PACKAGES + packages.TIDY_PACKAGES)
+        cgal_headers.fetch_cgal()
+    with alone(folder):
+        run_logged(["cmake", "--preset", "dev", "-B", folder, f"-DFEATUREMESH_CGAL_DIR={CGAL / 'usr'}", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"],
+                   "configuring the build", cwd=ROOT)
+    say(f"looking at {len(files)} of {len(all_sources())} source files with {CLANG_TIDY}")
+    with ThreadPoolExecutor(compilers_at_once()) as pool:
+        complaints = [text for text in pool.map(lambda file: complaints_about(file, folder), files) if text]
+    if complaints:
+        print("\n".join(complaints))
+        raise Failure(f"{CLANG_TIDY} found something in {len(complaints)} files (see above)")
+    return 0
+
+
+def changed_since(commit):
+    done = subprocess.run(["git", "-C", str(ROOT), "diff", "--name-only", commit, "--"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    if done.returncode:
+        raise Unavailable(f"--tidy {commit}: git knows no such commit here; give another one")
+    return {Path(name) for name in done.stdout.splitlines()}
+
+
+def all_sources():
+    return sorted(path.relative_to(ROOT) for folder in FOLDERS for path in (ROOT / folder).rglob("*.cpp"))
+
+
+def sources_to_look_at(changed):
+    """A header is looked at from the source file of its name."""
+    return [path for path in all_sources() if path in changed or path.with_suffix(".h") in changed]
+
+
+def complaints_about(file, folder):
+    """What it says when it finds something or cannot read the file; nothing otherwise."""
+    done = subprocess.run([CLANG_TIDY, "-p", str(folder), "--quiet", str(file)], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          text=True, errors="replace", env={**os.environ, "LC_ALL": "C.UTF-8"})
+    return (done.stdout or done.stderr) if done.returncode else ""
