@@ -2,6 +2,7 @@
 #include "bindings.h"
 #include "brep/shape_stream.h"
 #include "core/errors.h"
+#include "core/messages.h"
 #include "difference/followed_faces.h"
 #include "difference/place_partners.h"
 
@@ -42,7 +43,7 @@ py::dict feature_dict(const FeatureChange& change) {
     out["new_volume"] = change.new_volume;
     out["old_faces"] = face_names(change.old_faces);
     out["new_faces"] = face_names(change.new_faces);
-    out["detail"] = change.detail;
+    out["detail"] = to_python(change.detail);
     return out;
 }
 
@@ -96,7 +97,7 @@ py::dict compare_documents(const py::dict& old_raw, const py::dict& new_raw, dou
 
 SketchElement element_from(int id, const std::vector<double>& numbers) {
     if (numbers.size() != 9 && numbers.size() != 12)
-        throw InputError("A sketch element has three points and perhaps a centre.");
+        throw InputError(say<Code::wrong_call>("A sketch element has three points and perhaps a centre."));
     const auto point = [&](std::size_t i) { return Vec3{numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]}; };
     SketchElement element{id, {point(0), point(1), point(2)}, std::nullopt};
     if (numbers.size() == 12) element.centre = point(3);
@@ -150,7 +151,7 @@ Brep brep_of(const RawDocument& document, const std::string& object) {
                                      [&](const RawRecord& r) { return r.name == object; });
     const std::vector<TopoDS_Shape> shapes = read_shapes(document.shapes);
     if (record == document.records.end() || record->shape < 0 || record->shape >= int(shapes.size()))
-        throw InputError("The part has no shape of " + object + ".");
+        throw InputError(say<Code::wrong_call>("The part has no shape of " + object + "."));
     return Brep(shapes[std::size_t(record->shape)], Dimension::from_shape);
 }
 
@@ -184,7 +185,7 @@ py::dict to_dict(const FeatureDifference& difference) {
     py::dict out;
     out["features"] = features;
     out["faces"] = faces;
-    out["notes"] = difference.notes;
+    out["notes"] = to_list(difference.notes);
     const std::span<const std::array<Vec3, 3>> triangles = difference.regions.empty()
                                                                ? std::span<const std::array<Vec3, 3>>{}
                                                                : difference.regions.front().changed.triangles();

@@ -4,8 +4,20 @@
 #include "bindings.h"
 #include "core/activity.h"
 #include "core/errors.h"
+#include "core/messages.h"
 
 namespace featuremesh {
+
+namespace {
+
+/// The Python error says the message in English and has it as `message`.
+void raise(const py::object& type, const Message& message) {
+    const py::object error = type(message.in_english());
+    error.attr("message") = to_python(message);
+    PyErr_SetObject(type.ptr(), error.ptr());
+}
+
+}  // namespace
 
 void define_errors(py::module_& module) {
     static py::exception<Error> error(module, "Error", PyExc_RuntimeError);
@@ -18,21 +30,20 @@ void define_errors(py::module_& module) {
         try {
             if (thrown) std::rethrow_exception(thrown);
         } catch (const InputError& e) {
-            PyErr_SetString(input.ptr(), e.what());
+            raise(input, e.message);
         } catch (const KernelError& e) {
-            PyErr_SetString(kernel.ptr(), e.what());
+            raise(kernel, e.message);
         } catch (const MeshError& e) {
-            PyErr_SetString(mesh.ptr(), e.what());
+            raise(mesh, e.message);
         } catch (const StateError& e) {
-            PyErr_SetString(state.ptr(), e.what());
+            raise(state, e.message);
         } catch (const Cancelled& e) {
-            PyErr_SetString(cancelled.ptr(), e.what());
+            raise(cancelled, e.message);
         } catch (const Error& e) {
-            PyErr_SetString(error.ptr(), e.what());
+            raise(error, e.message);
         } catch (const Standard_Failure& e) {
-            const std::string message =
-                std::string("The geometry kernel failed: ") + e.DynamicType()->Name() + " " + e.GetMessageString();
-            PyErr_SetString(kernel.ptr(), message.c_str());
+            const std::string why = std::string(e.DynamicType()->Name()) + " " + e.GetMessageString();
+            raise(kernel, say<Code::kernel_failed>(why));
         }
     });
     module.def("write_activity_of_crash_to", &write_activity_of_crash_to, py::arg("descriptor"),

@@ -5,6 +5,7 @@
 
 #include "bindings.h"
 #include "core/errors.h"
+#include "core/messages.h"
 
 namespace featuremesh {
 
@@ -12,7 +13,7 @@ namespace {
 
 RigidMotion motion_from(const py::handle& value) {
     const auto m = value.cast<std::vector<double>>();
-    if (m.size() != 16) throw InputError("A placement has 16 numbers.");
+    if (m.size() != 16) throw InputError(say<Code::wrong_call>("A placement has 16 numbers."));
     RigidMotion motion;
     motion.rotation = {m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]};
     motion.translation = {m[3], m[7], m[11]};
@@ -111,10 +112,10 @@ py::dict read_tree(const py::dict& raw) {
     out["cells"] = cells.cells.size();
     out["material_volume"] = cells.report.material_volume;
     out["final_volume"] = cells.report.final_volume;
-    std::vector<std::string> notes = tree.notes;
-    for (const auto& lines : {cells.report.fallbacks, cells.report.findings})
-        notes.insert(notes.end(), lines.begin(), lines.end());
-    out["notes"] = notes;
+    std::vector<Message> notes = tree.notes;
+    for (const std::string& line : cells.report.fallbacks) notes.push_back(say<Code::cells_otherwise>(line));
+    notes.insert(notes.end(), cells.report.findings.begin(), cells.report.findings.end());
+    out["notes"] = to_list(notes);
     out["fallbacks"] = cells.report.fallbacks;
     py::list untrusted;
     for (const FeatureId id : cells.report.untrusted) untrusted.append(tree[id].name);

@@ -3,6 +3,7 @@
 
 #include "bindings.h"
 #include "core/errors.h"
+#include "core/messages.h"
 #include "difference/face_owners.h"
 #include "update/feature_groups.h"
 
@@ -28,12 +29,15 @@ py::array view(const std::vector<Row>& rows, const py::object& owner) {
 template <class Scalar, class Row>
 void read(const py::dict& arrays, const char* name, std::vector<Row>& rows) {
     constexpr std::size_t width = sizeof(Row) / sizeof(Scalar);
-    if (!arrays.contains(name)) throw StateError(std::string("The saved mesh has no array '") + name + "'.");
+    if (!arrays.contains(name))
+        throw StateError(say<Code::damaged_state>(std::string("The saved mesh has no array '") + name + "'."));
     const auto array = py::array_t<Scalar, py::array::c_style | py::array::forcecast>::ensure(arrays[name]);
-    if (!array) throw StateError(std::string("The saved array '") + name + "' is not numeric.");
+    if (!array)
+        throw StateError(say<Code::damaged_state>(std::string("The saved array '") + name + "' is not numeric."));
     const bool fits = array.size() == 0 ||
                       (width == 1 ? array.ndim() == 1 : array.ndim() == 2 && std::size_t(array.shape(1)) == width);
-    if (!fits) throw StateError(std::string("The saved array '") + name + "' has the wrong shape.");
+    if (!fits)
+        throw StateError(say<Code::damaged_state>(std::string("The saved array '") + name + "' has the wrong shape."));
     rows.resize(std::size_t(array.size()) / width);
     std::memcpy(static_cast<void*>(rows.data()), array.data(), rows.size() * sizeof(Row));
 }
@@ -43,7 +47,7 @@ void check_nodes(const std::vector<std::array<NodeId, N>>& rows, std::size_t nod
     for (const auto& row : rows)
         for (const NodeId n : row)
             if (!n.is_valid() || n.index() >= nodes)
-                throw StateError("The saved mesh refers to nodes that it does not have.");
+                throw StateError(say<Code::damaged_state>("The saved mesh refers to nodes that it does not have."));
 }
 
 void check_sizes(const Mesh& mesh) {
@@ -55,14 +59,15 @@ void check_sizes(const Mesh& mesh) {
         mesh.segment_numbers.size() != mesh.segments.size() || mesh.triangle_numbers.size() != mesh.triangles.size() ||
         mesh.tet_numbers.size() != mesh.tets.size() || mesh.segment_mids.size() != mids * mesh.segments.size() ||
         mesh.triangle_mids.size() != mids * mesh.triangles.size() || mesh.tet_mids.size() != mids * mesh.tets.size())
-        throw StateError("The saved mesh is cut short: its arrays do not fit together.");
+        throw StateError(say<Code::damaged_state>("The saved mesh is cut short: its arrays do not fit together."));
     check_nodes(mesh.segments, n), check_nodes(mesh.triangles, n), check_nodes(mesh.tets, n);
     check_nodes(mesh.triangle_mids, n), check_nodes(mesh.tet_mids, n);
 }
 
 py::array_t<double> wanted_sizes(const PartMesh& part,
                                  const py::array_t<double, py::array::c_style | py::array::forcecast>& points) {
-    if (points.ndim() != 2 || points.shape(1) != 3) throw InputError("Points are an array of shape (n,3).");
+    if (points.ndim() != 2 || points.shape(1) != 3)
+        throw InputError(say<Code::wrong_call>("Points are an array of shape (n,3)."));
     py::array_t<double> sizes(points.shape(0));
     const auto at = points.unchecked<2>();
     auto size = sizes.mutable_unchecked<1>();
@@ -143,7 +148,8 @@ Mesh mesh_from(const py::dict& arrays) {
     Mesh mesh;
     std::vector<Number> counters;
     read<Number>(arrays, "counters", counters);
-    if (counters.size() != 4 || counters[1] < 0) throw StateError("The saved mesh has damaged counters.");
+    if (counters.size() != 4 || counters[1] < 0)
+        throw StateError(say<Code::damaged_state>("The saved mesh has damaged counters."));
     mesh.order = int(counters[0]);
     mesh.corner_count = std::size_t(counters[1]);
     mesh.next_node_number = counters[2];
@@ -174,7 +180,7 @@ MadeFor made_for_from(const py::dict& arrays) {
     read<std::int32_t>(arrays, "made_for_nodes", made_for.nodes);
     read<double>(arrays, "made_for_sizes", made_for.sizes);
     if (made_for.nodes.size() != made_for.sizes.size())
-        throw StateError("The saved mesh is cut short: its arrays do not fit together.");
+        throw StateError(say<Code::damaged_state>("The saved mesh is cut short: its arrays do not fit together."));
     return made_for;
 }
 

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "core/errors.h"
+#include "core/messages.h"
 #include "statics/bodies.h"
 #include "statics/loads.h"
 #include "statics/solve_statics.h"
@@ -24,12 +25,14 @@ py::array_t<Value> array_of(const std::vector<Value>& values, std::vector<py::ss
 std::span<const std::int32_t> checked(const Indices& rows, std::size_t count) {
     const std::span<const std::int32_t> all(rows.data(), std::size_t(rows.size()));
     for (const std::int32_t row : all)
-        if (row < 0 || std::size_t(row) >= count) throw InputError("There is no element of that index in the mesh.");
+        if (row < 0 || std::size_t(row) >= count)
+            throw InputError(say<Code::wrong_call>("There is no element of that index in the mesh."));
     return all;
 }
 
 std::vector<Material> materials_from(const Rows& rows) {
-    if (rows.ndim() != 2 || rows.shape(1) != 3) throw InputError("Materials are rows of E, Poisson's ratio, density.");
+    if (rows.ndim() != 2 || rows.shape(1) != 3)
+        throw InputError(say<Code::wrong_call>("Materials are rows of E, Poisson's ratio, density."));
     std::vector<Material> materials;
     for (py::ssize_t i = 0; i < rows.shape(0); ++i) materials.push_back({rows.at(i, 0), rows.at(i, 1), rows.at(i, 2)});
     return materials;
@@ -45,7 +48,7 @@ Rows weight(const py::dict& arrays, const Rows& materials, const Indices& tet_ma
     const Mesh mesh = mesh_from(arrays);
     const auto known = materials_from(materials);
     const auto of_tets = checked(tet_materials, known.size());
-    if (of_tets.size() != mesh.tets.size()) throw InputError("Every element needs a material.");
+    if (of_tets.size() != mesh.tets.size()) throw InputError(say<Code::wrong_call>("Every element needs a material."));
     std::vector<double> loads(3 * mesh.node_count(), 0.0);
     add_weight(mesh, known, of_tets, {gravity[0], gravity[1], gravity[2]}, loads);
     return array_of(loads, {py::ssize_t(mesh.node_count()), 3});

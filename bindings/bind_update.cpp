@@ -3,7 +3,9 @@
 #include <map>
 
 #include "bindings.h"
+#include "core/entity_names.h"
 #include "core/errors.h"
+#include "core/messages.h"
 #include "update/field_transfer.h"
 
 namespace featuremesh {
@@ -11,15 +13,8 @@ namespace featuremesh {
 namespace {
 
 Entity entity_from_name(const std::string& name) {
-    static constexpr const char* kinds[] = {"Vertex", "Edge", "Face", "Solid"};
-    for (int dim = 0; dim < 4; ++dim) {
-        const std::string kind = kinds[dim];
-        const std::string number = name.substr(std::min(kind.size(), name.size()));
-        if (name.compare(0, kind.size(), kind) == 0 && !number.empty() &&
-            number.find_first_not_of("0123456789") == std::string::npos)
-            return {dim, std::stoi(number) - 1};
-    }
-    throw InputError("'" + name + "' is no face, edge, vertex or solid; write it as FreeCAD does, e.g. Face12.");
+    if (const std::optional<Entity> entity = entity_named(name)) return *entity;
+    throw InputError(say<Code::no_entity>(name));
 }
 
 constexpr std::array<const char*, 4> names_of_dimensions{"from_shape", "edges", "faces", "solids"};
@@ -27,7 +22,7 @@ constexpr std::array<const char*, 4> names_of_dimensions{"from_shape", "edges", 
 Dimension dimension_from_name(const std::string& name) {
     for (std::size_t i = 0; i < names_of_dimensions.size(); ++i)
         if (name == names_of_dimensions[i]) return Dimension(i);
-    throw InputError("The dimension is from_shape, solids, faces or edges, not '" + name + "'.");
+    throw InputError(say<Code::wrong_call>("The dimension is from_shape, solids, faces or edges, not '" + name + "'."));
 }
 
 struct Asked {
@@ -37,7 +32,8 @@ struct Asked {
 
 template <class T>
 T required(const py::dict& values, const char* name) {
-    if (!values.contains(name)) throw InputError(std::string("A zone lacks its '") + name + "'.");
+    if (!values.contains(name))
+        throw InputError(say<Code::wrong_call>(std::string("A zone lacks its '") + name + "'."));
     return values[name].cast<T>();
 }
 
@@ -67,7 +63,8 @@ SizeZone zone_from(const py::dict& values) {
     else if (shape == "cylinder")
         zone.shape = CylinderZone{required<double>(values, "radius"), required<double>(values, "height")};
     else
-        throw InputError("A zone is a box, a sphere, a cylinder, or near something, not '" + shape + "'.");
+        throw InputError(
+            say<Code::wrong_call>("A zone is a box, a sphere, a cylinder, or near something, not '" + shape + "'."));
     return zone;
 }
 
@@ -110,12 +107,14 @@ Asked asked_from(const py::dict& options) {
     for (const auto& [key, value] : options) {
         const auto name = key.cast<std::string>();
         const auto known = known_options().find(name);
-        if (known == known_options().end()) throw InputError("Unknown mesh option '" + name + "'.");
+        if (known == known_options().end())
+            throw InputError(say<Code::wrong_call>("Unknown mesh option '" + name + "'."));
         known->second(asked, value);
     }
     if (asked.options.order != 1 && asked.options.order != 2)
-        throw InputError("The element order is 1 (4-node tetrahedra) or 2 (10-node tetrahedra).");
-    if (asked.threads < 1) throw InputError("The number of threads is at least 1.");
+        throw InputError(
+            say<Code::wrong_call>("The element order is 1 (4-node tetrahedra) or 2 (10-node tetrahedra)."));
+    if (asked.threads < 1) throw InputError(say<Code::wrong_call>("The number of threads is at least 1."));
     return asked;
 }
 
@@ -179,13 +178,6 @@ py::dict kept_dict(const Report& report) {
     return out;
 }
 
-py::object joined(const std::vector<std::string>& lines) {
-    if (lines.empty()) return py::none();
-    std::string text;
-    for (const std::string& line : lines) text += (text.empty() ? "" : "; ") + line;
-    return py::str(text);
-}
-
 py::dict to_dict(const Report& report) {
     py::dict out;
     out["nodes"] = report.nodes;
@@ -207,11 +199,11 @@ py::dict to_dict(const Report& report) {
                               py::arg("min_angle") = report.surface.min_angle_deg);
     py::list rounds;
     for (const Round& round : report.rounds)
-        rounds.append(py::dict(py::arg("reason") = round.reason, py::arg("place") = round.place,
-                               py::arg("change") = round.change, py::arg("refusal") = round.refusal));
+        rounds.append(py::dict(py::arg("reason") = round.reason, py::arg("place") = names_of_entities(round.place),
+                               py::arg("change") = round.change, py::arg("refusal") = to_python(round.refusal)));
     out["rounds"] = rounds;
-    out["fallback"] = joined(report.fallbacks);
-    out["warnings"] = report.warnings;
+    out["fallback"] = to_python(several(report.fallbacks));
+    out["warnings"] = to_list(report.warnings);
     return out;
 }
 
@@ -224,7 +216,8 @@ py::tuple mesh_document(const py::dict& raw, const py::dict& options, const Prog
     RawDocument document = raw_document_from(raw);
     const Asked asked = asked_from(options);
     const NextNumbers next{next_numbers.first, next_numbers.second};
-    if (next.node < 1 || next.element < 1) throw InputError("Numbers of nodes and elements start at 1.");
+    if (next.node < 1 || next.element < 1)
+        throw InputError(say<Code::wrong_call>("Numbers of nodes and elements start at 1."));
     return answer(run_released(progress, asked.threads, [&](RunContext& context) {
         return mesh_part(std::move(document), asked.options, context, next);
     }));
@@ -271,7 +264,7 @@ py::tuple transfer_values(const py::dict& old_arrays, const py::dict& new_arrays
     const Mesh old_mesh = mesh_from(old_arrays), new_mesh = mesh_from(new_arrays);
     const bool fits =
         (values.ndim() == 1 || values.ndim() == 2) && std::size_t(values.shape(0)) == old_mesh.node_count();
-    if (!fits) throw InputError("Values are (n,) or (n,k) with a row per node of the old mesh.");
+    if (!fits) throw InputError(say<Code::wrong_call>("Values are (n,) or (n,k) with a row per node of the old mesh."));
     const std::span<const double> rows(values.data(), std::size_t(values.size()));
     const TransferredField field = run_released({}, threads, [&](RunContext& context) {
         return transfer_field(old_mesh, new_mesh, rows, same_place, context);

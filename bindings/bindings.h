@@ -20,10 +20,16 @@ void define_errors(py::module_& module);
 void define_features(py::module_& module);
 void define_difference(py::module_& module);
 void define_mesh(py::module_& module);
+void define_messages(py::module_& module);
 void define_update(py::module_& module);
 
 RawDocument raw_document_from(const py::dict& raw);
 py::dict to_dict(const FeatureDifference& difference);
+/// {"code", "template", "parameters": {name: value}}; None where there is nothing to say.
+py::object to_python(const Message& message);
+py::list to_list(const std::vector<Message>& messages);
+/// ["Face12", ...]
+py::list names_of_entities(const std::vector<Entity>& entities);
 py::dict arrays_of(const Mesh& mesh, const py::object& owner);
 Mesh mesh_from(const py::dict& arrays);
 /// The lengths that kept nodes were made for.

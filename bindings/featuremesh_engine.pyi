@@ -31,7 +31,15 @@ protocol: int   # of this interface; an addon says which numbers it can speak
 def about() -> dict[str, Any]:
     """version, protocol, and the versions of the engine's libraries: occt, cgal, tbb."""
 
-class Error(RuntimeError): ...
+Message = dict[str, Any]
+"""{"code": "size_not_positive", "template": English words with {name:kind} where a parameter goes, "parameters": {name: value}}. By kind the value is: count an int;
+number, length (mm) and volume (mm^3) a float; extent (of a box) and point three floats (mm); entities a list of names ("Face12"); text a str; messages a list of
+messages."""
+
+def message_templates() -> dict[str, str]: """By code: the template of every message."""
+
+class Error(RuntimeError):
+    message: Optional[Message]    # the text is the same in English
 class InputError(Error): ...      # the user's fault
 class KernelError(Error): ...     # the geometry kernel could not
 class MeshError(Error): ...       # no valid mesh
@@ -59,6 +67,7 @@ class PartMesh:
     def owners_of_faces(self) -> list[list[str]]: """By face of the final shape: names of the features that own it."""
     def owners_of_tets(self) -> list[tuple[str, np.ndarray]]: """(feature name, numbers of the tets that have their middle in one of its volumes)."""
 
+# Of reports "warnings" and the "refusal" of each of the "rounds" are messages, and so is "fallback" (None where all went as intended).
 def mesh_part(raw: dict, options: dict, progress: Progress = None, next_numbers: tuple[int, int] = (1, 1)) -> tuple[PartMesh, dict[str, Any]]:
     """Nodes and elements are numbered from `next_numbers` on: those before were given to others in the document's history."""
 def update_part(old: PartMesh, raw: dict, options: dict, progress: Progress = None) -> tuple[PartMesh, dict[str, Any]]: ...
@@ -72,12 +81,13 @@ def transfer_field(old_arrays: dict[str, np.ndarray], new_arrays: dict[str, np.n
 def read_tree(raw: dict) -> dict[str, Any]:
     """{"object", "features": [{"name", "label", "type", "role", "suppressed", "error", "depends_on", "volume_source",
     "volumes": [{"effect", "volume", "instance"}], "owns_cells", "owns_faces"}], "cells", "material_volume", "final_volume", "notes",
-    "fallbacks" (those notes that say how the cells were had when the plain way failed), "untrusted" (names)}"""
+    "fallbacks" (those notes that say how the cells were had when the plain way failed), "untrusted" (names)}. Notes are messages, fallbacks English."""
 def seconds_to_interpret(raw: dict, before: dict | None = None) -> float: """From a document's records to its feature tree, from nothing or after the state `before`."""
 def compare(old: dict, new: dict, resolution: float = 0.0, fuse: bool = True) -> dict[str, Any]:
     """The feature difference: {"features": [{"name", "label", "verdict", "motion", "old_volume", "new_volume", "old_faces", "new_faces", "detail"}],
     "faces": [{"verdict", "old_face", "new_face", "old_area", "new_area", "inner", "new_faces" (all that overlap the old one)}],
-    "edges": [{"verdict", "old_edge", "new_edge", "old_length", "new_length", "inner"}], "notes", "changed_boundary": (k,3,3) array}; areas, mm^2, of faces that changed"""
+    "edges": [{"verdict", "old_edge", "new_edge", "old_length", "new_length", "inner"}], "notes", "changed_boundary": (k,3,3) array}; areas, mm^2, of faces that changed. A detail is a
+    message or None, notes are messages."""
 @overload
 def followed_faces(old: PartMesh, old_raw: dict, new: PartMesh, new_raw: dict) -> list[dict[str, Any]]: ...
 @overload

@@ -11,6 +11,7 @@ PYBIND11_MODULE(featuremesh_engine, module) {
     define_features(module);
     define_difference(module);
     define_mesh(module);
+    define_messages(module);
     define_update(module);
     define_statics(module);
 }

@@ -29,6 +29,7 @@ def say(line=""):
 def run():
     from freecad.featuremesh import api, engine, reading
     from freecad.featuremesh.mesh_object import options_of
+    from freecad.featuremesh.messages import in_english
     from freecad.featuremesh.tables import verdict_in_words
     OUT.mkdir(parents=True, exist_ok=True)
     path = OUT / "bracket.FCStd"
@@ -50,7 +51,7 @@ def run():
     say(f"Edit           {EDIT_IN_WORDS}  ({EDIT})")
     api.set_parameters(document, [EDIT])
     numbers["recompute_seconds"] = api.recompute(document)
-    numbers["update"] = json.loads(mesh.Report)
+    numbers["update"] = in_english(json.loads(mesh.Report))
     for feature in numbers["update"]["difference"]["features"]:
         feature["what_happened"] = verdict_in_words(feature["verdict"])
     new = mesh.Proxy.last_part_mesh(mesh)

@@ -12,14 +12,16 @@ import sys
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-WORKBENCH = Path(__file__).resolve().parents[2] / "Mod" / "FeatureMesh" / "freecad" / "featuremesh"
+ROOT = Path(__file__).resolve().parents[2]
+WORKBENCH = ROOT / "Mod" / "FeatureMesh" / "freecad" / "featuremesh"
+MESSAGES = ROOT / "src" / "core" / "messages.def"
 FOLDER = WORKBENCH / "translations"
 LRELEASE = ("/usr/lib/qt5/bin/lrelease", "lrelease")
 
 
 def texts_in_workbench():
-    """{(context, text)} of everything the workbench shows, as its sources say it."""
-    found = set()
+    """{(context, text)} of everything the workbench shows, as its sources and the engine's messages say it."""
+    found = {("FeatureMesh", template) for template in templates_of_engine().values() if re.search("[A-Za-z]", re.sub(r"\{.*?\}", "", template))}
     for path in sorted(WORKBENCH.rglob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call):
@@ -29,6 +31,11 @@ def texts_in_workbench():
             elif isinstance(node, ast.Assign) and getattr(node.targets[0], "id", "") == "PROPERTIES":
                 found |= {("App::Property", text(row.elts[5])) for row in node.value.elts}
     return found
+
+
+def templates_of_engine():
+    """{code: English words} of the engine's messages."""
+    return dict(re.findall(r'^MESSAGE\((\w+), "(.*)"\)$', MESSAGES.read_text(encoding="utf-8"), re.MULTILINE))
 
 
 def marked(call):

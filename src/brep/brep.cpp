@@ -26,6 +26,7 @@
 #include "brep/vertex_places.h"
 #include "brep/volumes/flux.h"
 #include "core/errors.h"
+#include "core/messages.h"
 
 namespace featuremesh {
 
@@ -165,12 +166,9 @@ void find_free(auto& data, bool takes_lower) {
 }
 
 void refuse_empty(Dimension dimension, std::size_t solids, std::size_t faces, std::size_t edges) {
-    if (dimension == Dimension::solids && solids == 0)
-        throw InputError("The shape has no solid. Mesh a body or a Part object whose result is a solid.");
-    if (dimension == Dimension::faces && faces == 0)
-        throw InputError("The shape has no face. Mesh an object with faces, or its edges.");
-    if (dimension == Dimension::edges && edges == 0)
-        throw InputError("The shape has no edge. Mesh an object with edges.");
+    if (dimension == Dimension::solids && solids == 0) throw InputError(say<Code::no_solid>());
+    if (dimension == Dimension::faces && faces == 0) throw InputError(say<Code::no_face>());
+    if (dimension == Dimension::edges && edges == 0) throw InputError(say<Code::no_edge>());
 }
 
 }  // namespace
@@ -184,8 +182,7 @@ Dimension dimension_of(const TopoDS_Shape& shape) {
 }
 
 Brep::Brep(const TopoDS_Shape& shape, Dimension dimension) {
-    if (shape.IsNull())
-        throw InputError("The shape is empty. Recompute the document and mesh an object that has a solid.");
+    if (shape.IsNull()) throw InputError(say<Code::empty_shape>());
     auto data = std::make_shared<Data>();
     data->dimension = dimension == Dimension::from_shape ? dimension_of(shape) : dimension;
     data->shape = shape;
@@ -257,14 +254,9 @@ Brep::Brep(const TopoDS_Shape& shape, Dimension dimension) {
         }
         for (std::size_t e = 0; e < uses.size(); ++e)
             if (uses[e] == 1 && !data->is_degenerated[e])
-                throw InputError("The shell of " + name_of(entity_of(SolidId(s))) + " is open at " +
-                                 name_of(entity_of(EdgeId(e))) +
-                                 ". Close the gap (Part: Check geometry, then sew or rebuild the feature there).");
+                throw InputError(say<Code::open_shell>(SolidId(s), EdgeId(e)));
         data->volumes.push_back(volume);
-        if (!(volume > 0))
-            throw InputError(name_of(entity_of(SolidId(s))) +
-                             " has no positive volume. Its faces point inwards or cross each other; check the "
-                             "feature that made it (Part: Check geometry).");
+        if (!(volume > 0)) throw InputError(say<Code::no_positive_volume>(SolidId(s)));
     }
     find_free(*data, dimension == Dimension::from_shape);
     data_ = std::move(data);
@@ -336,10 +328,5 @@ const Box& Brep::box() const { return data_->box; }
 Tolerances Brep::tolerances() const { return {data_->box.diagonal()}; }
 double Brep::volume_of(SolidId solid) const { return data_->volumes[solid.index()]; }
 double Brep::volume() const { return std::accumulate(data_->volumes.begin(), data_->volumes.end(), 0.0); }
-
-std::string name_of(Entity entity) {
-    static constexpr const char* kinds[] = {"Vertex", "Edge", "Face", "Solid"};
-    return kinds[entity.dim] + std::to_string(entity.index + 1);
-}
 
 }  // namespace featuremesh

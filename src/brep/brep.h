@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/dimension.h"
+#include "core/entity_names.h"
 #include "core/geometry.h"
 #include "core/ids.h"
 #include "core/tolerances.h"
@@ -94,8 +95,5 @@ class Brep {
     struct Data;
     std::shared_ptr<const Data> data_;
 };
-
-/// "Face12", "Edge3", "Vertex1", "Solid1": as FreeCAD names it.
-std::string name_of(Entity entity);
 
 }  // namespace featuremesh

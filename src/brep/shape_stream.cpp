@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "core/errors.h"
+#include "core/messages.h"
 
 namespace featuremesh {
 
@@ -46,9 +47,7 @@ struct ByteBuffer : std::streambuf {
     }
 };
 
-[[noreturn]] void fail_damaged_places() {
-    throw StateError("The shapes are damaged: the list of their places makes no sense.");
-}
+[[noreturn]] void fail_damaged_places() { throw StateError(say<Code::shapes_of_no_place>()); }
 
 /// FreeCAD hands shapes on with the placement of every step and its inverse, each an object of its own, so that most
 /// have a chain of them that comes to nothing, and who asks the kernel for a place multiplies it out. Here equal
@@ -124,7 +123,7 @@ std::string with_numbers(std::span<const std::byte> bytes, PlainLocations& place
     std::istream in(&buffer);
     std::string line;
     do {
-        if (!std::getline(in, line)) throw StateError("The shapes are not in FreeCAD's binary form.");
+        if (!std::getline(in, line)) throw StateError(say<Code::shapes_not_binary>());
     } while (!line.starts_with("Open CASCADE Topology V"));
     const auto begin = static_cast<std::size_t>(in.tellg());
     places.read(in);
@@ -186,12 +185,12 @@ TopoDS_Shape read_compound(std::span<const std::byte> bytes) {
     std::istream in(&buffer);
     PlainShapes set(places);
     set.Read(in);
-    if (set.NbShapes() == 0) throw StateError("The shapes are not in FreeCAD's binary form.");
+    if (set.NbShapes() == 0) throw StateError(say<Code::shapes_not_binary>());
     int shape = 0, location = 0, orientation = 0;
     BinTools::GetInteger(in, shape);
     BinTools::GetInteger(in, location);
     BinTools::GetInteger(in, orientation);
-    if (!in || shape <= 0 || shape > set.NbShapes()) throw StateError("The shapes are cut short or damaged.");
+    if (!in || shape <= 0 || shape > set.NbShapes()) throw StateError(say<Code::shapes_cut_short>());
     TopoDS_Shape compound = set.Shape(shape);
     compound.Location(places[static_cast<std::size_t>(location)]);
     compound.Orientation(static_cast<TopAbs_Orientation>(orientation));
@@ -201,15 +200,15 @@ TopoDS_Shape read_compound(std::span<const std::byte> bytes) {
 }  // namespace
 
 std::vector<TopoDS_Shape> read_shapes(std::span<const std::byte> bytes) {
-    if (bytes.empty()) throw StateError("The document's shapes are missing.");
+    if (bytes.empty()) throw StateError(say<Code::shapes_missing>());
     std::vector<TopoDS_Shape> shapes;
     try {
         const TopoDS_Shape compound = read_compound(bytes);
         for (TopoDS_Iterator child(compound); child.More(); child.Next()) shapes.push_back(child.Value());
     } catch (const Standard_Failure& failure) {
-        throw StateError(std::string("The shapes cannot be read: ") + failure.GetMessageString());
+        throw StateError(say<Code::shapes_unreadable>(failure.GetMessageString()));
     } catch (const std::bad_alloc&) {
-        throw StateError("The shapes are damaged: their sizes make no sense.");
+        throw StateError(say<Code::shapes_of_no_size>());
     }
     return shapes;
 }

@@ -15,6 +15,7 @@
 #include "cells/fuse.h"
 #include "cells/replay.h"
 #include "core/errors.h"
+#include "core/messages.h"
 #include "core/work.h"
 
 namespace featuremesh {
@@ -254,8 +255,7 @@ class CellBuilder {
         model_.report.final_volume = final_volume_ - overlap_;
         if (std::abs(material + overlap_ - final_volume_) <= Tolerances::volume_books * final_volume_) {
             if (overlap_ > Tolerances::volume_books * final_volume_)
-                model_.report.findings = {"the solids of the final shape overlap by " + std::to_string(overlap_) +
-                                          " mm^3; fuse them or mesh them one by one"};
+                model_.report.findings = {say<Code::solids_overlap>(Volume{overlap_})};
             return true;
         }
         note("the features' volumes come to " + std::to_string(material) + " mm^3 where the final shape has " +

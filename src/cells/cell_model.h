@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/message.h"
 #include "core/run_context.h"
 #include "features/feature_tree.h"
 
@@ -40,7 +41,7 @@ struct CellFace {
 struct CellReport {
     double material_volume = 0, final_volume = 0;  ///< mm^3; the books close when they agree to 1e-6
     std::vector<std::string> fallbacks;            ///< fuzzy fuse, feature by feature, opaque features: in words
-    std::vector<std::string> findings;             ///< what is odd about the part itself: solids that overlap
+    std::vector<Message> findings;                 ///< what is odd about the part itself: solids that overlap
     std::vector<FeatureId> untrusted;              ///< features to be treated as changed
 };
 

@@ -3,13 +3,16 @@
 #pragma once
 
 #include <stdexcept>
-#include <string>
+#include <utility>
+
+#include "core/message.h"
 
 namespace featuremesh {
 
-/// Base of all errors of the engine.
+/// Base of all errors of the engine; what() is the message in English.
 struct Error : std::runtime_error {
-    using std::runtime_error::runtime_error;
+    explicit Error(Message said) : std::runtime_error(said.in_english()), message(std::move(said)) {}
+    Message message;
 };
 /// The caller's fault: a wrong size, an open shape, an unknown name.
 struct InputError : Error {
@@ -29,7 +32,7 @@ struct StateError : Error {
 };
 /// The user cancelled.
 struct Cancelled : Error {
-    Cancelled() : Error("cancelled") {}
+    Cancelled();
 };
 
 }  // namespace featuremesh

@@ -15,6 +15,7 @@
 #include <string>
 
 #include "core/errors.h"
+#include "core/messages.h"
 #endif
 #ifdef __linux__
 #include <sys/prctl.h>
@@ -29,9 +30,6 @@ using Work = std::function<std::vector<std::byte>(const RunContext&)>;
 #ifndef _WIN32
 
 namespace {
-
-constexpr const char* no_answer =
-    "a step of the meshing does not end; try another size, or check the shape for faces that cut or touch one another";
 
 /// The last byte of what is written, so that nothing depends on whether the program waits for children of its own.
 constexpr std::byte complete{42};
@@ -84,7 +82,7 @@ class Child {
             if (poll(&ready, 1, milliseconds) <= 0) {
                 if (is_at_work()) idle_rounds = 0;
                 if (idle_rounds < most_idle_rounds) continue;
-                throw MeshError(no_answer);
+                throw MeshError(say<Code::step_does_not_end>());
             }
             const ssize_t count = read(in_, part.data(), part.size());
             if (count < 0 && errno == EINTR) continue;
@@ -94,7 +92,7 @@ class Child {
         }
         if (bytes.empty() || bytes.back() != complete) {
             if (const int status = end(); WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-                throw MeshError(no_answer);
+                throw MeshError(say<Code::step_does_not_end>());
             return {};
         }
         bytes.pop_back();

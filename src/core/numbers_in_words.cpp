@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace featuremesh {
 
@@ -12,6 +13,8 @@ std::string in_words(double x, int digits) {
     std::snprintf(text.data(), text.size(), "%.*g", digits, std::abs(x) < 5e-10 ? 0.0 : x);
     return text.data();
 }
+
+double rounded(double x, int digits) { return std::strtod(in_words(x, digits).c_str(), nullptr); }
 
 std::string in_words(const Vec3& p) {
     return std::string("(").append(in_words(p.x)) + ", " + in_words(p.y) + ", " + in_words(p.z) + ")";

@@ -11,6 +11,9 @@ namespace featuremesh {
 /// So many digits without trailing zeros; what is nothing beside 1 is "0".
 std::string in_words(double x, int digits = 6);
 
+/// The number with so many digits.
+double rounded(double x, int digits);
+
 /// "(1.5, 20, -3.25)"
 std::string in_words(const Vec3& p);
 

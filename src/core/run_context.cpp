@@ -7,9 +7,12 @@
 #include <utility>
 
 #include "core/errors.h"
+#include "core/messages.h"
 #include "core/on_threads.h"
 
 namespace featuremesh {
+
+Cancelled::Cancelled() : Error(say<Code::cancelled>()) {}
 
 namespace {
 using Clock = std::chrono::steady_clock;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/errors.h"
+#include "core/messages.h"
 #include "difference/boundary_match.h"
 #include "difference/edge_difference.h"
 #include "difference/feature_verdicts.h"
@@ -82,20 +83,19 @@ std::vector<std::string> names_of_unmoved(const std::vector<FeatureChange>& chan
     return names;
 }
 
-void note_unrelated(const PartState& old_state, const PartState& new_state, std::vector<std::string>& notes) {
+void note_unrelated(const PartState& old_state, const PartState& new_state, std::vector<Message>& notes) {
     const auto& features = new_state.tree.features;
     // Every document has an origin and most have a sketch: only what has a volume tells parts apart.
     const bool common = std::any_of(features.begin(), features.end(), [&](const Feature& f) {
         const auto old_id = old_state.tree.find(f.name);
         return old_id && !f.volumes.empty() && !old_state.tree[*old_id].volumes.empty();
     });
-    if (!common) notes.push_back("the two parts look unrelated: they have no feature name in common");
+    if (!common) notes.push_back(say<Code::parts_unrelated>());
 }
 
-void limit_motions(std::vector<MovedFeatures>& moved, std::vector<std::string>& notes) {
+void limit_motions(std::vector<MovedFeatures>& moved, std::vector<Message>& notes) {
     if (moved.size() <= most_motions) return;
-    notes.push_back(std::to_string(moved.size()) + " different motions; only the first " +
-                    std::to_string(most_motions) + " carry parts of the mesh");
+    notes.push_back(say<Code::many_motions>(moved.size(), most_motions));
     moved.resize(most_motions);
 }
 
@@ -143,15 +143,12 @@ FeatureDifference compare(const PartState& old_state, const PartState& new_state
                           RunContext& context) {
     const RunContext::Step step(context, "difference");
     if (!(resolution.finest > 0) || !std::isfinite(resolution.finest))
-        throw InputError("the resolution of the difference must be a positive length, not " +
-                         std::to_string(resolution.finest) + " mm");
+        throw InputError(say<Code::resolution_not_positive>(Length{resolution.finest}));
     try {
         return compare_states(old_state, new_state, resolution, context);
     } catch (const Standard_Failure& failure) {
         const char* why = failure.GetMessageString();
-        throw KernelError(std::string("the two states of the part cannot be compared (") +
-                          (why ? why : "no reason given") +
-                          "); check the geometry of the new shape, or mesh it from scratch");
+        throw KernelError(say<Code::states_not_compared>(why ? why : "no reason given"));
     }
 }
 

@@ -15,6 +15,7 @@
 #include "brep/brep.h"
 #include "cells/cell_model.h"
 #include "core/geometry.h"
+#include "core/message.h"
 #include "core/run_context.h"
 #include "features/feature_tree.h"
 
@@ -36,7 +37,7 @@ struct FeatureChange {
     RigidMotion motion;                        ///< for `moved`
     double old_volume = 0, new_volume = 0;     ///< mm^3, of the feature's own volumes
     std::vector<FaceId> old_faces, new_faces;  ///< faces of the final shapes concerned
-    std::string detail;                        ///< in words: "moved by (5, 0, 0) mm", "radius 4 -> 5"
+    Message detail;                            ///< in words: "moved by (5, 0, 0) mm", "radius 4 -> 5"
 };
 
 /// What became of one face or edge of the old or the new boundary.
@@ -114,7 +115,7 @@ struct FeatureDifference {
     std::vector<FeatureChange> features;
     std::vector<FaceChange> faces;
     std::vector<CarriedRegion> regions;  ///< identity first
-    std::vector<std::string> notes;      ///< e.g. "the two parts look unrelated"
+    std::vector<Message> notes;          ///< e.g. "the two parts look unrelated"
     bool is_empty() const;               ///< nothing changed at all
 };
 

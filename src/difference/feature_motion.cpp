@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/messages.h"
 #include "core/numbers_in_words.h"
 
 namespace featuremesh {
@@ -149,10 +150,9 @@ bool same_motion(const RigidMotion& a, const RigidMotion& b, const Sameness& s) 
     return true;
 }
 
-std::string describe(const RigidMotion& motion) {
+Message describe(const RigidMotion& motion) {
     const auto& r = motion.rotation;
-    std::string shifted = "moved by " + in_words(motion.translation) + " mm";
-    if (r == RigidMotion{}.rotation) return shifted;
+    if (r == RigidMotion{}.rotation) return say<Code::moved_by>(motion.translation);
     Vec3 axis{r[7] - r[5], r[2] - r[6], r[3] - r[1]};
     const double angle = std::atan2(length(axis), r[0] + r[4] + r[8] - 1);
     if (length(axis) < 1e-9) {
@@ -160,9 +160,9 @@ std::string describe(const RigidMotion& motion) {
         const int k = r[0] >= r[4] && r[0] >= r[8] ? 0 : r[4] >= r[8] ? 1 : 2;
         axis = {r[std::size_t(k)] + (k == 0), r[std::size_t(3 + k)] + (k == 1), r[std::size_t(6 + k)] + (k == 2)};
     }
-    const std::string turned =
-        "turned by " + in_words(angle * 180 / std::numbers::pi) + " deg about " + in_words(normalized(axis));
-    return length(motion.translation) == 0 ? turned : turned + " and " + shifted;
+    const double degrees = angle * 180 / std::numbers::pi;
+    if (length(motion.translation) == 0) return say<Code::turned_by>(degrees, in_words(normalized(axis)));
+    return say<Code::turned_and_moved>(degrees, in_words(normalized(axis)), motion.translation);
 }
 
 }  // namespace featuremesh

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/message.h"
 #include "difference/underlying_geometry.h"
 
 namespace featuremesh {
@@ -29,6 +30,6 @@ std::optional<RigidMotion> motion_between(const VolumeOutline& from, const Volum
 
 bool same_motion(const RigidMotion& a, const RigidMotion& b, const Sameness& sameness);
 /// "moved by (5, 0, 0) mm", "turned by 30 deg about (0, 0, 1) and moved by (1, 0, 0) mm".
-std::string describe(const RigidMotion& motion);
+Message describe(const RigidMotion& motion);
 
 }  // namespace featuremesh

@@ -174,7 +174,7 @@ class PieceWords {
         for (std::size_t i = 0; i < was_.size(); ++i)
             if (match_.new_of[i] >= 0 && !match_.motions[i].is_identity()) pieces.push_back(i);
         return list("moved", pieces.size(), [&](std::size_t k) {
-            const std::string motion = describe(match_.motions[pieces[k]]);
+            const std::string motion = describe(match_.motions[pieces[k]]).in_english();
             const std::string start = "moved ";
             return (motion.starts_with(start) ? motion.substr(start.size()) : motion) + " from " +
                    place_of(was_[pieces[k]], old_part_) + " to " +

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/messages.h"
 #include "core/numbers_in_words.h"
 #include "difference/face_owners.h"
 #include "difference/feature_pieces.h"
@@ -71,14 +72,15 @@ class FeatureComparison {
     void add_removed(std::size_t o) {
         const Feature& was = old_.tree.features[o];
         if (new_.tree.find(was.name)) return;
-        result_.changes.push_back({was.name, was.label, Verdict::removed, {}, old_volumes_(o), 0, {}, {}, "removed"});
+        result_.changes.push_back(
+            {was.name, was.label, Verdict::removed, {}, old_volumes_(o), 0, {}, {}, say<Code::feature_removed>()});
         if (!was.volumes.empty()) something_stayed_ = true;
     }
 
     FeatureChange added(std::size_t n) {
         const Feature& is = new_.tree.features[n];
         if (!is.volumes.empty()) something_stayed_ = true;
-        return {is.name, is.label, Verdict::added, {}, 0, new_volumes_(n), {}, {}, "added"};
+        return {is.name, is.label, Verdict::added, {}, 0, new_volumes_(n), {}, {}, say<Code::feature_added>()};
     }
 
     FeatureChange compare(std::size_t o, std::size_t n) {
@@ -87,11 +89,11 @@ class FeatureComparison {
         FeatureChange change{is.name, is.label, Verdict::same, {}, old_volumes_(o), 0, {}, {}, {}};
         if (was.suppressed != is.suppressed) return suppression(change, is, n);
         if (is.suppressed) return change;
-        if (const std::string why = distrust(o, n); !why.empty()) {
+        if (const Message why = distrust(o, n); !why.empty()) {
             something_stayed_ = true;
             change.verdict = Verdict::reshaped;
             change.new_volume = new_volumes_(n);
-            change.detail = "treated as changed: " + why;
+            change.detail = say<Code::taken_as_changed>(why);
             return change;
         }
         if (was.volumes.empty() && is.volumes.empty()) return compare_without_volume(change, was, is);
@@ -104,21 +106,21 @@ class FeatureComparison {
         change.verdict = is.suppressed ? Verdict::suppressed : Verdict::added;
         change.new_volume = is.suppressed ? 0 : new_volumes_(n);
         if (!is.suppressed) change.old_volume = 0;
-        change.detail = is.suppressed ? "suppressed" : "no longer suppressed";
+        change.detail = is.suppressed ? say<Code::feature_suppressed>() : say<Code::feature_unsuppressed>();
         return change;
     }
 
-    std::string distrust(std::size_t o, std::size_t n) const {
+    Message distrust(std::size_t o, std::size_t n) const {
         const Feature& was = old_.tree.features[o];
         const Feature& is = new_.tree.features[n];
-        if (!is.error.empty()) return is.error;
-        if (!was.error.empty()) return "was in error before (" + was.error + ")";
+        if (!is.error.empty()) return say<Code::in_error>(is.error);
+        if (!was.error.empty()) return say<Code::was_in_error>(was.error);
         const auto listed = [](const CellModel& cells, std::size_t f) {
             const auto& u = cells.report.untrusted;
             return std::find(u.begin(), u.end(), FeatureId(f)) != u.end();
         };
-        if (listed(old_.cells, o) || listed(new_.cells, n)) return "its volume does not add up with the part";
-        return "";
+        if (listed(old_.cells, o) || listed(new_.cells, n)) return say<Code::volume_not_trusted>();
+        return {};
     }
 
     FeatureChange compare_without_volume(FeatureChange change, const Feature& was, const Feature& is) const {
@@ -126,7 +128,7 @@ class FeatureComparison {
         const std::string parameters = changed_parameters(was, is);
         if (!parameters.empty()) {
             change.verdict = Verdict::reshaped;
-            change.detail = parameters;
+            change.detail = say<Code::parameters_changed>(parameters);
         } else if (!same_motion(motion, RigidMotion{}, sameness_)) {
             change.verdict = Verdict::moved;
             change.motion = motion;
@@ -155,13 +157,17 @@ class FeatureComparison {
         }
         change.new_volume = complete ? change.old_volume : new_volumes_(n);
         change.verdict = Verdict::reshaped;
-        change.detail = changed_parameters(was, is);
+        std::vector<Message> details;
+        if (const std::string parameters = changed_parameters(was, is); !parameters.empty())
+            details.push_back(say<Code::parameters_changed>(parameters));
         if (old_pieces.size() > 1 || new_pieces.size() > 1)
-            change.detail += (change.detail.empty() ? "" : "; ") +
-                             in_words(match, old_pieces, new_pieces, old_.brep.box(), new_.brep.box());
-        if (change.detail.empty() && change.old_volume == 0 && change.new_volume == 0) change.detail = "other faces";
-        if (change.detail.empty())
-            change.detail = "volume " + in_words(change.old_volume) + " -> " + in_words(change.new_volume) + " mm^3";
+            details.push_back(
+                say<Code::pieces_changed>(in_words(match, old_pieces, new_pieces, old_.brep.box(), new_.brep.box())));
+        if (details.empty())
+            details.push_back(change.old_volume == 0 && change.new_volume == 0
+                                  ? say<Code::other_faces>()
+                                  : say<Code::volume_changed>(Volume{change.old_volume}, Volume{change.new_volume}));
+        change.detail = several(std::move(details));
     }
 
     bool one_motion(const PieceMatch& match) const {
@@ -229,9 +235,7 @@ void add_face_verdicts(const PartState& old_state, const PartState& new_state, c
         change.new_faces = new_faces[change.name];
         if (change.verdict != Verdict::same || (change.old_faces.empty() && change.new_faces.empty())) continue;
         change.verdict = Verdict::interaction_changed;
-        change.detail = "its own volume is the same, but other features now meet " +
-                        std::to_string(std::max(change.old_faces.size(), change.new_faces.size())) +
-                        " of its faces differently";
+        change.detail = say<Code::cut_otherwise>(std::max(change.old_faces.size(), change.new_faces.size()));
     }
 }
 

@@ -11,6 +11,7 @@
 #include "brep/same_solids.h"
 #include "core/activity.h"
 #include "core/errors.h"
+#include "core/messages.h"
 #include "features/copied_volumes.h"
 #include "features/document_view.h"
 #include "features/feature_types.h"
@@ -42,10 +43,9 @@ class Interpreter {
 
     FeatureTree run() {
         const int last = view_.find(tree_.object);
-        if (last < 0)
-            throw InputError("The document has no object named " + tree_.object + ". Name one of its objects.");
+        if (last < 0) throw InputError(say<Code::no_such_object>(tree_.object));
         tree_.final_shape = view_.geometry_of(record(last));
-        if (tree_.final_shape.IsNull()) throw InputError(title(last) + what_is_missing());
+        if (tree_.final_shape.IsNull()) throw InputError(nothing_to_mesh(title(last)));
         evaluate(last, Effect::adds);
         return std::move(tree_);
     }
@@ -57,14 +57,15 @@ class Interpreter {
         const RawRecord& r = record(i);
         return r.label.empty() || r.label == r.name ? r.name : r.label + " (" + r.name + ")";
     }
-    std::string what_is_missing() const {
-        if (view_.dimension() == Dimension::faces)
-            return " has no face. Recompute the document, and mesh an object with faces, or its edges.";
-        if (view_.dimension() == Dimension::edges)
-            return " has no edge. Recompute the document, and mesh an object with edges.";
-        return " has no solid. Recompute the document, and mesh a body or a Part object whose result is a solid.";
+    Message nothing_to_mesh(const std::string& object) const {
+        if (view_.dimension() == Dimension::faces) return say<Code::object_without_face>(object);
+        if (view_.dimension() == Dimension::edges) return say<Code::object_without_edge>(object);
+        return say<Code::object_without_solid>(object);
     }
-    void note(int i, const std::string& text) { tree_.notes.push_back(title(i) + ": " + text); }
+    template <Code code>
+    void note(int i, const auto&... values) {
+        tree_.notes.push_back(say<code>(title(i), values...));
+    }
 
     void add_feature(int i) {
         const RawRecord& r = record(i);
@@ -82,7 +83,7 @@ class Interpreter {
             if (const int target = view_.find(link.object); target >= 0 && target < i) links.insert(FeatureId(target));
         f.depends_on.assign(links.begin(), links.end());
         tree_.features.push_back(std::move(f));
-        if (!r.error.empty()) note(i, "FreeCAD says: " + r.error);
+        if (!r.error.empty()) note<Code::feature_in_error>(i, r.error);
     }
 
     /// Earlier records with something to mesh that the properties link to, in order; of what is loose beside solids
@@ -109,9 +110,9 @@ class Interpreter {
             for (const std::string& property : properties)
                 for (const RawLink& link : DocumentView::links_of(record(i), property))
                     if (const int target = view_.find(link.object); target < 0)
-                        note(i, "its link to " + link.object + " dangles");
+                        note<Code::feature_link_dangles>(i, link.object);
                     else if (meanings_[target].kind != Kind::reference && view_.geometry_of(record(target)).IsNull())
-                        note(i, "its operand " + title(target) + " has no solid and is left out");
+                        note<Code::operand_without_solid>(i, title(target));
     }
 
     int source_of(int i) const {
@@ -320,7 +321,7 @@ class Interpreter {
         const Activity activity("feature " + feature(i).label);
         const TopoDS_Shape& after = feature(i).after;
         if (after.IsNull()) {
-            note(i, "has no solid, so its effect is unknown and it counts as changed");
+            note<Code::feature_without_solid>(i);
             if (feature(i).error.empty()) feature(i).error = "it has no solid";
             return true;
         }
@@ -335,9 +336,7 @@ class Interpreter {
         }
         feature(i).difference = std::make_shared<const ShapeDifference>(difference);
         if (!difference.closed) {
-            note(i,
-                 "what it adds and removes could not be told from the shapes before and after it; it is taken as one "
-                 "piece with all before it");
+            note<Code::feature_not_understood>(i);
             feature(i).role = Role::opaque;
             return false;
         }

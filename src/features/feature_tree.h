@@ -12,6 +12,7 @@
 #include "core/dimension.h"
 #include "core/geometry.h"
 #include "core/ids.h"
+#include "core/message.h"
 #include "core/run_context.h"
 #include "features/raw_document.h"
 
@@ -60,7 +61,7 @@ struct FeatureTree {
     std::string object;  ///< name of the object that is meshed
     std::vector<Feature> features;
     TopoDS_Shape final_shape;
-    std::vector<std::string> notes;  ///< findings for the report
+    std::vector<Message> notes;  ///< findings for the report
 
     const Feature& operator[](FeatureId id) const { return features[id.index()]; }
     std::optional<FeatureId> find(const std::string& name) const;

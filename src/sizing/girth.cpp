@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "brep/occt_geometry.h"
+#include "core/messages.h"
 #include "core/numbers_in_words.h"
 #include "sizing/curvature.h"
 
@@ -193,7 +194,7 @@ std::unique_ptr<SizeProvider> rod_provider(const Brep& brep, const SizingOptions
     return std::make_unique<RodProvider>(brep, options);
 }
 
-std::vector<std::string> warnings_of_thin_rods(const Brep& brep, const SizingOptions& options) {
+std::vector<Message> warnings_of_thin_rods(const Brep& brep, const SizingOptions& options) {
     std::vector<FaceId> faces;
     double thinnest = 0;
     for (std::size_t f = 0; f < brep.face_count(); ++f) {
@@ -210,13 +211,7 @@ std::vector<std::string> warnings_of_thin_rods(const Brep& brep, const SizingOpt
         faces.push_back(FaceId(f));
     }
     if (faces.empty()) return {};
-    constexpr std::size_t most = 4;
-    std::string names;
-    for (std::size_t i = 0; i < std::min(most, faces.size()); ++i)
-        names += (names.empty() ? "" : ", ") + name_of(entity_of(faces[i]));
-    if (faces.size() > most) names += " and " + std::to_string(faces.size() - most) + " more";
-    return {"The part is " + in_words(thinnest, 3) + " mm thick at " + names +
-            ": elements are smaller there than asked, so that " + in_words(options.pieces_round_rod) + " go round it."};
+    return {say<Code::thin_rod>(Length{rounded(thinnest, 3)}, faces, options.pieces_round_rod)};
 }
 
 }  // namespace featuremesh

@@ -4,10 +4,10 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/message.h"
 #include "sizing/size_provider.h"
 #include "sizing/sizing_field.h"
 
@@ -41,6 +41,6 @@ class Girth {
 std::unique_ptr<SizeProvider> rod_provider(const Brep& brep, const SizingOptions& options);
 
 /// What the user should know: where rods are thinner than the sizes asked for, so that elements are smaller.
-std::vector<std::string> warnings_of_thin_rods(const Brep& brep, const SizingOptions& options);
+std::vector<Message> warnings_of_thin_rods(const Brep& brep, const SizingOptions& options);
 
 }  // namespace featuremesh

@@ -2,14 +2,14 @@
 // Local sizes whose face, edge, vertex or solid the part does not have.
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "core/message.h"
 #include "sizing/sizing_field.h"
 
 namespace featuremesh {
 
 /// One line for each local size at an entity that is gone, with its name; such sizes are left out.
-std::vector<std::string> lost_sizes(const Brep& brep, const SizingOptions& options);
+std::vector<Message> lost_sizes(const Brep& brep, const SizingOptions& options);
 
 }  // namespace featuremesh

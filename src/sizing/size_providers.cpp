@@ -28,7 +28,7 @@ std::vector<std::unique_ptr<SizeProvider>> size_providers(const Brep& brep, cons
 }
 
 SizePlaces cover_shape(const Brep& brep, const SizingOptions& options, RunContext& context) {
-    for (const std::string& line : lost_sizes(brep, options)) context.log(line);
+    for (const Message& line : lost_sizes(brep, options)) context.log(line.in_english());
     const auto providers = size_providers(brep, options);
     SizePlaces places;
     std::vector<SourceBall>& balls = places.balls;

@@ -17,7 +17,7 @@
 #include <string>
 
 #include "core/errors.h"
-#include "core/numbers_in_words.h"
+#include "core/messages.h"
 #include "sizing/size_providers.h"
 #include "sizing/source_tree.h"
 #include "sizing/zone_field.h"
@@ -114,38 +114,27 @@ double longest_side(const Box& box) {
 }
 
 void check_size(double size, const Box& part) {
-    const Vec3 s = part.size();
-    const std::string part_size = in_words(s.x) + " x " + in_words(s.y) + " x " + in_words(s.z) + " mm";
-    if (longest_side(part) < least_extent)
-        throw InputError("The part is only " + part_size +
-                         ", and points nearer than 1e-7 mm are one to FreeCAD's geometry: nodes could not be "
-                         "placed on its surface. Was it imported in another unit? Scale it up.");
-    if (!std::isfinite(size) || size <= 0)
-        throw InputError("The mesh size is " + in_words(size) + " mm; it must be larger than zero. The part is " +
-                         part_size + ".");
+    const Extent extent{part.size()};
+    if (longest_side(part) < least_extent) throw InputError(say<Code::part_too_small>(extent));
+    if (!std::isfinite(size) || size <= 0) throw InputError(say<Code::size_not_positive>(Length{size}, extent));
     if (size > longest_side(part) * (1 + 1e-9))
-        throw InputError("The mesh size of " + in_words(size) + " mm is larger than the part, which is " + part_size +
-                         ". Ask for a smaller size.");
+        throw InputError(say<Code::size_larger_than_part>(Length{size}, extent));
 }
 
 void check_options(const SizingOptions& options, const Box& part) {
     check_size(options.size, part);
     if (!std::isfinite(options.min_size) || options.min_size < 0 || options.min_size > options.size)
-        throw InputError("The smallest mesh size is " + in_words(options.min_size) +
-                         " mm; it must lie between zero and the mesh size of " + in_words(options.size) + " mm.");
+        throw InputError(say<Code::smallest_size_out_of_range>(Length{options.min_size}, Length{options.size}));
     if (!std::isfinite(options.growth) || options.growth < 1)
-        throw InputError("The growth rate is " + in_words(options.growth) + "; it must be at least 1 (1.3 is usual).");
+        throw InputError(say<Code::growth_below_one>(options.growth));
     if (!std::isfinite(options.elements_per_circle) || options.elements_per_circle < 0)
-        throw InputError("The number of elements per circle is " + in_words(options.elements_per_circle) +
-                         "; it must not be negative (0 turns it off).");
+        throw InputError(say<Code::negative_per_circle>(options.elements_per_circle));
     if (!std::isfinite(options.elements_across_gap) || options.elements_across_gap < 0)
-        throw InputError("The number of elements across gaps is " + in_words(options.elements_across_gap) +
-                         "; it must not be negative (0 turns it off).");
+        throw InputError(say<Code::negative_across_gaps>(options.elements_across_gap));
     for (const SizeZone& zone : options.zones) check_zone(zone);
     for (const LocalSize& local : options.local)
         if (!std::isfinite(local.size) || local.size <= 0)
-            throw InputError("The local mesh size at " + name_of(local.entity) + " is " + in_words(local.size) +
-                             " mm; it must be larger than zero.");
+            throw InputError(say<Code::local_size_not_positive>(local.entity, Length{local.size}));
 }
 
 /// Those of the kept nodes whose mesh is clearly coarser than the global size lead above it.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/errors.h"
+#include "core/messages.h"
 #include "core/numbers_in_words.h"
 #include "sizing/zone_field.h"
 
@@ -15,75 +16,66 @@ namespace {
 constexpr double sizes_to_a_node = 2;
 constexpr double same_length = 1e-9;  // relative
 
-struct Measure {
-    const char* name;
-    double value;
-};
-
-std::vector<Measure> measures_of(const SizeZone& zone) {
-    if (const auto* box = std::get_if<BoxZone>(&zone.shape))
-        return {{"length", box->sides.x}, {"width", box->sides.y}, {"height", box->sides.z}};
-    if (const auto* sphere = std::get_if<SphereZone>(&zone.shape)) return {{"radius", sphere->radius}};
-    if (const auto* cylinder = std::get_if<CylinderZone>(&zone.shape))
-        return {{"radius", cylinder->radius}, {"height", cylinder->height}};
-    return {};
-}
-
-void require(bool holds, const SizeZone& zone, const std::string& what) {
-    if (!holds) throw InputError("The refinement " + zone.name + " " + what);
+template <Code code, class... Values>
+void require(bool holds, const SizeZone& zone, Values... values) {
+    if (!holds) throw InputError(say<code>(zone.name, values...));
 }
 
 bool is_positive(double x) { return std::isfinite(x) && x > 0; }
 bool is_not_negative(double x) { return std::isfinite(x) && x >= 0; }
 
-std::string note_on(const SizeZone& zone, const Brep& brep, const SizingOptions& options, std::span<const Vec3> nodes) {
-    const std::string name = "The refinement " + zone.name + " ";
+template <Code code>
+void require_positive(double measure, const SizeZone& zone) {
+    require<code>(is_positive(measure), zone, Length{measure});
+}
+
+void check_shape(const SizeZone& zone) {
+    if (const auto* box = std::get_if<BoxZone>(&zone.shape)) {
+        require_positive<Code::zone_length_not_positive>(box->sides.x, zone);
+        require_positive<Code::zone_width_not_positive>(box->sides.y, zone);
+        require_positive<Code::zone_height_not_positive>(box->sides.z, zone);
+    } else if (const auto* sphere = std::get_if<SphereZone>(&zone.shape)) {
+        require_positive<Code::zone_radius_not_positive>(sphere->radius, zone);
+    } else if (const auto* cylinder = std::get_if<CylinderZone>(&zone.shape)) {
+        require_positive<Code::zone_radius_not_positive>(cylinder->radius, zone);
+        require_positive<Code::zone_height_not_positive>(cylinder->height, zone);
+    } else if (const auto* near = std::get_if<NearZone>(&zone.shape)) {
+        require<Code::zone_reach_negative>(is_not_negative(near->reach), zone, Length{near->reach});
+    }
+}
+
+Message note_on(const SizeZone& zone, const Brep& brep, const SizingOptions& options, std::span<const Vec3> nodes) {
     if (zone.inner >= options.size)
-        return name + "changes nothing: its inner size of " + in_words(zone.inner) +
-               " mm is not below the mesh size of " + in_words(options.size) + " mm.";
+        return say<Code::zone_changes_nothing>(zone.name, Length{zone.inner}, Length{options.size});
     const ZoneField field(brep, zone, options.size, options.growth - 1);
-    if (!field.asks_for_less_than(options.size))
-        return name +
-               "is left out: the part has nothing of what it refers to. Refer it to a face, an edge or a vertex.";
+    if (!field.asks_for_less_than(options.size)) return say<Code::zone_refers_to_nothing>(zone.name);
     const double near = sizes_to_a_node * zone.inner;
     if (std::none_of(nodes.begin(), nodes.end(), [&](const Vec3& p) { return field.distance(p) <= near; }))
-        return name + "lies outside the part. Move it into the part, or suppress it.";
+        return say<Code::zone_outside>(zone.name);
     const GradedSize& graded = field.graded();
     if (zone.transition > 0 && std::isfinite(graded.transition) &&
         graded.transition > zone.transition * (1 + same_length))
-        return name + "grows to " + in_words(graded.outer, 3) + " mm over " + in_words(graded.transition, 3) +
-               " mm, not over " + in_words(zone.transition, 3) +
-               " mm: neighbouring elements may differ by a factor of " + in_words(options.growth, 3) +
-               " at most (Growth).";
+        return say<Code::zone_grows_slower>(zone.name, Length{rounded(graded.outer, 3)},
+                                            Length{rounded(graded.transition, 3)}, Length{rounded(zone.transition, 3)},
+                                            rounded(options.growth, 3));
     return {};
 }
 
 }  // namespace
 
 void check_zone(const SizeZone& zone) {
-    require(is_positive(zone.inner), zone,
-            "has an inner size of " + in_words(zone.inner) + " mm; it must be larger than zero.");
-    require(is_not_negative(zone.outer), zone,
-            "has an outer size of " + in_words(zone.outer) + " mm; it must not be negative (0: the mesh size).");
-    require(zone.outer == 0 || zone.outer >= zone.inner, zone,
-            "is coarser inside (" + in_words(zone.inner) + " mm) than outside (" + in_words(zone.outer) +
-                " mm); exchange the two sizes.");
-    require(
-        is_not_negative(zone.transition), zone,
-        "grows over " + in_words(zone.transition) + " mm; that must not be negative (0: as fast as Growth allows).");
-    for (const Measure& measure : measures_of(zone))
-        require(is_positive(measure.value), zone,
-                std::string("has a ") + measure.name + " of " + in_words(measure.value) +
-                    " mm; it must be larger than zero.");
-    if (const auto* near = std::get_if<NearZone>(&zone.shape))
-        require(is_not_negative(near->reach), zone,
-                "reaches " + in_words(near->reach) + " mm; that must not be negative.");
+    require_positive<Code::zone_inner_not_positive>(zone.inner, zone);
+    require<Code::zone_outer_negative>(is_not_negative(zone.outer), zone, Length{zone.outer});
+    require<Code::zone_coarser_inside>(zone.outer == 0 || zone.outer >= zone.inner, zone, Length{zone.inner},
+                                       Length{zone.outer});
+    require<Code::zone_transition_negative>(is_not_negative(zone.transition), zone, Length{zone.transition});
+    check_shape(zone);
 }
 
-std::vector<std::string> notes_on_zones(const Brep& brep, const SizingOptions& options, std::span<const Vec3> nodes) {
-    std::vector<std::string> notes;
+std::vector<Message> notes_on_zones(const Brep& brep, const SizingOptions& options, std::span<const Vec3> nodes) {
+    std::vector<Message> notes;
     for (const SizeZone& zone : options.zones)
-        if (std::string note = note_on(zone, brep, options, nodes); !note.empty()) notes.push_back(std::move(note));
+        if (Message note = note_on(zone, brep, options, nodes); !note.empty()) notes.push_back(std::move(note));
     return notes;
 }
 

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/message.h"
 #include "sizing/sizing_field.h"
 
 namespace featuremesh {
@@ -16,6 +16,6 @@ void check_zone(const SizeZone& zone);
 
 /// One line for each zone that changes nothing, since it is outside the part, near nothing of it, or not finer than the
 /// rest; and for those that grow more slowly than asked. `nodes` are those of the mesh that was made with the options.
-std::vector<std::string> notes_on_zones(const Brep& brep, const SizingOptions& options, std::span<const Vec3> nodes);
+std::vector<Message> notes_on_zones(const Brep& brep, const SizingOptions& options, std::span<const Vec3> nodes);
 
 }  // namespace featuremesh

@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 
 #include "core/errors.h"
+#include "core/messages.h"
 
 namespace featuremesh {
 
@@ -39,11 +40,7 @@ bool has_linear_solver(std::string* reason) {
 }
 
 std::unique_ptr<LinearSolver> make_linear_solver() {
-    if (!petsc().make)
-        throw InputError(
-            "The live solver needs PETSc: install Debian's package libpetsc-real-dev, and any command of ./featuremesh "
-            "in a clone builds the solver with it (" +
-            petsc().reason + ").");
+    if (!petsc().make) throw InputError(say<Code::no_petsc>(petsc().reason));
     return std::unique_ptr<LinearSolver>(petsc().make());
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/errors.h"
+#include "core/messages.h"
 #include "statics/linear_solver.h"
 
 namespace featuremesh {
@@ -21,7 +22,7 @@ void check(PetscErrorCode code) {
     if (!code) return;
     const char* text = nullptr;
     PetscErrorMessage(code, &text, nullptr);
-    throw KernelError(std::string("PETSc could not solve: ") + (text ? text : "unknown error"));
+    throw KernelError(say<Code::petsc_failed>(text ? text : "unknown error"));
 }
 
 /// An object of PETSc that is destroyed with this one.
@@ -107,8 +108,7 @@ struct System {
     void round_products_of_entries() {
         round();
         if (blocks.values.size() > std::size_t(std::numeric_limits<PetscInt>::max()))
-            throw InputError(
-                "The mesh is too fine for the live solver, whose matrix would have more than 2 billion entries.");
+            throw InputError(say<Code::too_fine_to_solve>());
         starts_.assign(std::size_t(size()) + 1, 0);
         columns_.resize(blocks.values.size());
         for (std::size_t node = 0; node < blocks.node_count(); ++node) {
@@ -479,7 +479,7 @@ class PetscSolver final : public LinearSolver {
         if (stop.is_cancelled) throw Cancelled();
         KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
         check(KSPGetConvergedReason(cg, &reason));
-        if (reason == KSP_DIVERGED_NANORINF) throw KernelError("PETSc could not solve: numbers are out of range.");
+        if (reason == KSP_DIVERGED_NANORINF) throw KernelError(say<Code::petsc_out_of_range>());
         const PetscScalar* values = nullptr;
         check(VecGetArrayRead(x, &values));
         for (std::size_t i = 0; i < solution.size(); ++i) solution[i] += values[i];

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/errors.h"
+#include "core/messages.h"
 
 namespace featuremesh {
 
@@ -47,22 +48,20 @@ const auto by_number = [](const auto& state, Number number) { return state.numbe
 
 void check(const StaticsModel& model) {
     const std::size_t n = 3 * model.mesh.node_count();
-    if (model.mesh.tets.empty()) throw InputError("The mesh has no elements.");
+    if (model.mesh.tets.empty()) throw InputError(say<Code::no_elements>());
     if (model.loads.size() != n || model.is_held.size() != n || model.given.size() != n ||
         model.tet_materials.size() != model.mesh.tets.size())
-        throw InputError("Loads, supports and materials do not fit the mesh.");
+        throw InputError(say<Code::model_misfits>());
     for (const std::int32_t material : model.tet_materials)
-        if (material < 0 || std::size_t(material) >= model.materials.size())
-            throw InputError("A part of the mesh has no material.");
+        if (material < 0 || std::size_t(material) >= model.materials.size()) throw InputError(say<Code::no_material>());
     for (const Material& material : model.materials)
         if (!(material.young > 0) || !(material.poisson > -1) || !(material.poisson < 0.5) ||
             !std::isfinite(material.young) || !std::isfinite(material.density))
-            throw InputError(
-                "A material needs Young's modulus above 0 and Poisson's ratio from above -1 to below 0.5.");
+            throw InputError(say<Code::impossible_material>());
     const auto is_finite = [](double value) { return std::isfinite(value); };
     if (!std::all_of(model.loads.begin(), model.loads.end(), is_finite) ||
         !std::all_of(model.given.begin(), model.given.end(), is_finite))
-        throw InputError("Loads and displacements have to be finite numbers.");
+        throw InputError(say<Code::loads_not_finite>());
 }
 
 StaticsSolution StaticsSolver::solve(const StaticsModel& model, RunContext& context) {
@@ -90,10 +89,7 @@ StaticsSolution StaticsSolver::solve(const StaticsModel& model, RunContext& cont
                 round < 4 ? solver_->solve(residual, solution.displacements, tolerance / 2 * whole, most, context) : -1;
             solution.iterations += done < 0 ? most : done;
             if (done >= 0) continue;
-            if (is_last_try)
-                throw KernelError(
-                    "The live solver does not converge on this mesh; solve with CalculiX, and look for "
-                    "very flat elements or materials of very different stiffness.");
+            if (is_last_try) throw KernelError(say<Code::not_converged>());
             setup_ = {};
             solution.kept_preconditioner = prepare(model, around, context);
         }

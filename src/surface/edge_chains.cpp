@@ -16,6 +16,8 @@
 #include "brep/vertex_places.h"
 #include "core/activity.h"
 #include "core/errors.h"
+#include "core/messages.h"
+#include "core/numbers_in_words.h"
 
 namespace featuremesh {
 
@@ -212,8 +214,7 @@ std::vector<std::vector<Vec3>> points_of(const std::vector<EdgeChain>& chains, c
 
 void check_order(const EdgeChain& chain, EdgeId edge) {
     if (std::is_sorted(chain.t.begin(), chain.t.end(), std::less_equal<>())) return;
-    throw MeshError("The kept nodes of " + name_of(entity_of(edge)) +
-                    " are not in the order of the edge. Mesh the part from scratch.");
+    throw MeshError(say<Code::kept_nodes_out_of_order>(edge));
 }
 
 /// The kept part of a chain: ends, nodes of vertices on the edge and kept nodes between them, and which neighbours are
@@ -237,9 +238,7 @@ EdgeChain kept_chain(const std::array<double, 2>& range, EdgeId edge, const std:
         chain.is_kept.push_back(kept);
         found += kept;
     }
-    if (found != segments.size())
-        throw MeshError("The kept segments of " + name_of(entity_of(edge)) +
-                        " do not follow the edge. Mesh the part from scratch.");
+    if (found != segments.size()) throw MeshError(say<Code::kept_segments_off_edge>(edge));
     return chain;
 }
 
@@ -271,15 +270,12 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
         if (brep.is_degenerated(edge) || is_point(edge) || !brep.is_meshed(edge)) continue;
         if (merged.edge_of[e] != edge) {
             if (!kept.nodes[e].empty() || !kept.segments[e].empty())
-                throw MeshError("Kept nodes of " + name_of(entity_of(edge)) +
-                                " belong to an edge in the same place. Mesh the part from scratch.");
+                throw MeshError(say<Code::kept_nodes_of_other_edge>(edge));
             followers.push_back(edge);
             continue;
         }
         auto ends = brep.ends_of(edge);
-        if (!ends[0].is_valid() || !ends[1].is_valid())
-            throw MeshError(name_of(entity_of(edge)) +
-                            " has no end points. Check the feature that made it (Part: Check geometry).");
+        if (!ends[0].is_valid() || !ends[1].is_valid()) throw MeshError(say<Code::edge_without_ends>(edge));
         std::array<double, 2> range;
         BRep_Tool::Range(brep.edge(edge), range[0], range[1]);
         std::vector<std::pair<double, NodeId>> passed;
@@ -419,9 +415,7 @@ void EdgeChains::follow_owner(const Brep& brep, EdgeId edge, const Mesh& mesh) {
     const auto ends = brep.ends_of(edge);
     const auto place = [&](VertexId v) { return std::find(owner.nodes.begin(), owner.nodes.end(), node_of(v)); };
     const auto [first, last] = std::minmax({place(ends[0]), place(ends[1])});
-    if (last == owner.nodes.end())
-        throw MeshError(name_of(entity_of(edge)) + " lies on " + name_of(entity_of(merged_.edge_of[edge.index()])) +
-                        " but does not begin and end there. Check the feature that made them (Part: Check geometry).");
+    if (last == owner.nodes.end()) throw MeshError(say<Code::edge_ends_elsewhere>(edge, merged_.edge_of[edge.index()]));
     chain.nodes.assign(first, last + 1);
     if (place(ends[1]) < place(ends[0])) std::reverse(chain.nodes.begin(), chain.nodes.end());
     chain.is_kept.assign(chain.nodes.size() - 1, 1);
@@ -430,9 +424,7 @@ void EdgeChains::follow_owner(const Brep& brep, EdgeId edge, const Mesh& mesh) {
         chain.t[i] = projector_.nearest(edge, mesh.point(chain.nodes[i])).t;
     chain.t.front() = curve.FirstParameter(), chain.t.back() = curve.LastParameter();
     if (!std::is_sorted(chain.t.begin(), chain.t.end(), std::less_equal<>()))
-        throw MeshError(name_of(entity_of(edge)) + " and " + name_of(entity_of(merged_.edge_of[edge.index()])) +
-                        " are in the same place but run differently. Check the feature that made them (Part: Check "
-                        "geometry).");
+        throw MeshError(say<Code::edge_runs_otherwise>(edge, merged_.edge_of[edge.index()]));
 }
 
 EdgeChains::Piece EdgeChains::owner_of(const Piece& piece) const {

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "core/errors.h"
+#include "core/messages.h"
 #include "surface/projection.h"
 
 namespace featuremesh {
@@ -55,7 +56,7 @@ class BoundaryBuilder {
             const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
             double first = 0, last = 0;
             const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, forward, first, last);
-            if (curve.IsNull()) fail(name_of(entity_of(brep_.find(edge))) + " has no curve in the face's parameters");
+            if (curve.IsNull()) fail(say<Code::edge_without_trace>(brep_.find(edge)));
             Use use;
             use.edge = brep_.find(edge);
             if (chains_.is_point(use.edge)) continue;
@@ -120,8 +121,7 @@ class BoundaryBuilder {
                 use.start_point = corner(use.start, use.points.front(), 1e-3 * distance(use.points[0], use.points[1]));
                 use.end_point = corner(use.end, use.points.back(), 1e-3 * distance(use.points[0], use.points[1]));
             }
-            if (use.start_point < 0 || use.end_point < 0)
-                fail("its boundary is not closed at " + name_of(entity_of(use.edge)));
+            if (use.start_point < 0 || use.end_point < 0) fail(say<Code::boundary_not_closed>(use.edge));
         }
     }
 
@@ -165,10 +165,7 @@ class BoundaryBuilder {
         }
     }
 
-    [[noreturn]] void fail(const std::string& what) const {
-        throw MeshError(name_of(entity_of(face_)) + " cannot be meshed: " + what +
-                        ". Check the feature that made it (Part: Check geometry), or refine the shape.");
-    }
+    [[noreturn]] void fail(const Message& why) const { throw MeshError(say<Code::face_not_bounded>(face_, why)); }
 
     const Brep& brep_;
     FaceId face_;
@@ -265,8 +262,7 @@ class KeptCutter {
         int& first = first_point_[node.index()];
         if (first < 0) {
             if (mesh_.entities[node.index()] != entity_of(face_))
-                fail("a kept triangle has a node (number " + std::to_string(mesh_.node_numbers[node.index()]) +
-                     ") that is not on the face");
+                fail(say<Code::kept_node_off_face>(mesh_.node_numbers[node.index()]));
             boundary_.points.push_back(chart_.to_plane(chart_.in_trim_period(mesh_.parameters[node.index()])));
             boundary_.nodes.push_back(node);
             next_point_.push_back(-1);
@@ -292,7 +288,7 @@ class KeptCutter {
                     const double length = distance(p, q) + distance(q, r) + distance(r, p);
                     if (doubled_area(p, q, r) > 0 && length < shortest) shortest = length, best = {i, j, k};
                 }
-        if (best[0] < 0) fail("a kept triangle lies the wrong way round in it");
+        if (best[0] < 0) fail(say<Code::kept_triangle_turned>());
         return best;
     }
 
@@ -328,7 +324,7 @@ class KeptCutter {
                 if (doubled_area(at(q), at(r), foot) > 0 && distance(at(q), at(r)) < shortest)
                     shortest = distance(at(q), at(r)), best = {q, r};
             }
-        if (best[0] < 0) fail("a kept triangle lies the wrong way round in it");
+        if (best[0] < 0) fail(say<Code::kept_triangle_turned>());
         return {best[0], best[1], pole_point(node(0), at(best[1])), pole_point(node(0), at(best[0]))};
     }
 
@@ -376,7 +372,7 @@ class KeptCutter {
             const auto next = std::find_if(boundary_.segments.begin(), boundary_.segments.end(),
                                            [&](const BoundarySegment& s) { return s.is_pole && s.a == around.back(); });
             if (next == boundary_.segments.end() || around.size() > boundary_.points.size())
-                fail("a kept triangle lies the wrong way round in it");
+                fail(say<Code::kept_triangle_turned>());
             around.push_back(next->b);
         }
         return around;
@@ -389,7 +385,7 @@ class KeptCutter {
             if (const auto back = sides_.find(side_key(b, a)); back != sides_.end()) {
                 sides_.erase(back);
             } else if (!sides_.emplace(side_key(a, b), order_++).second) {
-                fail("two kept triangles overlap");
+                fail(say<Code::kept_triangles_overlap>());
             }
         }
     }
@@ -407,9 +403,7 @@ class KeptCutter {
         boundary_.segments = std::move(open);
     }
 
-    [[noreturn]] void fail(const std::string& what) const {
-        throw MeshError(name_of(entity_of(face_)) + " cannot be filled: " + what + ". Mesh the part from scratch.");
-    }
+    [[noreturn]] void fail(const Message& why) const { throw MeshError(say<Code::face_not_filled>(face_, why)); }
 
     const Brep& brep_;
     FaceId face_;

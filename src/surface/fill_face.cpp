@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/errors.h"
+#include "core/messages.h"
 #include "surface/patch_improvement.h"
 #include "surface/seeds.h"
 
@@ -36,7 +37,7 @@ class FaceFiller {
             plant();
             improve();
         } catch (const BrokenPatch&) {
-            fail("its triangles do not hang together");
+            fail(say<Code::face_in_pieces>());
         }
         check_cover();
         return result();
@@ -111,14 +112,14 @@ class FaceFiller {
         for (const auto& s : boundary_.segments) region += cross(boundary_.points[at(s.a)], boundary_.points[at(s.b)]);
         for (const auto& t : patch_.triangles) {
             const double area = doubled_area(patch_.point(t[0]), patch_.point(t[1]), patch_.point(t[2]));
-            if (!(area > 0)) fail("a triangle came out the wrong way round");
+            if (!(area > 0)) fail(say<Code::face_triangle_turned>());
             covered += area;
         }
         double magnitude = 0;
         for (const auto& s : boundary_.segments)
             magnitude += std::abs(boundary_.points[at(s.a)].x * boundary_.points[at(s.b)].y) +
                          std::abs(boundary_.points[at(s.a)].y * boundary_.points[at(s.b)].x);
-        if (std::abs(region - covered) > 1e-9 * region + 1e-13 * magnitude) fail("its triangles do not cover it");
+        if (std::abs(region - covered) > 1e-9 * region + 1e-13 * magnitude) fail(say<Code::face_not_covered>());
     }
 
     FaceFilling result() const {
@@ -150,10 +151,7 @@ class FaceFiller {
         return filling;
     }
 
-    [[noreturn]] void fail(const std::string& what) const {
-        throw MeshError(name_of(entity_of(face_)) + " cannot be meshed: " + what +
-                        ". Try a smaller size on this face, or check the feature that made it (Part: Check geometry).");
-    }
+    [[noreturn]] void fail(const Message& why) const { throw MeshError(say<Code::face_not_meshed>(face_, why)); }
 
     const Brep& brep_;
     FaceId face_;

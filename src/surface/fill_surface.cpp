@@ -13,7 +13,7 @@
 #include "brep/solid_probe.h"
 #include "core/activity.h"
 #include "core/errors.h"
-#include "core/numbers_in_words.h"
+#include "core/messages.h"
 #include "surface/chart.h"
 #include "surface/chart_domain.h"
 #include "surface/distinct_sides.h"
@@ -138,9 +138,7 @@ class SurfaceFiller {
             }
             open.assign(again.begin(), again.end());
         }
-        if (!refined.empty())
-            report_.warnings.push_back(
-                "Meshed finer than asked, because a face beside it would cross itself: " + listed(refined) + ".");
+        if (!refined.empty()) report_.warnings.push_back(say<Code::finer_beside_crossing>(refined));
         return true;
     }
 
@@ -160,17 +158,6 @@ class SurfaceFiller {
             }
         }
         return !new_beside_.empty();
-    }
-
-    static std::string listed(const std::set<EdgeId>& edges) {
-        constexpr std::size_t most = 8;
-        std::string names;
-        std::size_t count = 0;
-        for (const EdgeId e : edges) {
-            if (count++ == most) return names + " and " + std::to_string(edges.size() - most) + " more";
-            names += (names.empty() ? "" : ", ") + name_of(entity_of(e));
-        }
-        return names;
     }
 
     void bound(FaceId face) {
@@ -213,15 +200,13 @@ class SurfaceFiller {
 
     [[noreturn]] void fail_crossing(FaceId face) const {
         const FaceJob& job = jobs_[face.index()];
-        std::string where;
         if (!job.domain->crossings().empty()) {
             const Crossing& c = job.domain->crossings().front();
             const EdgeId a = job.boundary.segments[c.first].edge, b = job.boundary.segments[c.second].edge;
             if (a.is_valid() && b.is_valid())
-                where = " (" + name_of(entity_of(a)) + " and " + name_of(entity_of(b)) + ")";
+                throw MeshError(say<Code::face_crosses_itself_at>(face, std::vector{a, b}));
         }
-        throw MeshError(name_of(entity_of(face)) + " cannot be meshed: its boundary crosses or touches itself" + where +
-                        ". Check the feature that made it (Part: Check geometry), or try a smaller size.");
+        throw MeshError(say<Code::face_crosses_itself>(face));
     }
 
     void fill_faces() {
@@ -312,31 +297,54 @@ void ask_for_less(WantedLength& wanted, const Mesh& mesh, const TrianglePairs& c
         }
 }
 
-/// Of pairs of faces whose triangles cross, with a place of each pair where that is wanted.
-std::string names_of(const Mesh& mesh, const TrianglePairs& crossings, bool with_places = false) {
-    std::map<std::pair<FaceId, FaceId>, TriangleId> first_of;
-    for (const auto& [t, u] : crossings)
-        first_of.try_emplace(std::minmax(mesh.triangle_faces[t.index()], mesh.triangle_faces[u.index()]), t);
-    std::string names;
-    std::size_t count = 0;
-    for (const auto& [faces, triangle] : first_of) {
-        const auto& [f, g] = faces;
-        if (++count > 4) return names + ", and others";
-        names += (names.empty() ? "" : ", ") + (f == g ? name_of(entity_of(f)) + " and itself"
-                                                       : name_of(entity_of(f)) + " and " + name_of(entity_of(g)));
-        const auto& [a, b, c] = mesh.triangles[triangle.index()];
-        if (with_places) names += " near " + in_words((mesh.point(a) + mesh.point(b) + mesh.point(c)) / 3);
+/// So many pairs are told of.
+constexpr std::size_t most_pairs = 4;
+
+template <class Pairs, class Say>
+std::vector<Message> first_of(const Pairs& pairs, Say say_pair) {
+    std::vector<Message> lines;
+    for (const auto& pair : pairs) {
+        if (lines.size() == most_pairs) {
+            lines.push_back(say<Code::and_others>());
+            break;
+        }
+        lines.push_back(say_pair(pair));
     }
-    return names;
+    return lines;
 }
 
-std::string warning_of_contact(const Brep& brep, const Mesh& mesh, const TrianglePairs& crossings) {
+using FacePairs = std::map<std::pair<FaceId, FaceId>, TriangleId>;
+
+/// The pairs of faces whose triangles cross, with the first triangle of each.
+FacePairs pairs_of(const Mesh& mesh, const TrianglePairs& crossings) {
+    FacePairs pairs;
+    for (const auto& [t, u] : crossings)
+        pairs.try_emplace(std::minmax(mesh.triangle_faces[t.index()], mesh.triangle_faces[u.index()]), t);
+    return pairs;
+}
+
+std::vector<Message> names_of(const FacePairs& pairs) {
+    return first_of(pairs, [](const auto& pair) {
+        const auto& [f, g] = pair.first;
+        return f == g ? say<Code::with_itself>(f) : say<Code::pair>(f, g);
+    });
+}
+
+std::vector<Message> places_of(const Mesh& mesh, const FacePairs& pairs) {
+    return first_of(pairs, [&](const auto& pair) {
+        const auto& [f, g] = pair.first;
+        const auto& [a, b, c] = mesh.triangles[pair.second.index()];
+        const Vec3 place = (mesh.point(a) + mesh.point(b) + mesh.point(c)) / 3;
+        return f == g ? say<Code::with_itself_near>(f, place) : say<Code::pair_near>(f, g, place);
+    });
+}
+
+Message warning_of_contact(const Brep& brep, const Mesh& mesh, const TrianglePairs& crossings) {
+    const std::vector<Message> faces = names_of(pairs_of(mesh, crossings));
     const auto is_shell = [&](TriangleId t) { return brep.is_free(mesh.triangle_faces[t.index()]); };
     if (std::any_of(crossings.begin(), crossings.end(),
                     [&](const auto& pair) { return is_shell(pair[0]) || is_shell(pair[1]); }))
-        return "These faces touch or cross without sharing edges: " + names_of(mesh, crossings) +
-               ". Each sheet has a mesh of its own, and no load passes between them. If that is not meant, join them "
-               "(Part: Boolean Fragments).";
+        return say<Code::sheets_touch>(faces);
     std::set<std::pair<SolidId, SolidId>> solids;
     for (const auto& [t, u] : crossings) {
         const auto solid = [&](TriangleId triangle) {
@@ -345,29 +353,19 @@ std::string warning_of_contact(const Brep& brep, const Mesh& mesh, const Triangl
         };
         solids.insert(std::minmax(solid(t), solid(u)));
     }
-    std::string names;
-    std::size_t count = 0;
-    for (const auto& [a, b] : solids) {
-        if (++count > 4) {
-            names += ", and others";
-            break;
-        }
-        names += (names.empty() ? "" : ", ") + name_of(entity_of(a)) + " and " + name_of(entity_of(b));
-    }
-    return "These solids touch or overlap without sharing faces: " + names + " (" + names_of(mesh, crossings) +
-           "). Each has a mesh of its own: no load passes between them but by ties and contacts, and where they "
-           "overlap the material counts twice. If that is not meant, fuse them or join them (Part: Boolean Fragments).";
+    const auto say_pair = [](const auto& pair) { return say<Code::pair>(pair.first, pair.second); };
+    return say<Code::solids_touch>(first_of(solids, say_pair), faces);
 }
 
 /// Shells and beams whose first element has its middle inside a solid that does not know them.
-std::vector<std::string> warnings_of_enclosed(const Brep& brep, const Mesh& mesh) {
+std::vector<Message> warnings_of_enclosed(const Brep& brep, const Mesh& mesh) {
     std::vector<std::unique_ptr<SolidProbe>> probes(brep.solid_count());
-    std::string names;
+    std::vector<Message> places;
     const auto look = [&](Entity entity, const Vec3& p) {
         for (std::size_t s = 0; s < probes.size(); ++s) {
             if (!probes[s]) probes[s] = std::make_unique<SolidProbe>(brep, SolidId(s));
             if (probes[s]->side_of(p) != Side::inside) continue;
-            names += (names.empty() ? "" : ", ") + name_of(entity) + " in " + name_of(entity_of(SolidId(s)));
+            places.push_back(say<Code::one_in_other>(entity, SolidId(s)));
             return;
         }
     };
@@ -383,13 +381,12 @@ std::vector<std::string> warnings_of_enclosed(const Brep& brep, const Mesh& mesh
         if (!brep.is_free(edge) || std::exchange(is_seen_edge[edge.index()], 1)) continue;
         look(entity_of(edge), (mesh.point(mesh.segments[s][0]) + mesh.point(mesh.segments[s][1])) / 2);
     }
-    if (names.empty()) return {};
-    return {"These shells and beams lie inside a solid and share no nodes with it there: " + names +
-            ". No load passes between them. Divide the solid along them (Part: Boolean Fragments)."};
+    if (places.empty()) return {};
+    return {say<Code::shells_in_solids>(places)};
 }
 
 /// What lies beside the solids of a compound, or beside its faces where those are meshed.
-std::vector<std::string> warnings_of_loose(const Brep& brep) {
+std::vector<Message> warnings_of_loose(const Brep& brep) {
     if (brep.dimension() == Dimension::edges) return {};
     std::vector<Entity> loose;
     for (std::size_t f = 0; f < brep.face_count(); ++f)
@@ -397,13 +394,8 @@ std::vector<std::string> warnings_of_loose(const Brep& brep) {
     for (std::size_t e = 0; e < brep.edge_count(); ++e)
         if (brep.faces_of(EdgeId(e)).empty() && !brep.is_meshed(EdgeId(e))) loose.push_back(entity_of(EdgeId(e)));
     if (loose.empty()) return {};
-    constexpr std::size_t most = 6;
-    std::string names;
-    for (std::size_t i = 0; i < std::min(most, loose.size()); ++i)
-        names += (names.empty() ? "" : ", ") + name_of(loose[i]);
-    if (loose.size() > most) names += " and " + std::to_string(loose.size() - most) + " more";
-    if (brep.dimension() == Dimension::faces) return {"Not meshed, because no face has them: " + names + "."};
-    return {"Not meshed, because no solid has them: " + names + "."};
+    if (brep.dimension() == Dimension::faces) return {say<Code::loose_beside_faces>(loose)};
+    return {say<Code::loose_beside_solids>(loose)};
 }
 
 }  // namespace
@@ -425,7 +417,7 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
     const MergedEntities& merged = options.known ? *options.known : *own;
     WantedLength wanted(sizing);
     EdgesBeside beside;
-    std::set<std::string> refined;
+    std::vector<std::vector<Message>> refined;
     for (int attempt = 1;; ++attempt) {
         std::optional<SurfaceFiller> filler;
         const EdgesBeside* known_beside = options.narrow == NarrowFaces::own_chains ? nullptr : &beside;
@@ -443,17 +435,16 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
         const Crossings found = crossing_triangles(brep, result.mesh, before.triangles, context);
         const TrianglePairs& crossings = found.within;
         if (crossings.empty()) {
-            std::vector<std::string> notes = merged.warnings();
+            std::vector<Message> notes = merged.warnings();
             if (!found.between.empty()) notes.push_back(warning_of_contact(brep, result.mesh, found.between));
-            for (const std::string& line : warnings_of_enclosed(brep, result.mesh)) notes.push_back(line);
-            for (const std::string& line : warnings_of_loose(brep)) notes.push_back(line);
+            for (const Message& line : warnings_of_enclosed(brep, result.mesh)) notes.push_back(line);
+            for (const Message& line : warnings_of_loose(brep)) notes.push_back(line);
             result.report.warnings.insert(result.report.warnings.end(), notes.begin(), notes.end());
-            for (const std::string& names : refined)
-                result.report.warnings.push_back(
-                    "The mesh is finer than asked where these faces are near each other: " + names + ".");
+            for (const std::vector<Message>& names : refined)
+                result.report.warnings.push_back(say<Code::finer_between_near_faces>(names));
             return result;
         }
-        const std::string names = names_of(result.mesh, crossings);
+        const FacePairs pairs = pairs_of(result.mesh, crossings);
         // Thin walls part as the mesh gets finer; a shape that crosses itself only gets more crossings.
         if (attempt == 1) crossings_at_first = crossings.size();
         times_grown = attempt > 1 && crossings.size() > crossings_before ? times_grown + 1 : 0;
@@ -466,11 +457,9 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
             other.known = &merged, other.narrow = NarrowFaces::own_chains;
             return fill_surface(brep, sizing, taken_back(std::move(result)), context, other);
         }
-        if (is_last || is_hopeless)
-            throw MeshError("These faces cross each other: " + names_of(result.mesh, crossings, true) +
-                            ". The shape intersects itself (Part: Check geometry), or is thinner there than any mesh "
-                            "of this size can follow; repair the feature, or ask for a smaller size on these faces.");
-        refined.insert(names);
+        if (is_last || is_hopeless) throw MeshError(say<Code::faces_cross>(places_of(result.mesh, pairs)));
+        const std::vector<Message> names = names_of(pairs);
+        if (std::find(refined.begin(), refined.end(), names) == refined.end()) refined.push_back(names);
         ask_for_less(wanted, result.mesh, crossings);
         kept = std::move(result.mesh);
         cut_back(kept, before);

@@ -2,10 +2,10 @@
 // Fills the CAD edges and faces that are not meshed yet.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/message.h"
 #include "core/run_context.h"
 #include "mesh/mesh.h"
 #include "sizing/sizing_field.h"
@@ -28,9 +28,9 @@ struct SurfaceOptions {
 
 struct SurfaceReport {
     std::size_t new_nodes = 0, new_triangles = 0;
-    double min_angle_deg = 180;         ///< smallest angle of a new triangle
-    bool has_opposite_nodes = false;    ///< another choice of NarrowFaces gives another surface
-    std::vector<std::string> warnings;  ///< e.g. a face that had to be meshed finer than asked
+    double min_angle_deg = 180;       ///< smallest angle of a new triangle
+    bool has_opposite_nodes = false;  ///< another choice of NarrowFaces gives another surface
+    std::vector<Message> warnings;    ///< e.g. a face that had to be meshed finer than asked
 };
 
 /// How much of a mesh there is.

@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 
+#include "core/messages.h"
 #include "core/numbers_in_words.h"
 #include "core/sorted_pair.h"
 #include "surface/projection.h"
@@ -155,16 +156,6 @@ bool runs_along(const Brep& brep, const Projector& projector, EdgeId edge, EdgeI
     });
 }
 
-std::string listed(const std::vector<Entity>& entities) {
-    constexpr std::size_t most = 6;
-    std::string names;
-    for (std::size_t i = 0; i < entities.size(); ++i) {
-        if (i == most) return names + " and " + std::to_string(entities.size() - most) + " more";
-        names += (names.empty() ? "" : ", ") + name_of(entities[i]);
-    }
-    return names;
-}
-
 }  // namespace
 
 MergedEntities::MergedEntities(const Brep& brep, double ignore_below)
@@ -244,7 +235,7 @@ bool MergedEntities::is_same_as(const MergedEntities& other) const {
            is_point == other.is_point && is_flat == other.is_flat;
 }
 
-std::vector<std::string> MergedEntities::warnings() const {
+std::vector<Message> MergedEntities::warnings() const {
     std::vector<Entity> vertices, edges, faces;
     for (std::size_t v = 0; v < vertex_of.size(); ++v)
         if (vertex_of[v] != VertexId(v)) vertices.push_back(entity_of(VertexId(v)));
@@ -252,14 +243,12 @@ std::vector<std::string> MergedEntities::warnings() const {
         if (is_point[e]) edges.push_back(entity_of(EdgeId(e)));
     for (std::size_t f = 0; f < is_flat.size(); ++f)
         if (is_flat[f]) faces.push_back(entity_of(FaceId(f)));
-    std::vector<std::string> lines;
-    const std::string near =
-        is_wide_ ? "Nearer to another vertex than " + in_words(tolerance_, 3) + " mm, so that they share its node: "
-                 : "In the place of another vertex within a millionth of the part, with which "
-                   "they share a node: ";
-    if (!vertices.empty()) lines.push_back(near + listed(vertices) + ".");
-    if (!edges.empty()) lines.push_back("Too short for an element of their own: " + listed(edges) + ".");
-    if (!faces.empty()) lines.push_back("Too narrow for elements of their own: " + listed(faces) + ".");
+    std::vector<Message> lines;
+    if (!vertices.empty())
+        lines.push_back(is_wide_ ? say<Code::vertices_nearer_than>(Length{rounded(tolerance_, 3)}, vertices)
+                                 : say<Code::vertices_in_one_place>(vertices));
+    if (!edges.empty()) lines.push_back(say<Code::edges_too_short>(edges));
+    if (!faces.empty()) lines.push_back(say<Code::faces_too_narrow>(faces));
     return lines;
 }
 

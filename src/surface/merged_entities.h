@@ -2,11 +2,11 @@
 // CAD vertices, edges and faces that are too near one another for any mesh to tell them apart.
 #pragma once
 
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/message.h"
 #include "surface/projection.h"
 
 namespace featuremesh {
@@ -28,7 +28,7 @@ struct MergedEntities {
 
     bool is_same_as(const MergedEntities& other) const;
     /// What the user should know of it.
-    std::vector<std::string> warnings() const;
+    std::vector<Message> warnings() const;
 
   private:
     /// The vertices along an edge that is not closed, its ends first and last.

@@ -6,6 +6,7 @@
 
 #include "core/box_tree.h"
 #include "core/errors.h"
+#include "core/messages.h"
 #include "mesh/second_order.h"
 #include "mesh/triangle_uses.h"
 
@@ -379,12 +380,9 @@ class Transfer {
 
 TransferredField transfer_field(const Mesh& old_mesh, const Mesh& new_mesh, std::span<const double> values,
                                 double same_place, RunContext& context) {
-    if (old_mesh.tets.empty() || old_mesh.node_count() == 0)
-        throw InputError("The old mesh has no elements to take values from.");
+    if (old_mesh.tets.empty() || old_mesh.node_count() == 0) throw InputError(say<Code::no_values>());
     if (values.empty() || values.size() % old_mesh.node_count() != 0)
-        throw InputError(std::to_string(values.size()) + " values do not fit the " +
-                         std::to_string(old_mesh.node_count()) +
-                         " nodes of the old mesh; give as many rows as it has nodes.");
+        throw InputError(say<Code::values_misfit>(values.size(), old_mesh.node_count()));
     return Transfer(old_mesh, new_mesh, values, context).run(same_place);
 }
 

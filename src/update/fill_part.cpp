@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "update/fill_part.h"
 
-#include <Standard_Failure.hxx>
-#include <new>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "core/errors.h"
+#include "core/messages.h"
 #include "mesh/second_order.h"
 #include "mesh/tets_at_nodes.h"
 #include "surface/turned_triangles.h"
+#include "update/our_errors.h"
 #include "update/shell_division.h"
 #include "volume/curved/mid_side_nodes.h"
 
@@ -22,7 +22,7 @@ namespace {
 struct Attempt {
     std::optional<Filled> filled;
     double smallest_jacobian = 1;  ///< scaled, of 10-node tetrahedra
-    std::string refusal;
+    Message refusal;
     SizeRequest request;
     bool has_narrow_faces = false;  ///< whose edges may be divided in another way
 };
@@ -55,8 +55,8 @@ void validate(const Mesh& mesh, const Brep& brep, Kept kept, std::size_t first_n
         if (const std::vector<SolidId> off = solids_off_volume(mesh, brep, expected.volume_tolerance); !off.empty())
             attempt.request = for_volume_of(mesh, brep, off.front());
     if (!broken.empty()) {
-        attempt.refusal = "The mesh is not valid: " + broken.front() +
-                          (broken.size() > 1 ? " (and " + std::to_string(broken.size() - 1) + " more)" : "") + ".";
+        attempt.refusal = broken.size() == 1 ? say<Code::mesh_not_valid>(broken.front())
+                                             : say<Code::mesh_not_valid_more>(broken.front(), broken.size() - 1);
         return;
     }
     const std::vector<TriangleId> turned = turned_triangles(brep, mesh, expected.is_unproven, context);
@@ -91,7 +91,7 @@ SizeRequest for_bent_triangles(const Brep& brep, const Mesh& mesh, std::size_t k
         const auto& [a, b, c] = mesh.triangles[t];
         const Vec3 p = mesh.point(a), q = mesh.point(b), r = mesh.point(c);
         request.lengths.push_back({(p + q + r) / 3, 0.5 * std::max({distance(p, q), distance(q, r), distance(r, p)})});
-        if (request.place.empty()) request.place = name_of(entity_of(mesh.triangle_faces[t]));
+        if (request.place.empty()) request.place = as_parameter(mesh.triangle_faces[t]);
     }
     return request;
 }
@@ -102,11 +102,7 @@ void ask_for_bent_shells(const Brep& brep, const Mesh& mesh, std::size_t kept, A
     SizeRequest request = for_bent_triangles(brep, mesh, kept, smallest);
     if (request.is_empty()) return;
     attempt.smallest_jacobian = std::min(attempt.smallest_jacobian, smallest);
-    if (!(smallest > 0))
-        attempt.refusal = std::to_string(request.lengths.size()) + " 6-node triangles would be folded near " +
-                          request.place +
-                          ": the face bends too much within one element. Ask for a smaller size there, or for 3-node "
-                          "triangles.";
+    if (!(smallest > 0)) attempt.refusal = say<Code::triangles_folded>(request.lengths.size(), request.place);
     attempt.request = std::move(request);
 }
 
@@ -137,10 +133,7 @@ void fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult surf
         attempt.smallest_jacobian = second.smallest;
         attempt.request = {SizeReason::folded, std::move(second.place), std::move(second.shorter)};
         if (!second.is_valid()) {
-            attempt.refusal = std::to_string(attempt.request.lengths.size()) +
-                              " 10-node tetrahedra would be folded near " + attempt.request.place +
-                              ": the face bends too much within one element. Ask for a smaller size there, or for "
-                              "4-node tetrahedra.";
+            attempt.refusal = say<Code::tets_folded>(attempt.request.lengths.size(), attempt.request.place);
             return;
         }
         mesh = std::move(second.mesh);
@@ -178,23 +171,15 @@ void take_surface(const Brep& brep, const SizingField&, SurfaceResult surface, K
 /// The only place where what stages throw becomes a value: each says what, where and what to try.
 template <class Function>
 void note_refusal(Attempt& attempt, Function work) {
-    const std::string advice = ". Try another size, or check the shape (Part: Check geometry).";
-    const auto first_line = [](const char* text) { return std::string(text).substr(0, std::string(text).find('\n')); };
     try {
-        work();
+        with_our_errors(work);
     } catch (const Cancelled&) {
         throw;
     } catch (const InputError&) {
         throw;
     } catch (const Error& failure) {
-        attempt.refusal = failure.what();
-    } catch (const Standard_Failure& failure) {
-        attempt.refusal =
-            "The geometry kernel failed while meshing: " + first_line(failure.GetMessageString()) + advice;
-    } catch (const std::bad_alloc&) {
-        throw MeshError("There is not enough memory for this mesh. Choose a larger size.");
-    } catch (const std::exception& failure) {
-        attempt.refusal = "The part could not be filled: " + first_line(failure.what()) + advice;
+        if (failure.message.code() == Code::out_of_memory) throw;
+        attempt.refusal = failure.message;
     }
 }
 
@@ -215,7 +200,7 @@ class SizeLoop {
         if (!kept_.merged) kept_.merged = std::make_shared<const MergedEntities>(brep, options_.ignored_below);
     }
 
-    std::variant<Filled, std::string> run() {
+    std::variant<Filled, Message> run() {
         for (;;) {
             Attempt attempt = try_once();
             if (attempt.filled) offer(attempt);
@@ -253,16 +238,13 @@ class SizeLoop {
         if (best_ && attempt.smallest_jacobian <= best_jacobian_) return;
         best_ = std::move(attempt.filled);
         best_jacobian_ = attempt.smallest_jacobian;
-        for (const std::string& place : places_)
-            best_->surface.warnings.push_back("The mesh is finer than asked at " + place +
-                                              ", because elements of that size cannot follow the part there.");
-        for (const std::string& place : folded_places_)
-            best_->surface.warnings.push_back(
-                "The mesh is finer than asked at " + place +
-                (brep_.dimension() == Dimension::solids
-                     ? ", because 10-node tetrahedra of that size would be folded, or nearly so, by the curved face."
-                     : ", because 6-node triangles of that size would be folded, or nearly so, by the curved face."));
-        if (!why_plain_.empty()) best_->surface.warnings.push_back(in_words_of_plain_size(why_plain_));
+        for (const std::vector<Entity>& place : places_)
+            best_->surface.warnings.push_back(say<Code::finer_to_follow>(place));
+        const bool has_tets = brep_.dimension() == Dimension::solids;
+        for (const std::vector<Entity>& place : folded_places_)
+            best_->surface.warnings.push_back(has_tets ? say<Code::finer_for_curved_tets>(place)
+                                                       : say<Code::finer_for_curved_triangles>(place));
+        if (!why_plain_.empty()) best_->surface.warnings.push_back(say<Code::narrow_faces_plain>(why_plain_));
     }
 
     bool is_good_enough(const Attempt& attempt) const {
@@ -277,7 +259,7 @@ class SizeLoop {
                (is_refused && !best_ && (change_last_lengths(attempt) || leave_narrow_faces_coarse(attempt)));
     }
 
-    void note(const Attempt& attempt, std::string reason, const std::string& place, std::string change) {
+    void note(const Attempt& attempt, std::string reason, const std::vector<Entity>& place, std::string change) {
         rounds_.push_back({std::move(reason), place, std::move(change), attempt.refusal});
     }
 
@@ -347,7 +329,7 @@ class SizeLoop {
         field_ = make_sizing(brep_, options_.sizing, all, context_);
     }
 
-    std::variant<Filled, std::string> outcome(const Attempt& attempt) {
+    std::variant<Filled, Message> outcome(const Attempt& attempt) {
         if (!best_) return attempt.refusal;
         best_->sizing = plain_;
         best_->refines_narrow_faces = options_.sizing.refines_narrow_faces;
@@ -365,8 +347,8 @@ class SizeLoop {
     RunContext& context_;
     const std::size_t first_round_ = rounds_.size();
     NarrowFaces narrow_ = NarrowFaces::opposite_nodes;
-    std::set<std::string> places_, folded_places_;
-    std::string why_plain_;
+    std::set<std::vector<Entity>> places_, folded_places_;
+    Message why_plain_;
     std::size_t first_of_last_ = 0;
     int failures_ = 0, valid_ = 0;
     std::optional<Filled> best_;
@@ -389,10 +371,6 @@ Expectation expectation_of(const Brep& brep) {
     return expected;
 }
 
-std::string in_words_of_plain_size(const std::string& why) {
-    return "Faces far narrower than the size are meshed at the plain size, since shorter edges failed: " + why;
-}
-
 Kept nothing_kept(NextNumbers next) {
     Kept nothing;
     nothing.mesh.next_node_number = next.node;
@@ -400,9 +378,9 @@ Kept nothing_kept(NextNumbers next) {
     return nothing;
 }
 
-std::variant<Filled, std::string> fill_part(const Brep& brep, const SizingField& sizing, Kept kept,
-                                            const MeshOptions& options, std::span<const SizeSource> sources,
-                                            std::vector<Round>& rounds, RunContext& context) {
+std::variant<Filled, Message> fill_part(const Brep& brep, const SizingField& sizing, Kept kept,
+                                        const MeshOptions& options, std::span<const SizeSource> sources,
+                                        std::vector<Round>& rounds, RunContext& context) {
     return SizeLoop(brep, sizing, std::move(kept), options, sources, rounds, context).run();
 }
 

@@ -4,11 +4,11 @@
 
 #include <optional>
 #include <span>
-#include <string>
 #include <variant>
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/message.h"
 #include "core/run_context.h"
 #include "mesh/mesh.h"
 #include "mesh/validation.h"
@@ -37,17 +37,14 @@ struct Filled {
     bool refines_narrow_faces = false;       ///< the sizing does
 };
 
-/// The warning where narrow faces are not refined.
-std::string in_words_of_plain_size(const std::string& why);
-
 /// What to fill a full mesh from.
 Kept nothing_kept(NextNumbers next);
 
 /// Surface, volume (of solids only), mid-side nodes and validation of all that is not kept. Whatever finds that a place
 /// needs other lengths asks for them, and all is filled again with these, as often as `rounds` leaves room for; each is
 /// noted there. `sources` are the field's own. The refusal of the last where no valid mesh can be made.
-std::variant<Filled, std::string> fill_part(const Brep& brep, const SizingField& sizing, Kept kept,
-                                            const MeshOptions& options, std::span<const SizeSource> sources,
-                                            std::vector<Round>& rounds, RunContext& context);
+std::variant<Filled, Message> fill_part(const Brep& brep, const SizingField& sizing, Kept kept,
+                                        const MeshOptions& options, std::span<const SizeSource> sources,
+                                        std::vector<Round>& rounds, RunContext& context);
 
 }  // namespace featuremesh

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/errors.h"
+#include "core/messages.h"
 #include "mesh/second_order.h"
 #include "mesh/side_table.h"
 #include "mesh/triangle_uses.h"
@@ -47,9 +48,7 @@ class Fitter {
         sort_into_solids();
         name_reasons();
         if (std::count(solid_of_.begin(), solid_of_.end(), SolidId()) == std::ptrdiff_t(solid_of_.size()))
-            throw InputError("No element of the mesh fits the part" +
-                             (fit_.reasons.empty() ? "" : ": " + fit_.reasons.front()) +
-                             ". Choose the object it was made of, or mesh the part anew.");
+            throw InputError(say<Code::nothing_fits>(fit_.reasons));
         assemble();
         return std::move(fit_);
     }
@@ -161,27 +160,18 @@ class Fitter {
 
     void name_reasons() {
         const Misfits& misfits = surface_.misfits;
-        count(inverted_, "elements are inverted, flat or folded");
-        count(misfits.overlaps, "triangles have elements that overlap");
-        count(misfits.nodes_off_surface, "boundary nodes are off the surface");
-        count(misfits.triangles_on_no_face, "boundary triangles lie on no face");
-        count(misfits.sides_on_no_edge, "sides between faces follow no edge");
-        list(misfits.open_edges, "not followed by the mesh");
-        list(misfits.open_faces, "not covered by the mesh");
-        count(outside_, "elements are outside the part");
+        count<Code::misfit_inverted>(inverted_);
+        count<Code::misfit_overlaps>(misfits.overlaps);
+        count<Code::misfit_nodes>(misfits.nodes_off_surface);
+        count<Code::misfit_triangles>(misfits.triangles_on_no_face);
+        count<Code::misfit_sides>(misfits.sides_on_no_edge);
+        if (!misfits.open_edges.empty()) fit_.reasons.push_back(say<Code::misfit_edges>(misfits.open_edges));
+        if (!misfits.open_faces.empty()) fit_.reasons.push_back(say<Code::misfit_faces>(misfits.open_faces));
+        count<Code::misfit_outside>(outside_);
     }
-    void count(std::size_t number, const char* what) {
-        if (number > 0) fit_.reasons.push_back(std::to_string(number) + " " + what);
-    }
-    template <class Id>
-    void list(const std::vector<Id>& ids, const char* what) {
-        constexpr std::size_t most = 6;
-        if (ids.empty()) return;
-        std::string names;
-        for (std::size_t i = 0; i < std::min(most, ids.size()); ++i)
-            names += (i ? ", " : "") + name_of(entity_of(ids[i]));
-        if (ids.size() > most) names += " and " + std::to_string(ids.size() - most) + " more";
-        fit_.reasons.push_back(names + (ids.size() > 1 ? " are " : " is ") + what);
+    template <Code code>
+    void count(std::size_t number) {
+        if (number > 0) fit_.reasons.push_back(say<code>(number));
     }
 
     void assemble() {

@@ -2,9 +2,9 @@
 // What of another maker's mesh fits a shape, as a kept mesh of ours.
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "core/message.h"
 #include "core/run_context.h"
 #include "update/foreign_surface.h"
 #include "update/keep.h"
@@ -14,8 +14,8 @@ namespace featuremesh {
 struct ForeignFit {
     Kept kept;  ///< origins are indices in the foreign mesh; no rim, nothing is proven yet
     std::size_t released_tets = 0;
-    std::size_t moved_mids = 0;        ///< mid-side nodes off the surface: their elements stay, and get new ones on it
-    std::vector<std::string> reasons;  ///< why tets were released, in words
+    std::size_t moved_mids = 0;    ///< mid-side nodes off the surface: their elements stay, and get new ones on it
+    std::vector<Message> reasons;  ///< why tets were released
 };
 
 /// Takes points, numbers and connectivity of a foreign mesh as they are (all else is found anew) and releases the tets

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "update/part_mesh.h"
 
-#include <Standard_Failure.hxx>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,9 +9,11 @@
 #include <set>
 #include <span>
 #include <utility>
+#include <variant>
 
 #include "cells/cells_without_fuse.h"
 #include "core/errors.h"
+#include "core/messages.h"
 #include "core/numbers_in_words.h"
 #include "core/peak_memory.h"
 #include "mesh/validation.h"
@@ -24,6 +24,7 @@
 #include "update/fill_part.h"
 #include "update/foreign_fit.h"
 #include "update/keep.h"
+#include "update/our_errors.h"
 #include "update/thin_tets.h"
 #include "volume/curved/mid_side_nodes.h"
 
@@ -35,62 +36,41 @@ namespace {
 // ones and in global sizes. A detail with tiny elements anywhere is no reason to look that closely at all that changed.
 constexpr double resolution_of_changes = 1.0 / 3, finest_resolution_needed = 0.5, coarsest_resolution_needed = 0.05;
 
-/// The refinement, as the user knows it, without which there would be less than half of so many elements; nothing where
-/// no single one is to blame.
-std::string refinement_to_blame(const Brep& brep, const SizingOptions& options, double elements, RunContext& context) {
-    std::string name;
+/// The refinement without which there would be less than half of so many elements; nothing where no single one is to
+/// blame.
+std::variant<std::monostate, SizeZone, LocalSize> refinement_to_blame(const Brep& brep, const SizingOptions& options,
+                                                                      double elements, RunContext& context) {
+    std::variant<std::monostate, SizeZone, LocalSize> blamed;
     double least = 0.5 * elements;
-    const auto try_without = [&](const SizingOptions& others, const std::string& refinement, double size) {
-        const double left = estimate_elements(brep, make_sizing(brep, others, {}, context), context);
-        if (left >= least) return;
-        least = left;
-        name = refinement + " with a size of " + in_words(size, 3) + " mm";
+    const auto try_without = [&](auto SizingOptions::*refinements) {
+        for (std::size_t i = 0; i < (options.*refinements).size(); ++i) {
+            SizingOptions others = options;
+            (others.*refinements).erase((others.*refinements).begin() + std::ptrdiff_t(i));
+            const double left = estimate_elements(brep, make_sizing(brep, others, {}, context), context);
+            if (left >= least) continue;
+            least = left;
+            blamed = (options.*refinements)[i];
+        }
     };
-    for (std::size_t z = 0; z < options.zones.size(); ++z) {
-        SizingOptions others = options;
-        others.zones.erase(others.zones.begin() + std::ptrdiff_t(z));
-        try_without(others, "The refinement " + options.zones[z].name, options.zones[z].inner);
-    }
-    for (std::size_t l = 0; l < options.local.size(); ++l) {
-        SizingOptions others = options;
-        others.local.erase(others.local.begin() + std::ptrdiff_t(l));
-        try_without(others, "The refinement at " + name_of(options.local[l].entity), options.local[l].size);
-    }
-    return name;
+    try_without(&SizingOptions::zones);
+    try_without(&SizingOptions::local);
+    return blamed;
 }
 
 /// What is wrong with so many tets, if there are too many.
-std::string if_too_many(const Brep& brep, const SizingField& sizing, const MeshOptions& options, RunContext& context) {
+Message if_too_many(const Brep& brep, const SizingField& sizing, const MeshOptions& options, RunContext& context) {
     if (brep.dimension() == Dimension::solids && !may_ask_for_more_tets(brep, sizing, options.most_tets)) return {};
     const double tets = estimate_elements(brep, sizing, context);
     if (tets <= options.most_tets) return {};
-    const std::string many = std::to_string(std::llround(tets / 1e6)) + " million elements; at most " +
-                             std::to_string(std::llround(options.most_tets / 1e6));
-    const std::string refinement = refinement_to_blame(brep, options.sizing, tets, context);
-    if (!refinement.empty())
-        return refinement + " would make about " + many + " million are made. Choose a larger size there.";
-    return "A size of " + in_words(options.sizing.size) + " mm would make about " + many +
-           " million are made. Choose a larger size.";
-}
-
-std::string first_line(const char* text) { return std::string(text).substr(0, std::string(text).find('\n')); }
-
-/// What the libraries throw becomes one of our errors.
-template <class Function>
-auto with_our_errors(Function work) {
-    const std::string advice = ". Try another size, or check the shape (Part: Check geometry).";
-    try {
-        return work();
-    } catch (const Error&) {
-        throw;
-    } catch (const Standard_Failure& failure) {
-        throw KernelError("The geometry kernel failed while meshing: " + first_line(failure.GetMessageString()) +
-                          advice);
-    } catch (const std::bad_alloc&) {
-        throw MeshError("There is not enough memory for this mesh. Choose a larger size.");
-    } catch (const std::exception& failure) {
-        throw MeshError("The part could not be filled: " + first_line(failure.what()) + advice);
-    }
+    const auto millions = [](double count) { return std::llround(count / 1e6); };
+    const auto refinement = refinement_to_blame(brep, options.sizing, tets, context);
+    if (const auto* zone = std::get_if<SizeZone>(&refinement))
+        return say<Code::zone_makes_too_many>(zone->name, Length{zone->inner}, millions(tets),
+                                              millions(options.most_tets));
+    if (const auto* local = std::get_if<LocalSize>(&refinement))
+        return say<Code::local_size_makes_too_many>(local->entity, Length{local->size}, millions(tets),
+                                                    millions(options.most_tets));
+    return say<Code::too_many_elements>(Length{options.sizing.size}, millions(tets), millions(options.most_tets));
 }
 
 /// Of the elements that fill the part.
@@ -112,7 +92,7 @@ void record_mesh(const Mesh& mesh, const PartState& part, const SizingField& siz
     report.size = options.sizing.size;
     report.quality = measure_quality(mesh, context);
     report.lengths = measure_size_conformity(mesh, sizing);
-    for (const std::string& line : warnings_of_thin_tets(mesh, report.quality)) report.warnings.push_back(line);
+    for (const Message& line : warnings_of_thin_tets(mesh, report.quality)) report.warnings.push_back(line);
 }
 
 void record_fill(const Filled& filled, Report& report) {
@@ -124,22 +104,15 @@ void record_fill(const Filled& filled, Report& report) {
 
 void record_run(const PartMesh& now, const RunContext& context, double total, Report& report) {
     const SizingOptions& sizing = now.options.sizing;
-    for (const std::string& line : lost_sizes(now.part.brep, sizing)) report.warnings.push_back(line);
-    for (const std::string& line : warnings_of_thin_rods(now.part.brep, sizing)) report.warnings.push_back(line);
-    for (const std::string& line : notes_on_zones(now.part.brep, sizing, now.mesh.points))
-        report.warnings.push_back(line);
+    for (const Message& line : lost_sizes(now.part.brep, sizing)) report.warnings.push_back(line);
+    for (const Message& line : warnings_of_thin_rods(now.part.brep, sizing)) report.warnings.push_back(line);
+    for (const Message& line : notes_on_zones(now.part.brep, sizing, now.mesh.points)) report.warnings.push_back(line);
     report.seconds = context.seconds();
     for (const char* step : {"read", "difference", "keep", "surface", "volume", "optimise", "validate", "measure"})
         report.seconds.try_emplace(step, 0.0);
     report.seconds["engine_total"] = total;
     report.peak_memory_mb = peak_memory_mb();
     report.warnings.insert(report.warnings.end(), now.part.tree.notes.begin(), now.part.tree.notes.end());
-}
-
-std::string listed(const std::vector<std::string>& lines) {
-    std::string text;
-    for (const std::string& line : lines) text += (text.empty() ? "" : ", ") + line;
-    return text;
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -202,20 +175,18 @@ bool ignore_the_same(const MeshOptions& old, const MeshOptions& now) {
 
 void check_ignored(const MeshOptions& options) {
     if (std::isfinite(options.ignore_below) && options.ignore_below <= 0.5 * options.sizing.size) return;
-    throw InputError("Details below " + in_words(options.ignore_below) +
-                     " mm cannot be ignored; at most those below half of the mesh size of " +
-                     in_words(options.sizing.size) + " mm can be.");
+    throw InputError(say<Code::ignored_too_large>(Length{options.ignore_below}, Length{options.sizing.size}));
 }
 
-/// What of the old mesh may be kept, or why nothing can.
-std::string reason_for_full_mesh(const PartMesh& old, const MeshOptions& options) {
-    if (old.options.order != options.order) return "the element order changed";
+/// Why nothing of the old mesh can be kept, if nothing can.
+Message reason_for_full_mesh(const PartMesh& old, const MeshOptions& options) {
+    if (old.options.order != options.order) return say<Code::order_changed>();
     const double ratio = options.sizing.size / old.options.sizing.size;
-    if (!ignore_the_same(old.options, options)) return "other details are ignored";
-    if (std::max(ratio, 1 / ratio) > 1.2) return "the global size changed by more than 1.2 times";
+    if (!ignore_the_same(old.options, options)) return say<Code::other_details_ignored>();
+    if (std::max(ratio, 1 / ratio) > 1.2) return say<Code::global_size_changed>();
     if (options.sizing.elements_across_gap >= elements_that_bend &&
         old.options.sizing.elements_across_gap < elements_that_bend)
-        return "elements may not span thin walls any more";
+        return say<Code::walls_not_spanned>();
     return {};
 }
 
@@ -293,17 +264,17 @@ class Stages {
         const RunContext::Step step(context_, "surface");
         adopted_sizes_ = std::move(adopted_sizes);
         sizing_ = featuremesh::make_sizing(part_->brep, options_.sizing, adopted_sizes_, context_);
-        if (const std::string why = if_too_many(part_->brep, *sizing_, options_, context_); !why.empty())
+        if (const Message why = if_too_many(part_->brep, *sizing_, options_, context_); !why.empty())
             throw InputError(why);
     }
 
     /// What the edit did. False where that cannot be told, so that nothing can be kept.
     bool compare_with(const PartState& before) {
-        std::string why;
+        Message why;
         if (attempt(why,
                     [&] { report_.difference = compare(before, *part_, resolution(*sizing_, options_), context_); }))
             return true;
-        report_.fallbacks.push_back("full mesh: what changed could not be found: " + why);
+        report_.fallbacks.push_back(say<Code::full_mesh>(say<Code::changes_not_found>(why)));
         part_ = read_part_to_mesh(document_, context_, nullptr, options_.dimension);
         return false;
     }
@@ -313,10 +284,10 @@ class Stages {
         MeshOptions filling = options_;
         filling.volume.moves_kept_nodes = true;
         double share_tried = 0;  // of the part, by all attempts
-        why_nothing_ = "full mesh: nothing could be kept";
+        why_nothing_ = say<Code::nothing_kept>();
         const double smallest_margin = margin_of(options_, *sizing_);
         for (const double margin : {smallest_margin, 2 * smallest_margin}) {
-            std::string why;
+            Message why;
             const bool is_kept = attempt(why, [&] {
                 kept_ = keep({old.mesh, old.part.brep, part_->brep, report_.difference, old.sizing, *sizing_,
                               old.made_for, margin, old.options.sizing == options_.sizing, options_.ignored_below},
@@ -325,61 +296,60 @@ class Stages {
             if (is_kept) {
                 const double share = share_to_fill(kept_, old.mesh, dimension());
                 if (share_tried > 0 && share_tried + share > 1) {
-                    why_nothing_ = "full mesh: keeping still less would take longer than meshing the part anew";
+                    why_nothing_ = say<Code::keeping_less_not_worth>();
                     return;
                 }
                 share_tried += share;
                 if (kept_.node_origin.empty()) {
-                    why_nothing_ = "full mesh: no element of the old mesh is clear of what changed";
+                    why_nothing_ = say<Code::nothing_clear_of_changes>();
                     return;
                 }
                 if (fill_gaps(filling, why)) return;
             }
-            report_.fallbacks.push_back("keeping everything further than " + in_words(margin) +
-                                        " edge lengths from the change failed: " + why);
+            report_.fallbacks.push_back(say<Code::keeping_failed>(margin, why));
             report_.rounds.push_back({"kept elements", {}, "less is kept", why});
         }
     }
 
     /// Keeps what of another maker's mesh fits the part; less where that cannot be filled.
     void fill_beside_fitting(const Mesh& foreign) {
-        why_nothing_ = "full mesh: nothing could be kept";
+        why_nothing_ = say<Code::nothing_kept>();
         for (const int more_layers : {0, 2}) {
             ForeignFit fit = fit_to_shape(part_->brep, foreign, more_layers, context_);
             if (more_layers == 0) tell_misfits(fit, foreign);
             kept_ = std::move(fit.kept);
-            std::string why;
+            Message why;
             if (fill_gaps(options_, why)) return;
-            report_.fallbacks.push_back("keeping all that fits failed: " + why);
+            report_.fallbacks.push_back(say<Code::keeping_what_fits_failed>(why));
             report_.rounds.push_back({"kept elements", {}, "less is kept", why});
         }
     }
 
-    void give_up_keeping(std::string why) { why_nothing_ = std::move(why); }
+    void give_up_keeping(Message why) { why_nothing_ = std::move(why); }
 
     /// A full mesh where nothing has been kept, with numbers that nothing has had. Shorter pieces along narrow faces
     /// are asked for anew.
     void fill_rest(NextNumbers next) {
         if (filled_) return;
-        if (!why_nothing_.empty()) report_.fallbacks.push_back(why_nothing_);
+        if (!why_nothing_.empty()) report_.fallbacks.push_back(say<Code::full_mesh>(why_nothing_));
         node_origin_.clear(), tet_origin_.clear(), report_.kept.clear();
         for (const bool refines : {true, false}) {
             const RunContext::Step step(context_, "surface");
             options_.sizing.refines_narrow_faces = refines;
             sizing_ = featuremesh::make_sizing(part_->brep, options_.sizing, adopted_sizes_, context_);
-            const std::string why = if_too_many(part_->brep, *sizing_, options_, context_);
+            const Message why = if_too_many(part_->brep, *sizing_, options_, context_);
             if (why.empty()) break;
             if (!refines) throw InputError(why);
             report_.rounds.push_back({"narrow faces", {}, "the plain size along them", why});
-            report_.warnings.push_back(in_words_of_plain_size(why));
+            report_.warnings.push_back(say<Code::narrow_faces_plain>(why));
         }
         options_.ignored_below = std::max(0.0, options_.ignore_below);
         auto whole = fill_all(next);
-        if (const auto* refusal = std::get_if<std::string>(&whole); refusal && ignores_details(*refusal)) {
+        if (const auto* refusal = std::get_if<Message>(&whole); refusal && ignores_details(*refusal)) {
             auto without_details = fill_all(next);
             if (std::holds_alternative<Filled>(without_details)) whole = std::move(without_details);
         }
-        if (const auto* refusal = std::get_if<std::string>(&whole)) throw MeshError(*refusal);
+        if (const auto* refusal = std::get_if<Message>(&whole)) throw MeshError(*refusal);
         take(std::get<Filled>(std::move(whole)));
     }
 
@@ -407,7 +377,7 @@ class Stages {
   private:
     /// Whether the kernel could do it; why not, else.
     template <class Function>
-    bool attempt(std::string& why, Function work) {
+    bool attempt(Message& why, Function work) {
         try {
             with_our_errors([&] { work(); });
             return true;
@@ -415,18 +385,18 @@ class Stages {
             throw;
         } catch (const Error& failure) {
             context_.check_cancelled();
-            why = failure.what();
+            why = failure.message;
             return false;
         }
     }
 
-    std::variant<Filled, std::string> fill_all(NextNumbers next) {
+    std::variant<Filled, Message> fill_all(NextNumbers next) {
         return fill_part(part_->brep, *sizing_, nothing_kept(next), options_, adopted_sizes_, report_.rounds, context_);
     }
 
     /// Whether the part, refused as it is, may be filled without what is too small for elements of its own, and has
     /// anything so small.
-    bool ignores_details(const std::string& refusal) {
+    bool ignores_details(const Message& refusal) {
         constexpr double share_of_size = 1e-3;
         if (options_.ignore_below != 0) return false;
         double smallest = options_.sizing.size;
@@ -438,7 +408,7 @@ class Stages {
         return true;
     }
 
-    bool fill_gaps(const MeshOptions& options, std::string& why) {
+    bool fill_gaps(const MeshOptions& options, Message& why) {
         node_origin_ = std::move(kept_.node_origin);
         tet_origin_ = std::move(dimension() == Dimension::solids  ? kept_.tet_origin
                                 : dimension() == Dimension::faces ? kept_.triangle_origin
@@ -446,7 +416,7 @@ class Stages {
         report_.kept = std::move(kept_.by_motion);
         auto filled =
             fill_part(part_->brep, *sizing_, std::move(kept_), options, adopted_sizes_, report_.rounds, context_);
-        if (auto* refusal = std::get_if<std::string>(&filled)) return why = std::move(*refusal), false;
+        if (auto* refusal = std::get_if<Message>(&filled)) return why = std::move(*refusal), false;
         take(std::get<Filled>(std::move(filled)));
         return true;
     }
@@ -459,12 +429,9 @@ class Stages {
 
     void tell_misfits(const ForeignFit& fit, const Mesh& foreign) {
         if (fit.released_tets > 0)
-            report_.fallbacks.push_back(std::to_string(fit.released_tets) + " of " +
-                                        std::to_string(foreign.tets.size()) +
-                                        " elements do not fit the part and were made anew: " + listed(fit.reasons));
-        if (fit.moved_mids > 0)
-            report_.fallbacks.push_back(std::to_string(fit.moved_mids) +
-                                        " mid-side nodes were off the surface and are new, on it");
+            report_.fallbacks.push_back(
+                say<Code::elements_made_anew>(fit.released_tets, foreign.tets.size(), fit.reasons));
+        if (fit.moved_mids > 0) report_.fallbacks.push_back(say<Code::mid_nodes_moved>(fit.moved_mids));
     }
 
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
@@ -477,7 +444,7 @@ class Stages {
     Report report_;
     Kept kept_;
     std::vector<std::int32_t> node_origin_, tet_origin_;
-    std::string why_nothing_;  ///< is kept; empty where nothing was to be kept
+    Message why_nothing_;  ///< is kept; empty where nothing was to be kept
     std::optional<Filled> filled_;
 };
 
@@ -512,16 +479,16 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     options.sizing.refines_narrow_faces = old.options.sizing.refines_narrow_faces;
     options.ignored_below = old.options.ignored_below;
     if (options == old.options && document == old.document) return unchanged(old, context);
-    std::string why_full = reason_for_full_mesh(old, options);
+    Message why_full = reason_for_full_mesh(old, options);
 
     Stages stages(std::move(document), std::move(options), context);
     stages.read(&old.part);
     const bool is_alike = stages.dimension() == old.part.brep.dimension();
-    if (!is_alike) why_full = "solids, faces or edges are meshed that were not before";
+    if (!is_alike) why_full = say<Code::dimension_changed>();
     stages.make_sizing(why_full.empty() ? old.adopted_sizes : std::vector<SizeSource>{});
     const bool is_compared = is_alike && stages.compare_with(old.part);
     if (!why_full.empty())
-        stages.give_up_keeping("full mesh: " + why_full);
+        stages.give_up_keeping(why_full);
     else if (is_compared)
         stages.fill_beside_kept(old);
     stages.fill_rest({old.mesh.next_node_number, old.mesh.next_element_number});
@@ -529,19 +496,15 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
 }
 
 PartMeshResult adopt_part(RawDocument document, const MeshOptions& asked, const Mesh& foreign, RunContext& context) {
-    if (asked.order != foreign.order) throw InputError("An adopted mesh keeps its element order.");
+    if (asked.order != foreign.order) throw InputError(say<Code::adopted_of_other_order>());
     MeshOptions options = with_pieces_round_rods(asked);
     options.sizing.refines_narrow_faces = false;
     options.ignored_below = std::max(0.0, options.ignore_below);
 
     Stages stages(std::move(document), std::move(options), context);
     stages.read(nullptr);
-    if (stages.dimension() != Dimension::solids)
-        throw InputError("Only meshes of solids can be adopted. Mesh the part's faces or edges anew.");
-    if (stages.has_shells())
-        throw InputError(
-            "The part has faces or edges beside its solids, and only meshes of solids can be adopted. Mesh the part "
-            "anew, or adopt the mesh for the solids alone (Dimension: Solids).");
+    if (stages.dimension() != Dimension::solids) throw InputError(say<Code::adopted_of_other_dimension>());
+    if (stages.has_shells()) throw InputError(say<Code::adopted_beside_shells>());
     stages.make_sizing(local_sizes(foreign, asked.sizing.size));
     stages.fill_beside_fitting(foreign);
     stages.fill_rest({foreign.next_node_number, foreign.next_element_number});
@@ -554,7 +517,7 @@ std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOpt
     const MeshOptions options = with_pieces_round_rods(asked);
     PartState part = read_part_to_mesh(document, context, nullptr, options.dimension);
     const std::vector<std::string> broken = broken_invariants(mesh, expectation_of(part.brep), context);
-    if (!broken.empty()) throw StateError("The saved mesh does not fit the part: " + broken.front() + ".");
+    if (!broken.empty()) throw StateError(say<Code::saved_mesh_misfits>(broken.front()));
     const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
     const std::size_t nodes = mesh.node_count(), elements = element_count(mesh, part.brep.dimension());
     return std::make_shared<const PartMesh>(PartMesh{std::move(part),

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/dimension.h"
+#include "core/message.h"
 #include "difference/feature_difference.h"
 #include "mesh/quality.h"
 #include "sizing/size_conformity.h"
@@ -38,9 +39,9 @@ struct Report {
     FeatureDifference difference;
     SurfaceReport surface;
     VolumeReport volume;
-    std::vector<Round> rounds;           ///< fillings that were repeated, and why; empty is the normal case
-    std::vector<std::string> fallbacks;  ///< what could not be kept or done, and why; empty is the normal case
-    std::vector<std::string> warnings;
+    std::vector<Round> rounds;       ///< fillings that were repeated, and why; empty is the normal case
+    std::vector<Message> fallbacks;  ///< what could not be kept or done, and why; empty is the normal case
+    std::vector<Message> warnings;
 };
 
 }  // namespace featuremesh

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numbers_in_words.h"
+#include "core/messages.h"
 
 namespace featuremesh {
 
@@ -19,17 +19,15 @@ SizeSource half_length_at(const Mesh& mesh, std::size_t triangle) {
 }  // namespace
 
 SizeRequest for_turned_triangles(const Mesh& mesh, const std::vector<TriangleId>& turned) {
-    SizeRequest request{SizeReason::cannot_follow, name_of(entity_of(mesh.triangle_faces[turned.front().index()]))};
+    SizeRequest request{SizeReason::cannot_follow, as_parameter(mesh.triangle_faces[turned.front().index()])};
     for (const TriangleId t : turned) request.lengths.push_back(half_length_at(mesh, t.index()));
     return request;
 }
 
-std::string turned_over(const Mesh& mesh, const std::vector<TriangleId>& turned) {
+Message turned_over(const Mesh& mesh, const std::vector<TriangleId>& turned) {
     const std::size_t first = turned.front().index();
-    return "The mesh is not valid: " + std::to_string(turned.size()) +
-           " surface triangles are turned over, the first on " + name_of(entity_of(mesh.triangle_faces[first])) +
-           " at " + in_words(mesh.point(mesh.triangles[first][0])) +
-           ". The face bends too much there for this size; ask for a smaller size on it.";
+    return say<Code::triangles_turned_over>(turned.size(), mesh.triangle_faces[first],
+                                            mesh.point(mesh.triangles[first][0]));
 }
 
 std::vector<SolidId> solids_off_volume(const Mesh& mesh, const Brep& brep, double tolerance) {
@@ -48,7 +46,7 @@ std::vector<SolidId> solids_off_volume(const Mesh& mesh, const Brep& brep, doubl
 }
 
 SizeRequest for_volume_of(const Mesh& mesh, const Brep& brep, SolidId solid) {
-    SizeRequest request{SizeReason::cannot_follow, name_of(entity_of(solid))};
+    SizeRequest request{SizeReason::cannot_follow, as_parameter(solid)};
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto sides = brep.sides_of(mesh.triangle_faces[t]);
         if (std::find(sides.begin(), sides.end(), solid) != sides.end())

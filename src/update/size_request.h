@@ -7,6 +7,7 @@
 
 #include "brep/brep.h"
 #include "core/ids.h"
+#include "core/message.h"
 #include "mesh/mesh.h"
 #include "sizing/sizing_field.h"
 
@@ -22,17 +23,17 @@ enum class SizeReason {
 /// What found a place that needs other lengths asks for. Without lengths, nothing.
 struct SizeRequest {
     SizeReason reason = SizeReason::none;
-    std::string place;                     ///< names of faces, or of a solid
+    std::vector<Entity> place;             ///< faces, or a solid
     std::vector<SizeSource> lengths = {};  ///< with which it may work, or get better
     bool is_empty() const { return lengths.empty(); }
 };
 
 /// Why all that is not kept was filled again, and with what.
 struct Round {
-    std::string reason;   ///< a word or two: narrow faces, cannot follow, boundary, folded, details, kept elements
-    std::string place;    ///< names of faces, or of a solid; may be empty
-    std::string change;   ///< what was done about it
-    std::string refusal;  ///< why there was no mesh, in the words of an error; empty where one was only to get better
+    std::string reason;  ///< a word or two: narrow faces, cannot follow, boundary, folded, details, kept elements
+    std::vector<Entity> place;  ///< faces, or a solid; may be empty
+    std::string change;         ///< what was done about it
+    Message refusal;            ///< why there was no mesh; empty where one was only to get better
 };
 
 /// A filling is repeated so often at most, whatever the reasons.
@@ -40,8 +41,7 @@ constexpr std::size_t most_rounds = 6, most_rounds_that_keep = 3;
 
 /// For triangles that lie the wrong way round on their faces; at least one.
 SizeRequest for_turned_triangles(const Mesh& mesh, const std::vector<TriangleId>& turned);
-/// In words.
-std::string turned_over(const Mesh& mesh, const std::vector<TriangleId>& turned);
+Message turned_over(const Mesh& mesh, const std::vector<TriangleId>& turned);
 
 /// The solids whose tets have a volume that is off by more than the share `tolerance`.
 std::vector<SolidId> solids_off_volume(const Mesh& mesh, const Brep& brep, double tolerance);

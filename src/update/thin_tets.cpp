@@ -5,6 +5,7 @@
 #include <map>
 
 #include "brep/brep.h"
+#include "core/messages.h"
 #include "core/numbers_in_words.h"
 #include "mesh/short_sides.h"
 
@@ -21,13 +22,10 @@ Entity lowest_entity(const Mesh& mesh, TetId tet) {
     return lowest;
 }
 
-std::string place_of(const Mesh& mesh, TetId tet) {
-    const Entity at = lowest_entity(mesh, tet);
-    return at.dim < 3 ? "at " + name_of(at) : "inside the part";
-}
-
 /// "Edge12 (4e-05 mm long)", "Edge3 and Edge7 (0.0001 mm apart)", by length.
 class ForcingDetails {
+    using Entities = std::vector<Entity>;  // an edge, or the two that are near
+
   public:
     explicit ForcingDetails(const Mesh& mesh) : mesh_(mesh), short_sides_(mesh) {
         for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
@@ -41,16 +39,22 @@ class ForcingDetails {
     std::size_t tet_count() const { return tet_count_; }
     bool force(TetId tet) const { return short_sides_.forced_side(tet).has_value(); }
 
-    std::string listed() const {
+    std::vector<Message> listed() const {
         constexpr std::size_t most = 4;
-        std::vector<std::pair<double, std::string>> details;
-        for (const auto& [name, length] : length_of_) details.emplace_back(length, name);
+        std::vector<std::pair<double, Entities>> details;
+        for (const auto& [entities, length] : length_of_) details.emplace_back(length, entities);
         std::sort(details.begin(), details.end());
-        std::string text;
-        for (std::size_t i = 0; i < std::min(most, details.size()); ++i)
-            text += (i == 0 ? "" : ", ") + details[i].second + " (" + in_words(details[i].first, 2) + " mm " +
-                    (details[i].second.find(" and ") == std::string::npos ? "long)" : "apart)");
-        return details.size() > most ? text + " and " + std::to_string(details.size() - most) + " more" : text;
+        std::vector<Message> lines;
+        for (const auto& [length, entities] : details) {
+            if (lines.size() == most) {
+                lines.push_back(say<Code::and_others>());
+                break;
+            }
+            const Length shown{rounded(length, 2)};
+            lines.push_back(entities.size() == 1 ? say<Code::edge_of_length>(entities, shown)
+                                                 : say<Code::pair_apart>(entities[0], entities[1], shown));
+        }
+        return lines;
     }
 
   private:
@@ -58,37 +62,30 @@ class ForcingDetails {
         ++tet_count_;
         const std::int32_t segment = short_sides_.segment_at(a, b);
         const auto [low, high] = std::minmax(mesh_.entities[a.index()], mesh_.entities[b.index()]);
-        const std::string name = segment >= 0
-                                     ? name_of(entity_of(mesh_.segment_edges[static_cast<std::size_t>(segment)]))
-                                     : name_of(low) + " and " + name_of(high);
+        const Entities between =
+            segment >= 0 ? as_parameter(mesh_.segment_edges[static_cast<std::size_t>(segment)]) : Entities{low, high};
         const double length = distance(mesh_.point(a), mesh_.point(b));
-        const auto [it, is_new] = length_of_.try_emplace(name, length);
+        const auto [it, is_new] = length_of_.try_emplace(between, length);
         if (!is_new) it->second = std::min(it->second, length);
     }
 
     const Mesh& mesh_;
     ShortSides short_sides_;
-    std::map<std::string, double> length_of_;
+    std::map<Entities, double> length_of_;
     std::size_t tet_count_ = 0;
 };
 
 }  // namespace
 
-std::vector<std::string> warnings_of_thin_tets(const Mesh& mesh, const QualityReport& quality) {
+std::vector<Message> warnings_of_thin_tets(const Mesh& mesh, const QualityReport& quality) {
     if (!quality.worst.is_valid() || quality.min_dihedral >= thin_deg) return {};
-    std::vector<std::string> lines;
+    std::vector<Message> lines;
     const ForcingDetails details(mesh);
     if (details.tet_count() > 0)
-        lines.push_back("Details of the part far smaller than the elements force an angle below 2 degrees on " +
-                        std::to_string(details.tet_count()) + " elements: " + details.listed() +
-                        ". Results there are poor. Take them out of the features that make them (points of a sketch "
-                        "that nearly coincide, a step as "
-                        "shallow), or mesh finer there.");
+        lines.push_back(say<Code::details_force_angles>(details.tet_count(), details.listed()));
     if (!details.force(quality.worst))
-        lines.push_back("The smallest angle of an element is " + in_words(quality.min_dihedral, 2) + " degrees, " +
-                        place_of(mesh, quality.worst) +
-                        ": results there are poor. Take details out that are much smaller than the edge length, or "
-                        "mesh finer there.");
+        lines.push_back(
+            say<Code::smallest_angle>(rounded(quality.min_dihedral, 2), lowest_entity(mesh, quality.worst)));
     return lines;
 }
 

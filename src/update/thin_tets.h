@@ -2,9 +2,9 @@
 // What the report says of very thin tets.
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "core/message.h"
 #include "mesh/mesh.h"
 #include "mesh/quality.h"
 
@@ -12,6 +12,6 @@ namespace featuremesh {
 
 /// Names the details of the part that force angles below 2 degrees, shortest first, and where the smallest angle is if
 /// nothing forces it. Empty where all angles are larger.
-std::vector<std::string> warnings_of_thin_tets(const Mesh& mesh, const QualityReport& quality);
+std::vector<Message> warnings_of_thin_tets(const Mesh& mesh, const QualityReport& quality);
 
 }  // namespace featuremesh

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "core/errors.h"
+#include "core/messages.h"
 #include "mesh/second_order.h"
 
 namespace featuremesh {
@@ -163,8 +164,7 @@ std::size_t end_of_group(const std::vector<Side>& sides, std::size_t begin) {
 }
 
 [[noreturn]] void throw_overlap(const Mesh& mesh, const Side& side) {
-    throw MeshError("the kept elements overlap at node " + std::to_string(mesh.node_numbers[side.sorted[0].index()]) +
-                    "; mesh the part from scratch");
+    throw MeshError(say<Code::kept_elements_overlap>(mesh.node_numbers[side.sorted[0].index()]));
 }
 
 /// Sides of one triangle in one region that remain to be filled: those of a CAD face without a tet, those of a tet

@@ -10,18 +10,16 @@
 #include <vector>
 
 #include "core/errors.h"
-#include "core/numbers_in_words.h"
+#include "core/messages.h"
 
 namespace featuremesh {
 
-std::string names_of_faces(const Mesh& mesh, const Cavity& cavity, std::span<const int> facets) {
+std::vector<Entity> faces_of(const Mesh& mesh, const Cavity& cavity, std::span<const int> facets) {
     std::set<FaceId> faces;
     for (const int facet : facets)
         if (const TriangleId t = cavity.triangle_of_facet[facet]; t.is_valid())
             faces.insert(mesh.triangle_faces[t.index()]);
-    std::string names;
-    for (const FaceId face : faces) names += (names.empty() ? "" : ", ") + name_of(entity_of(face));
-    return names.empty() ? "the surface" : names;
+    return as_parameter(faces);
 }
 
 std::vector<FaceId> nearest_faces(const Brep& brep, const Mesh& mesh, const Cavity& cavity,
@@ -58,15 +56,13 @@ std::vector<SizeSource> half_lengths_at(const Cavity& cavity, std::span<const in
 std::optional<Obstacle> if_open(const Mesh& mesh, const Cavity& cavity) {
     const std::vector<int> open = open_facets(cavity);
     if (open.empty()) return {};
-    const std::string place = names_of_faces(mesh, cavity, open);
-    return Obstacle{"the surface mesh does not close at " + place + "; check the shape there, or try another size",
-                    place};
+    const std::vector<Entity> place = faces_of(mesh, cavity, open);
+    return Obstacle{say<Code::surface_not_closed>(place), place};
 }
 
 Obstacle in_one_plane(const Mesh& mesh, const Cavity& cavity, std::span<const int> missing) {
-    const std::string place = names_of_faces(mesh, cavity, missing);
-    return {"all nodes to fill between lie in one plane, at " + place + "; mesh the part finer", place,
-            half_lengths_at(cavity, missing)};
+    const std::vector<Entity> place = faces_of(mesh, cavity, missing);
+    return {say<Code::nodes_in_one_plane>(place), place, half_lengths_at(cavity, missing)};
 }
 
 void require_distinct(const Brep& brep, const Mesh& mesh, const Cavity& cavity) {
@@ -86,21 +82,13 @@ void require_distinct(const Brep& brep, const Mesh& mesh, const Cavity& cavity) 
         for (const std::size_t n : {order[i - 1], order[i]})
             for (const FaceId face : brep.faces_at(mesh.entities[cavity.nodes[n].index()])) faces.insert(face);
     }
-    if (faces.empty()) return;
-    std::string names;
-    std::size_t listed = 0;
-    for (const FaceId face : faces)
-        if (listed++ < 6) names += (names.empty() ? "" : ", ") + name_of(entity_of(face));
-    throw MeshError("the shape touches itself: nodes of " + names + " lie in the same place, such as " +
-                    in_words(last) + "; repair it there (Part: Check geometry)");
+    if (!faces.empty()) throw MeshError(say<Code::shape_touches_itself>(faces, last));
 }
 
 Obstacle cut_one_another(const Mesh& mesh, const Cavity& cavity, std::span<const int> crossing) {
     const Vec3& point = cavity.points[std::size_t(cavity.facets[std::size_t(crossing.front())].corners[0])];
-    const std::string place = names_of_faces(mesh, cavity, crossing);
-    return {"triangles of " + place + " near " + in_words(point) +
-                " cut one another; the shape may touch or cut itself there: repair it, or mesh finer there",
-            place, half_lengths_at(cavity, crossing)};
+    const std::vector<Entity> place = faces_of(mesh, cavity, crossing);
+    return {say<Code::triangles_cut>(place, point), place, half_lengths_at(cavity, crossing)};
 }
 
 Obstacle unrecovered(const Mesh& mesh, std::span<const Cavity> cavities, std::span<const CavityFill> fills) {
@@ -108,11 +96,10 @@ Obstacle unrecovered(const Mesh& mesh, std::span<const Cavity> cavities, std::sp
     for (std::size_t i = 0; i < cavities.size(); ++i) {
         const std::vector<int>& missing = fills[i].places.missing;
         if (fills[i].is_complete()) continue;
-        obstacle.place += (obstacle.place.empty() ? "" : ", ") + names_of_faces(mesh, cavities[i], missing);
+        for (const Entity face : faces_of(mesh, cavities[i], missing)) obstacle.place.push_back(face);
         for (const SizeSource& half : half_lengths_at(cavities[i], missing)) obstacle.shorter.push_back(half);
     }
-    obstacle.message = "the volume mesh cannot be made to meet the triangles of " + obstacle.place +
-                       "; mesh finer there, or check the shape for faces that cut or touch one another";
+    obstacle.message = say<Code::triangles_not_met>(obstacle.place);
     return obstacle;
 }
 

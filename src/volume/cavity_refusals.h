@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cavities that cannot be filled, by the names of the CAD faces where that shows.
+// Cavities that cannot be filled, and at which CAD faces that shows.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "brep/brep.h"
@@ -16,8 +15,8 @@
 
 namespace featuremesh {
 
-/// "Face1, Face3": the faces whose triangles these facets of the cavity are; "the surface" where none is a triangle.
-std::string names_of_faces(const Mesh& mesh, const Cavity& cavity, std::span<const int> facets);
+/// The faces whose triangles these facets of the cavity are; none where none is a triangle.
+std::vector<Entity> faces_of(const Mesh& mesh, const Cavity& cavity, std::span<const int> facets);
 
 /// The faces that most of a tet's corners lie on; corners count in the cavity's points, and those inside after them.
 std::vector<FaceId> nearest_faces(const Brep& brep, const Mesh& mesh, const Cavity& cavity,

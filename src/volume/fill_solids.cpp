@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "core/errors.h"
+#include "core/messages.h"
 #include "surface/projection.h"
 #include "volume/cavity_refusals.h"
 #include "volume/delaunay/optimise_odt.h"
@@ -299,13 +300,9 @@ class Filling {
             for (const FaceId face : nearest_faces(brep_, result_.mesh, cavity, tet)) near.insert(face);
         }
         if (thin.empty()) return;
-        std::string names;
-        for (int listed = 0; const FaceId face : near)
-            if (listed++ < 4) names += (names.empty() ? "" : ", ") + name_of(entity_of(face));
-        throw MeshError(std::to_string(thin.size()) + " elements without a volume to speak of remain " +
-                        (names.empty() ? "inside the solid" : "at " + names) +
-                        short_edges_among(brep_, result_.mesh, cavity.nodes, thin) +
-                        "; mesh finer there, or take out what is much smaller than the rest of the part");
+        const std::vector<Message> edges = short_edges_among(brep_, result_.mesh, cavity.nodes, thin);
+        if (edges.empty()) throw MeshError(say<Code::thin_elements_remain>(thin.size(), near));
+        throw MeshError(say<Code::thin_elements_remain_beside>(thin.size(), near, edges));
     }
 
     void drop_released() {
@@ -391,8 +388,7 @@ class Filling {
 std::variant<VolumeResult, Obstacle> try_fill_solids(const Brep& brep, const SizingField& sizing, Mesh surface,
                                                      std::span<const Vec3> active, const VolumeOptions& options,
                                                      RunContext& context, const KeptRim& rim) {
-    if (surface.order != 1)
-        throw InputError("solids are filled with 4-node tetrahedra; the mesh given has mid-side nodes");
+    if (surface.order != 1) throw InputError(say<Code::solids_given_curved>());
     return Filling(brep, sizing, std::move(surface), active, options, context, rim).run();
 }
 

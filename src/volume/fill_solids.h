@@ -5,11 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <variant>
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/message.h"
 #include "core/run_context.h"
 #include "mesh/mesh.h"
 #include "sizing/sizing_field.h"
@@ -44,7 +44,7 @@ struct VolumeReport {
     double odt_energy_before = 0,
            odt_energy_after = 0;                       ///< sum of V S / 20 over the new tets (Alliez et al. 2005), mm^5
     std::size_t slivers_before = 0, slivers_left = 0;  ///< new tets below the target
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
 };
 
 /// Where something is missing in a mesh that is to be filled.

@@ -3,12 +3,13 @@
 
 #include <set>
 
+#include "core/messages.h"
 #include "core/numbers_in_words.h"
 
 namespace featuremesh {
 
-std::string short_edges_among(const Brep& brep, const Mesh& mesh, std::span<const NodeId> nodes,
-                              std::span<const std::array<int, 4>> tets) {
+std::vector<Message> short_edges_among(const Brep& brep, const Mesh& mesh, std::span<const NodeId> nodes,
+                                       std::span<const std::array<int, 4>> tets) {
     std::set<std::pair<double, EdgeId>> edges;
     for (const auto& tet : tets) {
         std::set<VertexId> corners;
@@ -24,15 +25,13 @@ std::string short_edges_among(const Brep& brep, const Mesh& mesh, std::span<cons
                 if (length < brep.tolerances().least_length()) edges.emplace(length, e);
             }
     }
-    constexpr int most = 3;
-    std::string text;
-    int listed = 0;
+    constexpr std::size_t most = 3;
+    std::vector<Message> shortest;
     for (const auto& [length, edge] : edges) {
-        if (listed == most) break;
-        text +=
-            (listed++ == 0 ? " beside " : ", ") + name_of(entity_of(edge)) + " (" + in_words(length, 2) + " mm long)";
+        if (shortest.size() == most) break;
+        shortest.push_back(say<Code::edge_of_length>(edge, Length{rounded(length, 2)}));
     }
-    return text;
+    return shortest;
 }
 
 }  // namespace featuremesh

@@ -4,17 +4,18 @@
 
 #include <array>
 #include <span>
-#include <string>
+#include <vector>
 
 #include "brep/brep.h"
+#include "core/message.h"
 #include "mesh/mesh.h"
 
 namespace featuremesh {
 
-/// " beside Edge12 (0.0021 mm long), Edge44 (0.001 mm long)": the three shortest of the edges shorter than
-/// Tolerances::least_length() between two corners of a tet, by the distance of their ends. Empty where there is none.
+/// "Edge12 (0.0021 mm long)": the three shortest of the edges shorter than
+/// Tolerances::least_length() between two corners of a tet, by the distance of their ends. None where there is none.
 /// The tets' corners count in `nodes`; others are inside.
-std::string short_edges_among(const Brep& brep, const Mesh& mesh, std::span<const NodeId> nodes,
-                              std::span<const std::array<int, 4>> tets);
+std::vector<Message> short_edges_among(const Brep& brep, const Mesh& mesh, std::span<const NodeId> nodes,
+                                       std::span<const std::array<int, 4>> tets);
 
 }  // namespace featuremesh

@@ -20,11 +20,13 @@ from pathlib import Path
 import numpy
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(Path(__file__).parent), str(ROOT / "resources" / "launcher"), str(ROOT / "build" / "release" / "bindings")]
+sys.path[:0] = [str(Path(__file__).parent), str(ROOT / "resources" / "launcher"), str(ROOT / "build" / "release" / "bindings"),
+                str(ROOT / "Mod" / "FeatureMesh")]
 
 import bench_statics  # noqa: E402
 import cases  # noqa: E402
 from closed_pipe import run_until_unread  # noqa: E402
+from freecad.featuremesh.messages import english  # noqa: E402
 from freecad_task import run_script  # noqa: E402
 from gmsh_peer import ALGORITHMS, mesh_with_gmsh, quality_of  # noqa: E402
 from measured_process import run_measured  # noqa: E402
@@ -224,7 +226,7 @@ def figures_of(report):
 
 
 def kept_of(report):
-    return {"kept_nodes": report["kept"]["nodes_share"], "kept_tets": report["kept"]["tets_share"], "fallback": report["fallback"]}
+    return {"kept_nodes": report["kept"]["nodes_share"], "kept_tets": report["kept"]["tets_share"], "fallback": english(report["fallback"]) or None}
 
 
 def compare_rows(rows):

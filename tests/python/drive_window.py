@@ -80,11 +80,13 @@ def check_escape(document, mesh):
 
 
 def check_errors(body):
-    """An error shows its message and selects the faces it names, if the part has them; a cancel shows nothing."""
+    """An error shows its message and selects the faces it is about, if the part has them; a cancel shows nothing."""
     from freecad.featuremesh import worker
+    from freecad.featuremesh.errors import StateError
     from freecad.featuremesh.gui import errors
-    errors.show(RuntimeError("Face2 and Face4711 cross"), body)
-    assert messages[-1] == "Face2 and Face4711 cross"
+    from freecad.featuremesh.messages import said
+    errors.show(StateError(said("{faces:entities} cross", faces=["Face2", "Face4711"])), body)
+    assert messages[-1] == "Face2, Face4711 cross"
     selected, = Gui.Selection.getSelectionEx()
     assert (selected.Object, selected.SubElementNames) == (body, ("Face2",)), selected.SubElementNames
     count = len(messages)
@@ -388,9 +390,13 @@ def check_german(main, document, mesh):
     from freecad.featuremesh.gui import welcome
     Gui.setLocale("de")
     spin()
-    assert mesh_object.status_in_words(mesh_object.UP_TO_DATE) == "aktuell"
-    assert mesh_object.status_in_words("failed: The growth rate is 0.5; it must be at least 1 (1.3 is usual).") == (
-        "fehlgeschlagen: Das Wachstum ist 0.5; es muss mindestens 1 sein (üblich ist 1.3).")
+    assert mesh_object.status_in_words(mesh) == "aktuell", mesh.Status
+    mesh.Growth = 0.5
+    mesh.Document.recompute()
+    assert mesh.Status == "failed: The growth rate is 0.5; it must be at least 1 (1.3 is usual).", mesh.Status
+    assert mesh_object.status_in_words(mesh) == "fehlgeschlagen: Das Wachstum ist 0.5; es muss mindestens 1 sein (üblich ist 1.3)."
+    mesh.Growth = 1.3
+    mesh.Document.recompute()
     texts = [action.text() for action in main.findChild(QtGui.QToolBar, "Mesh").actions()]
     assert "Bauteil vernetzen" in texts, texts
     Gui.activateWorkbench("FeatureMeshWorkbench")

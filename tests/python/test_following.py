@@ -8,6 +8,7 @@ from unittest import mock
 import FreeCAD
 import ObjectsFem
 from freecad.featuremesh import api, history, references, versions
+from freecad.featuremesh.messages import in_english
 from parts import new_document, placement, rectangle
 from test_references import groups_of, names_of, open_example
 
@@ -15,7 +16,7 @@ NEAR = 1e-4
 
 
 def warnings_of(mesh):
-    return json.loads(mesh.Report)["warnings"]
+    return in_english(json.loads(mesh.Report))["warnings"]
 
 
 class Bracket:

@@ -11,6 +11,7 @@ import FreeCAD
 import ObjectsFem
 from freecad.featuremesh import api, engine, engine_places, mesh_object, mesh_properties, state, versions
 from freecad.featuremesh.errors import EngineMissing, UserError
+from freecad.featuremesh.messages import english
 from meshed_plate import MeshedPlate, points_of
 from parts import new_document, placement
 
@@ -196,7 +197,7 @@ class IgnoredDetails(unittest.TestCase):
         report = api.update_mesh(self.mesh)
         self.assertGreater(self.mesh.MinDihedral.Value, 20)
         self.assertEqual(self.mesh.KeptNodes, 0)   # with other details than before, nothing of the old mesh is of use
-        self.assertEqual(sum("Nearer to another vertex than 0.01 mm" in line for line in report["warnings"]), 1)
+        self.assertEqual(sum("Nearer to another vertex than 0.01 mm" in english(line) for line in report["warnings"]), 1)
 
     def test_stay_without_elements_in_a_reopened_document(self):
         self.mesh.IgnoreBelow = 0.01

@@ -9,6 +9,7 @@ import numpy as np
 import ObjectsFem
 from freecad.featuremesh import analyses, api, engine, mesh_object, overlays, reading, versions
 from freecad.featuremesh.errors import UserError
+from freecad.featuremesh.messages import english, in_english
 from freecad.featuremesh.quality import MEASURES
 from meshed_plate import SIZE, MeshedPlate, points_of
 from parts import new_document, plate_with_hole, rectangle
@@ -87,7 +88,7 @@ class MeshObject(MeshedPlate):
             stream.write(b"\x00\xff" * 50)
         self.edit()
         self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
-        self.assertIn("damaged", json.loads(self.mesh.Report)["fallback"])
+        self.assertIn("damaged", english(json.loads(self.mesh.Report)["fallback"]))
         self.assert_on_the_part()
 
     def test_state_of_another_part_gives_a_full_mesh_and_says_so(self):
@@ -95,7 +96,7 @@ class MeshObject(MeshedPlate):
         setattr(self.mesh, versions.part_property(self.mesh), box)
         self.mesh.Proxy.onDocumentRestored(self.mesh)
         self.document.recompute()
-        self.assertIn("belongs to Body", json.loads(self.mesh.Report)["fallback"])
+        self.assertIn("belongs to Body", english(json.loads(self.mesh.Report)["fallback"]))
 
     def test_failure_leaves_the_old_mesh_and_says_why(self):
         before = points_of(self.mesh)
@@ -363,7 +364,7 @@ class FacesThatGetOtherNumbers(unittest.TestCase):
         self.document.recompute()
         self.body.Tip = self.document.getObject("Plate")
         self.document.recompute()
-        warnings = json.loads(self.mesh.Report)["warnings"]
+        warnings = in_english(json.loads(self.mesh.Report))["warnings"]
         self.assertTrue(any("Fixed1 refers to Edge%d" % number in line for line in warnings), warnings)
 
     def fix_the_hole(self):
@@ -385,7 +386,7 @@ class FacesThatGetOtherNumbers(unittest.TestCase):
         hole.Profile = sketch
         self.document.recompute()
         self.assertGreaterEqual(len(self.body.Shape.Faces), number)
-        warnings = json.loads(self.mesh.Report)["warnings"]
+        warnings = in_english(json.loads(self.mesh.Report))["warnings"]
         self.assertTrue(any("Fixed1 refers to Face%d, which is gone" % number in line for line in warnings), warnings)
 
     def test_lines_of_two_sketches_with_the_same_ids_are_told_apart(self):
@@ -408,5 +409,5 @@ class FacesThatGetOtherNumbers(unittest.TestCase):
         number = self.fix_the_hole()
         self.body.Tip = self.document.getObject("Plate")
         self.document.recompute()
-        warnings = json.loads(self.mesh.Report)["warnings"]
+        warnings = in_english(json.loads(self.mesh.Report))["warnings"]
         self.assertTrue(any("Fixed1 refers to Face%d" % number in line for line in warnings), warnings)

@@ -1,63 +1,115 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The engine's messages are recognised, so that the window can say them in the user's language."""
+"""Messages are put into words from their code's template and their parameters, in the user's language and units."""
 import re
+import string
+import sys
 import unittest
 from pathlib import Path
 from unittest import mock
 
 import FreeCAD
-from freecad.featuremesh import messages
+from freecad.featuremesh import engine, messages, user_words
 
 ROOT = Path(__file__).resolve().parents[2]
-LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
+sys.path.insert(0, str(ROOT / "resources" / "translations"))
+sys.dont_write_bytecode = True
+import update_translations  # noqa: E402
+
+TOO_LARGE = {"code": "size_larger_than_part",
+             "template": "The mesh size of {size:length} is larger than the part, which is {part:extent}. Ask for a smaller size.",
+             "parameters": {"size": 254.0, "part": [50.8, 25.4, 12.7]}}
+CROSSING = {"code": "full_mesh", "template": "full mesh: {why:messages}", "parameters": {"why": [
+    {"code": "pair", "template": "{one:entities} and {other:entities}", "parameters": {"one": ["Face2"], "other": ["Edge7"]}},
+    {"code": "with_itself", "template": "{one:entities} and itself", "parameters": {"one": ["Face2"]}}]}}
+OF_EACH_KIND = {"count": 3, "number": 0.5, "length": 2.5, "volume": 8.0, "extent": [1.0, 2.0, 3.0], "point": [1.0, -2.0, 0.25],
+                "entities": ["Face12", "Edge3"], "text": "Pad {1}", "messages": [TOO_LARGE]}
 
 
-def literals(path):
-    """The texts in a source file, those that follow one another as one."""
-    return LITERAL.sub(r"\1", re.sub(r'"\s*\n?\s*"', "", path.read_text(encoding="utf-8")))
+def translated(words):
+    """A stand-in for Qt's translate that knows these words only."""
+    return mock.patch.object(FreeCAD.Qt, "translate", side_effect=lambda context, text: words[text])
 
 
-class Sentences(unittest.TestCase):
-    def test_are_still_those_of_the_sources(self):
-        sources = [literals(path) for folder, kind in (("src", "*.cpp"), ("Mod", "*.py")) for path in sorted((ROOT / folder).rglob(kind))
-                   if path.name != "messages.py"]
-        for sentence in messages.SENTENCES:
-            words = max(sentence.split("%s"), key=len).strip()
-            kinds = words.replace("choose another ", "choose another %s|").split("|")[0]   # the kind of entity is put in there
-            self.assertTrue(any(kinds in source for source in sources), "nothing says '%s' any more" % words)
+class Templates(unittest.TestCase):
+    def test_are_those_of_the_engine(self):
+        self.assertEqual(update_translations.templates_of_engine(), engine.load().message_templates())
 
-    def test_each_is_recognised_and_nothing_is_lost(self):
-        for sentence in messages.SENTENCES:
-            text = sentence.replace("%s", "Face12")
-            with mock.patch.object(messages, "translate", side_effect=lambda context, words: words) as translate:
-                self.assertEqual(messages.in_words(text), text)
-            self.assertTrue(translate.called, sentence)
+    def test_each_is_said_somewhere(self):
+        sources = "".join(path.read_text(encoding="utf-8") for folder in ("src", "bindings") for path in (ROOT / folder).rglob("*.cpp")) \
+            + "".join(path.read_text(encoding="utf-8") for path in (ROOT / "src").rglob("*.h"))
+        said = set(re.findall(r"Code::(\w+)", sources)) | {"none"}
+        self.assertEqual(sorted(set(update_translations.templates_of_engine()) - said), [])
 
-    def test_a_message_inside_another_is_said_in_the_same_language(self):
-        german = {"The mesh is not valid: %s.": "Das Netz ist nicht gültig: %s.", "meshed from scratch: %s": "von Grund auf vernetzt: %s"}
-        with mock.patch.object(messages, "translate", side_effect=lambda context, words: german[words]):
-            self.assertEqual(messages.in_words("meshed from scratch: The mesh is not valid: tet 5."),
-                             "von Grund auf vernetzt: Das Netz ist nicht gültig: tet 5.")
-
-    def test_lengths_are_in_the_users_units(self):
-        said = ("The mesh size of 254 mm is larger than the part, which is 50.8 x 25.4 x -12.7 mm. Ask for a smaller size.", "volume 16387.064 -> 32774.128 mm^3",
-                "Face2 has 3 edges, Edge12 mm", "node 7 at (25.4, 0, -2.54) mm")
-        self.assertEqual([messages.in_words(text) for text in said], list(said))
-        FreeCAD.Units.setSchema(3)   # inches with decimals
-        self.addCleanup(FreeCAD.Units.setSchema, 0)
-        self.assertEqual([messages.in_words(text) for text in said], [
-            "The mesh size of 10.00 in is larger than the part, which is 2.00 in x 1.00 in x -0.50 in. Ask for a smaller size.",
-            "volume 1.00 in^3 -> 2.00 in^3", "Face2 has 3 edges, Edge12 mm", "node 7 at (1.00 in, 0.00 in, -0.10 in)"])
+    def test_each_is_put_into_words_with_parameters_of_its_kinds(self):
+        for template in update_translations.templates_of_engine().values():
+            names = {name: kind for _, name, kind, _ in string.Formatter().parse(template) if name}
+            said = {"template": template, "parameters": {name: OF_EACH_KIND[kind] for name, kind in names.items()}}
+            self.assertNotRegex(messages.english(said), r"\{\w+:|\}\}")
+            self.assertEqual(user_words.in_words(said), messages.english(said))   # without a translation, and in mm
 
     def test_are_in_words_that_users_know(self):
         own = re.compile(r"\b(tets?|cells?|cavity|seam|entity|entities|interaction)\b|material of the other|mm3|mm³|mm²")
-        for sentence in messages.SENTENCES:
-            self.assertIsNone(own.search(sentence), sentence)
-        for path in sorted((ROOT / "src").rglob("*.cpp")):
-            if path.name == "tet_complex.cpp":
-                continue   # its findings are of the program's own mistakes
-            for text in LITERAL.findall(path.read_text(encoding="utf-8")):
-                self.assertIsNone(re.search(r"\btets?\b", text) if " " in text and not text.endswith(".h") else None, (path.name, text))
+        for template in update_translations.templates_of_engine().values():
+            self.assertIsNone(own.search(re.sub(r"\{.*?\}", "", template)), template)
 
-    def test_what_is_not_known_stays(self):
-        self.assertEqual(messages.in_words("100 % new words"), "100 % new words")
+
+class Messages(unittest.TestCase):
+    def test_each_kind_of_parameter(self):
+        template = "; ".join("{a%s:%s}" % (kind, kind) for kind in OF_EACH_KIND if kind != "messages")
+        said = {"template": template, "parameters": {"a" + kind: value for kind, value in OF_EACH_KIND.items()}}
+        self.assertEqual(messages.english(said), "3; 0.5; 2.5 mm; 8 mm^3; 1 x 2 x 3 mm; (1, -2, 0.25) mm; Face12, Edge3; Pad {1}")
+
+    def test_a_message_of_the_engine_says_what_the_engine_says(self):
+        with self.assertRaises(engine.load().InputError) as caught:
+            engine.load().mesh_part({"final_object": "", "records": [], "shapes": b""}, {"local": [("Wire1", 2.0)]})
+        message = caught.exception.message
+        self.assertEqual((message["code"], message["parameters"]), ("no_entity", {"name": "Wire1"}))
+        self.assertEqual(messages.of_error(caught.exception), message)
+        self.assertEqual(messages.english(message), str(caught.exception))
+
+    def test_is_in_the_users_language_with_all_in_it(self):
+        german = {"full mesh: {why:messages}": "ganz neu vernetzt: {why:messages}", "{one:entities} and {other:entities}": "{other:entities} und {one:entities}",
+                  "{one:entities} and itself": "{one:entities} und sich selbst"}
+        with translated(german):
+            self.assertEqual(user_words.in_words(CROSSING), "ganz neu vernetzt: Edge7 und Face2; Face2 und sich selbst")
+        self.assertEqual(messages.english(CROSSING), "full mesh: Face2 and Edge7; Face2 and itself")
+
+    def test_lengths_are_in_the_users_units(self):
+        volume = messages.said("volume {old:volume} at {place:point}", old=16387.064, place=[25.4, 0.0, -2.54])
+        FreeCAD.Units.setSchema(3)   # inches with decimals
+        self.addCleanup(FreeCAD.Units.setSchema, 0)
+        self.assertEqual(user_words.in_words(TOO_LARGE), "The mesh size of 10.00 in is larger than the part, which is 2.00 in x 1.00 in x 0.50 in. "
+                                                       "Ask for a smaller size.")
+        self.assertEqual(user_words.in_words(volume), "volume 1.00 in^3 at (1.00 in, 0.00 in, -0.10 in)")
+        self.assertIn("254 mm", messages.english(TOO_LARGE))
+
+    def test_knows_what_it_is_about(self):
+        self.assertEqual(messages.entities_in(CROSSING), ["Face2", "Edge7"])
+        self.assertEqual(messages.entities_in(messages.said("{a:text}", a="Face3")), [])
+        self.assertEqual(messages.entities_in("Face3 cannot be meshed"), [])
+
+    def test_names_six_faces_and_counts_the_rest(self):
+        said = messages.said("{faces:entities}", faces=["Face%d" % n for n in range(1, 9)])
+        self.assertEqual(messages.english(said), "Face1, Face2, Face3, Face4, Face5, Face6 and 2 more")
+
+    def test_lengths_in_texts_are_in_the_users_units(self):
+        said = ("The size of 254 mm is larger than 50.8 x 25.4 x -12.7 mm.", "volume 16387.064 -> 32774.128 mm^3", "Face2 has 3 edges, Edge12 mm",
+                "node 7 at (25.4, 0, -2.54) mm")
+        self.assertEqual([user_words.in_words(text) for text in said], list(said))
+        FreeCAD.Units.setSchema(3)
+        self.addCleanup(FreeCAD.Units.setSchema, 0)
+        self.assertEqual([user_words.in_words(text) for text in said], [
+            "The size of 10.00 in is larger than 2.00 in x 1.00 in x -0.50 in.", "volume 1.00 in^3 -> 2.00 in^3", "Face2 has 3 edges, Edge12 mm",
+            "node 7 at (1.00 in, 0.00 in, -0.10 in)"])
+
+    def test_sentences_of_older_documents_stay(self):
+        self.assertEqual(user_words.in_words("meshed from scratch: 100 % new {words}"), "meshed from scratch: 100 % new {words}")
+
+    def test_several_are_one(self):
+        self.assertIsNone(messages.several([None, ""]))
+        self.assertIs(messages.several([None, TOO_LARGE]), TOO_LARGE)
+        self.assertEqual(messages.english(messages.several(["older words", CROSSING["parameters"]["why"][1]])), "older words; Face2 and itself")
+
+    def test_of_a_whole_report(self):
+        self.assertEqual(messages.in_english({"nodes": 3, "fallback": None, "warnings": [CROSSING, "old"]}),
+                         {"nodes": 3, "fallback": None, "warnings": ["full mesh: Face2 and Edge7; Face2 and itself", "old"]})

@@ -12,6 +12,7 @@ import ObjectsFem
 from analyses import add_material, add_solver, quantity, solve
 from freecad.featuremesh import api, export, mesh_object, mixed_elements
 from freecad.featuremesh.errors import UserError
+from freecad.featuremesh.messages import english
 from parts import new_document, placement
 from remeshed_examples import STEEL, WITHIN
 
@@ -136,7 +137,7 @@ class MixedMeshes(unittest.TestCase):
         mesh = api.add_mesh(both, 4, 1, dimension="Solids")
         document.recompute()
         alone = mesh.FemMesh.FaceCount
-        self.assertTrue(any("no solid has them" in line for line in json.loads(mesh.Report)["warnings"]))
+        self.assertTrue(any("no solid has them" in english(line) for line in json.loads(mesh.Report)["warnings"]))
         before = by_number(mesh)
         mesh.Dimension = "From shape"
         document.recompute()
@@ -184,7 +185,7 @@ class MixedMeshes(unittest.TestCase):
         document.recompute()
         mesh = api.add_mesh(both, 3, 1)
         document.recompute()
-        self.assertTrue(any("Face7 in Solid1" in line for line in json.loads(mesh.Report)["warnings"]), mesh.Report)
+        self.assertTrue(any("Face7 in Solid1" in english(line) for line in json.loads(mesh.Report)["warnings"]), mesh.Report)
 
 
 class MixedAnalyses(unittest.TestCase):
@@ -219,7 +220,7 @@ class MixedAnalyses(unittest.TestCase):
         mixed_elements.install()
         mesh = ObjectsFem.makeMeshGmsh(both.Document, "Gmsh")
         (setattr(mesh, "Part", both) if hasattr(mesh, "Part") else setattr(mesh, "Shape", both))
-        mesh.CharacteristicLengthMax = 3
+        mesh.CharacteristicLengthMax, mesh.ElementOrder = 3, "2nd"   # the default order of FreeCAD 1.1 is the first
         analysis.addObject(mesh)
         GmshTools(mesh).create_mesh()
         return mesh

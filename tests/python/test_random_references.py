@@ -13,6 +13,7 @@ import unittest
 import FreeCAD
 import ObjectsFem
 from freecad.featuremesh import api, references, versions
+from freecad.featuremesh.messages import english
 from reference_oracle import Oracle
 from test_following import names_of, open_example
 from test_soak import ENGINE_ERRORS, Editor
@@ -93,7 +94,7 @@ class RandomEdits(unittest.TestCase):
                     self.assertNotIn(verdict, ("stranger", "not all of it"))
                     if not now:
                         self.assertIn(load, [obj for obj, _ in references.unmended(analysis)])
-                        self.assertTrue(any(line.startswith(load.Label + " ") for line in json.loads(mesh.Report)["warnings"]))
+                        self.assertTrue(any(english(line).startswith(load.Label + " ") for line in json.loads(mesh.Report)["warnings"]))
                 if verdict not in ("right", "not judged"):
                     print("%s %d: %s: %s, %s -> %s" % (name, index, words, verdict, before, now), file=sys.stderr)
             print("%s %d: %s: %s" % (name, index, words, dict(found)), file=sys.stderr)

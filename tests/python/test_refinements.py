@@ -9,6 +9,7 @@ import numpy as np
 import ObjectsFem
 from freecad.featuremesh import api, mesh_object, refinements, size_zone
 from freecad.featuremesh.errors import UserError
+from freecad.featuremesh.messages import english, in_english
 from meshed_plate import MeshedPlate, SIZE, points_of
 from parts import placement
 
@@ -40,7 +41,7 @@ def near(point, radius):
 class Zones(MeshedPlate):
 
     def warnings(self):
-        return json.loads(self.mesh.Report)["warnings"]
+        return in_english(json.loads(self.mesh.Report))["warnings"]
 
     def sphere(self, inner=0.8, radius=4, at=CENTRE, **settings):
         return api.add_size_zone(self.mesh, "Sphere", placement=FreeCAD.Placement(at, FreeCAD.Rotation()), inner=inner, radius=radius, **settings)
@@ -209,7 +210,7 @@ class FreeCADsOwn(unittest.TestCase):
         found = refinements.Refinements()
         refinements._take(SimpleNamespace(Label="T", Proxy=SimpleNamespace(Type="Fem::MeshTransfiniteCurve")), ["Edge1"], found)
         self.assertEqual(found.zones + found.local, [])
-        self.assertIn("not understood", found.notes[0])
+        self.assertIn("not understood", english(found.notes[0]))
 
 
 class InAContainer(unittest.TestCase):

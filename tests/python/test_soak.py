@@ -17,6 +17,7 @@ import FreeCAD
 import numpy as np
 from freecad.featuremesh import api, documents, engine, mesh_object, reading, versions
 from freecad.featuremesh.errors import UserError
+from freecad.featuremesh.messages import in_english
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples")
 EDITS = int(os.environ.get("FEATUREMESH_SOAK_EDITS", "3"))
@@ -189,9 +190,10 @@ class Soak(unittest.TestCase):
             with self.subTest(example=name, edit=index, what=words):
                 self.check_valid(mesh)
                 self.check_kept(before, after, mesh.Proxy.last_part_mesh(mesh))
+            report = in_english(report)
             if report["fallback"]:
                 totals[reason_of(report["fallback"])] += 1
-            for detail in {feature["detail"] for feature in report["difference"]["features"] if "treated as changed" in feature["detail"]}:
+            for detail in {feature["detail"] for feature in report["difference"]["features"] if "treated as changed" in (feature["detail"] or "")}:
                 totals[reason_of(detail)] += 1
             kept_shares.append(report["kept"]["nodes_share"])
             states = [states[-1], mesh.Proxy._raw]

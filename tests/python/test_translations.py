@@ -16,6 +16,7 @@ except ImportError:
     from PySide6 import QtCore
 
 PLACEHOLDER = re.compile(r"%[-.\d]*[a-zA-Z%]")
+PARAMETER = re.compile(r"\{\w+:\w+\}")
 
 
 class German(unittest.TestCase):
@@ -31,11 +32,17 @@ class German(unittest.TestCase):
 
     def test_is_in_words_that_users_of_fem_know(self):
         own = re.compile(r"\b(tets?|cells?|cavity|seam|entity|entities|interaction)\b|the other's material|mm3|mm³|mm²")
-        self.assertEqual([source for _, source in self.translations if own.search(source)], [])
+        self.assertEqual([source for _, source in self.translations if own.search(PARAMETER.sub("", source))], [])
 
     def test_has_the_same_placeholders(self):
         for (_, source), text in self.translations.items():
             self.assertEqual(PLACEHOLDER.findall(text), PLACEHOLDER.findall(source), text)
+            self.assertEqual(sorted(PARAMETER.findall(text)), sorted(PARAMETER.findall(source)), text)   # in any order
+
+    def test_has_every_message_of_the_engine(self):
+        for code, template in update_translations.templates_of_engine().items():
+            has_words = re.search("[A-Za-z]", PARAMETER.sub("", template)) is not None
+            self.assertEqual(bool(self.translations.get(("FeatureMesh", template))), has_words, code)
 
     def test_is_compiled(self):
         translator = QtCore.QTranslator()

@@ -8,6 +8,7 @@ from unittest import mock
 
 import FreeCAD
 from freecad.featuremesh import api, engine, mesh_object, reading, state, worker
+from freecad.featuremesh.messages import english
 from parts import new_document, plate_with_hole
 
 SIZE = 3.0
@@ -163,7 +164,7 @@ class Deaths(InWorker):
         mesh.Proxy.onDocumentRestored(mesh)   # as after opening the document: nothing is in memory
         self.give(signal.SIGSEGV, "restore_part")
         report = api.update_mesh(mesh)
-        self.assertIn("reading the saved mesh of Body", report["fallback"])
+        self.assertIn("reading the saved mesh of Body", english(report["fallback"]))
         self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
 
     def test_killed_between_two_calls(self):

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/errors.h"
+#include "core/messages.h"
 #include "mesh/second_order.h"
 #include "surface/projection.h"
 #include "volume/curved/curved_tet_repair.h"
@@ -86,14 +87,14 @@ void place_on_faces(const Projector& projector, std::vector<bool> is_new, Mesh& 
     }
 }
 
-/// A face at a corner of the tet, for messages.
-std::string place_of(const Mesh& mesh, TetId tet) {
+/// A face at a corner of the tet, or its solid, for messages.
+std::vector<Entity> place_of(const Mesh& mesh, TetId tet) {
     const auto& corners = mesh.tets[tet.index()];
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (NodeId n : mesh.triangles[i])
             if (std::find(corners.begin(), corners.end(), n) != corners.end())
-                return name_of(entity_of(mesh.triangle_faces[i]));
-    return "the inside of " + name_of(entity_of(mesh.tet_solids[tet.index()]));
+                return as_parameter(mesh.triangle_faces[i]);
+    return as_parameter(mesh.tet_solids[tet.index()]);
 }
 
 /// How many elements in front are kept: their numbers are older than the kept mesh's next one.
@@ -194,7 +195,7 @@ SecondOrder result_of(Curved curved, const KeptCounts& kept) {
     std::vector<TetId> low = curved.low;
     std::erase_if(low, [&](TetId t) { return t.index() < kept.tets; });
     std::vector<SizeSource> shorter = shorter_lengths(curved.mesh, low);
-    std::string place = place_of(curved.mesh, curved.low.front());
+    std::vector<Entity> place = place_of(curved.mesh, curved.low.front());
     return {std::move(curved.mesh), std::move(shorter), std::move(place), curved.smallest};
 }
 
@@ -216,7 +217,7 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
                 return {{}, shorter_lengths(curved.mesh, bent), place_of(curved.mesh, bent.front()), 0};
         if (curved.low.empty()) return {std::move(curved.mesh), {}, {}, 1};
         const std::vector<TetId> trouble = curved.folded.empty() ? curved.low : curved.folded;
-        const std::string place = place_of(curved.mesh, trouble.front());
+        const std::vector<Entity> place = place_of(curved.mesh, trouble.front());
         if (refinement == 0) {
             trouble_at_first = trouble.size();
             if (!curved.folded.empty()) failed = {{}, shorter_lengths(curved.mesh, trouble), place, 0};
@@ -232,7 +233,7 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
         }
         if (!is_split && best) return result_of(std::move(*best), counts);
         if (!is_split) return failed;
-        context.log(std::to_string(trouble.size()) + " elements are refined near " + place +
+        context.log(std::to_string(trouble.size()) + " elements are refined near " + name_of(place.front()) +
                     " so that their curved sides do not fold them.");
     }
 }
@@ -245,10 +246,7 @@ Mesh curved_without_tets(const Brep& brep, Mesh mesh, const Mesh* kept, RunConte
 
 Mesh curve_to_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {
     SecondOrder result = try_second_order(brep, std::move(mesh), kept, context);
-    if (!result.is_valid())
-        throw MeshError(
-            std::to_string(result.shorter.size()) + " 10-node tetrahedra would be folded near " + result.place +
-            ": the face bends too much within one element. Ask for a smaller size there, or for 4-node tetrahedra.");
+    if (!result.is_valid()) throw MeshError(say<Code::tets_folded>(result.shorter.size(), result.place));
     return std::move(result.mesh);
 }
 

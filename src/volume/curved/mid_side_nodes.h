@@ -16,7 +16,7 @@ namespace featuremesh {
 struct SecondOrder {
     Mesh mesh;                        ///< empty where elements stay folded
     std::vector<SizeSource> shorter;  ///< edge lengths with which it may work, or get better where the aim is missed
-    std::string place;                ///< the face at which that is
+    std::vector<Entity> place;        ///< the face at which that is, or the solid
     double smallest = 1;              ///< scaled Jacobian where the aim is missed
 
     bool is_valid() const { return !mesh.tets.empty(); }

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "core/errors.h"
-#include "core/numbers_in_words.h"
+#include "core/messages.h"
 #include "mesh/second_order.h"
 
 namespace featuremesh {
@@ -64,8 +64,7 @@ void insert_all(Delaunay& delaunay, std::span<const Vec3> points, std::size_t fi
                                                  : delaunay.insert(converted[order[i]], last->cell());
         last->info() = static_cast<int>(first + order[i]);
         if (delaunay.number_of_vertices() != first + i + 1)
-            throw MeshError("two nodes lie in the same place, at " + in_words(points[order[i]]) +
-                            " mm; heal the shape there or mesh it finer");
+            throw MeshError(say<Code::nodes_in_one_place>(points[order[i]]));
     }
 }
 

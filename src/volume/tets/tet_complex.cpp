@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/errors.h"
+#include "core/messages.h"
 #include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
@@ -50,11 +51,7 @@ void link_equal_sides(TetComplex& complex, const Side* begin, const Side* end) {
         const Side* match = nullptr;
         for (const Side* b = a + 1; b != end; ++b) {
             if (a->others != b->others) continue;
-            if (match)
-                throw MeshError(
-                    "a triangle of the volume mesh belongs to more than "
-                    "two tets (near tet " +
-                    std::to_string(a->tet) + "); try a smaller size there");
+            if (match) throw MeshError(say<Code::triangle_of_many_tets>(a->tet));
             match = b;
         }
         if (match) link(complex, *a, *match);

@@ -360,7 +360,7 @@ TEST_CASE("overlapping solids of the final shape are reported") {
     CHECK(model.report.material_volume == Approx(1875));
     CHECK(model.report.fallbacks.empty());
     REQUIRE(model.report.findings.size() == 1);
-    CHECK(model.report.findings[0].find("overlap by 125") != std::string::npos);
+    CHECK(model.report.findings[0].in_english().find("overlap by 125") != std::string::npos);
 }
 
 TEST_CASE("a volume that crosses itself is replaced by what changed between before and after") {

@@ -111,7 +111,7 @@ TEST_CASE("a moved hole") {
     CHECK_FALSE(d.is_empty());
     const FeatureChange& hole = change_of(d, "Hole0");
     CHECK(hole.verdict == Verdict::moved);
-    CHECK(hole.detail == "moved by (5, 0, 0) mm");
+    CHECK(hole.detail.in_english() == "moved by (5, 0, 0) mm");
     CHECK(hole.old_volume == Approx(M_PI * 16 * 15));
     CHECK(hole.old_faces.size() == 1);
     CHECK(change_of(d, "Plate").verdict == Verdict::interaction_changed);
@@ -244,7 +244,7 @@ TEST_CASE("a size change names the parameter") {
     after[2].parameters = {{"Diameter", 24}};
     const FeatureDifference d = diff(part(before), part(after));
     CHECK(change_of(d, "Bore").verdict == Verdict::reshaped);
-    CHECK(change_of(d, "Bore").detail == "Diameter 20 -> 24");
+    CHECK(change_of(d, "Bore").detail.in_english() == "Diameter 20 -> 24");
     CHECK(d.regions.size() == 1);
     CHECK(d.regions[0].changed.distance({85 + 14, 40, 20}, 5) == Approx(2).margin(0.3));
 }
@@ -283,7 +283,7 @@ TEST_CASE("pattern instances are matched by geometry") {
     after[1].parameters = {{"Occurrences", 4}};
     const FeatureDifference d = diff(part(before), part(after));
     CHECK(change_of(d, "Pattern").verdict == Verdict::reshaped);
-    CHECK(change_of(d, "Pattern").detail == "Occurrences 3 -> 4; 1 hole added at x 25, y 10");
+    CHECK(change_of(d, "Pattern").detail.in_english() == "Occurrences 3 -> 4; 1 hole added at x 25, y 10");
     CHECK(d.regions.size() == 1);
     CHECK(d.regions[0].changed.distance({40, 10, 5}, 50) > 8);
 }
@@ -296,7 +296,7 @@ TEST_CASE("an instance added in the middle shifts the rest") {
     after[1].instances = {hole(10), hole(30), hole(50), hole(70)};
     const FeatureDifference d = diff(part(before), part(after));
     CHECK(change_of(d, "Pattern").verdict == Verdict::reshaped);
-    CHECK(change_of(d, "Pattern").detail ==
+    CHECK(change_of(d, "Pattern").detail.in_english() ==
           "1 of 3 holes moved by (-10, 0, 0) mm from x 40, y 10 to x 30, y 10; 1 hole added at x 50, y 10");
     REQUIRE(d.regions.size() == 2);
     CHECK(d.regions[1].motion == shift({-10, 0, 0}));
@@ -312,7 +312,7 @@ TEST_CASE("of several holes of one sketch those that moved, grew, came and went 
     const FeatureDifference d = diff(part(before), part(after));
     const FeatureChange& change = change_of(d, "Holes");
     CHECK(change.verdict == Verdict::reshaped);
-    CHECK(change.detail ==
+    CHECK(change.detail.in_english() ==
           "1 of 4 holes moved by (5, 0, 0) mm from x 10, y 10 to x 15, y 10; 1 of 4 holes reshaped at x 70, y 10 "
           "(radius 3 "
           "-> 4 mm); 1 hole added at x 55, y 10; 1 of 4 holes removed at x 90, y 10");
@@ -371,7 +371,7 @@ TEST_CASE("a hole beside a rib changes the rib's interaction, not the rib") {
     after.push_back({"Notch", Effect::removes, {box({40, 35, 25}, {5, 10, 5})}, {}});
     const FeatureDifference d = diff(part_with_cells(before), part_with_cells(after));
     CHECK(change_of(d, "Rib").verdict == Verdict::interaction_changed);
-    CHECK(change_of(d, "Rib").detail.find("meet") != std::string::npos);
+    CHECK(change_of(d, "Rib").detail.in_english().find("meet") != std::string::npos);
     CHECK(change_of(d, "Boss").verdict == Verdict::same);
     CHECK(change_of(d, "Notch").verdict == Verdict::added);
 }
@@ -461,7 +461,7 @@ TEST_CASE("suppressed features and features in error") {
     const FeatureDifference d = diff(before, after);
     CHECK(change_of(d, "Hole5").verdict == Verdict::suppressed);
     CHECK(change_of(d, "Boss").verdict == Verdict::reshaped);
-    CHECK(change_of(d, "Boss").detail.find("recompute failed") != std::string::npos);
+    CHECK(change_of(d, "Boss").detail.in_english().find("recompute failed") != std::string::npos);
 }
 
 TEST_CASE("a resolution that is no length is refused") {

@@ -305,7 +305,7 @@ TEST_CASE("a feature in error is noted with FreeCAD's words") {
     const FeatureTree tree = interpret(maker.done());
     CHECK(named(tree, "Fillet").error == "Fillet not possible on selected shapes");
     REQUIRE(tree.notes.size() == 1);
-    CHECK(tree.notes[0].find("Fillet not possible") != std::string::npos);
+    CHECK(tree.notes[0].in_english().find("Fillet not possible") != std::string::npos);
 }
 
 TEST_CASE("what a feature did is looked for with so much work, the same for any number of threads") {
@@ -383,7 +383,7 @@ TEST_CASE("links that dangle and loops do no harm") {
     CHECK(named(tree, "Cut").volumes.size() == 1);
     CHECK(named(tree, "Cut").depends_on.empty());
     REQUIRE(tree.notes.size() == 1);
-    CHECK(tree.notes[0] == "Cut: its link to Gone dangles");
+    CHECK(tree.notes[0].in_english() == "Cut: its link to Gone dangles");
 }
 
 TEST_CASE("what has no solid is named, and counts as changed where it should have one") {
@@ -395,7 +395,7 @@ TEST_CASE("what has no solid is named, and counts as changed where it should hav
     const FeatureTree tree = interpret(maker.done());
     const auto says = [&](const std::string& words) {
         return std::any_of(tree.notes.begin(), tree.notes.end(),
-                           [&](const std::string& note) { return note == words; });
+                           [&](const auto& note) { return note.in_english() == words; });
     };
     CHECK(says("Fusion: its operand Fillet has no solid and is left out"));
     CHECK(says("Fusion: its operand Empty has no solid and is left out"));

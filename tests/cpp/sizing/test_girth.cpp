@@ -88,8 +88,8 @@ TEST_CASE("what has material around it, or on both sides of a small part of a ci
 TEST_CASE("the report says once where elements are smaller than asked because of a thin rod") {
     const auto lines = warnings_of_thin_rods(rod_of_halves(1000), coarse(80));
     REQUIRE(lines.size() == 1);
-    CHECK(lines[0].find("2 mm thick at Face") != std::string::npos);
-    CHECK(lines[0].find(", Face") != std::string::npos);
+    CHECK(lines[0].in_english().find("2 mm thick at Face") != std::string::npos);
+    CHECK(lines[0].in_english().find(", Face") != std::string::npos);
     CHECK(warnings_of_thin_rods(rod(200), coarse(4)).empty());
     SizingOptions finer = coarse(80);
     for (std::int32_t face = 0; face < 3; ++face) finer.local.push_back({entity_of(FaceId(std::size_t(face))), 0.5});

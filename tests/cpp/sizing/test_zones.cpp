@@ -68,7 +68,7 @@ std::string refusal(SizeZone zone) {
 
 std::string note(SizeZone zone, std::vector<Vec3> nodes = {{30, 20, 10}, {1, 1, 1}}) {
     const auto notes = notes_on_zones(block(), with({std::move(zone)}), nodes);
-    return notes.empty() ? std::string() : notes[0];
+    return notes.empty() ? std::string() : notes[0].in_english();
 }
 
 bool has(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }

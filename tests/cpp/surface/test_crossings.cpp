@@ -109,7 +109,7 @@ TEST_CASE("solids that overlap or touch have each a mesh of its own, and a warni
         const SurfaceResult result = mesh_surface(brep, 2);
         CHECK(surface_findings(brep, result.mesh).empty());
         REQUIRE(result.report.warnings.size() == 1);
-        CHECK(result.report.warnings[0].find("Solid1 and Solid2") != std::string::npos);
+        CHECK(result.report.warnings[0].in_english().find("Solid1 and Solid2") != std::string::npos);
     }
 }
 

@@ -115,7 +115,7 @@ TEST_CASE("what lies beside the solids is told of and gets no mesh") {
     builder.Add(both, BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, 30), gp_Dir(0, 0, 1)), 0, 5, 0, 5).Face());
     const SurfaceResult result = mesh_surface(Brep(both), 4);
     REQUIRE(result.report.warnings.size() == 1);
-    CHECK(result.report.warnings[0] == "Not meshed, because no solid has them: Face7, Edge13.");
+    CHECK(result.report.warnings[0].in_english() == "Not meshed, because no solid has them: Face7, Edge13.");
     for (const Vec3& p : result.mesh.points) REQUIRE(p.z <= 10);
 }
 

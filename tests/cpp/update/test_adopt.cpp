@@ -220,7 +220,8 @@ TEST_CASE("nodes off the surface are released with what touches them, and named"
         foreign.points[inner_node(ours->mesh, 2)] += Vec3{0.01, 0.02, 0.05};
         const auto result = adopted(plate(20), foreign);
         REQUIRE(result.report.fallbacks.size() == 1);
-        CHECK(result.report.fallbacks[0].find("1 boundary nodes are off the surface") != std::string::npos);
+        CHECK(result.report.fallbacks[0].in_english().find("1 boundary nodes are off the surface") !=
+              std::string::npos);
         CHECK(result.report.kept_tets_share > 0.9);
         CHECK(result.report.kept_tets_share < 1);
         check_kept(foreign, *result.part_mesh);
@@ -244,7 +245,7 @@ TEST_CASE("straight mid-side nodes on a curved face are made anew, and their ele
     const auto result = adopted(plate(20), foreign);
     CHECK(result.report.kept_tets_share == 1);
     REQUIRE(result.report.fallbacks.size() == 1);
-    CHECK(result.report.fallbacks[0].find("mid-side nodes were off the surface") != std::string::npos);
+    CHECK(result.report.fallbacks[0].in_english().find("mid-side nodes were off the surface") != std::string::npos);
     check_kept(foreign, *result.part_mesh);
     check_valid(*result.part_mesh);
     for (std::size_t n = 0; n < result.part_mesh->mesh.node_count(); ++n)
@@ -257,7 +258,7 @@ TEST_CASE("inverted elements are released and filled anew") {
     foreign.points[inner_node(ours->mesh, 3)] += Vec3{3, 3, 0.5};
     const auto result = adopted(plate(20), foreign);
     REQUIRE_FALSE(result.report.fallbacks.empty());
-    CHECK(result.report.fallbacks[0].find("inverted") != std::string::npos);
+    CHECK(result.report.fallbacks[0].in_english().find("inverted") != std::string::npos);
     CHECK(result.report.kept_tets_share > 0.9);
     check_valid(*result.part_mesh);
 }
@@ -267,7 +268,7 @@ TEST_CASE("a mesh from before an edit is brought up to the part") {
         const Mesh foreign = foreign_copy(meshed(was, 1)->mesh);
         const auto result = adopted(is, foreign);
         REQUIRE_FALSE(result.report.fallbacks.empty());
-        CHECK(result.report.fallbacks[0].find(reason) != std::string::npos);
+        CHECK(result.report.fallbacks[0].in_english().find(reason) != std::string::npos);
         CHECK(result.report.kept_tets_share > 0.1);
         check_kept(foreign, *result.part_mesh);
         check_valid(*result.part_mesh);

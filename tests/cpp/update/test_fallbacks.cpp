@@ -56,8 +56,8 @@ std::string findings(const PartMesh& part) {
     return broken.empty() ? "" : broken.front();
 }
 
-bool has(const std::vector<std::string>& lines, std::size_t i, const std::string& text) {
-    return i < lines.size() && lines[i].find(text) != std::string::npos;
+bool has(const std::vector<featuremesh::Message>& lines, std::size_t i, const std::string& text) {
+    return i < lines.size() && lines[i].in_english().find(text) != std::string::npos;
 }
 
 }  // namespace

@@ -145,8 +145,8 @@ TEST_CASE("Of a solid with a sheet only the solid is meshed where solids are ask
     check_sound(*solids.part_mesh);
     CHECK(!solids.part_mesh->part.brep.has_free_faces());
     const auto& warnings = solids.report.warnings;
-    CHECK(
-        std::any_of(warnings.begin(), warnings.end(), [](const auto& line) { return line.starts_with("Not meshed"); }));
+    CHECK(std::any_of(warnings.begin(), warnings.end(),
+                      [](const auto& line) { return line.in_english().starts_with("Not meshed"); }));
     const PartMeshResult all = update_part(*solids.part_mesh, block_sheet_and_post(10, 50), options_of(4, 1), context);
     check_sound(*all.part_mesh);
     CHECK(all.report.fallbacks.empty());

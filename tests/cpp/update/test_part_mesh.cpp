@@ -243,9 +243,9 @@ TEST_CASE("another size or order means a full mesh, and the report says so") {
     const auto finer = updated(*old, plate_with_hole(15), options_of(2));
     CHECK(finer.report.kept_nodes_share == 0);
     REQUIRE(finer.report.fallbacks.size() == 1);
-    CHECK_THAT(finer.report.fallbacks[0], Catch::Matchers::Contains("size"));
+    CHECK_THAT(finer.report.fallbacks[0].in_english(), Catch::Matchers::Contains("size"));
     const auto curved = updated(*old, plate_with_hole(15), options_of(3, 2));
-    CHECK_THAT(curved.report.fallbacks.at(0), Catch::Matchers::Contains("order"));
+    CHECK_THAT(curved.report.fallbacks.at(0).in_english(), Catch::Matchers::Contains("order"));
     check_valid(*curved.part_mesh);
 }
 
@@ -278,9 +278,10 @@ TEST_CASE("a detail much smaller than the size is told of, by its name and size"
                           .box("Step", {20, 10, 8}, {20, 10, 0.02})
                           .fuse("Part", "Block", "Step")
                           .finish();
-    const auto is_told = [](const std::string& w) {
-        return w.find("Details of the part") != std::string::npos && w.find("Edge") != std::string::npos &&
-               w.find("(0.02 mm ") != std::string::npos;
+    const auto is_told = [](const featuremesh::Message& w) {
+        return w.in_english().find("Details of the part") != std::string::npos &&
+               w.in_english().find("Edge") != std::string::npos &&
+               w.in_english().find("(0.02 mm ") != std::string::npos;
     };
     const PartMeshResult thin = meshed(step, options_of(4));
     CHECK(thin.report.quality.min_dihedral < 2);
@@ -302,8 +303,8 @@ TEST_CASE("where tets cannot meet a narrow face with nodes opposite one another,
         for (const auto& [edge, count] : pieces) most = std::max(most, count);
         longest.push_back(most);
         const auto& warnings = result.report.warnings;
-        const bool is_told = std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) {
-            return w.find("Meshed finer") != std::string::npos;
+        const bool is_told = std::any_of(warnings.begin(), warnings.end(), [](const featuremesh::Message& w) {
+            return w.in_english().find("Meshed finer") != std::string::npos;
         });
         CHECK(is_told == (most > 40));
     }
@@ -329,12 +330,13 @@ TEST_CASE("where 10-node tets would stay folded, the part is meshed finer, and t
     CHECK(broken_invariants(result.part_mesh->mesh, sides).empty());
     CHECK(result.report.quality.min_scaled_jacobian > 0.199);
     const auto& warnings = result.report.warnings;
-    CHECK(std::any_of(warnings.begin(), warnings.end(),
-                      [](const std::string& w) { return w.find("finer than asked at Face1") != std::string::npos; }));
+    CHECK(std::any_of(warnings.begin(), warnings.end(), [](const featuremesh::Message& w) {
+        return w.in_english().find("finer than asked at Face1") != std::string::npos;
+    }));
     REQUIRE_FALSE(result.report.rounds.empty());
     CHECK(result.report.rounds.size() <= most_rounds);
     CHECK(result.report.rounds.front().reason == "folded");
-    CHECK(result.report.rounds.front().place == "Face1");
+    CHECK(result.report.rounds.front().place == std::vector{entity_of(FaceId(0))});
 }
 
 TEST_CASE("edges that 10-node tets need shorter make no tets without a volume to speak of") {
@@ -367,17 +369,19 @@ TEST_CASE("a solid whose volume a coarse mesh misses is meshed finer, and the re
         volume += signed_volume(mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d));
     CHECK(volume == Approx(wanted).epsilon(0.3));
     const auto& warnings = result.report.warnings;
-    CHECK(std::any_of(warnings.begin(), warnings.end(),
-                      [](const std::string& w) { return w.find("finer than asked at Solid1") != std::string::npos; }));
+    CHECK(std::any_of(warnings.begin(), warnings.end(), [](const featuremesh::Message& w) {
+        return w.in_english().find("finer than asked at Solid1") != std::string::npos;
+    }));
     REQUIRE_FALSE(result.report.rounds.empty());
     CHECK(result.report.rounds.front().reason == "cannot follow");
-    CHECK(result.report.rounds.front().refusal.find("The mesh is not valid") == 0);
+    CHECK(result.report.rounds.front().refusal.in_english().find("The mesh is not valid") == 0);
 }
 
 bool is_finer_than_asked(const PartMeshResult& result) {
     const auto& warnings = result.report.warnings;
-    return std::any_of(warnings.begin(), warnings.end(),
-                       [](const std::string& w) { return w.find("finer than asked") != std::string::npos; });
+    return std::any_of(warnings.begin(), warnings.end(), [](const featuremesh::Message& w) {
+        return w.in_english().find("finer than asked") != std::string::npos;
+    });
 }
 
 TEST_CASE("arcs a twentieth of a millimetre apart are meshed at the size") {
@@ -414,8 +418,8 @@ TEST_CASE("a local size on a face that no longer exists is a warning that names 
     const PartMeshResult drilled = meshed(plate_with_hole(20), options);
     const auto is_named = [](const PartMeshResult& result, const std::string& name) {
         const auto& warnings = result.report.warnings;
-        return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& w) {
-            return w.find("local size at " + name + " ") != std::string::npos;
+        return std::any_of(warnings.begin(), warnings.end(), [&](const featuremesh::Message& w) {
+            return w.in_english().find("local size at " + name + " ") != std::string::npos;
         });
     };
     CHECK(is_named(drilled, "Face42"));
@@ -501,9 +505,11 @@ TEST_CASE("a part that is refused with shorter pieces along narrow faces is mesh
             .finish();
     };
     const auto warned = [](const PartMeshResult& result) {
-        return std::count_if(result.report.warnings.begin(), result.report.warnings.end(), [](const std::string& line) {
-            return line.starts_with("Faces far narrower than the size are meshed at the plain size, since shorter");
-        });
+        return std::count_if(result.report.warnings.begin(), result.report.warnings.end(),
+                             [](const featuremesh::Message& line) {
+                                 return line.in_english().starts_with(
+                                     "Faces far narrower than the size are meshed at the plain size, since shorter");
+                             });
     };
     const auto on_ledge = [](const PartMesh& mesh) { return mesh.sizing.at({30, 30, 8}); };
     RunContext context;
@@ -543,7 +549,7 @@ TEST_CASE("a part that is refused with shorter pieces along narrow faces is mesh
                                   .finish();
     const PartMeshResult anew = updated(*plain.part_mesh, other, options);
     REQUIRE(anew.report.fallbacks.size() == 1);
-    CHECK_THAT(anew.report.fallbacks[0], Catch::Matchers::Contains("no element of the old mesh is clear"));
+    CHECK_THAT(anew.report.fallbacks[0].in_english(), Catch::Matchers::Contains("no element of the old mesh is clear"));
     CHECK(anew.part_mesh->mesh.points == meshed(other, options).part_mesh->mesh.points);
     // a mesh from scratch tries again
     MeshOptions coarser = options;

@@ -253,5 +253,5 @@ TEST_CASE("A part that becomes a solid is meshed anew, and says so") {
     const PartMeshResult after = update_part(*before.part_mesh, solid, options_of(8, 1), context);
     CHECK(!after.part_mesh->mesh.tets.empty());
     REQUIRE(after.report.fallbacks.size() == 1);
-    CHECK(after.report.fallbacks[0].find("were not before") != std::string::npos);
+    CHECK(after.report.fallbacks[0].in_english().find("were not before") != std::string::npos);
 }

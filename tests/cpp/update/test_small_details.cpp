@@ -43,7 +43,8 @@ TEST_CASE("a rod that is far thinner than the size is meshed in both orders, whi
         CHECK(result.report.rounds.empty());
         CHECK(result.report.quality.min_dihedral > 20);
         REQUIRE(result.report.warnings.size() == 1);
-        CHECK(result.report.warnings[0].starts_with("The part is 2 mm thick at Face1: elements are smaller there"));
+        CHECK(result.report.warnings[0].in_english().starts_with(
+            "The part is 2 mm thick at Face1: elements are smaller there"));
         const PartMeshResult longer = updated(*result.part_mesh, rod(310), options);
         check_valid(*longer.part_mesh);
         CHECK(longer.report.kept_nodes_share > 0.9);
@@ -62,8 +63,9 @@ TEST_CASE(
         CHECK(off.report.quality.min_dihedral < 5);
         CHECK(on.report.quality.min_dihedral > 20);
         const auto said = [](const PartMeshResult& result, const char* begin) {
-            return std::count_if(result.report.warnings.begin(), result.report.warnings.end(),
-                                 [&](const std::string& line) { return line.starts_with(begin); });
+            return std::count_if(
+                result.report.warnings.begin(), result.report.warnings.end(),
+                [&](const featuremesh::Message& line) { return line.in_english().starts_with(begin); });
         };
         CHECK(said(on, "Too narrow for elements of their own: Face") == 1);
         CHECK(said(on, "Nearer to another vertex than 0.01 mm") == 1);

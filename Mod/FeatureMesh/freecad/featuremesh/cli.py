@@ -25,11 +25,11 @@ def run_from_environment():
 
 def run(task):
     """The result of one task; never throws."""
-    from freecad.featuremesh import log, tasks
+    from freecad.featuremesh import log, messages, tasks
     from freecad.featuremesh.errors import EngineMissing, UserError
     try:
         message, data = tasks.COMMANDS[task["command"]](task)
-        return {"exit_code": 0, "message": message, "data": data}
+        return {"exit_code": 0, "message": message, "data": messages.in_english(data)}
     except UserError as error:
         return _failure(2, error)
     except EngineMissing as error:

@@ -3,6 +3,8 @@
 
 import sys
 
+from .messages import english
+
 
 class UserError(ValueError):
     """What was asked cannot be done; the message says what, where and what to try."""
@@ -36,7 +38,11 @@ class FailedUpdate(UserError, metaclass=_NamedAsTheMesh):
 
 
 class StateError(RuntimeError):
-    """A saved mesh state is damaged, foreign or from a newer program."""
+    """A saved mesh state is damaged, foreign or from a newer program; `message` says it with parameters, as the engine's errors do."""
+
+    def __init__(self, message):
+        super().__init__(english(message))
+        self.message = message
 
 
 class EngineMissing(RuntimeError):

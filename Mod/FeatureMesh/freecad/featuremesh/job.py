@@ -4,6 +4,7 @@
 import time
 
 from . import engine, log
+from .messages import of_error
 from .worker import WorkerDied
 
 
@@ -45,5 +46,5 @@ class MeshJob:
         try:
             self.old = engine.load().restore_part(saved.raw, saved.options, saved.arrays, progress)
         except (engine.load().StateError, WorkerDied) as error:
-            self.problem = " ".join(str(error).split())
+            self.problem = of_error(error)
         self.seconds["restore"] = time.perf_counter() - start

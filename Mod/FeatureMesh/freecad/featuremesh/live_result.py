@@ -6,8 +6,9 @@ import threading
 
 import FreeCAD
 
-from . import analyses, engine, messages, mesh_object, results, solve_guard, state, statics, statics_model, statics_result
+from . import analyses, engine, mesh_object, results, solve_guard, state, statics, statics_model, statics_result
 from .errors import StateError, UserError
+from .mesh_properties import failed
 from .reading import describe
 
 translate = FreeCAD.Qt.translate
@@ -30,12 +31,13 @@ PROPERTIES = [
     ("App::PropertyFloat", "MaxDisplacement", "Result", 0.0, True, "Largest displacement, mm"),
     ("App::PropertyFloat", "Seconds", "Result", 0.0, True, "Time the last solution took"),
     ("App::PropertyString", "Report", "Result", "", True, "Everything about the last solution, as JSON"),
+    ("App::PropertyString", "Failure", "Result", "", True, "Why the last solution failed, as JSON"),
     ("App::PropertyString", "SolvedState", "Result", "", True, "Which state of the mesh the result is of"),
 ]
-_HIDDEN = ("Members", "Report", "SolvedState")
+_HIDDEN = ("Members", "Report", "Failure", "SolvedState")
 _TOUCHING = ("Members", "Automatic")
 # Changes that alter no result.
-_OF_NO_CONCERN = {"Visibility", "Label", "Label2", "ExpressionEngine", "Report", "ReferredTo", "Proxy"}
+_OF_NO_CONCERN = {"Visibility", "Label", "Label2", "ExpressionEngine", "Report", "Failure", "ReferredTo", "Proxy"}
 _OF_THE_MESH = {"SavedState", "Status"}
 
 # Called with every live result that was made or opened; the window's side adds its view there.
@@ -145,7 +147,7 @@ class LiveResult:
     def fail(self, live, error):
         """Says why there is no result of the part as it is; the last one stays, out of date."""
         self.motion = getattr(error, "motion", None)
-        self.set_status(live, CANCELLED if mesh_object.is_cancelled(error) else "failed: " + mesh_object.one_line(error))
+        self.set_status(live, CANCELLED if mesh_object.is_cancelled(error) else failed(live, error))
 
     def set_status(self, live, status):
         self.is_fresh = status == UP_TO_DATE
@@ -213,13 +215,6 @@ class Solution:
     def __init__(self, arrays, fields):
         self.arrays = arrays
         self.displacements, self.von_mises = fields["displacements"], fields["von_mises"]
-
-
-def status_in_words(status):
-    """The Status of a live result in the user's language."""
-    if status.startswith("failed: "):
-        return translate("FeatureMesh", "failed: %s") % messages.in_words(status[len("failed: "):])
-    return translate("FeatureMesh", status)
 
 
 def is_live_result(obj):

@@ -14,14 +14,17 @@ from . import adopt, analyses, contact_faces, engine, hand_over, history, log, m
 from . import results, solve_guard, state, too_fine, versions
 from .errors import EngineMissing, FailedUpdate, StateError, UserError
 from .job import MeshJob
-from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FROM_SHAPE, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, is_of_its_part,
-                              settings_of, status_in_words)
+from .messages import said
+from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE,
+                              differ_from_mesh, failed, failure_of, is_of_its_part, settings_of, status_in_words)
 from .numbering import Numbering
 from .reading import describe, elements_of_today, read_document, shape_of_record, with_elements
 from .reports import add_fallback, plain, remarks_of
 from .resolving import Resolver
+from .user_words import in_words
 
 translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 # Called with every mesh object that was made or opened; the window's side adds its view there.
 on_ready = []
 # Runs a MeshJob while FreeCAD recomputes, where the window's side wants to show progress; None: just run it.
@@ -51,7 +54,7 @@ class FeatureMesh:
         try:
             self.update(mesh)
         except Exception as error:
-            message = status_in_words(CANCELLED) if is_cancelled(error) else messages.in_words(one_line(error))
+            message = translate("FeatureMesh", CANCELLED) if is_cancelled(error) else in_words(messages.of_error(error))
             log.write_error(error)
             raise FailedUpdate(mesh.Label, message) from None
 
@@ -157,7 +160,7 @@ class FeatureMesh:
         known = remarks_of(json.loads(mesh.Report or "{}"))
         for line in remarks_of(report):
             if line not in known:   # what the last mesh said, too, has been read
-                FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, messages.in_words(line)))
+                FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, in_words(line)))
         for analysis in analyses.holding(mesh):
             results.note(analysis)   # of a document from before results were noted: on the mesh as it was
         fem_mesh = self._fem_mesh(mesh, job.part_mesh, job.raw)
@@ -189,7 +192,7 @@ class FeatureMesh:
         """The job's report, after references were moved with their faces."""
         report = plain(job.report)
         if job.problem:
-            add_fallback(report, "meshed from scratch: " + job.problem)
+            add_fallback(report, said(QT_TRANSLATE_NOOP("FeatureMesh", "meshed from scratch: {why:messages}"), why=job.problem))
         moved = job.remarks + self._follow(mesh, self._dependents(mesh), job.raw, lambda: self._followed_faces(job))
         report["warnings"] = report.get("warnings", []) + moved
         self.settle(mesh, self._referring(mesh), job.raw)
@@ -197,16 +200,16 @@ class FeatureMesh:
 
     def fail(self, mesh, error):
         """Says why there is no new mesh; the old one stays."""
-        mesh.Status = CANCELLED if is_cancelled(error) else "failed: " + one_line(error)
+        mesh.Status = CANCELLED if is_cancelled(error) else failed(mesh, error)
 
     def why_not_to_solve(self, mesh):
         """Why no analysis must be solved on the mesh as it is, as a sentence; "" when it may."""
         if mesh.Status == UP_TO_DATE:
             return ""
-        if mesh.Status.startswith("failed: "):
+        if mesh.Status.startswith(FAILED):
             return translate("FeatureMesh", "%s is not that of the part as it is, its last update failed: %s") % (
-                describe(mesh), messages.in_words(mesh.Status[len("failed: "):]))
-        return translate("FeatureMesh", "%s is %s; update it before solving") % (describe(mesh), status_in_words(mesh.Status))
+                describe(mesh), in_words(failure_of(mesh)))
+        return translate("FeatureMesh", "%s is %s; update it before solving") % (describe(mesh), status_in_words(mesh))
 
     def state_of_mesh(self, mesh):
         """What tells the mesh from others, whether or not it is that of its part; "" where there is none."""
@@ -242,7 +245,7 @@ class FeatureMesh:
             try:
                 self._show(mesh, self.last_part_mesh(mesh))
             except (RuntimeError, UserError) as error:
-                mesh.Status = "failed: " + one_line(error)
+                mesh.Status = failed(mesh, error)
                 FreeCAD.Console.PrintError("%s: %s\n" % (mesh.Label, one_line(error)))
                 return
         self._shown = checksum
@@ -324,13 +327,13 @@ class FeatureMesh:
         At most one of the three is not None, none for a first mesh.
         """
         if self._part_mesh is None and not mesh.SavedState:
-            return None, None, (None if not mesh.FemMesh.NodeCount else "the document holds no mesh state")
+            return None, None, (None if not mesh.FemMesh.NodeCount else said(QT_TRANSLATE_NOOP("FeatureMesh", "the document holds no mesh state")))
         if self._has_in_memory(state.checksum_of(mesh.SavedState)):
             return self._part_mesh, None, None
         try:
             return None, self._load(mesh), None
         except StateError as error:
-            return None, None, one_line(error)
+            return None, None, messages.of_error(error)
 
     def _has_in_memory(self, checksum):
         """Is the engine's mesh of the saved state with that checksum at hand?"""
@@ -340,7 +343,7 @@ class FeatureMesh:
         """The saved state. Throws StateError."""
         saved, part = state.load(mesh.SavedState), versions.part_of(mesh)
         if part is not None and saved.part_name != part.Name:
-            raise StateError("the saved mesh state belongs to %s, not to %s" % (saved.part_name, part.Name))
+            raise StateError(said(QT_TRANSLATE_NOOP("FeatureMesh", "the saved mesh state belongs to {other:text}, not to {part:text}"), other=saved.part_name, part=part.Name))
         if self._elements is not None:
             saved.raw = with_elements(saved.raw, self._elements)
         self._raw = saved.raw
@@ -400,7 +403,9 @@ class FeatureMesh:
                 if id(then) not in numberings:
                     old = then or self._raw
                     if old is None:
-                        lines.append("%s could not be followed from the last mesh, whose state is gone; check what it refers to" % obj.Label)
+                        lines.append(said(
+                            QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} could not be followed from the last mesh, whose state is gone; check what it refers to"),
+                            object=obj.Label))
                         continue
                     numberings[id(then)] = Numbering(engine.load().followed_faces(then, raw) if then else faces(),
                                                      lambda old=old: shape_of_record(old), part.Shape)
@@ -432,7 +437,7 @@ class FeatureMesh:
             if state.checksum_of(mesh.SavedState) != checksum:
                 raise OSError("the copy in %s is not whole" % os.path.dirname(mesh.SavedState))
         except (OSError, RuntimeError) as error:
-            raise UserError("the new mesh's state cannot be stored (%s), the old mesh stays; is the disk full?" % one_line(error)) from error
+            raise UserError(translate("FeatureMesh", "the new mesh's state cannot be stored (%s), the old mesh stays; is the disk full?") % one_line(error)) from error
         self._checksum = self._shown = checksum
         self._part_mesh, self._raw = job.part_mesh, job.raw
 
@@ -516,7 +521,7 @@ def is_cancelled(error):
 
 def one_line(error):
     """An error's message without line breaks."""
-    return " ".join(str(error).split()) or type(error).__name__
+    return messages.english(messages.of_error(error))
 
 
 def element_count(report):

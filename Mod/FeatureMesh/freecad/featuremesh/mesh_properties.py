@@ -5,7 +5,7 @@ import json
 
 import FreeCAD
 
-from . import messages
+from . import messages, user_words
 
 # Kept in documents as they are; shown in the user's language by status_in_words.
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -14,6 +14,7 @@ UP_TO_DATE = QT_TRANSLATE_NOOP("FeatureMesh", "up to date")
 OUT_OF_DATE = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: the part or a setting changed, update by hand or switch Automatic on")
 SETTINGS_CHANGED = QT_TRANSLATE_NOOP("FeatureMesh", "settings changed, not meshed yet")
 CANCELLED = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: the last update was cancelled")
+FAILED = "failed: "   # and why, in English
 
 DIMENSIONS = ("From shape", "Solids", "Faces", "Edges")
 FROM_SHAPE = DIMENSIONS[0]
@@ -53,10 +54,11 @@ PROPERTIES = [
      "Mean of three times (of triangles, twice) the inscribed over the circumscribed radius; 1 for regular elements"),
     ("App::PropertyFloat", "Seconds", "Result", 0.0, True, "Time the last mesh or update took"),
     ("App::PropertyString", "Report", "Result", "", True, "Everything about the last mesh or update, as JSON"),
+    ("App::PropertyString", "Failure", "Result", "", True, "Why the last update failed, as JSON"),
     ("App::PropertyFileIncluded", "SavedState", "Result", None, True, "What the next update needs"),
     ("App::PropertyString", "ReferredTo", "Result", "", True, "What loads, supports, materials and refinements referred to, as JSON"),
 ]
-_HIDDEN = ("Report", "SavedState", "ReferredTo")
+_HIDDEN = ("Report", "Failure", "SavedState", "ReferredTo")
 _NO_TOUCH = 8 | 16   # status of a property whose change asks for no recompute
 OPTION_OF = {"Size": "size", "MinSize": "min_size", "ElementsPerCircle": "elements_per_circle",
               "ElementsAcrossGap": "elements_across_gap", "Growth": "growth", "QualityTarget": "target_dihedral_deg",
@@ -95,8 +97,22 @@ def differ_from_mesh(mesh, settings):
     return settings != {**_WHAT_OLD_MESHES_HAD, **json.loads(mesh.Report or "{}").get("settings", settings)}
 
 
-def status_in_words(status):
-    """The Status of a mesh object in the user's language."""
-    if status.startswith("failed: "):
-        return FreeCAD.Qt.translate("FeatureMesh", "failed: %s") % messages.in_words(status[len("failed: "):])
+def status_in_words(obj, status=None):
+    """The Status of a mesh object or a live result, or what stands in its place, in the user's language."""
+    status = status or obj.Status
+    if status.startswith(FAILED):
+        return FreeCAD.Qt.translate("FeatureMesh", "failed: %s") % user_words.in_words(failure_of(obj))
     return FreeCAD.Qt.translate("FeatureMesh", status)
+
+
+def failed(obj, error):
+    """The Status of an object whose work ended with an error, in English; its message is kept for status_in_words."""
+    obj.Failure = json.dumps(messages.of_error(error))
+    return FAILED + messages.english(messages.of_error(error))
+
+
+def failure_of(obj):
+    """The message of the error for which Status says "failed"; in documents from before it was kept, the words in Status."""
+    words = obj.Status[len(FAILED):]
+    failure = json.loads(obj.Failure or "null")
+    return failure if messages.english(failure) == words else words

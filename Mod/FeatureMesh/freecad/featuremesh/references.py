@@ -7,13 +7,25 @@ referred to at the last mesh is on record. What it became is known by the featur
 references, for a load must never act on a face that nobody chose, and an object that has nothing left is marked until it is mended.
 """
 
+import FreeCAD
+
 from . import versions
+from .messages import said
 from .resolving import LOST, pairs_of
 
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 # Is a task panel of the object open? It keeps its own list of references, so nobody else may change them. Set by the window's side.
 is_in_edit = None
 # A property of objects that have nothing left to refer to: the names of what they have lost.
 MARK = "LostReferences"
+
+_TAKEN_OUT = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {lost:entities}, which is gone; it was taken out of the references")
+_CHOOSE_ANOTHER = {
+    "Face": QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {lost:entities}, which is gone; choose another face, the analysis cannot be solved without"),
+    "Edge": QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {lost:entities}, which is gone; choose another edge, the analysis cannot be solved without"),
+    "Vertex": QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {lost:entities}, which is gone; choose another vertex, the analysis cannot be solved without"),
+    "Solid": QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {lost:entities}, which is gone; choose another solid, the analysis cannot be solved without"),
+}
 
 
 def record_of(objects, resolver):
@@ -114,18 +126,20 @@ def _not_a_stranger(name, chosen, numbering):
 
 def _what_happened(obj, name, found, numbering, chosen):
     if len(found) > 1:
-        return ["%s: %s was split into %s, it is on all of them now" % (obj.Label, name, " and ".join(found))]
+        return [said(QT_TRANSLATE_NOOP("FeatureMesh", "{object:text}: {before:entities} was split into {now:entities}, it is on all of them now"),
+                     object=obj.Label, before=[name], now=found)]
     lines = []
     if found and found != [name]:
-        lines.append("%s: %s is now %s, its reference was changed" % (obj.Label, name, found[0]))
+        lines.append(said(QT_TRANSLATE_NOOP("FeatureMesh", "{object:text}: {before:entities} is now {now:entities}, its reference was changed"),
+                          object=obj.Label, before=[name], now=found))
     others = [other for other in (numbering.was(found[0]) if found else []) if other not in chosen]
     if others:
-        lines.append("%s: %s has become one with %s, it is on all of that now" % (obj.Label, name, " and ".join(others)))
+        lines.append(said(QT_TRANSLATE_NOOP("FeatureMesh", "{object:text}: {one:entities} has become one with {others:entities}, it is on all of that now"),
+                          object=obj.Label, one=[name], others=others))
     return lines
 
 
 def _what_was_lost(obj, lost, now):
     if now:
-        return ["%s refers to %s, which is gone; it was taken out of the references" % (obj.Label, name) for name in lost]
-    return ["%s refers to %s, which is gone; choose another %s, the analysis cannot be solved without"
-            % (obj.Label, name, name.rstrip("0123456789").lower()) for name in lost]
+        return [said(_TAKEN_OUT, object=obj.Label, lost=[name]) for name in lost]
+    return [said(_CHOOSE_ANOTHER[name.rstrip("0123456789")], object=obj.Label, lost=[name]) for name in lost]

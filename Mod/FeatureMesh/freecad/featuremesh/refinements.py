@@ -7,10 +7,12 @@ import FreeCAD
 
 from . import resolving, size_zone
 from .errors import UserError
+from .messages import said
 from .reading import describe
 from .resolving import Resolver
 
 translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
 @dataclass
@@ -18,7 +20,7 @@ class Refinements:
     """What a mesh is to be refined by."""
     local: list = field(default_factory=list)   # ("Face12", size in mm, the object)
     zones: list = field(default_factory=list)   # (what the engine takes, see size_zone.wish_of, the object)
-    notes: list = field(default_factory=list)   # a sentence for each that is left out
+    notes: list = field(default_factory=list)   # a message for each that is left out
 
     def at_entities(self):
         """("Face12", size in mm, name of the refinement) for all that refines around faces, edges and vertices."""
@@ -31,7 +33,7 @@ def read(mesh, part, raw=None):
     found, resolver = Refinements(), Resolver(part, raw)
     for obj in mesh.MeshRegionList:
         if size_zone.is_suppressed(obj):
-            found.notes.append("The refinement %s is suppressed and left out." % obj.Label)
+            found.notes.append(said(QT_TRANSLATE_NOOP("FeatureMesh", "The refinement {zone:text} is suppressed and left out."), zone=obj.Label))
             continue
         names, foreign = resolver.of_object(obj)
         if foreign:
@@ -44,12 +46,17 @@ def read(mesh, part, raw=None):
 def _take(obj, names, found):
     wish = size_zone.wish_of(obj, names)
     if wish is None and not hasattr(obj, "CharacteristicLength"):
-        found.notes.append("The refinement %s is of a kind that is not understood and left out. Use a refinement zone instead." % obj.Label)
+        found.notes.append(said(
+            QT_TRANSLATE_NOOP("FeatureMesh", "The refinement {zone:text} is of a kind that is not understood and left out. Use a refinement zone instead."),
+            zone=obj.Label))
     elif not names and (wish is None or "entities" in wish):
-        found.notes.append("The refinement %s refers to nothing and is left out. Choose faces, edges or vertices for it, or suppress it." % obj.Label)
+        found.notes.append(said(
+            QT_TRANSLATE_NOOP("FeatureMesh", "The refinement {zone:text} refers to nothing and is left out. Choose faces, edges or vertices for it, or "
+                              "suppress it."), zone=obj.Label))
     elif wish is not None:
         found.zones.append((wish, obj))
     elif obj.CharacteristicLength.Value <= 0:
-        found.notes.append("The refinement %s has no size and is left out. Give it one, or suppress it." % obj.Label)
+        found.notes.append(said(QT_TRANSLATE_NOOP("FeatureMesh", "The refinement {zone:text} has no size and is left out. Give it one, or suppress it."),
+                                zone=obj.Label))
     else:
         found.local += [(name, obj.CharacteristicLength.Value, obj) for name in names]

@@ -2,9 +2,12 @@
 """The report of a mesh or an update, as JSON and the user take it."""
 
 
-def add_fallback(report, text):
-    """Adds a line to the report's list of what could not be kept or done."""
-    report["fallback"] = "; ".join(part for part in (text, report.get("fallback")) if part)
+from .messages import is_message, several
+
+
+def add_fallback(report, message):
+    """Adds a message to what the report says could not be kept or done."""
+    report["fallback"] = several([message, report.get("fallback")])
 
 
 def remarks_of(report):
@@ -14,6 +17,8 @@ def remarks_of(report):
 
 def plain(value):
     """The same with lists in place of arrays, and triangles (of no use in a report) counted only."""
+    if is_message(value):
+        return value
     if isinstance(value, dict):
         short = {key: plain(entry) for key, entry in value.items() if key != "changed_boundary"}
         if "changed_boundary" in value:

@@ -11,11 +11,15 @@ import os
 import zipfile
 from dataclasses import dataclass, field
 
+import FreeCAD
 import numpy as np
 
 from . import __version__
 from .errors import StateError
+from .messages import said
 
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+_DAMAGED = QT_TRANSLATE_NOOP("FeatureMesh", "the saved mesh state is damaged ({why:text})")
 SCHEMA = 1
 # Schema n -> function that turns the (meta, arrays) of a file of schema n into those of n + 1.
 MIGRATIONS = {}
@@ -69,11 +73,12 @@ def load(path):
     members = _read_members(path)
     checksum = members.pop("checksum", None)
     if checksum is None or checksum.tobytes() != _digest(members):
-        raise StateError("the saved mesh state is damaged (its checksum is wrong)")
+        raise StateError(said(_DAMAGED, why="its checksum is wrong"))
     meta = json.loads(members.pop("meta").tobytes())
     if meta["schema"] > SCHEMA:
-        raise StateError("the saved mesh state is from a newer FeatureMesh (%s, schema %d; this one reads up to %d)"
-                         % (meta["program"], meta["schema"], SCHEMA))
+        raise StateError(said(
+            QT_TRANSLATE_NOOP("FeatureMesh", "the saved mesh state is from a newer FeatureMesh ({program:text}, schema {schema:count}; this one reads up "
+                              "to {newest:count})"), program=meta["program"], schema=meta["schema"], newest=SCHEMA))
     for schema in range(meta["schema"], SCHEMA):
         meta, members = MIGRATIONS[schema](meta, members)
     arrays = {name[len("array."):]: values for name, values in members.items() if name.startswith("array.")}
@@ -81,7 +86,7 @@ def load(path):
         raw = {"final_object": meta["final_object"], "records": meta["records"], "shapes": members["shapes"].tobytes()}
         return State(raw, meta["options"], arrays, meta["references"])
     except KeyError as error:
-        raise StateError("the saved mesh state lacks its %s" % error.args[0]) from error
+        raise StateError(said(_DAMAGED, why="it lacks its %s" % error.args[0])) from error
 
 
 def checksum_of(path):
@@ -104,16 +109,16 @@ def next_numbers_of(path):
 
 def _read_members(path):
     if not path or not os.path.isfile(path):
-        raise StateError("the document holds no mesh state")
+        raise StateError(said(QT_TRANSLATE_NOOP("FeatureMesh", "the document holds no mesh state")))
     try:
         with np.load(path, allow_pickle=False) as archive:
             if "meta" not in archive.files or "shapes" not in archive.files:
-                raise StateError("the file is not a FeatureMesh state")
+                raise StateError(said(QT_TRANSLATE_NOOP("FeatureMesh", "the file is not a FeatureMesh state")))
             return {name: archive[name] for name in archive.files}
     except StateError:
         raise
     except Exception as error:  # a damaged zip or array header shows in a dozen exception types
-        raise StateError("the saved mesh state is damaged (%s)" % error) from error
+        raise StateError(said(_DAMAGED, why=str(error))) from error
 
 
 def _bytes_to_array(data):

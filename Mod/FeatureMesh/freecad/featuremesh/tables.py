@@ -3,8 +3,8 @@
 
 import FreeCAD
 
-from .messages import in_words
-from .unit_words import in_users_units
+from .messages import english
+from .user_words import in_users_units, in_words
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -23,7 +23,7 @@ def rows_of_difference(found):
     for feature in found["features"]:
         old, new = _volume(feature["old_volume"]), _volume(feature["new_volume"])
         volumes = old if old == new else "%s -> %s" % (old, new)
-        rows.append((feature_name(feature), verdict_in_words(feature["verdict"]), feature["detail"], volumes,
+        rows.append((feature_name(feature), verdict_in_words(feature["verdict"]), english(feature["detail"]), volumes,
                      _faces(feature["old_faces"]), _faces(feature["new_faces"])))
     return ("feature", "what happened", "by how much", "volume mm^3", "old faces", "new faces"), rows
 

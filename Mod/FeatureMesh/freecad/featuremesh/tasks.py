@@ -12,6 +12,7 @@ from .errors import UserError
 from .transfer import find_result
 from .mesh_object import element_count, one_line
 from .mesh_properties import FROM_SHAPE
+from .messages import english, in_english, said
 from .reports import add_fallback, plain
 from .quality import MEASURES
 
@@ -68,7 +69,7 @@ def update(task):
     obj.Automatic = automatic
     report = api.update_mesh(obj, full=bool(task.get("full")), progress=_progress)
     if task.get("full"):
-        add_fallback(report, "meshed from scratch, as asked with --full")
+        add_fallback(report, said("meshed from scratch, as asked with --full"))
     report["seconds"]["recompute"] = seconds
     solved = ""
     if task.get("solve"):
@@ -221,7 +222,7 @@ def _save(document, task, report):
     if task.get("json"):
         try:
             with open(task["json"], "w", encoding="utf-8") as stream:
-                json.dump(report, stream, indent=1, sort_keys=True)
+                json.dump(in_english(report), stream, indent=1, sort_keys=True)
         except OSError as error:
             raise UserError("saved %s, but cannot write the report: %s" % (out, one_line(error))) from error
     return os.path.relpath(out) if not os.path.relpath(out).startswith("..") else out
@@ -248,4 +249,4 @@ def _solution_in_words(report):
 
 
 def _fallback_in_words(report):
-    return " (%s)" % report["fallback"] if report.get("fallback") else ""
+    return " (%s)" % english(report["fallback"]) if report.get("fallback") else ""

@@ -41,7 +41,9 @@ if hasattr(signal, "SIGPIPE") and threading.current_thread() is threading.main_t
 
 
 class Error(RuntimeError):
-    """Base of all errors of the engine, as featuremesh_engine.Error."""
+    """Base of all errors of the engine, as featuremesh_engine.Error; `message` says it with parameters (messages.py), where it has any."""
+
+    message = None
 
 
 class InputError(Error):
@@ -423,9 +425,11 @@ def _how_it_ended(code):
     return translate("FeatureMesh", "crashed (%s)") % name
 
 
-def _error(name, text):
+def _error(name, text, message):
     if name in _ERRORS:
-        return _ERRORS[name](text)
+        error = _ERRORS[name](text)
+        error.message = message
+        return error
     known = getattr(builtins, name, None)
     if isinstance(known, type) and issubclass(known, Exception):
         return known(text)

@@ -8,7 +8,7 @@ FreeCAD nor anything else of this package, so it starts at once. Messages are tu
 
     to the worker:    ("call", function, args, kwargs), ("cancel",), ("forget", keys of meshes)
     from the worker:  ("ready", what the engine says about itself) or ("unusable", reason), then per call any number of ("progress", step, share) and one
-                      ("done", value) or ("error", class name, text)
+                      ("done", value) or ("error", class name, text, the engine's message or None)
 
 Meshes stay in the worker under a key; FreeCAD's side gets the key with their arrays.
 """
@@ -77,7 +77,7 @@ class Worker:
         try:
             return "done", operator.attrgetter(name)(self._engine)(*args, **kwargs)
         except BaseException as error:
-            return "error", type(error).__name__, str(error)[:_LONGEST]
+            return "error", type(error).__name__, str(error)[:_LONGEST], getattr(error, "message", None)
 
     def _progress(self, step, share):
         self._send(("progress", step, share))

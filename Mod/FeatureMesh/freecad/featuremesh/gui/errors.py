@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How the window shows an error: a message, and the faces, edges or vertices that it names selected in the view."""
-
-import re
+"""How the window shows an error: a message, and the faces, edges or vertices that it is about selected in the view."""
 
 import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtGui
 
 from .. import log
-from ..mesh_object import is_cancelled, one_line
-from ..messages import in_words
+from ..mesh_object import is_cancelled
+from ..messages import entities_in, of_error
+from ..user_words import in_words
 from .showing import show_part
 
 translate = FreeCAD.Qt.translate
@@ -20,7 +19,7 @@ def show(error, part=None):
     if is_cancelled(error):
         Gui.getMainWindow().statusBar().showMessage(translate("FeatureMesh", "Cancelled; the mesh is as it was."), 5000)
         return
-    message = in_words(one_line(error))
+    message = in_words(of_error(error))
     log.write_error(error)
     FreeCAD.Console.PrintError("FeatureMesh: %s\n" % message)
     select_named(error, part)
@@ -28,8 +27,8 @@ def show(error, part=None):
 
 
 def select_named(error, part):
-    """Selects the faces, edges and vertices of `part` that the message names, and shows the part with them."""
-    names = [name for name in dict.fromkeys(re.findall(r"\b(?:Face|Edge|Vertex)\d+\b", str(error))) if _has(part, name)]
+    """Selects the faces, edges and vertices of `part` that the message is about, and shows the part with them."""
+    names = [name for name in entities_in(of_error(error)) if _has(part, name)]
     if not names:
         return
     show_part(part)

@@ -8,9 +8,10 @@ import FreeCADGui as Gui
 import numpy as np
 from PySide import QtCore, QtGui
 
-from .. import api, live_overlay, live_result, live_view, mesh_object, messages, view_provider, versions
+from .. import api, live_overlay, live_result, live_view, messages, user_words, view_provider, versions
 from ..errors import UserError
-from ..unit_words import in_users_units
+from ..mesh_properties import status_in_words
+from ..user_words import in_users_units
 from . import live_runner
 from .cut_box import CutBox
 from .undo import undo_step
@@ -63,12 +64,12 @@ class LivePanel:
     def refresh(self):
         """Brings the widgets up to date with the live result."""
         live, drawn = self.live, self.view.drawn
-        self.status.setText(live_result.status_in_words(live.Status))
+        self.status.setText(status_in_words(live))
         self._show_run()
         self.difference.setEnabled(live.Proxy.before is not None)
         report = json.loads(live.Report or "{}")
         is_fresh = live.Proxy.is_fresh
-        self.remarks.setText("\n".join(messages.in_words(line) for line in report.get("warnings", [])) if is_fresh else "")
+        self.remarks.setText("\n".join(user_words.in_words(line) for line in report.get("warnings", [])) if is_fresh else "")
         mesh = live.Proxy.mesh(live)
         self.ten_nodes.setVisible(mesh is not None and mesh.Order == "1st")
         self.legend.show_range(drawn, self._unit(), is_fresh)
@@ -172,7 +173,7 @@ class LivePanel:
             try:
                 api.solve_live(self.live)
             except (UserError, RuntimeError) as error:
-                self.status.setText(messages.in_words(mesh_object.one_line(error)))
+                self.status.setText(user_words.in_words(messages.of_error(error)))
         self._show_run()
 
     def _take_ten_nodes(self):

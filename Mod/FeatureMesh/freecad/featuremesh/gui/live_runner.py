@@ -5,7 +5,7 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import live_result, messages, mesh_object
+from .. import live_result, messages, mesh_object, user_words
 from ..errors import UserError
 from .running import RunningJob, step_in_words
 
@@ -126,7 +126,7 @@ class _Run:
         self.stop()
         self.live.Proxy.fail(self.live, error)
         if not mesh_object.is_cancelled(error):
-            FreeCAD.Console.PrintWarning("%s: %s\n" % (self.live.Label, messages.in_words(mesh_object.one_line(error))))
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (self.live.Label, user_words.in_words(messages.of_error(error))))
         self.tell()
 
     def _is_there(self):

@@ -7,6 +7,8 @@ from PySide import QtCore, QtGui
 
 from .. import mesh_object, view_provider, versions
 from ..errors import UserError
+from ..messages import of_error
+from ..user_words import in_words
 from .cut_box import CutBox
 
 translate = FreeCAD.Qt.translate
@@ -57,7 +59,7 @@ class OverlayPanel:
         try:
             self.overlay = self.make_overlay()
         except (UserError, RuntimeError) as error:   # ours and the engine's; nothing of what was is shown any longer
-            self.overlay, said = None, mesh_object.one_line(error)
+            self.overlay, said = None, in_words(of_error(error))
         self._show(said)
 
     def draw(self):
@@ -89,7 +91,7 @@ class OverlayPanel:
     def _show(self, said=""):
         self._document = self.mesh.Document
         if not said and self.mesh.Status != mesh_object.UP_TO_DATE:
-            said = translate("FeatureMesh", "These are the elements of the last mesh: %s") % mesh_object.status_in_words(self.mesh.Status)
+            said = translate("FeatureMesh", "These are the elements of the last mesh: %s") % mesh_object.status_in_words(self.mesh)
         self.note.setText(said)
         if self.overlay is not None:
             self.cut.set_box(self.overlay.points)

@@ -5,7 +5,7 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import mesh_object, messages, view_provider, versions
+from .. import mesh_object, user_words, view_provider, versions
 from ..errors import UserError
 from ..study import design, response_words, study_object, window_run
 from . import errors, study_runs
@@ -200,7 +200,7 @@ class StudyPanel:
         if running:
             return words + _time_left(left)
         problem = run.problem() if run is not None else ""
-        return words + (": " + messages.in_words(problem) if problem else "")
+        return words + (": " + user_words.in_words(problem) if problem else "")
 
     def _take(self):
         """The widgets' settings into the object, as far as they make sense; what does not is told when it runs."""

@@ -6,8 +6,7 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import tables
-from ..messages import in_words
-from ..unit_words import in_users_units
+from ..user_words import in_users_units, in_words
 from ..view_provider import drawn_icon
 from .showing import restore, show_part
 
@@ -39,7 +38,7 @@ def show_difference(part, found):
     title = "%s: %s" % (translate("FeatureMesh", "What changed"), part.Label)
     window = _Window(title, header, tables.difference_note(found), part)
     for row, feature in zip(rows, found["features"]):
-        row = (*row[:2], in_words(row[2]), _volume(row[3]), *row[4:])
+        row = (*row[:2], in_words(feature["detail"]), _volume(row[3]), *row[4:])
         item = _item(row, tables.face_names(feature["new_faces"]), feature["verdict"])
         for change in _faces_of(feature, found["faces"]):
             item.addChild(_face_item(change))

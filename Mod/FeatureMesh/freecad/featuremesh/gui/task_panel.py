@@ -10,12 +10,13 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import analyses, api, log, reading, versions
-from ..mesh_object import is_cancelled, one_line
+from ..mesh_object import is_cancelled
 from ..reports import remarks_of
 from ..mesh_properties import AUTOMATIC_SHARE, DIMENSIONS, NOT_MESHED, OPTION_OF, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
-from ..messages import in_words
+from ..messages import of_error
 from ..view_provider import drawn_icon
 from .errors import select_named
+from ..user_words import in_words
 from .running import RunningJob, step_in_words
 from .undo import undo_step
 
@@ -331,7 +332,7 @@ class MeshPanel:
         status = self.mesh.Status
         if status == UP_TO_DATE and differ_from_mesh(self.mesh, {**settings_of(self.mesh), **self.settings()}):
             status = SETTINGS_CHANGED
-        line = "%s: %s" % (translate("FeatureMesh", "Status"), status_in_words(status))
+        line = "%s: %s" % (translate("FeatureMesh", "Status"), status_in_words(self.mesh, status))
         self.status.setText('<span style="color:#c62828">%s</span>' % line.replace("<", "&lt;") if status.startswith("failed") else line)
 
     # Estimate
@@ -353,7 +354,7 @@ class MeshPanel:
             settings = {**self.settings(), "MinSize": self._length_in(self.min_size) or None}
             raw, options = api.estimate_input(self.mesh, self._raw, **{OPTION_OF[name]: value for name, value in settings.items() if name in OPTION_OF})
         except Exception as error:
-            self.estimate.setText(in_words(one_line(error)))
+            self.estimate.setText(in_words(of_error(error)))
             return
         self._raw = raw
         self._estimate = _Estimate(raw, options)
@@ -388,4 +389,4 @@ class _Estimate(threading.Thread):
             count = api.estimated_tets(self.raw, self.options)
             self.text = translate("FeatureMesh", "about %s elements") % format(int(float("%.2g" % count)), ",d").replace(",", " ")
         except Exception as error:
-            self.text = in_words(one_line(error))
+            self.text = in_words(of_error(error))

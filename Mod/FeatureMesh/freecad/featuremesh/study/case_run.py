@@ -11,6 +11,7 @@ import traceback
 
 from .. import api, documents, engine, reading, versions
 from ..errors import UserError
+from ..messages import english
 from ..mesh_object import element_count, one_line
 from . import case_solver, places, response_words, responses
 from .database import DONE, FAILED, INFEASIBLE
@@ -77,9 +78,9 @@ def _run(base, case, seconds):
     if "mesh" in base.study.keep:
         api.export_mesh(base.mesh, os.path.join(case["folder"], "case.vtu"))
     seconds["responses"] = time.perf_counter() - start
-    return {"state": DONE, "responses": values, "seconds": seconds, "message": "; ".join(report["warnings"]),
+    return {"state": DONE, "responses": values, "seconds": seconds, "message": "; ".join(map(english, report["warnings"])),
             "mesh": {"nodes": report["nodes"], "elements": element_count(report), "kept_share": (report.get("kept") or {}).get("nodes_share", 0.0),
-                     "fallback": report["fallback"]},
+                     "fallback": english(report["fallback"]) or None},
             "hashes": {"mesh": hash_of(arrays), "result": _hash_of_values(hash_of(arrays), values)}}
 
 

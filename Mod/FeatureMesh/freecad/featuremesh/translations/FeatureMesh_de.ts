@@ -208,10 +208,6 @@
       <translation>Was von jedem Fall gefragt ist, etwa max_mises@Face3</translation>
     </message>
     <message>
-      <source>What is meshed: solids with tetrahedra, faces with triangles (shells), edges with segments (beams); From shape: solids and what is beside them, else faces, else edges</source>
-      <translation>Was vernetzt wird: Solids: Körper mit Tetraedern; Faces: Flächen mit Dreiecken (Schalen); Edges: Kanten mit Balkenelementen; From shape: Körper und was neben ihnen ist, sonst Flächen, sonst Kanten</translation>
-    </message>
-    <message>
       <source>What is varied, such as Fillet.Radius=2:6</source>
       <translation>Was verändert wird, etwa Fillet.Radius=2:6</translation>
     </message>
@@ -248,8 +244,20 @@
       <translation>Zu welchem Stand des Netzes das Ergebnis gehört</translation>
     </message>
     <message>
+      <source>Why the last solution failed, as JSON</source>
+      <translation>Warum die letzte Lösung gescheitert ist, als JSON</translation>
+    </message>
+    <message>
+      <source>Why the last update failed, as JSON</source>
+      <translation>Warum die letzte Aktualisierung gescheitert ist, als JSON</translation>
+    </message>
+    <message>
       <source>Width of the box, along its y axis</source>
       <translation>Breite des Quaders, entlang seiner y-Achse</translation>
+    </message>
+    <message>
+      <source>What is meshed: solids with tetrahedra, faces with triangles (shells), edges with segments (beams); From shape: solids and what is beside them, else faces, else edges</source>
+      <translation>Was vernetzt wird: Solids: Körper mit Tetraedern; Faces: Flächen mit Dreiecken (Schalen); Edges: Kanten mit Balkenelementen; From shape: Körper und was neben ihnen ist, sonst Flächen, sonst Kanten</translation>
     </message>
   </context>
   <context>
@@ -287,16 +295,8 @@
       <translation>%d von %d Fällen fertig</translation>
     </message>
     <message>
-      <source>%s 10-node tetrahedra would be folded near %s: the face bends too much within one element. Ask for a smaller size there, or for 4-node tetrahedra.</source>
-      <translation>%s Tetraeder mit 10 Knoten wären gefaltet, bei %s: die Fläche biegt sich innerhalb eines Elements zu stark. Dort eine kleinere Größe wählen, oder Tetraeder mit 4 Knoten.</translation>
-    </message>
-    <message>
-      <source>%s 6-node triangles would be folded near %s: the face bends too much within one element. Ask for a smaller size there, or for 3-node triangles.</source>
-      <translation>%s Dreiecke mit 6 Knoten wären bei %s gefaltet: Die Fläche biegt sich innerhalb eines Elements zu stark. Verlangen Sie dort eine kleinere Größe oder Dreiecke mit 3 Knoten.</translation>
-    </message>
-    <message>
-      <source>%s and %s are in the same place but run differently. Check the feature that made them (Part: Check geometry).</source>
-      <translation>%s und %s liegen am selben Ort, verlaufen aber verschieden. Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen).</translation>
+      <source>%s and %d more</source>
+      <translation>%s und %d weitere</translation>
     </message>
     <message>
       <source>%s and %s overlap; parts that are joined may only touch</source>
@@ -311,36 +311,12 @@
       <translation>%s gehört zu keiner Analyse</translation>
     </message>
     <message>
-      <source>%s cannot be filled: %s. Mesh the part from scratch.</source>
-      <translation>%s kann nicht gefüllt werden: %s. Das Bauteil von Grund auf vernetzen.</translation>
-    </message>
-    <message>
-      <source>%s cannot be meshed: %s. Check the feature that made it (Part: Check geometry), or refine the shape.</source>
-      <translation>%s kann nicht vernetzt werden: %s. Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen), oder die Form verfeinern.</translation>
-    </message>
-    <message>
-      <source>%s cannot be meshed: %s. Try a smaller size on this face, or check the feature that made it (Part: Check geometry).</source>
-      <translation>%s kann nicht vernetzt werden: %s. Eine kleinere Größe auf dieser Fläche versuchen, oder das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen).</translation>
-    </message>
-    <message>
-      <source>%s cannot be meshed: its boundary crosses or touches itself%s. Check the feature that made it (Part: Check geometry), or try a smaller size.</source>
-      <translation>%s kann nicht vernetzt werden: ihr Rand kreuzt oder berührt sich selbst%s. Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen), oder eine kleinere Größe versuchen.</translation>
-    </message>
-    <message>
       <source>%s cannot be renumbered: %s</source>
       <translation>%s kann nicht neu nummeriert werden: %s</translation>
     </message>
     <message>
       <source>%s cannot be solved: %s</source>
       <translation>%s kann nicht gelöst werden: %s</translation>
-    </message>
-    <message>
-      <source>%s could not be followed from the last mesh, whose state is gone; check what it refers to</source>
-      <translation>%s konnte nicht vom letzten Netz her verfolgt werden, dessen Zustand fehlt; prüfen Sie, worauf es sich bezieht</translation>
-    </message>
-    <message>
-      <source>%s elements without a volume to speak of remain at %s; mesh finer there, or take out what is much smaller than the rest of the part</source>
-      <translation>%s Elemente fast ohne Volumen bleiben bei %s; dort feiner vernetzen, oder weglassen, was viel kleiner als der Rest des Bauteils ist</translation>
     </message>
     <message>
       <source>%s has %s already, and an analysis is solved with one mesh</source>
@@ -353,14 +329,6 @@
     <message>
       <source>%s has no container, set its property Container</source>
       <translation>%s hat keinen Container, setzen Sie seine Eigenschaft Container</translation>
-    </message>
-    <message>
-      <source>%s has no edge. Recompute the document, and mesh an object with edges.</source>
-      <translation>%s hat keine Kante. Berechnen Sie das Dokument neu und vernetzen Sie ein Objekt mit Kanten.</translation>
-    </message>
-    <message>
-      <source>%s has no face. Recompute the document, and mesh an object with faces, or its edges.</source>
-      <translation>%s hat keine Fläche. Berechnen Sie das Dokument neu und vernetzen Sie ein Objekt mit Flächen oder seine Kanten.</translation>
     </message>
     <message>
       <source>%s has no form for a mesh of edges; export it as inp, vtu, vtk, msh, unv or med</source>
@@ -391,10 +359,6 @@
       <translation>%s hat kein Teil mit einem Volumenkörper</translation>
     </message>
     <message>
-      <source>%s has no positive volume. Its faces point inwards or cross each other; check the feature that made it (Part: Check geometry).</source>
-      <translation>%s hat kein positives Volumen. Seine Flächen zeigen nach innen oder kreuzen einander; das Formelement prüfen, das ihn erzeugt hat (Part: Geometrie prüfen).</translation>
-    </message>
-    <message>
       <source>%s has no shape to mesh</source>
       <translation>%s hat keine Form, die vernetzt werden kann</translation>
     </message>
@@ -405,10 +369,6 @@
     <message>
       <source>%s has no solid%s</source>
       <translation>%s hat keinen Festkörper%s</translation>
-    </message>
-    <message>
-      <source>%s has no solid. Recompute the document, and mesh a body or a Part object whose result is a solid.</source>
-      <translation>%s hat keinen Volumenkörper. Das Dokument neu berechnen und einen Körper oder ein Part-Objekt vernetzen, dessen Ergebnis ein Volumenkörper ist.</translation>
     </message>
     <message>
       <source>%s has no tetrahedra; it has to be a volume mesh</source>
@@ -455,38 +415,6 @@
       <translation>%s ist nicht das Netz des Bauteils, wie es jetzt ist; die letzte Aktualisierung ist fehlgeschlagen: %s</translation>
     </message>
     <message>
-      <source>%s mid-side nodes were off the surface and are new, on it</source>
-      <translation>%s Mittelknoten lagen neben der Oberfläche und sind neu, auf ihr</translation>
-    </message>
-    <message>
-      <source>%s of %s elements do not fit the part and were made anew: %s</source>
-      <translation>%s von %s Elementen passen nicht zum Bauteil und wurden neu gemacht: %s</translation>
-    </message>
-    <message>
-      <source>%s presses on a shell beside a solid, which FreeCAD cannot write for CalculiX; use a force there</source>
-      <translation>%s drückt auf eine Schale neben einem Körper, was FreeCAD für CalculiX nicht schreiben kann; verwenden Sie dort eine Kraft</translation>
-    </message>
-    <message>
-      <source>%s refers to %s, which is gone; choose another edge, the analysis cannot be solved without</source>
-      <translation>%s bezieht sich auf %s, das es nicht mehr gibt; wählen Sie eine andere Kante, ohne lässt sich die Analyse nicht rechnen</translation>
-    </message>
-    <message>
-      <source>%s refers to %s, which is gone; choose another face, the analysis cannot be solved without</source>
-      <translation>%s bezieht sich auf %s, das es nicht mehr gibt; wählen Sie eine andere Fläche, ohne lässt sich die Analyse nicht rechnen</translation>
-    </message>
-    <message>
-      <source>%s refers to %s, which is gone; choose another solid, the analysis cannot be solved without</source>
-      <translation>%s bezieht sich auf %s, das es nicht mehr gibt; wählen Sie einen anderen Körper, ohne lässt sich die Analyse nicht rechnen</translation>
-    </message>
-    <message>
-      <source>%s refers to %s, which is gone; choose another vertex, the analysis cannot be solved without</source>
-      <translation>%s bezieht sich auf %s, das es nicht mehr gibt; wählen Sie einen anderen Punkt, ohne lässt sich die Analyse nicht rechnen</translation>
-    </message>
-    <message>
-      <source>%s refers to %s, which is gone; it was taken out of the references</source>
-      <translation>%s bezieht sich auf %s, das es nicht mehr gibt; es wurde aus den Referenzen genommen</translation>
-    </message>
-    <message>
       <source>%s shows a mesh that was deleted; delete it, too, and give the analysis another mesh</source>
       <translation>%s zeigt ein Netz, das gelöscht wurde; löschen Sie es auch und geben Sie der Analyse ein anderes Netz</translation>
     </message>
@@ -495,28 +423,12 @@
       <translation>%s wurde seit dem Öffnen des Dokuments nicht aktualisiert, alle Elemente sind, wie sie waren</translation>
     </message>
     <message>
-      <source>%s would lose the beams of this mesh; export it as inp, vtu, vtk, msh, unv or med</source>
-      <translation>%s würde die Balken dieses Netzes verlieren; exportieren Sie als inp, vtu, vtk, msh, unv oder med</translation>
-    </message>
-    <message>
-      <source>%s would lose the shells of this mesh; export it as inp, vtu, vtk, msh, unv or med</source>
-      <translation>%s würde die Schalen dieses Netzes verlieren; exportieren Sie als inp, vtu, vtk, msh, unv oder med</translation>
-    </message>
-    <message>
       <source>%s: %d features in %d pieces, volume %.10g mm^3 (FreeCAD: %.10g mm^3)</source>
       <translation>%s: %d Features in %d Stücken, Volumen %.10g mm^3 (FreeCAD: %.10g mm^3)</translation>
     </message>
     <message>
-      <source>%s: %s has become one with %s, it is on all of that now</source>
-      <translation>%s: %s ist mit %s eins geworden, es gilt jetzt auf dem Ganzen</translation>
-    </message>
-    <message>
-      <source>%s: %s is now %s, its reference was changed</source>
-      <translation>%s: %s ist jetzt %s, der Verweis wurde geändert</translation>
-    </message>
-    <message>
-      <source>%s: %s was split into %s, it is on all of them now</source>
-      <translation>%s: %s wurde in %s geteilt, es gilt jetzt auf allen</translation>
+      <source>'{name:text}' is no face, edge, vertex or solid; write it as FreeCAD does, e.g. Face12.</source>
+      <translation>„{name:text}“ ist keine Fläche, keine Kante, kein Punkt und kein Volumenkörper; wie in FreeCAD zu schreiben, z. B. Face12.</translation>
     </message>
     <message>
       <source>, about %d min left</source>
@@ -575,12 +487,20 @@
       <translation>Ein Doppelklick auf einen Fall zeigt ihn: Teil, Netz und Ergebnis. Rückgängig nimmt das zurück.</translation>
     </message>
     <message>
+      <source>A material needs Young's modulus above 0 and Poisson's ratio from above -1 to below 0.5.</source>
+      <translation>Ein Werkstoff braucht einen Elastizitätsmodul über 0 und eine Querkontraktionszahl von über -1 bis unter 0,5.</translation>
+    </message>
+    <message>
       <source>A mesh that follows your part</source>
       <translation>Ein Netz, das dem Bauteil folgt</translation>
     </message>
     <message>
-      <source>A size of %s mm would make about %s million elements; at most %s million are made. Choose a larger size.</source>
-      <translation>Eine Größe von %s mm ergäbe etwa %s Millionen Elemente; höchstens %s Millionen werden gemacht. Eine größere Größe wählen.</translation>
+      <source>A part of the mesh has no material.</source>
+      <translation>Ein Teil des Netzes hat keinen Werkstoff.</translation>
+    </message>
+    <message>
+      <source>A size of {size:length} would make about {millions:count} million elements; at most {most:count} million are made. Choose a larger size.</source>
+      <translation>Eine Größe von {size:length} ergäbe etwa {millions:count} Millionen Elemente; höchstens {most:count} Millionen werden gemacht. Eine größere Größe wählen.</translation>
     </message>
     <message>
       <source>About FeatureMesh</source>
@@ -601,6 +521,10 @@
     <message>
       <source>Add cases</source>
       <translation>Fälle hinzufügen</translation>
+    </message>
+    <message>
+      <source>An adopted mesh keeps its element order.</source>
+      <translation>Ein übernommenes Netz behält seine Elementordnung.</translation>
     </message>
     <message>
       <source>Analysis</source>
@@ -679,12 +603,12 @@
       <translation>Zylinder</translation>
     </message>
     <message>
-      <source>Details below %s mm cannot be ignored; at most those below half of the mesh size of %s mm can be.</source>
-      <translation>Einzelheiten unter %s mm können nicht übergangen werden; höchstens solche unter der Hälfte der Netzgröße von %s mm.</translation>
+      <source>Details below {below:length} cannot be ignored; at most those below half of the mesh size of {size:length} can be.</source>
+      <translation>Einzelheiten unter {below:length} können nicht übergangen werden; höchstens solche unter der Hälfte der Netzgröße von {size:length}.</translation>
     </message>
     <message>
-      <source>Details of the part far smaller than the elements force an angle below 2 degrees on %s elements: %s. Results there are poor. Take them out of the features that make them (points of a sketch that nearly coincide, a step as shallow), or mesh finer there.</source>
-      <translation>Einzelheiten des Bauteils, die viel kleiner als die Elemente sind, erzwingen einen Winkel unter 2 Grad an %s Elementen: %s. Ergebnisse dort sind ungenau. Sie aus den Formelementen entfernen, die sie erzeugen (Skizzenpunkte, die fast zusammenfallen, eine ebenso flache Stufe), oder dort feiner vernetzen.</translation>
+      <source>Details of the part far smaller than the elements force an angle below 2 degrees on {elements:count} elements: {details:messages}. Results there are poor. Take them out of the features that make them (points of a sketch that nearly coincide, a step as shallow), or mesh finer there.</source>
+      <translation>Einzelheiten des Bauteils, die viel kleiner als die Elemente sind, erzwingen einen Winkel unter 2 Grad an {elements:count} Elementen: {details:messages}. Ergebnisse dort sind ungenau. Sie aus den Formelementen entfernen, die sie erzeugen (Skizzenpunkte, die fast zusammenfallen, eine ebenso flache Stufe), oder dort feiner vernetzen.</translation>
     </message>
     <message>
       <source>Distance</source>
@@ -719,8 +643,8 @@
       <translation>Flächen (Schalen)</translation>
     </message>
     <message>
-      <source>Faces far narrower than the size are meshed at the plain size, since shorter edges failed: %s</source>
-      <translation>Flächen, die weit schmaler als die Größe sind, sind mit der einfachen Größe vernetzt, weil kürzere Kanten nicht gelangen: %s</translation>
+      <source>Faces far narrower than the size are meshed at the plain size, since shorter edges failed: {why:messages}</source>
+      <translation>Flächen, die weit schmaler als die Größe sind, sind mit der einfachen Größe vernetzt, weil kürzere Kanten nicht gelangen: {why:messages}</translation>
     </message>
     <message>
       <source>Feature tree</source>
@@ -807,8 +731,8 @@
       <translation>Wie viele Elemente welchen Wert des Maßes haben</translation>
     </message>
     <message>
-      <source>In the place of another vertex within a millionth of the part, with which they share a node: %s.</source>
-      <translation>An der Stelle eines anderen Punktes, auf ein Millionstel des Bauteils genau, mit dem sie einen Knoten teilen: %s.</translation>
+      <source>In the place of another vertex within a millionth of the part, with which they share a node: {vertices:entities}.</source>
+      <translation>An der Stelle eines anderen Punktes, auf ein Millionstel des Bauteils genau, mit dem sie einen Knoten teilen: {vertices:entities}.</translation>
     </message>
     <message>
       <source>Kept elements</source>
@@ -817,6 +741,10 @@
     <message>
       <source>Kept in %s</source>
       <translation>Behalten in %s</translation>
+    </message>
+    <message>
+      <source>Kept nodes of {edge:entities} belong to an edge in the same place. Mesh the part from scratch.</source>
+      <translation>Behaltene Knoten von {edge:entities} gehören zu einer Kante am selben Ort. Das Teil von Grund auf vernetzen.</translation>
     </message>
     <message>
       <source>Kind</source>
@@ -839,6 +767,14 @@
       <translation>Mitlaufendes Ergebnis: %s</translation>
     </message>
     <message>
+      <source>Loads and displacements have to be finite numbers.</source>
+      <translation>Lasten und Verschiebungen müssen endliche Zahlen sein.</translation>
+    </message>
+    <message>
+      <source>Loads, supports and materials do not fit the mesh.</source>
+      <translation>Lasten, Lager und Werkstoffe passen nicht zum Netz.</translation>
+    </message>
+    <message>
       <source>Mesh in a process of its own</source>
       <translation>In einem eigenen Prozess vernetzen</translation>
     </message>
@@ -855,12 +791,12 @@
       <translation>Netzeinstellungen</translation>
     </message>
     <message>
-      <source>Meshed finer than asked, because a face beside it would cross itself: %s.</source>
-      <translation>Feiner vernetzt als gewünscht, weil sich eine Fläche daneben selbst kreuzen würde: %s.</translation>
+      <source>Meshed finer than asked, because a face beside it would cross itself: {edges:entities}.</source>
+      <translation>Feiner vernetzt als gewünscht, weil sich eine Fläche daneben selbst kreuzen würde: {edges:entities}.</translation>
     </message>
     <message>
-      <source>Nearer to another vertex than %s mm, so that they share its node: %s.</source>
-      <translation>Näher als %s mm an einer anderen Ecke, sodass sie deren Knoten haben: %s.</translation>
+      <source>Nearer to another vertex than {distance:length}, so that they share its node: {vertices:entities}.</source>
+      <translation>Näher als {distance:length} an einer anderen Ecke, sodass sie deren Knoten haben: {vertices:entities}.</translation>
     </message>
     <message>
       <source>New elements</source>
@@ -875,20 +811,24 @@
       <translation>Noch ist kein Fall fertig.</translation>
     </message>
     <message>
-      <source>No element of the mesh fits the part: %s. Choose the object it was made of, or mesh the part anew.</source>
-      <translation>Kein Element des Netzes passt zum Bauteil: %s. Das Objekt wählen, von dem es gemacht wurde, oder das Bauteil neu vernetzen.</translation>
+      <source>No element of the mesh fits the part: {reasons:messages}. Choose the object it was made of, or mesh the part anew.</source>
+      <translation>Kein Element des Netzes passt zum Bauteil: {reasons:messages}. Das Objekt wählen, von dem es gemacht wurde, oder das Bauteil neu vernetzen.</translation>
     </message>
     <message>
       <source>Nodes kept as start positions</source>
       <translation>Als Startlage behaltene Knoten</translation>
     </message>
     <message>
-      <source>Not meshed, because no face has them: %s.</source>
-      <translation>Nicht vernetzt, weil keine Fläche sie hat: %s.</translation>
+      <source>Not meshed, because no face has them: {loose:entities}.</source>
+      <translation>Nicht vernetzt, weil keine Fläche sie hat: {loose:entities}.</translation>
     </message>
     <message>
-      <source>Not meshed, because no solid has them: %s.</source>
-      <translation>Nicht vernetzt, weil sie zu keinem Körper gehören: %s.</translation>
+      <source>Not meshed, because no solid has them: {loose:entities}.</source>
+      <translation>Nicht vernetzt, weil sie zu keinem Körper gehören: {loose:entities}.</translation>
+    </message>
+    <message>
+      <source>Only meshes of solids can be adopted. Mesh the part's faces or edges anew.</source>
+      <translation>Nur Netze von Volumenkörpern können übernommen werden. Die Flächen oder Kanten des Teils neu vernetzen.</translation>
     </message>
     <message>
       <source>Open a part, select its body and press &lt;b&gt;Mesh a part&lt;/b&gt;. Choose a size; the panel tells how many elements it gives. Press &lt;b&gt;OK&lt;/b&gt;.</source>
@@ -897,6 +837,14 @@
     <message>
       <source>Open it</source>
       <translation>Öffnen</translation>
+    </message>
+    <message>
+      <source>PETSc could not solve: numbers are out of range.</source>
+      <translation>PETSc konnte nicht lösen: Zahlen liegen außerhalb des Bereichs.</translation>
+    </message>
+    <message>
+      <source>PETSc could not solve: {why:text}</source>
+      <translation>PETSc konnte nicht lösen: {why:text}</translation>
     </message>
     <message>
       <source>Parallel coordinates</source>
@@ -1035,40 +983,72 @@
       <translation>Die fertigen Fälle unterscheiden sich noch nicht.</translation>
     </message>
     <message>
-      <source>The geometry kernel failed while meshing: %s. Try another size, or check the shape (Part: Check geometry).</source>
-      <translation>Der Geometriekern versagte beim Vernetzen: %s. Eine andere Größe versuchen, oder die Form prüfen (Part: Geometrie prüfen).</translation>
+      <source>The document has no object named {object:text}. Name one of its objects.</source>
+      <translation>Das Dokument hat kein Objekt namens {object:text}. Eines seiner Objekte nennen.</translation>
     </message>
     <message>
-      <source>The growth rate is %s; it must be at least 1 (1.3 is usual).</source>
-      <translation>Das Wachstum ist %s; es muss mindestens 1 sein (üblich ist 1.3).</translation>
+      <source>The document's shapes are missing.</source>
+      <translation>Die Formen des Dokuments fehlen.</translation>
     </message>
     <message>
-      <source>The local mesh size at %s is %s mm; it must be larger than zero.</source>
-      <translation>Die lokale Netzgröße an %s ist %s mm; sie muss größer als null sein.</translation>
+      <source>The geometry kernel failed while meshing: {why:text}. Try another size, or check the shape (Part: Check geometry).</source>
+      <translation>Der Geometriekern versagte beim Vernetzen: {why:text}. Eine andere Größe versuchen, oder die Form prüfen (Part: Geometrie prüfen).</translation>
     </message>
     <message>
-      <source>The local size at %s is left out: the part has no such face, edge or vertex any more. Refer the refinement to another one.</source>
-      <translation>Die lokale Größe bei %s entfällt: Das Bauteil hat diese Fläche, Kante oder diesen Punkt nicht mehr. Die Verfeinerung auf etwas anderes beziehen.</translation>
+      <source>The geometry kernel failed: {why:text}</source>
+      <translation>Der Geometriekern ist gescheitert: {why:text}</translation>
+    </message>
+    <message>
+      <source>The growth rate is {growth:number}; it must be at least 1 (1.3 is usual).</source>
+      <translation>Das Wachstum ist {growth:number}; es muss mindestens 1 sein (üblich ist 1.3).</translation>
+    </message>
+    <message>
+      <source>The kept nodes of {edge:entities} are not in the order of the edge. Mesh the part from scratch.</source>
+      <translation>Die behaltenen Knoten von {edge:entities} liegen nicht in der Reihenfolge der Kante. Das Teil von Grund auf vernetzen.</translation>
+    </message>
+    <message>
+      <source>The kept segments of {edge:entities} do not follow the edge. Mesh the part from scratch.</source>
+      <translation>Die behaltenen Segmente von {edge:entities} folgen der Kante nicht. Das Teil von Grund auf vernetzen.</translation>
+    </message>
+    <message>
+      <source>The live solver does not converge on this mesh; solve with CalculiX, and look for very flat elements or materials of very different stiffness.</source>
+      <translation>Der Live-Löser konvergiert auf diesem Netz nicht; mit CalculiX lösen, und nach sehr flachen Elementen oder Werkstoffen sehr verschiedener Steifigkeit suchen.</translation>
+    </message>
+    <message>
+      <source>The live solver needs PETSc: install Debian's package libpetsc-real-dev, and any command of ./featuremesh in a clone builds the solver with it ({why:text}).</source>
+      <translation>Der Live-Löser braucht PETSc: Debians Paket libpetsc-real-dev installieren, und jeder Befehl von ./featuremesh in einem Klon baut den Löser damit ({why:text}).</translation>
+    </message>
+    <message>
+      <source>The local mesh size at {entity:entities} is {size:length}; it must be larger than zero.</source>
+      <translation>Die lokale Netzgröße an {entity:entities} ist {size:length}; sie muss größer als null sein.</translation>
+    </message>
+    <message>
+      <source>The local size at {entity:entities} is left out: the part has no such face, edge or vertex any more. Refer the refinement to another one.</source>
+      <translation>Die lokale Größe bei {entity:entities} entfällt: Das Bauteil hat diese Fläche, Kante oder diesen Punkt nicht mehr. Die Verfeinerung auf etwas anderes beziehen.</translation>
     </message>
     <message>
       <source>The mesh follows every recompute of the document</source>
       <translation>Das Netz folgt jeder Neuberechnung des Dokuments</translation>
     </message>
     <message>
-      <source>The mesh is finer than asked at %s, because 10-node tetrahedra of that size would be folded, or nearly so, by the curved face.</source>
-      <translation>Das Netz ist bei %s feiner als verlangt, weil 10-Knoten-Tetraeder dieser Größe durch die gekrümmte Fläche ganz oder fast umklappen würden.</translation>
+      <source>The mesh has no elements.</source>
+      <translation>Das Netz hat keine Elemente.</translation>
     </message>
     <message>
-      <source>The mesh is finer than asked at %s, because 6-node triangles of that size would be folded, or nearly so, by the curved face.</source>
-      <translation>Das Netz ist bei %s feiner als verlangt, weil Dreiecke dieser Größe mit 6 Knoten durch die gekrümmte Fläche gefaltet wären oder fast.</translation>
+      <source>The mesh is finer than asked at {place:entities}, because 10-node tetrahedra of that size would be folded, or nearly so, by the curved face.</source>
+      <translation>Das Netz ist bei {place:entities} feiner als verlangt, weil 10-Knoten-Tetraeder dieser Größe durch die gekrümmte Fläche ganz oder fast umklappen würden.</translation>
     </message>
     <message>
-      <source>The mesh is finer than asked at %s, because elements of that size cannot follow the part there.</source>
-      <translation>Das Netz ist bei %s feiner als verlangt, weil Elemente dieser Größe der Form dort nicht folgen können.</translation>
+      <source>The mesh is finer than asked at {place:entities}, because 6-node triangles of that size would be folded, or nearly so, by the curved face.</source>
+      <translation>Das Netz ist bei {place:entities} feiner als verlangt, weil Dreiecke dieser Größe mit 6 Knoten durch die gekrümmte Fläche gefaltet wären oder fast.</translation>
     </message>
     <message>
-      <source>The mesh is finer than asked where these faces are near each other: %s.</source>
-      <translation>Das Netz ist feiner als gewünscht, wo diese Flächen nahe beieinander liegen: %s.</translation>
+      <source>The mesh is finer than asked at {place:entities}, because elements of that size cannot follow the part there.</source>
+      <translation>Das Netz ist bei {place:entities} feiner als verlangt, weil Elemente dieser Größe der Form dort nicht folgen können.</translation>
+    </message>
+    <message>
+      <source>The mesh is finer than asked where these faces are near each other: {pairs:messages}.</source>
+      <translation>Das Netz ist feiner als gewünscht, wo diese Flächen nahe beieinander liegen: {pairs:messages}.</translation>
     </message>
     <message>
       <source>The mesh is in %s, which refers to %s.</source>
@@ -1083,108 +1063,140 @@
       <translation>Das Netz liegt in keiner Analyse: %s hat schon %s, und eine Analyse wird mit einem Netz gerechnet.</translation>
     </message>
     <message>
-      <source>The mesh is not valid: %s.</source>
-      <translation>Das Netz ist nicht gültig: %s.</translation>
+      <source>The mesh is not valid: {finding:text} (and {more:count} more).</source>
+      <translation>Das Netz ist nicht gültig: {finding:text} (und {more:count} weitere).</translation>
     </message>
     <message>
-      <source>The mesh size is %s mm; it must be larger than zero. The part is %s.</source>
-      <translation>Die Netzgröße ist %s mm; sie muss größer als null sein. Das Bauteil misst %s.</translation>
+      <source>The mesh is not valid: {finding:text}.</source>
+      <translation>Das Netz ist nicht gültig: {finding:text}.</translation>
     </message>
     <message>
-      <source>The mesh size of %s mm is larger than the part, which is %s. Ask for a smaller size.</source>
-      <translation>Die Netzgröße von %s mm ist größer als das Bauteil, es misst %s. Eine kleinere Größe wählen.</translation>
+      <source>The mesh is not valid: {triangles:count} surface triangles are turned over, the first on {face:entities} at {place:point}. The face bends too much there for this size; ask for a smaller size on it.</source>
+      <translation>Das Netz ist nicht gültig: {triangles:count} Dreiecke der Oberfläche sind umgeklappt, das erste auf {face:entities} bei {place:point}. Die Fläche krümmt sich dort zu stark für diese Größe; auf ihr eine kleinere verlangen.</translation>
     </message>
     <message>
-      <source>The number of elements across gaps is %s; it must not be negative (0 turns it off).</source>
-      <translation>Die Zahl der Elemente in Wänden ist %s; sie darf nicht negativ sein (0 schaltet ab).</translation>
+      <source>The mesh is too fine for the live solver, whose matrix would have more than 2 billion entries.</source>
+      <translation>Das Netz ist zu fein für den Live-Löser, dessen Matrix mehr als 2 Milliarden Einträge hätte.</translation>
     </message>
     <message>
-      <source>The number of elements per circle is %s; it must not be negative (0 turns it off).</source>
-      <translation>Die Zahl der Elemente je Kreis ist %s; sie darf nicht negativ sein (0 schaltet ab).</translation>
+      <source>The mesh size is {size:length}; it must be larger than zero. The part is {part:extent}.</source>
+      <translation>Die Netzgröße ist {size:length}; sie muss größer als null sein. Das Bauteil misst {part:extent}.</translation>
+    </message>
+    <message>
+      <source>The mesh size of {size:length} is larger than the part, which is {part:extent}. Ask for a smaller size.</source>
+      <translation>Die Netzgröße von {size:length} ist größer als das Bauteil, es misst {part:extent}. Eine kleinere Größe wählen.</translation>
+    </message>
+    <message>
+      <source>The number of elements across gaps is {asked:number}; it must not be negative (0 turns it off).</source>
+      <translation>Die Zahl der Elemente in Wänden ist {asked:number}; sie darf nicht negativ sein (0 schaltet ab).</translation>
+    </message>
+    <message>
+      <source>The number of elements per circle is {asked:number}; it must not be negative (0 turns it off).</source>
+      <translation>Die Zahl der Elemente je Kreis ist {asked:number}; sie darf nicht negativ sein (0 schaltet ab).</translation>
+    </message>
+    <message>
+      <source>The old mesh has no elements to take values from.</source>
+      <translation>Das alte Netz hat keine Elemente, von denen Werte zu nehmen wären.</translation>
     </message>
     <message>
       <source>The one in %s is for Python %s.</source>
       <translation>Das in %s ist für Python %s.</translation>
     </message>
     <message>
-      <source>The part could not be filled: %s. Try another size, or check the shape (Part: Check geometry).</source>
-      <translation>Das Bauteil konnte nicht gefüllt werden: %s. Eine andere Größe versuchen, oder die Form prüfen (Part: Geometrie prüfen).</translation>
+      <source>The part could not be filled: {why:text}. Try another size, or check the shape (Part: Check geometry).</source>
+      <translation>Das Bauteil konnte nicht gefüllt werden: {why:text}. Eine andere Größe versuchen, oder die Form prüfen (Part: Geometrie prüfen).</translation>
     </message>
     <message>
-      <source>The part has faces or edges beside its solids, and only meshes of solids can be adopted. Mesh the part anew, or adopt the mesh for the solids alone (Dimension: Solids).</source>
-      <translation>Das Teil hat Flächen oder Kanten neben seinen Körpern, und nur Netze von Körpern können übernommen werden. Vernetzen Sie das Teil neu, oder übernehmen Sie das Netz nur für die Körper (Dimension: Solids).</translation>
+      <source>The part is only {part:extent}, and points nearer than 1e-7 mm are one to FreeCAD's geometry: nodes could not be placed on its surface. Was it imported in another unit? Scale it up.</source>
+      <translation>Das Teil misst nur {part:extent}, und Punkte, die näher als 1e-7 mm beieinander liegen, sind für FreeCADs Geometrie einer: Knoten ließen sich nicht auf seine Oberfläche legen. Wurde es in einer anderen Einheit importiert? Dann vergrößern.</translation>
     </message>
     <message>
-      <source>The part is %s mm thick at %s: elements are smaller there than asked, so that %s go round it.</source>
-      <translation>Das Teil ist %s mm dick an %s: Die Elemente sind dort kleiner als verlangt, damit %s herumpassen.</translation>
+      <source>The part is {thickness:length} thick at {faces:entities}: elements are smaller there than asked, so that {pieces:number} go round it.</source>
+      <translation>Das Teil ist {thickness:length} dick an {faces:entities}: Die Elemente sind dort kleiner als verlangt, damit {pieces:number} herumpassen.</translation>
     </message>
     <message>
-      <source>The refinement %s changes nothing: its inner size of %s mm is not below the mesh size of %s mm.</source>
-      <translation>Die Verfeinerung %s ändert nichts: ihre innere Größe von %s mm liegt nicht unter der Netzgröße von %s mm.</translation>
+      <source>The refinement {zone:text} changes nothing: its inner size of {inner:length} is not below the mesh size of {size:length}.</source>
+      <translation>Die Verfeinerung {zone:text} ändert nichts: ihre innere Größe von {inner:length} liegt nicht unter der Netzgröße von {size:length}.</translation>
     </message>
     <message>
-      <source>The refinement %s grows to %s mm over %s mm, not over %s mm: neighbouring elements may differ by a factor of %s at most (Growth).</source>
-      <translation>Die Verfeinerung %s wächst auf %s mm über %s mm, nicht über %s mm: benachbarte Elemente dürfen sich höchstens um den Faktor %s unterscheiden (Growth).</translation>
+      <source>The refinement {zone:text} grows over {transition:length}; that must not be negative (0: as fast as Growth allows).</source>
+      <translation>Die Verfeinerung {zone:text} wächst über {transition:length}; das darf nicht negativ sein (0: so schnell, wie Growth erlaubt).</translation>
     </message>
     <message>
-      <source>The refinement %s has a height of %s mm; it must be larger than zero.</source>
-      <translation>Die Verfeinerung %s hat eine Höhe von %s mm; sie muss größer als null sein.</translation>
+      <source>The refinement {zone:text} grows to {outer:length} over {over:length}, not over {asked:length}: neighbouring elements may differ by a factor of {growth:number} at most (Growth).</source>
+      <translation>Die Verfeinerung {zone:text} wächst auf {outer:length} über {over:length}, nicht über {asked:length}: benachbarte Elemente dürfen sich höchstens um den Faktor {growth:number} unterscheiden (Growth).</translation>
     </message>
     <message>
-      <source>The refinement %s has a length of %s mm; it must be larger than zero.</source>
-      <translation>Die Verfeinerung %s hat eine Länge von %s mm; sie muss größer als null sein.</translation>
+      <source>The refinement {zone:text} has a height of {height:length}; it must be larger than zero.</source>
+      <translation>Die Verfeinerung {zone:text} hat eine Höhe von {height:length}; sie muss größer als null sein.</translation>
     </message>
     <message>
-      <source>The refinement %s has a radius of %s mm; it must be larger than zero.</source>
-      <translation>Die Verfeinerung %s hat einen Radius von %s mm; er muss größer als null sein.</translation>
+      <source>The refinement {zone:text} has a length of {length:length}; it must be larger than zero.</source>
+      <translation>Die Verfeinerung {zone:text} hat eine Länge von {length:length}; sie muss größer als null sein.</translation>
     </message>
     <message>
-      <source>The refinement %s has a width of %s mm; it must be larger than zero.</source>
-      <translation>Die Verfeinerung %s hat eine Breite von %s mm; sie muss größer als null sein.</translation>
+      <source>The refinement {zone:text} has a radius of {radius:length}; it must be larger than zero.</source>
+      <translation>Die Verfeinerung {zone:text} hat einen Radius von {radius:length}; er muss größer als null sein.</translation>
     </message>
     <message>
-      <source>The refinement %s has an inner size of %s mm; it must be larger than zero.</source>
-      <translation>Die Verfeinerung %s hat eine innere Größe von %s mm; sie muss größer als null sein.</translation>
+      <source>The refinement {zone:text} has a width of {width:length}; it must be larger than zero.</source>
+      <translation>Die Verfeinerung {zone:text} hat eine Breite von {width:length}; sie muss größer als null sein.</translation>
     </message>
     <message>
-      <source>The refinement %s has no size and is left out. Give it one, or suppress it.</source>
-      <translation>Die Verfeinerung %s hat keine Größe und wird weggelassen. Geben Sie ihr eine, oder unterdrücken Sie sie.</translation>
+      <source>The refinement {zone:text} has an inner size of {inner:length}; it must be larger than zero.</source>
+      <translation>Die Verfeinerung {zone:text} hat eine innere Größe von {inner:length}; sie muss größer als null sein.</translation>
     </message>
     <message>
-      <source>The refinement %s is coarser inside (%s mm) than outside (%s mm); exchange the two sizes.</source>
-      <translation>Die Verfeinerung %s ist innen (%s mm) gröber als außen (%s mm); vertauschen Sie die beiden Größen.</translation>
+      <source>The refinement {zone:text} has an outer size of {outer:length}; it must not be negative (0: the mesh size).</source>
+      <translation>Die Verfeinerung {zone:text} hat eine äußere Größe von {outer:length}; sie darf nicht negativ sein (0: die Netzgröße).</translation>
     </message>
     <message>
-      <source>The refinement %s is left out: the part has nothing of what it refers to. Refer it to a face, an edge or a vertex.</source>
-      <translation>Die Verfeinerung %s wird weggelassen: das Teil hat nichts von dem, worauf sie verweist. Lassen Sie sie auf eine Fläche, eine Kante oder eine Ecke verweisen.</translation>
+      <source>The refinement {zone:text} has no size and is left out. Give it one, or suppress it.</source>
+      <translation>Die Verfeinerung {zone:text} hat keine Größe und wird weggelassen. Geben Sie ihr eine, oder unterdrücken Sie sie.</translation>
     </message>
     <message>
-      <source>The refinement %s is of a kind that is not understood and left out. Use a refinement zone instead.</source>
-      <translation>Die Verfeinerung %s ist von einer Art, die nicht verstanden wird, und wird weggelassen. Nehmen Sie stattdessen eine Verfeinerungszone.</translation>
+      <source>The refinement {zone:text} is coarser inside ({inner:length}) than outside ({outer:length}); exchange the two sizes.</source>
+      <translation>Die Verfeinerung {zone:text} ist innen ({inner:length}) gröber als außen ({outer:length}); vertauschen Sie die beiden Größen.</translation>
     </message>
     <message>
-      <source>The refinement %s is suppressed and left out.</source>
-      <translation>Die Verfeinerung %s ist unterdrückt und wird weggelassen.</translation>
+      <source>The refinement {zone:text} is left out: the part has nothing of what it refers to. Refer it to a face, an edge or a vertex.</source>
+      <translation>Die Verfeinerung {zone:text} wird weggelassen: das Teil hat nichts von dem, worauf sie verweist. Lassen Sie sie auf eine Fläche, eine Kante oder eine Ecke verweisen.</translation>
     </message>
     <message>
-      <source>The refinement %s lies outside the part. Move it into the part, or suppress it.</source>
-      <translation>Die Verfeinerung %s liegt außerhalb des Teils. Verschieben Sie sie in das Teil, oder unterdrücken Sie sie.</translation>
+      <source>The refinement {zone:text} is of a kind that is not understood and left out. Use a refinement zone instead.</source>
+      <translation>Die Verfeinerung {zone:text} ist von einer Art, die nicht verstanden wird, und wird weggelassen. Nehmen Sie stattdessen eine Verfeinerungszone.</translation>
     </message>
     <message>
-      <source>The refinement %s refers to nothing and is left out. Choose faces, edges or vertices for it, or suppress it.</source>
-      <translation>Die Verfeinerung %s verweist auf nichts und wird weggelassen. Wählen Sie Flächen, Kanten oder Ecken für sie, oder unterdrücken Sie sie.</translation>
+      <source>The refinement {zone:text} is suppressed and left out.</source>
+      <translation>Die Verfeinerung {zone:text} ist unterdrückt und wird weggelassen.</translation>
     </message>
     <message>
-      <source>The refinement %s with a size of %s mm would make about %s million elements; at most %s million are made. Choose a larger size there.</source>
-      <translation>Die Verfeinerung %s mit einer Größe von %s mm ergäbe etwa %s Millionen Elemente; höchstens %s Millionen werden gemacht. Wählen Sie dort eine größere Größe.</translation>
+      <source>The refinement {zone:text} lies outside the part. Move it into the part, or suppress it.</source>
+      <translation>Die Verfeinerung {zone:text} liegt außerhalb des Teils. Verschieben Sie sie in das Teil, oder unterdrücken Sie sie.</translation>
+    </message>
+    <message>
+      <source>The refinement {zone:text} reaches {reach:length}; that must not be negative.</source>
+      <translation>Die Verfeinerung {zone:text} reicht {reach:length} weit; das darf nicht negativ sein.</translation>
+    </message>
+    <message>
+      <source>The refinement {zone:text} refers to nothing and is left out. Choose faces, edges or vertices for it, or suppress it.</source>
+      <translation>Die Verfeinerung {zone:text} verweist auf nichts und wird weggelassen. Wählen Sie Flächen, Kanten oder Ecken für sie, oder unterdrücken Sie sie.</translation>
     </message>
     <message>
       <source>The report is %s</source>
       <translation>Der Bericht ist %s</translation>
     </message>
     <message>
-      <source>The saved mesh does not fit the part: %s.</source>
-      <translation>Das gespeicherte Netz passt nicht zum Bauteil: %s.</translation>
+      <source>The saved mesh does not fit the part: {finding:text}.</source>
+      <translation>Das gespeicherte Netz passt nicht zum Bauteil: {finding:text}.</translation>
+    </message>
+    <message>
+      <source>The shape has no edge. Mesh an object with edges.</source>
+      <translation>Die Form hat keine Kante. Ein Objekt mit Kanten vernetzen.</translation>
+    </message>
+    <message>
+      <source>The shape has no face. Mesh an object with faces, or its edges.</source>
+      <translation>Die Form hat keine Fläche. Ein Objekt mit Flächen vernetzen oder seine Kanten.</translation>
     </message>
     <message>
       <source>The shape has no solid. Mesh a body or a Part object whose result is a solid.</source>
@@ -1195,20 +1207,40 @@
       <translation>Die Form ist leer. Das Dokument neu berechnen und ein Objekt mit Volumenkörper vernetzen.</translation>
     </message>
     <message>
-      <source>The shell of %s is open at %s. Close the gap (Part: Check geometry, then sew or rebuild the feature there).</source>
-      <translation>Die Hülle von %s ist offen bei %s. Die Lücke schließen (Part: Geometrie prüfen, dann das Formelement dort vernähen oder neu aufbauen).</translation>
+      <source>The shapes are cut short or damaged.</source>
+      <translation>Die Formen sind abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+      <source>The shapes are damaged: the list of their places makes no sense.</source>
+      <translation>Die Formen sind beschädigt: Die Liste ihrer Orte ergibt keinen Sinn.</translation>
+    </message>
+    <message>
+      <source>The shapes are damaged: their sizes make no sense.</source>
+      <translation>Die Formen sind beschädigt: Ihre Größen ergeben keinen Sinn.</translation>
+    </message>
+    <message>
+      <source>The shapes are not in FreeCAD's binary form.</source>
+      <translation>Die Formen haben nicht FreeCADs binäres Format.</translation>
+    </message>
+    <message>
+      <source>The shapes cannot be read: {why:text}</source>
+      <translation>Die Formen können nicht gelesen werden: {why:text}</translation>
+    </message>
+    <message>
+      <source>The shell of {solid:entities} is open at {edge:entities}. Close the gap (Part: Check geometry, then sew or rebuild the feature there).</source>
+      <translation>Die Hülle von {solid:entities} ist offen bei {edge:entities}. Die Lücke schließen (Part: Geometrie prüfen, dann das Formelement dort vernähen oder neu aufbauen).</translation>
     </message>
     <message>
       <source>The size of a new mesh is the diagonal of the part divided by this number</source>
       <translation>Die Größe eines neuen Netzes ist die Diagonale des Bauteils geteilt durch diese Zahl</translation>
     </message>
     <message>
-      <source>The smallest angle of an element is %s degrees, at %s: results there are poor. Take details out that are much smaller than the edge length, or mesh finer there.</source>
-      <translation>Der kleinste Winkel eines Elements ist %s Grad, bei %s: Ergebnisse dort sind ungenau. Einzelheiten weglassen, die viel kleiner als die Kantenlänge sind, oder dort feiner vernetzen.</translation>
+      <source>The smallest angle of an element is {angle:number} degrees, at {place:entities}: results there are poor. Take details out that are much smaller than the edge length, or mesh finer there.</source>
+      <translation>Der kleinste Winkel eines Elements ist {angle:number} Grad, bei {place:entities}: Ergebnisse dort sind ungenau. Einzelheiten weglassen, die viel kleiner als die Kantenlänge sind, oder dort feiner vernetzen.</translation>
     </message>
     <message>
-      <source>The smallest mesh size is %s mm; it must lie between zero and the mesh size of %s mm.</source>
-      <translation>Die kleinste Netzgröße ist %s mm; sie muss zwischen null und der Netzgröße von %s mm liegen.</translation>
+      <source>The smallest mesh size is {smallest:length}; it must lie between zero and the mesh size of {size:length}.</source>
+      <translation>Die kleinste Netzgröße ist {smallest:length}; sie muss zwischen null und der Netzgröße von {size:length} liegen.</translation>
     </message>
     <message>
       <source>The value at which the colours end</source>
@@ -1231,20 +1263,16 @@
       <translation>Dies sind die Elemente des letzten Netzes: %s</translation>
     </message>
     <message>
-      <source>These faces cross each other: %s. The shape intersects itself (Part: Check geometry), or is thinner there than any mesh of this size can follow; repair the feature, or ask for a smaller size on these faces.</source>
-      <translation>Diese Flächen kreuzen einander: %s. Die Form durchdringt sich selbst (Part: Geometrie prüfen), oder sie ist dort dünner, als ein Netz dieser Größe folgen kann; das Formelement reparieren, oder auf diesen Flächen eine kleinere Größe wählen.</translation>
+      <source>These faces cross each other: {pairs:messages}. The shape intersects itself (Part: Check geometry), or is thinner there than any mesh of this size can follow; repair the feature, or ask for a smaller size on these faces.</source>
+      <translation>Diese Flächen kreuzen einander: {pairs:messages}. Die Form durchdringt sich selbst (Part: Geometrie prüfen), oder sie ist dort dünner, als ein Netz dieser Größe folgen kann; das Formelement reparieren, oder auf diesen Flächen eine kleinere Größe wählen.</translation>
     </message>
     <message>
-      <source>These faces touch or cross without sharing edges: %s. Each sheet has a mesh of its own, and no load passes between them. If that is not meant, join them (Part: Boolean Fragments).</source>
-      <translation>Diese Flächen berühren oder schneiden sich, ohne Kanten zu teilen: %s. Jede Schale hat ein eigenes Netz, und zwischen ihnen wird keine Last übertragen. Ist das nicht gemeint, verbinden Sie sie (Part: Boolesche Fragmente).</translation>
+      <source>These faces touch or cross without sharing edges: {pairs:messages}. Each sheet has a mesh of its own, and no load passes between them. If that is not meant, join them (Part: Boolean Fragments).</source>
+      <translation>Diese Flächen berühren oder schneiden sich, ohne Kanten zu teilen: {pairs:messages}. Jede Schale hat ein eigenes Netz, und zwischen ihnen wird keine Last übertragen. Ist das nicht gemeint, verbinden Sie sie (Part: Boolesche Fragmente).</translation>
     </message>
     <message>
-      <source>These shells and beams lie inside a solid and share no nodes with it there: %s. No load passes between them. Divide the solid along them (Part: Boolean Fragments).</source>
-      <translation>Diese Schalen und Balken liegen in einem Körper und haben dort keine Knoten mit ihm gemeinsam: %s. Zwischen ihnen wird keine Last übertragen. Teilen Sie den Körper an ihnen (Part: Boolesche Fragmente).</translation>
-    </message>
-    <message>
-      <source>These solids touch or overlap without sharing faces: %s (%s). Each has a mesh of its own: no load passes between them but by ties and contacts, and where they overlap the material counts twice. If that is not meant, fuse them or join them (Part: Boolean Fragments).</source>
-      <translation>Diese Körper berühren oder überlappen sich, ohne Flächen zu teilen: %s (%s). Jeder hat ein eigenes Netz: Zwischen ihnen geht außer durch Verbindungen (Tie) und Kontakte keine Last über, und wo sie sich überlappen, zählt das Material doppelt. Wenn das nicht gemeint ist, vereinigen oder verbinden (Part: Boolesche Fragmente).</translation>
+      <source>These solids touch or overlap without sharing faces: {solids:messages} ({faces:messages}). Each has a mesh of its own: no load passes between them but by ties and contacts, and where they overlap the material counts twice. If that is not meant, fuse them or join them (Part: Boolean Fragments).</source>
+      <translation>Diese Körper berühren oder überlappen sich, ohne Flächen zu teilen: {solids:messages} ({faces:messages}). Jeder hat ein eigenes Netz: Zwischen ihnen geht außer durch Verbindungen (Tie) und Kontakte keine Last über, und wo sie sich überlappen, zählt das Material doppelt. Wenn das nicht gemeint ist, vereinigen oder verbinden (Part: Boolesche Fragmente).</translation>
     </message>
     <message>
       <source>Threads</source>
@@ -1263,12 +1291,12 @@
       <translation>So wird es installiert: %s; in einem Klon baut es jeder Befehl von `./featuremesh`.</translation>
     </message>
     <message>
-      <source>Too narrow for elements of their own: %s.</source>
-      <translation>Zu schmal für eigene Elemente: %s.</translation>
+      <source>Too narrow for elements of their own: {faces:entities}.</source>
+      <translation>Zu schmal für eigene Elemente: {faces:entities}.</translation>
     </message>
     <message>
-      <source>Too short for an element of their own: %s.</source>
-      <translation>Zu kurz für ein eigenes Element: %s.</translation>
+      <source>Too short for an element of their own: {edges:entities}.</source>
+      <translation>Zu kurz für ein eigenes Element: {edges:entities}.</translation>
     </message>
     <message>
       <source>Tornado</source>
@@ -1311,6 +1339,14 @@
       <translation>ein Schnitt ist x, y oder z mit =, &lt; oder &gt; und einer Zahl, etwa z=5, nicht %s</translation>
     </message>
     <message>
+      <source>a kept triangle has a node (number {node:count}) that is not on the face</source>
+      <translation>ein behaltenes Dreieck hat einen Knoten (Nummer {node:count}), der nicht auf der Fläche liegt</translation>
+    </message>
+    <message>
+      <source>a kept triangle lies the wrong way round in it</source>
+      <translation>ein behaltenes Dreieck liegt verkehrt herum in ihr</translation>
+    </message>
+    <message>
       <source>a local size is for faces, edges or vertices; the size of a whole part is the mesh's own</source>
       <translation>eine lokale Größe ist für Flächen, Kanten oder Punkte; die Größe für das ganze Bauteil ist die des Netzes</translation>
     </message>
@@ -1321,6 +1357,18 @@
     <message>
       <source>a size of %g mm would make more than a million million elements; at most %d million are made. Choose a larger size</source>
       <translation>eine Größe von %g mm ergäbe mehr als eine Billion Elemente; höchstens %d Millionen werden gemacht. Wählen Sie eine größere Größe</translation>
+    </message>
+    <message>
+      <source>a step of the meshing does not end; try another size, or check the shape for faces that cut or touch one another</source>
+      <translation>ein Schritt des Vernetzens endet nicht; eine andere Größe versuchen, oder die Form auf Flächen prüfen, die einander schneiden oder berühren</translation>
+    </message>
+    <message>
+      <source>a triangle came out the wrong way round</source>
+      <translation>ein Dreieck ist verkehrt herum geraten</translation>
+    </message>
+    <message>
+      <source>a triangle of the volume mesh belongs to more than two elements (near element {tet:count}); try a smaller size there</source>
+      <translation>ein Dreieck des Volumennetzes gehört zu mehr als zwei Elementen (nahe Element {tet:count}); dort eine kleinere Größe versuchen</translation>
     </message>
     <message>
       <source>a zone of the kind %s has no %s</source>
@@ -1351,16 +1399,20 @@
       <translation>alle</translation>
     </message>
     <message>
+      <source>all nodes to fill between lie in one plane, at {place:entities}; mesh the part finer</source>
+      <translation>alle Knoten, zwischen denen zu füllen ist, liegen in einer Ebene, bei {place:entities}; das Teil feiner vernetzen</translation>
+    </message>
+    <message>
       <source>and %d more, see the property Report</source>
       <translation>und %d weitere, siehe die Eigenschaft Report</translation>
     </message>
     <message>
-      <source>appeared</source>
-      <translation>neu</translation>
+      <source>and others</source>
+      <translation>und andere</translation>
     </message>
     <message>
-      <source>area</source>
-      <translation>Fläche</translation>
+      <source>appeared</source>
+      <translation>neu</translation>
     </message>
     <message>
       <source>area %s mm^2</source>
@@ -1401,6 +1453,10 @@
     <message>
       <source>by how much</source>
       <translation>um wie viel</translation>
+    </message>
+    <message>
+      <source>cancelled</source>
+      <translation>abgebrochen</translation>
     </message>
     <message>
       <source>cannot be made</source>
@@ -1475,6 +1531,10 @@
       <translation>Kantenlänge zu gewünschter Länge</translation>
     </message>
     <message>
+      <source>elements may not span thin walls any more</source>
+      <translation>Elemente dürfen dünne Wände nicht mehr überspannen</translation>
+    </message>
+    <message>
       <source>ended</source>
       <translation>hat geendet</translation>
     </message>
@@ -1527,20 +1587,8 @@
       <translation>von : bis</translation>
     </message>
     <message>
-      <source>full mesh: %s</source>
-      <translation>ganz neu vernetzt: %s</translation>
-    </message>
-    <message>
-      <source>full mesh: keeping still less would take longer than meshing the part anew</source>
-      <translation>ganz neu vernetzt: noch weniger zu behalten würde länger dauern, als das Teil neu zu vernetzen</translation>
-    </message>
-    <message>
-      <source>full mesh: no element of the old mesh is clear of what changed</source>
-      <translation>ganz neu vernetzt: kein Element des alten Netzes ist von der Änderung frei</translation>
-    </message>
-    <message>
-      <source>full mesh: nothing could be kept</source>
-      <translation>ganz neu vernetzt: nichts konnte behalten werden</translation>
+      <source>full mesh: {why:messages}</source>
+      <translation>ganz neu vernetzt: {why:messages}</translation>
     </message>
     <message>
       <source>good</source>
@@ -1559,20 +1607,40 @@
       <translation>Features verschneiden</translation>
     </message>
     <message>
-      <source>its own volume is the same, but other features now meet %s of its faces differently</source>
-      <translation>sein Volumen ist gleich, aber andere Formelemente treffen %s seiner Flächen jetzt anders</translation>
+      <source>its boundary is not closed at {edge:entities}</source>
+      <translation>ihr Rand ist bei {edge:entities} nicht geschlossen</translation>
+    </message>
+    <message>
+      <source>its own volume is the same, but other features now meet {faces:count} of its faces differently</source>
+      <translation>sein Volumen ist gleich, aber andere Formelemente treffen {faces:count} seiner Flächen jetzt anders</translation>
+    </message>
+    <message>
+      <source>its triangles do not cover it</source>
+      <translation>ihre Dreiecke bedecken sie nicht</translation>
+    </message>
+    <message>
+      <source>its triangles do not hang together</source>
+      <translation>ihre Dreiecke hängen nicht zusammen</translation>
+    </message>
+    <message>
+      <source>its volume does not add up with the part</source>
+      <translation>sein Volumen geht mit dem Teil nicht auf</translation>
     </message>
     <message>
       <source>keep the other side</source>
       <translation>die andere Seite behalten</translation>
     </message>
     <message>
-      <source>keeping all that fits failed: %s</source>
-      <translation>alles Passende zu behalten gelang nicht: %s</translation>
+      <source>keeping all that fits failed: {why:messages}</source>
+      <translation>alles Passende zu behalten gelang nicht: {why:messages}</translation>
     </message>
     <message>
-      <source>keeping everything further than %s edge lengths from the change failed: %s</source>
-      <translation>alles zu behalten, was weiter als %s Kantenlängen von der Änderung ist, gelang nicht: %s</translation>
+      <source>keeping everything further than {margin:number} edge lengths from the change failed: {why:messages}</source>
+      <translation>alles zu behalten, was weiter als {margin:number} Kantenlängen von der Änderung ist, gelang nicht: {why:messages}</translation>
+    </message>
+    <message>
+      <source>keeping still less would take longer than meshing the part anew</source>
+      <translation>noch weniger zu behalten würde länger dauern, als das Teil neu zu vernetzen</translation>
     </message>
     <message>
       <source>kept</source>
@@ -1629,8 +1697,8 @@
       <translation>Masse</translation>
     </message>
     <message>
-      <source>meshed from scratch: %s</source>
-      <translation>von Grund auf vernetzt: %s</translation>
+      <source>meshed from scratch: {why:messages}</source>
+      <translation>von Grund auf vernetzt: {why:messages}</translation>
     </message>
     <message>
       <source>meshing %s</source>
@@ -1653,8 +1721,8 @@
       <translation>verschoben</translation>
     </message>
     <message>
-      <source>moved by %s mm</source>
-      <translation>um %s mm verschoben</translation>
+      <source>moved by {shift:point}</source>
+      <translation>um {shift:point} verschoben</translation>
     </message>
     <message>
       <source>new faces</source>
@@ -1665,12 +1733,24 @@
       <translation>neu: %d Elemente</translation>
     </message>
     <message>
+      <source>no element of the old mesh is clear of what changed</source>
+      <translation>kein Element des alten Netzes liegt abseits dessen, was sich geändert hat</translation>
+    </message>
+    <message>
       <source>no longer suppressed</source>
       <translation>nicht mehr unterdrückt</translation>
     </message>
     <message>
       <source>none</source>
       <translation>keine</translation>
+    </message>
+    <message>
+      <source>not covered by the mesh: {faces:entities}</source>
+      <translation>vom Netz nicht bedeckt: {faces:entities}</translation>
+    </message>
+    <message>
+      <source>not followed by the mesh: {edges:entities}</source>
+      <translation>das Netz folgt nicht: {edges:entities}</translation>
     </message>
     <message>
       <source>not meshed yet</source>
@@ -1683,6 +1763,10 @@
     <message>
       <source>note: </source>
       <translation>Hinweis: </translation>
+    </message>
+    <message>
+      <source>nothing could be kept</source>
+      <translation>nichts konnte behalten werden</translation>
     </message>
     <message>
       <source>nothing is asked for: tick what each case is to tell</source>
@@ -1703,6 +1787,14 @@
     <message>
       <source>one dimension at a time</source>
       <translation>ein Maß nach dem anderen</translation>
+    </message>
+    <message>
+      <source>other details are ignored</source>
+      <translation>andere Einzelheiten werden übergangen</translation>
+    </message>
+    <message>
+      <source>other faces</source>
+      <translation>andere Flächen</translation>
     </message>
     <message>
       <source>out of date</source>
@@ -1809,6 +1901,14 @@
       <translation>kleinster Flächenwinkel</translation>
     </message>
     <message>
+      <source>solids are filled with 4-node tetrahedra; the mesh given has mid-side nodes</source>
+      <translation>Volumenkörper werden mit 4-Knoten-Tetraedern gefüllt; das gegebene Netz hat Seitenmittenknoten</translation>
+    </message>
+    <message>
+      <source>solids, faces or edges are meshed that were not before</source>
+      <translation>Volumenkörper, Flächen oder Kanten werden vernetzt, die es vorher nicht wurden</translation>
+    </message>
+    <message>
       <source>solving</source>
       <translation>lösen</translation>
     </message>
@@ -1889,6 +1989,26 @@
       <translation>das Dokument enthält keinen Netzzustand</translation>
     </message>
     <message>
+      <source>the element order changed</source>
+      <translation>die Elementordnung wurde geändert</translation>
+    </message>
+    <message>
+      <source>the file is not a FeatureMesh state</source>
+      <translation>die Datei ist kein Zustand von FeatureMesh</translation>
+    </message>
+    <message>
+      <source>the global size changed by more than 1.2 times</source>
+      <translation>die globale Größe hat sich um mehr als das 1,2-Fache geändert</translation>
+    </message>
+    <message>
+      <source>the inside</source>
+      <translation>im Inneren</translation>
+    </message>
+    <message>
+      <source>the kept elements overlap at node {node:count}; mesh the part from scratch</source>
+      <translation>die behaltenen Elemente überlappen sich bei Knoten {node:count}; das Teil von Grund auf vernetzen</translation>
+    </message>
+    <message>
       <source>the mesh of a copy is one of %s, not %s</source>
       <translation>das Netz einer Kopie ist eines von %s, nicht %s</translation>
     </message>
@@ -1937,24 +2057,28 @@
       <translation>die Verfeinerung %s mit %g mm an %s ergäbe %s Elemente; %s. Wählen Sie dort eine größere Größe</translation>
     </message>
     <message>
-      <source>the saved mesh state belongs to %s, not to %s</source>
-      <translation>der gespeicherte Netzzustand gehört zu %s, nicht zu %s</translation>
+      <source>the resolution of the difference must be a positive length, not {resolution:length}</source>
+      <translation>die Auflösung des Vergleichs muss eine positive Länge sein, nicht {resolution:length}</translation>
     </message>
     <message>
-      <source>the saved mesh state is damaged (%s)</source>
-      <translation>der gespeicherte Netzzustand ist beschädigt (%s)</translation>
+      <source>the saved mesh state belongs to {other:text}, not to {part:text}</source>
+      <translation>der gespeicherte Netzzustand gehört zu {other:text}, nicht zu {part:text}</translation>
     </message>
     <message>
-      <source>the saved mesh state is from a newer FeatureMesh (%s, schema %s; this one reads up to %s)</source>
-      <translation>der gespeicherte Netzzustand ist von einem neueren FeatureMesh (%s, Schema %s; dieses liest bis %s)</translation>
+      <source>the saved mesh state is damaged ({why:text})</source>
+      <translation>der gespeicherte Netzzustand ist beschädigt ({why:text})</translation>
+    </message>
+    <message>
+      <source>the saved mesh state is from a newer FeatureMesh ({program:text}, schema {schema:count}; this one reads up to {newest:count})</source>
+      <translation>der gespeicherte Netzzustand ist von einem neueren FeatureMesh ({program:text}, Schema {schema:count}; dieses liest bis {newest:count})</translation>
     </message>
     <message>
       <source>the settings of %s cannot be opened; close the open panel first</source>
       <translation>Die Einstellungen von %s lassen sich nicht öffnen; schließen Sie erst das offene Fenster</translation>
     </message>
     <message>
-      <source>the shape touches itself: nodes of %s lie in the same place, such as %s; repair it there (Part: Check geometry)</source>
-      <translation>die Form berührt sich selbst: Knoten von %s liegen an derselben Stelle, etwa bei %s; dort reparieren (Part: Geometrie prüfen)</translation>
+      <source>the shape touches itself: nodes of {faces:entities} lie in the same place, such as {place:point}; repair it there (Part: Check geometry)</source>
+      <translation>die Form berührt sich selbst: Knoten von {faces:entities} liegen an derselben Stelle, etwa bei {place:point}; dort reparieren (Part: Geometrie prüfen)</translation>
     </message>
     <message>
       <source>the size %g mm is larger than the part (%g mm across); try %g mm</source>
@@ -1965,16 +2089,16 @@
       <translation>die Größe muss größer als 0 mm sein, nicht %g</translation>
     </message>
     <message>
-      <source>the solids of the final shape overlap by %s mm^3; fuse them or mesh them one by one</source>
-      <translation>Die Körper der endgültigen Form überlappen sich um %s mm^3; vereinigen oder einzeln vernetzen</translation>
+      <source>the solids of the final shape overlap by {overlap:volume}; fuse them or mesh them one by one</source>
+      <translation>Die Körper der endgültigen Form überlappen sich um {overlap:volume}; vereinigen oder einzeln vernetzen</translation>
     </message>
     <message>
       <source>the study's process ended; see %s</source>
       <translation>der Prozess der Studie ist beendet; siehe %s</translation>
     </message>
     <message>
-      <source>the surface mesh does not close at %s; check the shape there, or try another size</source>
-      <translation>das Oberflächennetz schließt sich nicht bei %s; dort die Form prüfen, oder eine andere Größe versuchen</translation>
+      <source>the surface mesh does not close at {place:entities}; check the shape there, or try another size</source>
+      <translation>das Oberflächennetz schließt sich nicht bei {place:entities}; dort die Form prüfen, oder eine andere Größe versuchen</translation>
     </message>
     <message>
       <source>the two limits of %s have to differ</source>
@@ -1985,8 +2109,12 @@
       <translation>die beiden Bauteile haben nichts miteinander zu tun: kein Name eines Formelements ist gemeinsam</translation>
     </message>
     <message>
-      <source>the volume mesh cannot be made to meet the triangles of %s; mesh finer there, or check the shape for faces that cut or touch one another</source>
-      <translation>das Volumennetz lässt sich nicht an die Dreiecke von %s anschließen; dort feiner vernetzen, oder die Form auf Flächen prüfen, die einander schneiden oder berühren</translation>
+      <source>the two states of the part cannot be compared ({why:text}); check the geometry of the new shape, or mesh it from scratch</source>
+      <translation>die beiden Zustände des Teils können nicht verglichen werden ({why:text}); die Geometrie der neuen Form prüfen, oder sie von Grund auf vernetzen</translation>
+    </message>
+    <message>
+      <source>the volume mesh cannot be made to meet the triangles of {faces:entities}; mesh finer there, or check the shape for faces that cut or touch one another</source>
+      <translation>das Volumennetz lässt sich nicht an die Dreiecke von {faces:entities} anschließen; dort feiner vernetzen, oder die Form auf Flächen prüfen, die einander schneiden oder berühren</translation>
     </message>
     <message>
       <source>there is no measure %s, only %s</source>
@@ -2001,16 +2129,32 @@
       <translation>zu kurz</translation>
     </message>
     <message>
-      <source>treated as changed: %s</source>
-      <translation>als geändert behandelt: %s</translation>
+      <source>treated as changed: {why:messages}</source>
+      <translation>als geändert behandelt: {why:messages}</translation>
     </message>
     <message>
-      <source>triangles of %s cut one another; the shape may touch or cut itself there: repair it, or mesh finer there</source>
-      <translation>Dreiecke von %s schneiden einander; die Form berührt oder schneidet sich dort vielleicht selbst: reparieren, oder dort feiner vernetzen</translation>
+      <source>triangles of {faces:entities} near {place:point} cut one another; the shape may touch or cut itself there: repair it, or mesh finer there</source>
+      <translation>Dreiecke von {faces:entities} nahe {place:point} schneiden einander; die Form berührt oder schneidet sich dort vielleicht selbst: sie dort reparieren oder feiner vernetzen</translation>
     </message>
     <message>
       <source>trimmed differently</source>
       <translation>anders beschnitten</translation>
+    </message>
+    <message>
+      <source>turned by {angle:number} deg about {axis:text}</source>
+      <translation>gedreht um {angle:number} Grad um {axis:text}</translation>
+    </message>
+    <message>
+      <source>turned by {angle:number} deg about {axis:text} and moved by {shift:point}</source>
+      <translation>gedreht um {angle:number} Grad um {axis:text} und verschoben um {shift:point}</translation>
+    </message>
+    <message>
+      <source>two kept triangles overlap</source>
+      <translation>zwei behaltene Dreiecke überlappen sich</translation>
+    </message>
+    <message>
+      <source>two nodes lie in the same place, at {place:point}; heal the shape there or mesh it finer</source>
+      <translation>zwei Knoten liegen am selben Ort, bei {place:point}; dort die Form heilen, oder feiner vernetzen</translation>
     </message>
     <message>
       <source>type</source>
@@ -2033,8 +2177,8 @@
       <translation>Volumen</translation>
     </message>
     <message>
-      <source>volume %s mm^3</source>
-      <translation>Volumen %s mm^3</translation>
+      <source>volume {before:volume} -&gt; {after:volume}</source>
+      <translation>Volumen {before:volume} → {after:volume}</translation>
     </message>
     <message>
       <source>volumes</source>
@@ -2057,6 +2201,14 @@
       <translation>wurde von außen beendet (%s)</translation>
     </message>
     <message>
+      <source>was in error before ({error:text})</source>
+      <translation>war vorher fehlerhaft ({error:text})</translation>
+    </message>
+    <message>
+      <source>what changed could not be found: {why:messages}</source>
+      <translation>was sich geändert hat, konnte nicht gefunden werden: {why:messages}</translation>
+    </message>
+    <message>
       <source>what happened</source>
       <translation>was geschah</translation>
     </message>
@@ -2071,6 +2223,230 @@
     <message>
       <source>z88 has no 3-node triangles; mesh with 6-node triangles, or export it as inp, vtu, vtk, msh, unv or med</source>
       <translation>z88 kennt keine Dreiecke mit 3 Knoten; vernetzen Sie mit Dreiecken mit 6 Knoten oder exportieren Sie als inp, vtu, vtk, msh, unv oder med</translation>
+    </message>
+    <message>
+      <source>{anew:count} of {all:count} elements do not fit the part and were made anew: {reasons:messages}</source>
+      <translation>{anew:count} von {all:count} Elementen passen nicht zum Bauteil und wurden neu gemacht: {reasons:messages}</translation>
+    </message>
+    <message>
+      <source>{edge:entities} ({length:length} long)</source>
+      <translation>{edge:entities} ({length:length} lang)</translation>
+    </message>
+    <message>
+      <source>{edge:entities} and {other:entities} are in the same place but run differently. Check the feature that made them (Part: Check geometry).</source>
+      <translation>{edge:entities} und {other:entities} liegen am selben Ort, verlaufen aber verschieden. Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen).</translation>
+    </message>
+    <message>
+      <source>{edge:entities} has no curve in the face's parameters</source>
+      <translation>{edge:entities} hat keine Kurve in den Parametern der Fläche</translation>
+    </message>
+    <message>
+      <source>{edge:entities} has no end points. Check the feature that made it (Part: Check geometry).</source>
+      <translation>{edge:entities} hat keine Endpunkte. Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen).</translation>
+    </message>
+    <message>
+      <source>{edge:entities} lies on {other:entities} but does not begin and end there. Check the feature that made them (Part: Check geometry).</source>
+      <translation>{edge:entities} liegt auf {other:entities}, beginnt und endet aber nicht dort. Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen).</translation>
+    </message>
+    <message>
+      <source>{elements:count} 10-node tetrahedra would be folded near {place:entities}: the face bends too much within one element. Ask for a smaller size there, or for 4-node tetrahedra.</source>
+      <translation>{elements:count} Tetraeder mit 10 Knoten wären gefaltet, bei {place:entities}: die Fläche biegt sich innerhalb eines Elements zu stark. Dort eine kleinere Größe wählen, oder Tetraeder mit 4 Knoten.</translation>
+    </message>
+    <message>
+      <source>{elements:count} 6-node triangles would be folded near {place:entities}: the face bends too much within one element. Ask for a smaller size there, or for 3-node triangles.</source>
+      <translation>{elements:count} Dreiecke mit 6 Knoten wären bei {place:entities} gefaltet: Die Fläche biegt sich innerhalb eines Elements zu stark. Verlangen Sie dort eine kleinere Größe oder Dreiecke mit 3 Knoten.</translation>
+    </message>
+    <message>
+      <source>{elements:count} elements are inverted, flat or folded</source>
+      <translation>{elements:count} Elemente sind umgestülpt, flach oder gefaltet</translation>
+    </message>
+    <message>
+      <source>{elements:count} elements are outside the part</source>
+      <translation>{elements:count} Elemente liegen außerhalb des Teils</translation>
+    </message>
+    <message>
+      <source>{elements:count} elements without a volume to speak of remain at {faces:entities} beside {edges:messages}; mesh finer there, or take out what is much smaller than the rest of the part</source>
+      <translation>{elements:count} Elemente ohne nennenswertes Volumen bleiben bei {faces:entities} neben {edges:messages}; dort feiner vernetzen, oder herausnehmen, was viel kleiner als das übrige Teil ist</translation>
+    </message>
+    <message>
+      <source>{elements:count} elements without a volume to speak of remain at {faces:entities}; mesh finer there, or take out what is much smaller than the rest of the part</source>
+      <translation>{elements:count} Elemente fast ohne Volumen bleiben bei {faces:entities}; dort feiner vernetzen, oder weglassen, was viel kleiner als der Rest des Bauteils ist</translation>
+    </message>
+    <message>
+      <source>{face:entities} cannot be filled: {why:messages}. Mesh the part from scratch.</source>
+      <translation>{face:entities} kann nicht gefüllt werden: {why:messages}. Das Bauteil von Grund auf vernetzen.</translation>
+    </message>
+    <message>
+      <source>{face:entities} cannot be meshed: its boundary crosses or touches itself ({edges:entities}). Check the feature that made it (Part: Check geometry), or try a smaller size.</source>
+      <translation>{face:entities} kann nicht vernetzt werden: Ihr Rand kreuzt oder berührt sich selbst ({edges:entities}). Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen), oder eine kleinere Größe versuchen.</translation>
+    </message>
+    <message>
+      <source>{face:entities} cannot be meshed: its boundary crosses or touches itself. Check the feature that made it (Part: Check geometry), or try a smaller size.</source>
+      <translation>{face:entities} kann nicht vernetzt werden: Ihr Rand kreuzt oder berührt sich selbst. Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen), oder eine kleinere Größe versuchen.</translation>
+    </message>
+    <message>
+      <source>{face:entities} cannot be meshed: {why:messages}. Check the feature that made it (Part: Check geometry), or refine the shape.</source>
+      <translation>{face:entities} kann nicht vernetzt werden: {why:messages}. Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen), oder die Form verfeinern.</translation>
+    </message>
+    <message>
+      <source>{face:entities} cannot be meshed: {why:messages}. Try a smaller size on this face, or check the feature that made it (Part: Check geometry).</source>
+      <translation>{face:entities} kann nicht vernetzt werden: {why:messages}. Eine kleinere Größe auf dieser Fläche versuchen, oder das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen).</translation>
+    </message>
+    <message>
+      <source>{feature:text}: FreeCAD says: {error:text}</source>
+      <translation>{feature:text}: FreeCAD sagt: {error:text}</translation>
+    </message>
+    <message>
+      <source>{feature:text}: has no solid, so its effect is unknown and it counts as changed</source>
+      <translation>{feature:text}: hat keinen Volumenkörper, also ist die Wirkung unbekannt, und es gilt als geändert</translation>
+    </message>
+    <message>
+      <source>{feature:text}: its link to {object:text} dangles</source>
+      <translation>{feature:text}: der Verweis auf {object:text} führt ins Leere</translation>
+    </message>
+    <message>
+      <source>{feature:text}: its operand {operand:text} has no solid and is left out</source>
+      <translation>{feature:text}: der Operand {operand:text} hat keinen Volumenkörper und wird weggelassen</translation>
+    </message>
+    <message>
+      <source>{feature:text}: what it adds and removes could not be told from the shapes before and after it; it is taken as one piece with all before it</source>
+      <translation>{feature:text}: was es hinzufügt und wegnimmt, war aus den Formen davor und danach nicht zu erkennen; es wird mit allem davor als ein Stück genommen</translation>
+    </message>
+    <message>
+      <source>{motions:count} different motions; only the first {carried:count} carry parts of the mesh</source>
+      <translation>{motions:count} verschiedene Bewegungen; nur die ersten {carried:count} nehmen Teile des Netzes mit</translation>
+    </message>
+    <message>
+      <source>{nodes:count} boundary nodes are off the surface</source>
+      <translation>{nodes:count} Randknoten liegen abseits der Oberfläche</translation>
+    </message>
+    <message>
+      <source>{nodes:count} mid-side nodes were off the surface and are new, on it</source>
+      <translation>{nodes:count} Mittelknoten lagen neben der Oberfläche und sind neu, auf ihr</translation>
+    </message>
+    <message>
+      <source>{object:text} could not be followed from the last mesh, whose state is gone; check what it refers to</source>
+      <translation>{object:text} konnte nicht vom letzten Netz her verfolgt werden, dessen Zustand fehlt; prüfen Sie, worauf es sich bezieht</translation>
+    </message>
+    <message>
+      <source>{object:text} has no edge. Recompute the document, and mesh an object with edges.</source>
+      <translation>{object:text} hat keine Kante. Berechnen Sie das Dokument neu und vernetzen Sie ein Objekt mit Kanten.</translation>
+    </message>
+    <message>
+      <source>{object:text} has no face. Recompute the document, and mesh an object with faces, or its edges.</source>
+      <translation>{object:text} hat keine Fläche. Berechnen Sie das Dokument neu und vernetzen Sie ein Objekt mit Flächen oder seine Kanten.</translation>
+    </message>
+    <message>
+      <source>{object:text} has no solid. Recompute the document, and mesh a body or a Part object whose result is a solid.</source>
+      <translation>{object:text} hat keinen Volumenkörper. Das Dokument neu berechnen und einen Körper oder ein Part-Objekt vernetzen, dessen Ergebnis ein Volumenkörper ist.</translation>
+    </message>
+    <message>
+      <source>{object:text} refers to {lost:entities}, which is gone; choose another edge, the analysis cannot be solved without</source>
+      <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; wählen Sie eine andere Kante, ohne lässt sich die Analyse nicht rechnen</translation>
+    </message>
+    <message>
+      <source>{object:text} refers to {lost:entities}, which is gone; choose another face, the analysis cannot be solved without</source>
+      <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; wählen Sie eine andere Fläche, ohne lässt sich die Analyse nicht rechnen</translation>
+    </message>
+    <message>
+      <source>{object:text} refers to {lost:entities}, which is gone; choose another solid, the analysis cannot be solved without</source>
+      <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; wählen Sie einen anderen Körper, ohne lässt sich die Analyse nicht rechnen</translation>
+    </message>
+    <message>
+      <source>{object:text} refers to {lost:entities}, which is gone; choose another vertex, the analysis cannot be solved without</source>
+      <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; wählen Sie einen anderen Punkt, ohne lässt sich die Analyse nicht rechnen</translation>
+    </message>
+    <message>
+      <source>{object:text} refers to {lost:entities}, which is gone; it was taken out of the references</source>
+      <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; es wurde aus den Referenzen genommen</translation>
+    </message>
+    <message>
+      <source>{object:text}: {before:entities} is now {now:entities}, its reference was changed</source>
+      <translation>{object:text}: {before:entities} ist jetzt {now:entities}, der Verweis wurde geändert</translation>
+    </message>
+    <message>
+      <source>{object:text}: {before:entities} was split into {now:entities}, it is on all of them now</source>
+      <translation>{object:text}: {before:entities} wurde in {now:entities} geteilt, es gilt jetzt auf allen</translation>
+    </message>
+    <message>
+      <source>{object:text}: {one:entities} has become one with {others:entities}, it is on all of that now</source>
+      <translation>{object:text}: {one:entities} ist mit {others:entities} eins geworden, es gilt jetzt auf dem Ganzen</translation>
+    </message>
+    <message>
+      <source>{one:entities} and itself</source>
+      <translation>{one:entities} und sich selbst</translation>
+    </message>
+    <message>
+      <source>{one:entities} and itself near {place:point}</source>
+      <translation>{one:entities} und sich selbst nahe {place:point}</translation>
+    </message>
+    <message>
+      <source>{one:entities} and {other:entities}</source>
+      <translation>{one:entities} und {other:entities}</translation>
+    </message>
+    <message>
+      <source>{one:entities} and {other:entities} ({distance:length} apart)</source>
+      <translation>{one:entities} und {other:entities} ({distance:length} voneinander)</translation>
+    </message>
+    <message>
+      <source>{one:entities} and {other:entities} near {place:point}</source>
+      <translation>{one:entities} und {other:entities} nahe {place:point}</translation>
+    </message>
+    <message>
+      <source>{sides:count} sides between faces follow no edge</source>
+      <translation>{sides:count} Seiten zwischen Flächen folgen keiner Kante</translation>
+    </message>
+    <message>
+      <source>{solid:entities} has no positive volume. Its faces point inwards or cross each other; check the feature that made it (Part: Check geometry).</source>
+      <translation>{solid:entities} hat kein positives Volumen. Seine Flächen zeigen nach innen oder kreuzen einander; das Formelement prüfen, das ihn erzeugt hat (Part: Geometrie prüfen).</translation>
+    </message>
+    <message>
+      <source>{triangles:count} boundary triangles lie on no face</source>
+      <translation>{triangles:count} Randdreiecke liegen auf keiner Fläche</translation>
+    </message>
+    <message>
+      <source>{triangles:count} triangles have elements that overlap</source>
+      <translation>{triangles:count} Dreiecke haben Elemente, die sich überlappen</translation>
+    </message>
+    <message>
+      <source>{values:count} values do not fit the {nodes:count} nodes of the old mesh.</source>
+      <translation>{values:count} Werte passen nicht zu den {nodes:count} Knoten des alten Netzes.</translation>
+    </message>
+    <message>
+      <source>%s presses on a shell beside a solid, which FreeCAD cannot write for CalculiX; use a force there</source>
+      <translation>%s drückt auf eine Schale neben einem Körper, was FreeCAD für CalculiX nicht schreiben kann; verwenden Sie dort eine Kraft</translation>
+    </message>
+    <message>
+      <source>%s would lose the beams of this mesh; export it as inp, vtu, vtk, msh, unv or med</source>
+      <translation>%s würde die Balken dieses Netzes verlieren; exportieren Sie als inp, vtu, vtk, msh, unv oder med</translation>
+    </message>
+    <message>
+      <source>%s would lose the shells of this mesh; export it as inp, vtu, vtk, msh, unv or med</source>
+      <translation>%s würde die Schalen dieses Netzes verlieren; exportieren Sie als inp, vtu, vtk, msh, unv oder med</translation>
+    </message>
+    <message>
+      <source>The part has faces or edges beside its solids, and only meshes of solids can be adopted. Mesh the part anew, or adopt the mesh for the solids alone (Dimension: Solids).</source>
+      <translation>Das Teil hat Flächen oder Kanten neben seinen Körpern, und nur Netze von Körpern können übernommen werden. Vernetzen Sie das Teil neu, oder übernehmen Sie das Netz nur für die Körper (Dimension: Solids).</translation>
+    </message>
+    <message>
+      <source>The refinement {zone:text} with a size of {size:length} would make about {millions:count} million elements; at most {most:count} million are made. Choose a larger size there.</source>
+      <translation>Die Verfeinerung {zone:text} mit einer Größe von {size:length} ergäbe etwa {millions:count} Millionen Elemente; höchstens {most:count} Millionen werden gemacht. Wählen Sie dort eine größere Größe.</translation>
+    </message>
+    <message>
+      <source>The refinement at {entity:entities} with a size of {size:length} would make about {millions:count} million elements; at most {most:count} million are made. Choose a larger size there.</source>
+      <translation>Die Verfeinerung an {entity:entities} mit einer Größe von {size:length} ergäbe etwa {millions:count} Millionen Elemente; höchstens {most:count} Millionen werden gemacht. Wählen Sie dort eine größere Größe.</translation>
+    </message>
+    <message>
+      <source>These shells and beams lie inside a solid and share no nodes with it there: {places:messages}. No load passes between them. Divide the solid along them (Part: Boolean Fragments).</source>
+      <translation>Diese Schalen und Balken liegen in einem Körper und haben dort keine Knoten mit ihm gemeinsam: {places:messages}. Zwischen ihnen wird keine Last übertragen. Teilen Sie den Körper an ihnen (Part: Boolesche Fragmente).</translation>
+    </message>
+    <message>
+      <source>{one:entities} in {other:entities}</source>
+      <translation>{one:entities} in {other:entities}</translation>
+    </message>
+    <message>
+      <source>area</source>
+      <translation>Fläche</translation>
     </message>
   </context>
   <context>

@@ -1,15 +1,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lengths, areas and volumes as the user reads them: messages say mm, and where another unit scheme is chosen in FreeCAD they are put into its units."""
+"""What the user reads: messages in the user's language, and lengths, areas and volumes, which are in mm elsewhere, in the units chosen in FreeCAD."""
 
 import re
 
 import FreeCAD
 
+from . import messages
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 # FreeCAD's numbers of the unit schemes with mm; in them a message stays as it is.
 _IN_MM = (0, 6, 8)
 _NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 # "2.5 mm", "40 x 10 x 10 mm", "80 -> 90 mm^3" and "(1, 2, 3) mm"; not the 2 of "Edge2 mm" nor of "1.2.3".
 _QUANTITY = re.compile(r"(?<![\w.])(?P<numbers>(?:{0}(?: x | -> | → ))*{0}|\({0}(?:, {0})*\)) (?P<unit>mm(?:\^[23])?)(?![\w^])".format(_NUMBER))
+_ALSO_SAID = (QT_TRANSLATE_NOOP("FeatureMesh", "%s and %d more"), QT_TRANSLATE_NOOP("FeatureMesh", "the inside"))   # by messages.py
+
+
+def in_words(message):
+    """A message, or a text of our own, in the user's language and units."""
+    return _WORDS.put(message)
 
 
 def in_users_units(text):
@@ -21,3 +30,6 @@ def _converted(found):
     def shown(number):
         return FreeCAD.Units.Quantity("%s %s" % (number.group(), found.group("unit"))).UserString
     return re.sub(_NUMBER, shown, found.group("numbers"))
+
+
+_WORDS = messages.Words(lambda words: FreeCAD.Qt.translate("FeatureMesh", words), in_users_units)

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/message.h"
+
+#include <algorithm>
+
+#include "core/entity_names.h"
+#include "core/messages.h"
+#include "core/numbers_in_words.h"
+
+namespace featuremesh {
+
+namespace {
+
+struct InEnglish {
+    std::string operator()(std::int64_t count) const { return std::to_string(count); }
+    std::string operator()(double number) const { return in_words(number); }
+    std::string operator()(Length length) const { return in_words(length.mm) + " mm"; }
+    std::string operator()(Volume volume) const { return in_words(volume.mm3) + " mm^3"; }
+    std::string operator()(Extent extent) const {
+        return in_words(extent.mm.x) + " x " + in_words(extent.mm.y) + " x " + in_words(extent.mm.z) + " mm";
+    }
+    std::string operator()(const Vec3& point) const { return in_words(point) + " mm"; }
+    std::string operator()(const std::string& text) const { return text; }
+
+    std::string operator()(const std::vector<Entity>& entities) const {
+        constexpr std::size_t most = 6;
+        std::string names;
+        for (std::size_t i = 0; i < std::min(most, entities.size()); ++i)
+            names += (i == 0 ? "" : ", ") + name_of(entities[i]);
+        if (entities.size() > most) names += " and " + std::to_string(entities.size() - most) + " more";
+        return entities.empty() ? "the inside" : names;
+    }
+
+    std::string operator()(const std::vector<Message>& messages) const {
+        std::string text;
+        for (const Message& message : messages) text += (text.empty() ? "" : "; ") + message.in_english();
+        return text;
+    }
+};
+
+}  // namespace
+
+Message::Message(Code code, std::vector<Parameter> parameters) : code_(code), parameters_(std::move(parameters)) {}
+
+std::string Message::in_english() const {
+    std::string text;
+    std::string_view rest = template_of(code_).english, before;
+    for (const Parameter& parameter : parameters_) {
+        next_placeholder(rest, before);
+        text += std::string(before) + std::visit(InEnglish(), parameter);
+    }
+    return text.append(rest);
+}
+
+Message several(std::vector<Message> messages) {
+    if (messages.empty()) return {};
+    if (messages.size() == 1) return std::move(messages.front());
+    return say<Code::several>(messages);
+}
+
+}  // namespace featuremesh

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the libraries throw becomes one of our errors.
+#pragma once
+
+#include <Standard_Failure.hxx>
+#include <new>
+#include <string>
+
+#include "core/errors.h"
+#include "core/messages.h"
+
+namespace featuremesh {
+
+template <class Function>
+auto with_our_errors(Function work) {
+    const auto first_line = [](const char* text) { return std::string(text).substr(0, std::string(text).find('\n')); };
+    try {
+        return work();
+    } catch (const Error&) {
+        throw;
+    } catch (const Standard_Failure& failure) {
+        throw KernelError(say<Code::kernel_failed_meshing>(first_line(failure.GetMessageString())));
+    } catch (const std::bad_alloc&) {
+        throw MeshError(say<Code::out_of_memory>());
+    } catch (const std::exception& failure) {
+        throw MeshError(say<Code::part_not_filled>(first_line(failure.what())));
+    }
+}
+
+}  // namespace featuremesh
