@@ -6,10 +6,11 @@
 
 namespace featuremesh {
 
-inline MeshOptions options_of(double size, int order = 1) {
+inline MeshOptions options_of(double size, int order = 1, Dimension dimension = Dimension::from_shape) {
     MeshOptions options;
     options.sizing.size = size;
     options.order = order;
+    options.dimension = dimension;
     return options;
 }
 

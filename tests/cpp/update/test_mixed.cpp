@@ -14,6 +14,7 @@
 #include "core/errors.h"
 #include "mesh/validation.h"
 #include "part_documents.h"
+#include "part_meshes.h"
 #include "update/fill_part.h"
 #include "update/part_mesh.h"
 #include "update/shell_division.h"
@@ -21,14 +22,6 @@
 using namespace featuremesh;
 
 namespace {
-
-MeshOptions options_of(double size, int order, Dimension dimension = Dimension::from_shape) {
-    MeshOptions options;
-    options.sizing.size = size;
-    options.order = order;
-    options.dimension = dimension;
-    return options;
-}
 
 TopoDS_Shape joined(std::initializer_list<TopoDS_Shape> shapes) {
     TopTools_ListOfShape arguments;

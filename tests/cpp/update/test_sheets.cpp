@@ -16,6 +16,7 @@
 #include "core/errors.h"
 #include "mesh/validation.h"
 #include "part_documents.h"
+#include "part_meshes.h"
 #include "surface/projection.h"
 #include "update/fill_part.h"
 #include "update/part_mesh.h"
@@ -59,14 +60,6 @@ TopoDS_Shape three_sheets(double third_width) {
         all = all.IsNull() ? sheet : BRepAlgoAPI_Fuse(all, sheet).Shape();
     }
     return all;
-}
-
-MeshOptions options_of(double size, int order, Dimension dimension = Dimension::from_shape) {
-    MeshOptions options;
-    options.sizing.size = size;
-    options.order = order;
-    options.dimension = dimension;
-    return options;
 }
 
 void check_sound(const PartMesh& part, double size) {
