@@ -17,7 +17,7 @@ import sanitizers
 import tidy
 import wheels
 from engine_build import ALL, IN_FREECAD, PYTHON, set_up
-from freecad_task import freecad_environment, run_script, run_task
+from freecad_task import freecad_environment, run_script, run_task, window_environment
 from layout import EXAMPLES, RELEASE, ROOT, WORKBENCH, Failure, Unavailable, UserError
 from setup_log import say
 
@@ -218,7 +218,7 @@ def gui(given):
     if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
         raise UserError("there is no screen (neither DISPLAY nor WAYLAND_DISPLAY is set)")
     program = os.environ.get("FREECAD", "freecad")
-    code = subprocess.run([program, first, f"--module-path={WORKBENCH}"], env=freecad_environment()).returncode
+    code = subprocess.run([program, first, f"--module-path={WORKBENCH}"], env=window_environment()).returncode
     if code:
         raise Failure(f"FreeCAD ended with exit code {code}")
     print("FreeCAD was closed")

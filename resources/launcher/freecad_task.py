@@ -58,6 +58,11 @@ def freecad_environment(**variables):
     return {**os.environ, "FEATUREMESH_ENGINE": engine, "PYTHONPATH": path, "LC_ALL": "C.UTF-8", **variables}
 
 
+def window_environment():
+    """The same for FreeCAD's window, whose start page, a Chromium, ends the program when it is root's, unless it may do without its sandbox."""
+    return freecad_environment(**({"QTWEBENGINE_DISABLE_SANDBOX": "1"} if os.geteuid() == 0 else {}))
+
+
 def freecadcmd():
     program = os.environ.get("FREECADCMD") or shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
     if not program:

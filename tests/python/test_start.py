@@ -21,6 +21,7 @@ class Start(unittest.TestCase):
         self.folder = Path(folder.name)
         (self.folder / "home").mkdir()
         self.environment = environment_of(self.folder / "home")
+        del self.environment["QTWEBENGINE_DISABLE_SANDBOX"]   # what FreeCAD's start page needs of it, the launcher knows
         installed = addons(self.environment)   # what is installed does not take the clone's place
         shutil.copytree(HERE / "driver", installed / "Driver")
 
