@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bindings.h"
-#include "brep/shape_stream.h"
 #include "core/errors.h"
 #include "core/messages.h"
 #include "difference/followed_faces.h"
 #include "difference/place_partners.h"
+#include "update/compare_documents.h"
 
 namespace featuremesh {
 
@@ -73,25 +73,15 @@ py::dict edge_dict(const EdgeChange& change) {
     return out;
 }
 
-py::dict compare_documents(const py::dict& old_raw, const py::dict& new_raw, double resolution, bool fuse) {
+py::dict compare_raw(const py::dict& old_raw, const py::dict& new_raw, double resolution, bool fuse) {
     const RawDocument old_document = raw_document_from(old_raw), new_document = raw_document_from(new_raw);
-    std::vector<EdgeChange> edges;
-    const FeatureDifference difference = run_released({}, 1, [&](RunContext& context) {
-        const auto read = [&](const RawDocument& document, const PartState* before) {
-            return fuse ? read_part(document, context, before ? &before->tree : nullptr)
-                        : read_part_to_mesh(document, context, before);
-        };
-        const PartState old_state = read(old_document, nullptr), new_state = read(new_document, &old_state);
-        const double fine = resolution > 0 ? resolution : new_state.brep.box().diagonal() / 100;
-        FeatureDifference found = compare(old_state, new_state, fine, context);
-        tell_inner_faces(found.faces, old_state.brep, new_state.brep);
-        edges = edge_changes(found, old_state.brep, new_state.brep);
-        return found;
+    const DocumentDifference difference = run_released({}, 1, [&](RunContext& context) {
+        return compare_documents(old_document, new_document, {resolution, fuse}, context);
     });
-    py::list edge_list;
-    for (const EdgeChange& change : edges) edge_list.append(edge_dict(change));
-    py::dict out = to_dict(difference);
-    out["edges"] = edge_list;
+    py::list edges;
+    for (const EdgeChange& change : difference.edges) edges.append(edge_dict(change));
+    py::dict out = to_dict(difference.difference);
+    out["edges"] = edges;
     return out;
 }
 
@@ -140,19 +130,8 @@ py::list followed_faces_of_documents(const py::dict& old_raw, const py::dict& ne
     const RawDocument old_document = raw_document_from(old_raw), new_document = raw_document_from(new_raw);
     const SketchElements old_elements = elements_from(old_raw), new_elements = elements_from(new_raw);
     return followed_list(run_released({}, 1, [&](RunContext& context) {
-        const PartState old_state = read_part_to_mesh(old_document, context);
-        const PartState new_state = read_part_to_mesh(new_document, context, &old_state);
-        return follow_faces(old_state, old_elements, new_state, new_elements);
+        return follow_faces_of_documents(old_document, old_elements, new_document, new_elements, context);
     }));
-}
-
-Brep brep_of(const RawDocument& document, const std::string& object) {
-    const auto record = std::find_if(document.records.begin(), document.records.end(),
-                                     [&](const RawRecord& r) { return r.name == object; });
-    const std::vector<TopoDS_Shape> shapes = read_shapes(document.shapes);
-    if (record == document.records.end() || record->shape < 0 || record->shape >= int(shapes.size()))
-        throw InputError(say<Code::wrong_call>("The part has no shape of " + object + "."));
-    return Brep(shapes[std::size_t(record->shape)], Dimension::from_shape);
 }
 
 template <class Id>
@@ -165,9 +144,8 @@ void add_names(py::dict& names, std::size_t from, const std::vector<Id>& to) {
 
 py::dict trace_sub_elements(const py::dict& raw, const std::string& object) {
     const RawDocument document = raw_document_from(raw);
-    const PlacePartners partners = run_released({}, 1, [&](RunContext&) {
-        return partners_in_place(brep_of(document, object), brep_of(document, document.final_object));
-    });
+    const PlacePartners partners =
+        run_released({}, 1, [&](RunContext&) { return partners_on_final_shape(document, object); });
     py::dict names;
     for (std::size_t f = 0; f < partners.faces.size(); ++f) add_names(names, f, partners.faces[f]);
     for (std::size_t e = 0; e < partners.edges.size(); ++e) add_names(names, e, partners.edges[e]);
@@ -196,7 +174,7 @@ py::dict to_dict(const FeatureDifference& difference) {
 }
 
 void define_difference(py::module_& module) {
-    module.def("compare", &compare_documents, py::arg("old"), py::arg("new"), py::arg("resolution") = 0.0,
+    module.def("compare", &compare_raw, py::arg("old"), py::arg("new"), py::arg("resolution") = 0.0,
                py::arg("fuse") = true,
                "The feature difference of two states of a part. `resolution` (mm): edge length of the changed "
                "boundary's triangles where a face is "

@@ -42,6 +42,15 @@ void read(const py::dict& arrays, const char* name, std::vector<Row>& rows) {
     std::memcpy(static_cast<void*>(rows.data()), array.data(), rows.size() * sizeof(Row));
 }
 
+template <class Scalar>
+Scalar read_one(const py::dict& arrays, const char* name) {
+    std::vector<Scalar> values;
+    read<Scalar>(arrays, name, values);
+    if (values.size() != 1)
+        throw StateError(say<Code::damaged_state>(std::string("The saved array '") + name + "' has the wrong shape."));
+    return values.front();
+}
+
 template <std::size_t N>
 void check_nodes(const std::vector<std::array<NodeId, N>>& rows, std::size_t nodes) {
     for (const auto& row : rows)
@@ -75,18 +84,8 @@ py::array_t<double> wanted_sizes(const PartMesh& part,
     return sizes;
 }
 
-py::list owners_of_each_face(const PartMesh& part) {
-    py::list faces;
-    const auto found = run_released({}, 1, [&](RunContext&) { return owners_of_faces(part.part); });
-    for (const auto& owners : found) {
-        std::vector<std::string> names;
-        for (const Owner& owner : owners) {
-            const std::string& name = part.part.tree[owner.feature].name;
-            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-        }
-        faces.append(py::cast(names));
-    }
-    return faces;
+std::vector<std::vector<std::string>> owners_of_each_face(const PartMesh& part) {
+    return run_released({}, 1, [&](RunContext&) { return names_of_owners(part.part); });
 }
 
 py::list tets_of_each_feature(const PartMesh& part) {
@@ -105,13 +104,11 @@ static_assert(sizeof(SizeSource) == 4 * sizeof(double), "arrays are handed over 
 py::dict arrays_of_part(const py::object& self) {
     const auto& part = self.cast<const PartMesh&>();
     py::dict arrays = arrays_of(part.mesh, self);
-    if (!part.made_for.nodes.empty()) {
-        arrays["made_for_nodes"] = view<std::int32_t>(part.made_for.nodes, self);
-        arrays["made_for_sizes"] = view<double>(part.made_for.sizes, self);
-    }
-    if (part.options.sizing.refines_narrow_faces) arrays["refined_narrow_faces"] = py::array_t<std::int32_t>(0);
-    if (part.options.ignored_below > 0) arrays["ignored_below"] = py::array_t<double>(1, &part.options.ignored_below);
-    if (!part.adopted_sizes.empty()) arrays["adopted_sizes"] = view<double>(part.adopted_sizes, self);
+    arrays["made_for_nodes"] = view<std::int32_t>(part.made_for.nodes, self);
+    arrays["made_for_sizes"] = view<double>(part.made_for.sizes, self);
+    arrays["adopted_sizes"] = view<double>(part.adopted_sizes, self);
+    arrays["refined_narrow_faces"] = py::array_t<bool>(1, &part.options.sizing.refines_narrow_faces);
+    arrays["ignored_below"] = py::array_t<double>(1, &part.options.ignored_below);
     return arrays;
 }
 
@@ -176,7 +173,6 @@ Mesh mesh_from(const py::dict& arrays) {
 
 MadeFor made_for_from(const py::dict& arrays) {
     MadeFor made_for;
-    if (!arrays.contains("made_for_nodes")) return made_for;
     read<std::int32_t>(arrays, "made_for_nodes", made_for.nodes);
     read<double>(arrays, "made_for_sizes", made_for.sizes);
     if (made_for.nodes.size() != made_for.sizes.size())
@@ -186,8 +182,14 @@ MadeFor made_for_from(const py::dict& arrays) {
 
 std::vector<SizeSource> adopted_sizes_from(const py::dict& arrays) {
     std::vector<SizeSource> sizes;
-    if (arrays.contains("adopted_sizes")) read<double>(arrays, "adopted_sizes", sizes);
+    read<double>(arrays, "adopted_sizes", sizes);
     return sizes;
+}
+
+MeshOptions options_made_with(const py::dict& arrays, MeshOptions asked) {
+    asked.sizing.refines_narrow_faces = read_one<std::uint8_t>(arrays, "refined_narrow_faces") != 0;
+    asked.ignored_below = read_one<double>(arrays, "ignored_below");
+    return asked;
 }
 
 void define_mesh(py::module_& module) {

@@ -244,15 +244,13 @@ py::tuple adopt_document(const py::dict& raw, const py::dict& options, const py:
 std::shared_ptr<PartMesh> restore_document(const py::dict& raw, const py::dict& options, const py::dict& arrays,
                                            const Progress& progress) {
     RawDocument document = raw_document_from(raw);
-    Asked asked = asked_from(options);
-    asked.options.sizing.refines_narrow_faces = arrays.contains("refined_narrow_faces");  // not so in older states
-    if (arrays.contains("ignored_below"))
-        asked.options.ignored_below = arrays["ignored_below"].cast<py::array_t<double>>().at(0);
+    const Asked asked = asked_from(options);
+    const MeshOptions made_with = options_made_with(arrays, asked.options);
     Mesh mesh = mesh_from(arrays);
     MadeFor made_for = made_for_from(arrays);
     std::vector<SizeSource> adopted_sizes = adopted_sizes_from(arrays);
     return std::const_pointer_cast<PartMesh>(run_released(progress, asked.threads, [&](RunContext& context) {
-        return restore_part(std::move(document), asked.options, std::move(mesh), context, std::move(made_for),
+        return restore_part(std::move(document), made_with, std::move(mesh), context, std::move(made_for),
                             std::move(adopted_sizes));
     }));
 }
@@ -281,11 +279,7 @@ py::tuple transfer_values(const py::dict& old_arrays, const py::dict& new_arrays
 double estimate(const py::dict& raw, const py::dict& options) {
     const RawDocument document = raw_document_from(raw);
     const Asked asked = asked_from(options);
-    return run_released({}, 1, [&](RunContext& context) {
-        const Dimension dimension = asked.options.dimension;
-        const Brep brep(interpret(document, context, nullptr, dimension).final_shape, dimension);
-        return estimate_elements(brep, make_sizing(brep, asked.options.sizing, {}, context));
-    });
+    return run_released({}, 1, [&](RunContext& context) { return estimate_part(document, asked.options, context); });
 }
 
 }  // namespace

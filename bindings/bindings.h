@@ -35,6 +35,8 @@ Mesh mesh_from(const py::dict& arrays);
 /// The lengths that kept nodes were made for.
 MadeFor made_for_from(const py::dict& arrays);
 std::vector<SizeSource> adopted_sizes_from(const py::dict& arrays);
+/// The options with what the mesh of the arrays was made with rather than asked for.
+MeshOptions options_made_with(const py::dict& arrays, MeshOptions asked);
 py::object motion_matrix(const RigidMotion& motion);
 
 using Progress = std::optional<py::function>;

@@ -53,12 +53,12 @@ class PartMesh:
     order: int
     corner_count: int
     def arrays(self) -> dict[str, np.ndarray]:
-        """All arrays of the mesh, to be saved: points (n,3), entities (n,2) int32 (dimension, index), parameters (n,2), node_numbers (n,) int64,
+        """All arrays of the mesh, to be saved, none left out where there is nothing of a kind: points (n,3), entities (n,2) int32 (dimension, index), parameters (n,2), node_numbers (n,) int64,
         segments (s,2), segment_mids (s,) or (0,), segment_edges, segment_numbers, triangles (t,3), triangle_mids, triangle_faces, triangle_numbers,
         tets (m,4), tet_mids (m,6) or (0,6), tet_solids, tet_numbers, counters (4,) int64 (order, corner_count, next node number, next element number); adopted_sizes
         (k,4) mm (place, edge length) where the mesh comes from another maker's; made_for_nodes (k,) and made_for_sizes (k,) mm where kept
-        nodes were made for other edge lengths than those wanted there now; refined_narrow_faces (0,) where faces far narrower than the size
-        asked for shorter edges, as they do in updates of that mesh; ignored_below (1,) mm where smaller details have no elements of their own.
+        nodes were made for other edge lengths than those wanted there now; refined_narrow_faces (1,) bool: did faces far narrower than the size
+        ask for shorter edges, as they do in updates of that mesh; ignored_below (1,) mm: smaller details have no elements of their own.
         Indices count from 0; tets have positive volume in VTK/Abaqus order. Views, read-only."""
     def node_origin(self) -> np.ndarray: """(n,) int32: index of the node in the mesh before the update, -1 for a new one."""
     def tet_origin(self) -> np.ndarray: """(m,) int32, likewise; by triangle or segment where those fill the part."""

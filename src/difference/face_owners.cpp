@@ -29,4 +29,16 @@ std::vector<std::vector<Owner>> owners_of_faces(const PartState& state) {
     return of_face;
 }
 
+std::vector<std::vector<std::string>> names_of_owners(const PartState& state) {
+    std::vector<std::vector<std::string>> of_face;
+    for (const std::vector<Owner>& owners : owners_of_faces(state)) {
+        std::vector<std::string>& names = of_face.emplace_back();
+        for (const Owner& owner : owners) {
+            const std::string& name = state.tree[owner.feature].name;
+            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        }
+    }
+    return of_face;
+}
+
 }  // namespace featuremesh

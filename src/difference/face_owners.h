@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "difference/feature_difference.h"
@@ -28,5 +29,7 @@ class FaceOwners {
 
 /// Of all faces, by FaceId.
 std::vector<std::vector<Owner>> owners_of_faces(const PartState& state);
+/// Of all faces, by FaceId: the names of the features that own it, each once.
+std::vector<std::vector<std::string>> names_of_owners(const PartState& state);
 
 }  // namespace featuremesh

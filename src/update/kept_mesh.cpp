@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "update/solid_sides.h"
+#include "update/solids_beside.h"
 
 namespace featuremesh {
 

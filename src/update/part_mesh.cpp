@@ -467,6 +467,11 @@ PartState read_part_to_mesh(const RawDocument& document, RunContext& context, co
     return part;
 }
 
+double estimate_part(const RawDocument& document, const MeshOptions& options, RunContext& context) {
+    const Brep brep(interpret(document, context, nullptr, options.dimension).final_shape, options.dimension);
+    return estimate_elements(brep, make_sizing(brep, options.sizing, {}, context));
+}
+
 PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context, NextNumbers next) {
     Stages stages(std::move(document), with_pieces_round_rods(options), context);
     stages.read(nullptr);

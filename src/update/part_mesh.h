@@ -42,6 +42,9 @@ PartState read_part(const RawDocument& document, RunContext& context, const Feat
 PartState read_part_to_mesh(const RawDocument& document, RunContext& context, const PartState* before = nullptr,
                             Dimension dimension = Dimension::from_shape);
 
+/// About how many elements the options ask for: tets, or triangles or segments where those are meshed.
+double estimate_part(const RawDocument& document, const MeshOptions& options, RunContext& context);
+
 /// Meshes the part from scratch, with numbers from `next` on.
 PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunContext& context, NextNumbers next = {});
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <span>
 
-#include "update/solid_sides.h"
+#include "update/solids_beside.h"
 
 namespace featuremesh {
 namespace {

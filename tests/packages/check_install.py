@@ -91,7 +91,7 @@ class WheelAndAddon(Home):
         self.install_wheel()
         engine = self.install_addon() / "freecad/featuremesh/engine.py"
         text = engine.read_text(encoding="utf-8")
-        for protocols, answer in (("3, 4", "is too old for FeatureMesh .*Addon Manager.*pip install --upgrade.*portable zip"),
+        for protocols, answer in (("98, 99", "is too old for FeatureMesh .*Addon Manager.*pip install --upgrade.*portable zip"),
                                   ("0, 0", "is too new for FeatureMesh .*update FeatureMesh with Tools, Addon manager")):
             other, count = re.subn("(?m)^(OLDEST_PROTOCOL, NEWEST_PROTOCOL) = .*$", rf"\1 = {protocols}", text)
             self.assertEqual(count, 1)

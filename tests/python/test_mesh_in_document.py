@@ -139,6 +139,17 @@ class NarrowFace(unittest.TestCase):
         self.mesh = api.add_mesh(part, 3, order=1)
         self.document.recompute()
 
+    def save(self):
+        folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, folder)
+        self.document.saveAs(os.path.join(folder, "part.FCStd"))
+
+    def reopen(self):
+        path = self.document.FileName
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        self.mesh = self.document.FeatureMesh
+
     def move_hole(self):
         self.document.Hole.Placement = placement(17, 12, -1)
         self.document.recompute()
@@ -147,25 +158,43 @@ class NarrowFace(unittest.TestCase):
         self.assertLess(self.mesh.KeptNodes, 100)
         return points_of(self.mesh)
 
-    def restored(self, without=()):
+    def restored(self):
         saved = state.load(self.mesh.SavedState)
-        arrays = {name: values for name, values in saved.arrays.items() if name not in without}
-        return engine.load().restore_part(saved.raw, saved.options, arrays)
+        return engine.load().restore_part(saved.raw, saved.options, saved.arrays)
+
+    def save_as_schema_1(self, left_out):
+        """The document's state as versions saved it that knew no arrays of these names, which a reopened document then has."""
+        saved = state.load(self.mesh.SavedState)
+        for name in left_out:
+            del saved.arrays[name]
+        path = os.path.join(self.document.TransientDir, "schema_1.npz")
+        with mock.patch.object(state, "SCHEMA", 1):
+            state.save(path, saved)
+        self.mesh.SavedState = path
 
     def test_shorter_edges_along_it_stay_in_a_reopened_document(self):
-        folder = tempfile.mkdtemp()
-        self.addCleanup(shutil.rmtree, folder)
-        path = os.path.join(folder, "part.FCStd")
-        self.document.saveAs(path)
+        self.save()
         live = self.move_hole()
-        FreeCAD.closeDocument(self.document.Name)
-        self.document = FreeCAD.openDocument(path)
-        self.mesh = self.document.FeatureMesh
+        self.reopen()
         self.assertAlmostEqual(self.restored().wanted_sizes(self.LEDGE)[0], 1.2, 3)
         self.assertEqual(self.move_hole(), live)
 
     def test_a_state_from_before_there_were_any_goes_on_without(self):
-        self.assertAlmostEqual(self.restored(without=("refined_narrow_faces",)).wanted_sizes(self.LEDGE)[0], 3, 3)
+        before = points_of(self.mesh)
+        self.save_as_schema_1(("refined_narrow_faces", "ignored_below", "made_for_nodes", "made_for_sizes", "adopted_sizes"))
+        self.save()
+        self.reopen()
+        self.assertEqual(points_of(self.mesh), before)
+        self.assertAlmostEqual(self.restored().wanted_sizes(self.LEDGE)[0], 3, 3)
+        self.move_hole()
+        self.assertAlmostEqual(self.restored().wanted_sizes(self.LEDGE)[0], 3, 3)
+
+    def test_the_engine_asks_for_every_array(self):
+        saved = state.load(self.mesh.SavedState)
+        for name in saved.arrays:
+            arrays = {other: values for other, values in saved.arrays.items() if other != name}
+            with self.subTest(without=name), self.assertRaisesRegex(engine.load().StateError, "The saved mesh has no array '%s'" % name):
+                engine.load().restore_part(saved.raw, saved.options, arrays)
 
 
 class IgnoredDetails(unittest.TestCase):

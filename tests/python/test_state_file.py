@@ -5,6 +5,7 @@ import random
 import shutil
 import tempfile
 import unittest
+from unittest import mock
 
 import numpy as np
 from freecad.featuremesh import state
@@ -113,6 +114,27 @@ class StateFile(unittest.TestCase):
         state.SCHEMA = now + 1
         state.MIGRATIONS[now] = lambda meta, members: (dict(meta, options={"size": 7.0}), members)
         self.assertEqual(state.load(self.path).options, {"size": 7.0})
+
+    def of_schema_1(self, **arrays):
+        """The arrays of a state that was saved by schema 1."""
+        before = example()
+        before.arrays.update(arrays)
+        with mock.patch.object(state, "SCHEMA", 1):
+            state.save(self.path, before)
+        return state.load(self.path).arrays
+
+    def test_schema_1_left_out_arrays_with_nothing_in_them(self):
+        after = self.of_schema_1()
+        for name, values in example().arrays.items():
+            self.assertEqual(after[name].tobytes(), values.tobytes())
+        self.assertEqual({name: values.tolist() for name, values in after.items() if name not in example().arrays},
+                         {"made_for_nodes": [], "made_for_sizes": [], "adopted_sizes": [], "ignored_below": [0.0], "refined_narrow_faces": [False]})
+
+    def test_schema_1_told_refined_faces_by_an_empty_array(self):
+        after = self.of_schema_1(refined_narrow_faces=np.zeros(0, np.int32), ignored_below=np.array([0.5]), made_for_nodes=np.array([3], np.int32),
+                                 made_for_sizes=np.array([2.5]), adopted_sizes=np.ones((2, 4)))
+        self.assertEqual([after[name].tolist() for name in ("refined_narrow_faces", "ignored_below", "made_for_nodes", "made_for_sizes", "adopted_sizes")],
+                         [[True], [0.5], [3], [2.5], [[1.0] * 4] * 2])
 
     def test_failed_write_leaves_the_old_state(self):
         checksum = state.save(self.path, example())

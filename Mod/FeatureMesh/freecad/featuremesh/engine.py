@@ -16,7 +16,7 @@ from .errors import EngineMissing
 
 translate = FreeCAD.Qt.translate
 # The numbers of the interface between this package and the engine (`featuremesh_engine.protocol`) that it can speak.
-OLDEST_PROTOCOL, NEWEST_PROTOCOL = 2, 2
+OLDEST_PROTOCOL, NEWEST_PROTOCOL = 3, 3
 _place = None    # the engine_places.Place in use
 _asked = False   # was a process of its own asked for?
 _worker = worker.WorkerEngine()

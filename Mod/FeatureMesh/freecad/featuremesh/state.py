@@ -20,9 +20,18 @@ from .messages import said
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 _DAMAGED = QT_TRANSLATE_NOOP("FeatureMesh", "the saved mesh state is damaged ({why:text})")
-SCHEMA = 1
-# Schema n -> function that turns the (meta, arrays) of a file of schema n into those of n + 1.
-MIGRATIONS = {}
+SCHEMA = 2
+
+
+def _with_all_arrays(meta, members):
+    """1 to 2: arrays with nothing in them were left out, and that narrow faces were refined was told by an empty array being there."""
+    left_out = {"made_for_nodes": np.zeros(0, np.int32), "made_for_sizes": np.zeros(0), "adopted_sizes": np.zeros((0, 4)), "ignored_below": np.zeros(1)}
+    refined = {"array.refined_narrow_faces": np.array(["array.refined_narrow_faces" in members])}
+    return meta, {**{"array." + name: values for name, values in left_out.items()}, **members, **refined}
+
+
+# Schema n -> function that turns the (meta, members) of a file of schema n into those of n + 1.
+MIGRATIONS = {1: _with_all_arrays}
 
 
 @dataclass
