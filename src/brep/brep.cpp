@@ -43,7 +43,7 @@ struct Brep::Data {
     std::multimap<VertexId, FaceId> face_around;  ///< of each vertex inside one
     std::vector<std::vector<FaceId>> faces_of_edge;
     std::vector<std::array<VertexId, 2>> ends;
-    std::vector<std::array<SolidId, 2>> sides;
+    std::vector<std::array<SolidId, 2>> solids_beside;
     std::vector<BodyId> sheets;  ///< by face, of those that are free
     std::size_t body_count = 0;
     std::vector<char> is_free_face, is_free_edge;
@@ -204,7 +204,7 @@ Brep::Brep(const TopoDS_Shape& shape, Dimension dimension) {
     data->uses_in_face.resize(data->face.size());
     data->faces_of_edge.resize(data->edge.size());
     data->edges_of_vertex.resize(data->vertex.size());
-    data->sides.resize(data->face.size());
+    data->solids_beside.resize(data->face.size());
     for (std::size_t f = 0; f < data->face.size(); ++f) {
         data->box_of_face.push_back(featuremesh::box_of(data->face[f]));
         for (TopExp_Explorer it(data->face[f], TopAbs_EDGE); it.More(); it.Next()) {
@@ -244,7 +244,8 @@ Brep::Brep(const TopoDS_Shape& shape, Dimension dimension) {
         for (TopExp_Explorer it(data->solid[s], TopAbs_FACE); it.More(); it.Next()) {
             const auto face = id_in<FaceKind>(data->faces, it.Current());
             const bool behind = it.Current().Orientation() == data->face[face.index()].Orientation();
-            if (it.Current().Orientation() != TopAbs_INTERNAL) data->sides[face.index()][behind ? 0 : 1] = SolidId(s);
+            if (it.Current().Orientation() != TopAbs_INTERNAL)
+                data->solids_beside[face.index()][behind ? 0 : 1] = SolidId(s);
             // An edge within a face (where another feature is tangent to it) is no border and needs no second face.
             for (const FaceEdge& use : data->uses_in_face[face.index()])
                 uses[use.edge.index()] += use.is_internal ? 2 : 1;
@@ -281,11 +282,11 @@ std::span<const FaceId> Brep::faces_of(EdgeId edge) const { return data_->faces_
 std::span<const EdgeId> Brep::edges_of(VertexId vertex) const { return data_->edges_of_vertex[vertex.index()]; }
 std::span<const VertexId> Brep::vertices_inside(FaceId face) const { return data_->vertices_inside[face.index()]; }
 std::array<VertexId, 2> Brep::ends_of(EdgeId edge) const { return data_->ends[edge.index()]; }
-std::array<SolidId, 2> Brep::sides_of(FaceId face) const { return data_->sides[face.index()]; }
-const std::vector<std::array<SolidId, 2>>& Brep::sides_of_faces() const { return data_->sides; }
+std::array<SolidId, 2> Brep::solids_beside(FaceId face) const { return data_->solids_beside[face.index()]; }
+const std::vector<std::array<SolidId, 2>>& Brep::solids_beside_faces() const { return data_->solids_beside; }
 std::array<BodyId, 2> Brep::bodies_of(FaceId face) const {
     if (is_free(face)) return {data_->sheets[face.index()], BodyId()};
-    const auto [behind, before] = sides_of(face);
+    const auto [behind, before] = solids_beside(face);
     return {BodyId(behind.value), BodyId(before.value)};
 }
 std::size_t Brep::body_count() const { return data_->body_count; }

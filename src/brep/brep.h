@@ -66,9 +66,9 @@ class Brep {
     /// First and last vertex by edge parameter; equal on a closed edge.
     std::array<VertexId, 2> ends_of(EdgeId edge) const;
     /// Solid behind (against the face's normal) and before it; none for outside.
-    std::array<SolidId, 2> sides_of(FaceId face) const;
-    const std::vector<std::array<SolidId, 2>>& sides_of_faces() const;  ///< by face
-    /// What the face belongs to: the solids at its sides, or its sheet, which is all faces joined by edges.
+    std::array<SolidId, 2> solids_beside(FaceId face) const;
+    const std::vector<std::array<SolidId, 2>>& solids_beside_faces() const;  ///< by face
+    /// What the face belongs to: the solids beside it, or its sheet, which is all faces joined by edges.
     std::array<BodyId, 2> bodies_of(FaceId face) const;
     std::size_t body_count() const;
     bool is_meshed(FaceId face) const;

@@ -10,7 +10,7 @@ namespace featuremesh {
 
 /// Faces of the solids of `shape` that those of `other` do not have, oriented as in their solid. The same face is the
 /// same TShape in the same place, or, since sharing is lost when a document is saved, a face of the same kind with the
-/// same border, inner point and side of material to 1e-9 of the size.
+/// same border, inner point and direction of the material to 1e-9 of the size.
 std::vector<TopoDS_Shape> unshared_faces(const TopoDS_Shape& shape, const TopoDS_Shape& other);
 
 /// The faces, those in planes without their holes between lines and conics that edges of `others` border as well: such
@@ -19,8 +19,8 @@ std::vector<TopoDS_Shape> without_common_holes(const std::vector<TopoDS_Shape>& 
                                                const std::vector<TopoDS_Shape>& others);
 
 /// What tells a change of a shape by its vanished and its appeared faces: of each the surface's kind, its edges that no
-/// face of the other kind has, and the side of material along them. On its underlying surface the difference of the
-/// trims is bounded by those edges, so equal outlines bound the same volumes, whatever else became of the faces
+/// face of the other kind has, and the direction of the material along them. On its underlying surface the difference
+/// of the trims is bounded by those edges, so equal outlines bound the same volumes, whatever else became of the faces
 /// elsewhere (a hole moved in a face from which a fillet takes a corner). Of a plane without such edges (a hole was
 /// made in it) its place.
 class ChangeOutline {

@@ -142,21 +142,21 @@ struct SolidProbe::Data {
         return hits;
     }
 
-    std::optional<Side> side_along(const Vec3& p, const Vec3& direction) const {
+    std::optional<Containment> containment_along(const Vec3& p, const Vec3& direction) const {
         const std::vector<Hit> all = nearest_hits(p, direction, -2 * touching);
-        if (all.empty()) return Side::outside;
-        if (all[0].distance <= touching) return Side::on;
+        if (all.empty()) return Containment::outside;
+        if (all[0].distance <= touching) return Containment::on;
         if (!all[0].sound || (all.size() > 1 && all[1].distance - all[0].distance < tie)) return std::nullopt;
-        return all[0].leaving ? Side::inside : Side::outside;
+        return all[0].leaving ? Containment::inside : Containment::outside;
     }
 
-    Side side_by_kernel(const Vec3& p) const {
+    Containment containment_by_kernel(const Vec3& p) const {
         for (const TopoDS_Shape& solid : solids) {
             BRepClass3d_SolidClassifier classifier(solid, to_pnt(p), touching);
-            if (classifier.State() == TopAbs_IN) return Side::inside;
-            if (classifier.State() == TopAbs_ON) return Side::on;
+            if (classifier.State() == TopAbs_IN) return Containment::inside;
+            if (classifier.State() == TopAbs_ON) return Containment::on;
         }
-        return Side::outside;
+        return Containment::outside;
     }
 };
 
@@ -171,11 +171,11 @@ SolidProbe::SolidProbe(const Brep& brep, SolidId solid) : data_(std::make_unique
 
 SolidProbe::~SolidProbe() = default;
 
-Side SolidProbe::side_of(const Vec3& p) const {
-    if (!data_->box.contains(p)) return Side::outside;
+Containment SolidProbe::containment_of(const Vec3& p) const {
+    if (!data_->box.contains(p)) return Containment::outside;
     for (const Vec3& direction : ray_directions)
-        if (const auto side = data_->side_along(p, normalized(direction))) return *side;
-    return data_->side_by_kernel(p);
+        if (const auto found = data_->containment_along(p, normalized(direction))) return *found;
+    return data_->containment_by_kernel(p);
 }
 
 std::optional<double> SolidProbe::first_hit(const Vec3& from, const Vec3& direction, double skip) const {
@@ -229,7 +229,7 @@ std::optional<Vec3> point_inside(const TopoDS_Shape& solid) {
         const auto length = probe.first_hit(start->point, -start->normal, 10 * touching);
         if (!length || *length <= best_length) continue;
         const Vec3 middle = start->point - start->normal * (*length / 2);
-        if (probe.side_of(middle) != Side::inside) continue;
+        if (probe.containment_of(middle) != Containment::inside) continue;
         best = middle;
         best_length = *length;
         ++found;

@@ -13,7 +13,8 @@ class TopoDS_Face;
 
 namespace featuremesh {
 
-enum class Side { inside, outside, on };
+/// Of a point, in a solid or in the trim of a face.
+enum class Containment { inside, outside, on };
 
 /// Classifies points against the solids of a shape by shooting rays at the faces whose boxes they meet. A ray that
 /// grazes a face or meets an edge proves nothing and is replaced by another; the kernel's classifier has the last word.
@@ -27,7 +28,7 @@ class SolidProbe {
     SolidProbe& operator=(const SolidProbe&) = delete;
 
     /// `on` when p is closer to a face than 1e-7 mm along one of the rays.
-    Side side_of(const Vec3& p) const;
+    Containment containment_of(const Vec3& p) const;
     /// Distance to the nearest face along a unit direction, further than `skip`; nothing when the ray meets none
     /// soundly.
     std::optional<double> first_hit(const Vec3& from, const Vec3& direction, double skip) const;

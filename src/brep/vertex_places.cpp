@@ -81,10 +81,10 @@ std::vector<Vec3> vertex_places(const std::vector<TopoDS_Vertex>& vertices, cons
     std::vector<std::vector<EdgeEnd>> ends_at(vertices.size());
     std::vector<std::set<FaceId>> faces_at(vertices.size());
     for (std::size_t e = 0; e < edges.size(); ++e)
-        for (const std::size_t side : {0, 1}) {
-            const VertexId vertex = ends[e][side];
+        for (const std::size_t end : {0, 1}) {
+            const VertexId vertex = ends[e][end];
             if (!vertex.is_valid() || !is_loose(vertices[vertex.index()]) || BRep_Tool::Degenerated(edges[e])) continue;
-            ends_at[vertex.index()].push_back(end_of(edges[e], side == 0));
+            ends_at[vertex.index()].push_back(end_of(edges[e], end == 0));
             faces_at[vertex.index()].insert(faces_of[e].begin(), faces_of[e].end());
         }
     for (std::size_t v = 0; v < places.size(); ++v) {

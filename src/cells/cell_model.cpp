@@ -200,7 +200,7 @@ class CellBuilder {
         return decide_material() && books_close();
     }
 
-    /// Known at once where the kernel kept a face of the final shape: there is material on that side of it or there is
+    /// Known at once where the kernel kept a face of the final shape: there is material beside it there or there is
     /// not.
     std::vector<std::optional<bool>> material_by_identity() const {
         std::vector<std::optional<bool>> material(model_.cells.size());
@@ -208,11 +208,11 @@ class CellBuilder {
         for (const CellFace& face : model_.faces) {
             const FaceId id = final_shape_.find(face.face);
             if (!id.is_valid()) continue;
-            const auto sides = final_shape_.sides_of(id);
+            const auto solids = final_shape_.solids_beside(id);
             const bool forward = final_shape_.face(id).Orientation() == TopAbs_FORWARD;
-            for (const int side : {0, 1})
-                if (face.cells[side].is_valid())
-                    material[face.cells[side].index()] = sides[forward ? side : 1 - side].is_valid();
+            for (const int place : {0, 1})
+                if (face.cells[place].is_valid())
+                    material[face.cells[place].index()] = solids[forward ? place : 1 - place].is_valid();
         }
         return material;
     }
@@ -241,8 +241,9 @@ class CellBuilder {
     }
 
     void count_in(Cell& cell, const Vec3& inner) {
-        const auto solids = std::count_if(probes_.begin(), probes_.end(),
-                                          [&](const auto& probe) { return probe->side_of(inner) == Side::inside; });
+        const auto solids = std::count_if(probes_.begin(), probes_.end(), [&](const auto& probe) {
+            return probe->containment_of(inner) == Containment::inside;
+        });
         cell.material = solids > 0;
         if (solids > 1) overlap_ += static_cast<double>(solids - 1) * cell.volume;
     }

@@ -33,7 +33,7 @@ struct Cell {
 struct CellFace {
     TopoDS_Face face;
     std::vector<Owner> owners;    ///< the feature faces it is part of, sorted
-    std::array<CellId, 2> cells;  ///< on either side; none for outside
+    std::array<CellId, 2> cells;  ///< behind and before it; none for outside
     FaceId final_face;  ///< the face of the final shape it lies on; none inside the material (unless solids touch
                         ///< there) or outside
 };

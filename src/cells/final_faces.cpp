@@ -32,7 +32,8 @@ class Matcher {
             if (is_boundary(model_.faces[f])) match(f);
         for (std::size_t f = 0; f < final_faces_.size(); ++f)
             if (model_.owners_of_final_face[f].empty()) find_owners(FaceId(f), true);
-        // Where solids of the final shape touch, or one touches itself, their faces have material on both sides.
+        // Where solids of the final shape touch, or one touches itself, their faces have material behind and before
+        // them.
         for (std::size_t f = 0; f < final_faces_.size(); ++f)
             if (model_.owners_of_final_face[f].empty()) find_owners(FaceId(f), false);
         for (auto& owners : model_.owners_of_final_face) {
@@ -50,9 +51,9 @@ class Matcher {
         return probe.normal_at(p) * (is_material(face.cells[0]) ? 1.0 : -1.0);
     }
 
-    /// Orientation in the final shape: as first met there, so the solid may lie on either side.
+    /// Orientation in the final shape: as first met there, so the solid may lie behind or before it.
     Vec3 outward(FaceId face, const Vec3& p) const {
-        const bool behind = final_shape_.sides_of(face)[0].is_valid();
+        const bool behind = final_shape_.solids_beside(face)[0].is_valid();
         return final_faces_[face.index()].normal_at(p) * (behind ? 1.0 : -1.0);
     }
 
@@ -84,7 +85,7 @@ class Matcher {
         return {};
     }
 
-    /// The final face may be smaller than the cell faces on it: look from its side.
+    /// The final face may be smaller than the cell faces on it: look from the final one.
     void find_owners(FaceId id, bool on_boundary) {
         context_.progress(0.9);
         const auto& p = final_faces_[id.index()].inner_point();

@@ -8,8 +8,8 @@
 
 namespace featuremesh {
 
-/// Sets CellFace::final_face on all faces with material on one side only, and owners_of_final_face. By identity where
-/// the kernel kept the face, else by an inner point of either on the other. Material must be decided.
+/// Sets CellFace::final_face on all faces with material behind or before them, not both, and owners_of_final_face. By
+/// identity where the kernel kept the face, else by an inner point of either on the other. Material must be decided.
 void match_final_faces(CellModel& model, const Brep& final_shape, RunContext& context);
 
 }  // namespace featuremesh

@@ -165,7 +165,7 @@ class Collector {
         }
     }
 
-    /// Boxes, volumes and sides; a face's share is integrated once for the cells on both of its sides. The kernel's
+    /// Boxes, volumes and the cells beside faces; a face's share is integrated once for both of these. The kernel's
     /// pieces of a solid that was made inside out are inside out as well: they are turned.
     void measure() {
         std::vector<Box> boxes;

@@ -21,7 +21,8 @@ struct FuseOptions {
     Work work = work_of_seconds(20);  ///< no more than this
 };
 
-/// Cells and faces with owners, sides and volumes; material and final faces are not decided yet.
+/// Cells with owners and volumes, faces with owners and the cells beside them; material and final faces are not decided
+/// yet.
 struct FusedComplex {
     std::vector<Cell> cells;
     std::vector<CellFace> faces;

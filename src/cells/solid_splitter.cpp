@@ -226,7 +226,8 @@ void SolidSplitter::divide(std::deque<Split>& splits, const Message_ProgressRang
         TopTools_ListOfShape faces;
         for (TopExp_Explorer it(split.draft, TopAbs_FACE); it.More(); it.Next()) faces.Append(it.Current());
         for (const TopoDS_Shape& face : split.inner)
-            for (const TopAbs_Orientation side : {TopAbs_FORWARD, TopAbs_REVERSED}) faces.Append(face.Oriented(side));
+            for (const TopAbs_Orientation turned : {TopAbs_FORWARD, TopAbs_REVERSED})
+                faces.Append(face.Oriented(turned));
         split.pieces.SetShapes(faces);
         split.pieces.SetRunParallel(myRunParallel);
         divided.push_back(&split);

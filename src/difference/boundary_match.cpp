@@ -235,17 +235,17 @@ class Matcher {
     }
 
     bool normal_as_leader(const Keyed& item, const Keyed& leader) const {
-        return same_side(surface_of(item), surface_of(leader)) == face_of(item).normal_is_outward;
+        return same_sense(surface_of(item), surface_of(leader)) == face_of(item).normal_is_outward;
     }
 
-    // Material on the outward and on the inward side, as the leader counts outward.
+    // Material before and behind the face, as the leader counts outward.
     std::array<bool, 2> material_of(const Keyed& item, const Keyed& leader) const {
         const BoundaryFace& face = face_of(item);
         return normal_as_leader(item, leader) ? std::array{face.material_before, face.material_behind}
                                               : std::array{face.material_behind, face.material_before};
     }
 
-    /// One side of a stretch that is covered by a face: 1 left, 2 right, 4 drawn into the face.
+    /// Where the face lies that a stretch borders on: 1 left, 2 right, 4 around it, where it is drawn into the face.
     struct Cover {
         int curve;
         double first, last;
@@ -259,7 +259,7 @@ class Matcher {
             const Stretch& s = (is_new ? match_.new_edges : match_.old_edges)[use.edge.index()];
             if (s.curve < 0) continue;
             const bool left = (use.forward == s.along) == as_group;
-            const int mask = use.both_sides ? 4 : left ? 1 : 2;
+            const int mask = use.is_internal ? 4 : left ? 1 : 2;
             add_unwrapped({s.curve, s.first, s.last, is_new ? 0 : mask, is_new ? mask : 0}, covers);
         }
     }
@@ -291,7 +291,7 @@ class Matcher {
         }
     }
 
-    static bool is_one_side(int mask) { return ((mask & 1) != 0) != ((mask & 2) != 0); }
+    static bool is_left_or_right(int mask) { return ((mask & 1) != 0) != ((mask & 2) != 0); }
 
     void sweep(std::span<const Cover> covers, std::vector<ChangedPiece>& pieces) const {
         const int curve = covers[0].curve;
@@ -307,7 +307,7 @@ class Matcher {
             for (const Cover& c : covers)
                 if (c.first <= middle && middle <= c.last) old_mask |= c.old_mask, new_mask |= c.new_mask;
             const bool changed = old_mask != new_mask;
-            const bool is_border = is_one_side(old_mask) != is_one_side(new_mask);
+            const bool is_border = is_left_or_right(old_mask) != is_left_or_right(new_mask);
             if (changed && joins_last && pieces.back().is_border == is_border)
                 pieces.back().last = cuts[i + 1];
             else if (changed)

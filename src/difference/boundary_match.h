@@ -31,14 +31,14 @@ struct Stretch {
 struct ChangedPiece {
     int curve = -1;
     double first = 0, last = 0;
-    bool is_border = false;  ///< exactly one side of it is in the symmetric difference of the trims
+    bool is_border = false;  ///< left or right of it, not both, is the symmetric difference of the trims
 };
 
-/// All faces of both states on one underlying surface with material on the same side.
+/// All faces of both states on one underlying surface with the material in the same direction.
 struct SurfaceGroup {
     std::vector<FaceId> old_faces, new_faces;
     std::vector<ChangedPiece> pieces;
-    std::vector<Vec3> points;  ///< vertices that one side does not have, in the new state's place
+    std::vector<Vec3> points;  ///< vertices that one state does not have, in the new state's place
 
     bool in_domain = false;  ///< else nothing was compared
 

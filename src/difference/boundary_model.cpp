@@ -47,7 +47,7 @@ void BoundaryModel::take_face(FaceId id) {
     for (const FaceEdge& use : brep_.uses_in(id))
         if (!edges_[use.edge.index()].is_degenerated)
             face.uses.push_back({use.edge, use.is_forward, use.is_internal || use.is_external});
-    const auto [behind, before] = brep_.sides_of(id);
+    const auto [behind, before] = brep_.solids_beside(id);
     face.material_behind = behind.is_valid();
     face.material_before = before.is_valid();
     face.box = box_of_face(face, id);
@@ -90,16 +90,16 @@ void BoundaryModel::find_sense(FaceId id, BoundaryFace& face) const {
     }
 }
 
-Side BoundaryModel::classify(FaceId face, std::array<double, 2> uv) const {
+Containment BoundaryModel::classify(FaceId face, std::array<double, 2> uv) const {
     auto& classifier = classifiers_[face.index()];
     if (!classifier) classifier = std::make_unique<BRepTopAdaptor_FClass2d>(brep_.face(face), Precision::PConfusion());
     switch (classifier->Perform(gp_Pnt2d(uv[0], uv[1]))) {
         case TopAbs_IN:
-            return Side::inside;
+            return Containment::inside;
         case TopAbs_OUT:
-            return Side::outside;
+            return Containment::outside;
         default:
-            return Side::on;
+            return Containment::on;
     }
 }
 

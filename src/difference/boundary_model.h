@@ -12,11 +12,11 @@
 
 namespace featuremesh {
 
-/// An edge in the border of a face; the face lies to its left seen against the face's normal, or on both sides.
+/// An edge in the border of a face; the face lies to its left seen against the face's normal, or left and right.
 struct EdgeUse {
     EdgeId edge;
     bool forward = true;
-    bool both_sides = false;  ///< drawn into the face, not at its border
+    bool is_internal = false;  ///< drawn into the face, not at its border
 };
 
 struct BoundaryFace {
@@ -42,7 +42,7 @@ class BoundaryModel {
     const std::vector<BoundaryFace>& faces() const { return faces_; }
     const std::vector<BoundaryEdge>& edges() const { return edges_; }
     /// Where the parameters are relative to the face's trim. Not for several threads at once.
-    Side classify(FaceId face, std::array<double, 2> uv) const;
+    Containment classify(FaceId face, std::array<double, 2> uv) const;
 
   private:
     void take_edge(EdgeId id);

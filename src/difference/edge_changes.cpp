@@ -60,13 +60,18 @@ class EdgeVerdicts {
             change.new_edge = partner;
             change.new_length = is.length;
         }
-        if (!change.new_edge.is_valid()) change.inner = new_probe_.side_of(was.middle) == Side::inside;
+        if (!change.new_edge.is_valid()) change.inner = new_probe_.containment_of(was.middle) == Containment::inside;
         return change;
     }
 
     EdgeChange appeared(EdgeId e) const {
         const EdgeShape is = shape_of(new_shape_, e);
-        return {BoundaryVerdict::appeared, EdgeId(), e, 0, is.length, old_probe_.side_of(is.middle) == Side::inside};
+        return {BoundaryVerdict::appeared,
+                EdgeId(),
+                e,
+                0,
+                is.length,
+                old_probe_.containment_of(is.middle) == Containment::inside};
     }
 
     /// Of two edges that overlap on one curve. A closed one may begin elsewhere.

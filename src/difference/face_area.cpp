@@ -95,7 +95,7 @@ double area_of(const BoundaryModel& model, FaceId id) {
     const Vec3 origin = to_vec3(face.underlying.position.Location());
     Vec3 doubled;  // the integral of r x dr along the border
     for (const EdgeUse& use : face.uses) {
-        if (use.both_sides) continue;
+        if (use.is_internal) continue;
         const BoundaryEdge& edge = model.edges()[use.edge.index()];
         const UnderlyingCurve& curve = edge.curve;
         Vec3 share = cross(edge.first - origin, edge.last - origin);

@@ -9,8 +9,8 @@
 
 namespace featuremesh {
 
-/// How it was told: by what made the face (sketch element, side of the sweep, instance of the pattern), by its place,
-/// or by the faces around it.
+/// How it was told: by what made the face (sketch element, lateral face of the sweep, instance of the pattern), by its
+/// place, or by the faces around it.
 enum class FollowedBy { nothing, origin, place, neighbours };
 std::string to_string(FollowedBy by);
 

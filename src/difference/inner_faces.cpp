@@ -10,7 +10,7 @@ void tell_inner_faces(std::vector<FaceChange>& faces, const Brep& old_shape, con
         const bool vanished = change.verdict == BoundaryVerdict::vanished;
         if (!vanished && change.verdict != BoundaryVerdict::appeared) continue;
         const auto place = point_on(vanished ? old_shape.face(change.old_face) : new_shape.face(change.new_face));
-        change.inner = place && (vanished ? new_probe : old_probe).side_of(place->point) == Side::inside;
+        change.inner = place && (vanished ? new_probe : old_probe).containment_of(place->point) == Containment::inside;
     }
 }
 

@@ -167,20 +167,20 @@ const std::vector<int>& MadeFaces::made(FaceId final_face) const {
             continue;
         const auto on_it = std::find_if(points.begin(), points.end(),
                                         [&](const Vec3& p) { return made.probe.contains(p, boolean_tolerance); });
-        if (on_it != points.end() && bounds_same_side(made, final_face, *on_it)) known->push_back(int(f));
+        if (on_it != points.end() && bounds_the_same_way(made, final_face, *on_it)) known->push_back(int(f));
     }
     return *known;
 }
 
 // Of solids that lie on one another each has a face there. They look in opposite directions, as do the volumes that
 // they come from.
-bool MadeFaces::bounds_same_side(const MadeFace& made, FaceId final_face, const Vec3& p) const {
-    const auto sides = state_.brep.sides_of(final_face);
+bool MadeFaces::bounds_the_same_way(const MadeFace& made, FaceId final_face, const Vec3& p) const {
+    const auto solids = state_.brep.solids_beside(final_face);
     const MadePiece& piece = pieces_[std::size_t(made.piece)];
-    if (state_.brep.solid_count() < 2 || sides[0].is_valid() == sides[1].is_valid()) return true;
+    if (state_.brep.solid_count() < 2 || solids[0].is_valid() == solids[1].is_valid()) return true;
     if (piece.solid.ShapeType() != TopAbs_SOLID) return true;
     const double cosine = dot(made.probe.normal_at(p), FaceProbe(state_.brep.face(final_face)).normal_at(p));
-    return cosine == 0 || (cosine > 0) == (sides[0].is_valid() != (piece.effect == Effect::removes));
+    return cosine == 0 || (cosine > 0) == (solids[0].is_valid() != (piece.effect == Effect::removes));
 }
 
 }  // namespace featuremesh

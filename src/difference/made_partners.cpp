@@ -86,7 +86,7 @@ class PieceMatcher {
         return {Tolerances{box.diagonal()}.same_geometry(), box.center(), box.diagonal()};
     }
 
-    /// Sides by their sketch elements, caps from the lowest to the highest.
+    /// Lateral faces by their sketch elements, caps from the lowest to the highest.
     void match_swept(int o, int n) {
         std::vector<int> old_caps, new_caps;
         for (const int f : old_piece(o).faces) {

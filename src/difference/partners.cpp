@@ -159,8 +159,8 @@ class PartnerFinder {
         return was.overlaps(is) && (!pair_.domain || (pair_.domain->overlaps(was) && pair_.domain->overlaps(is)));
     }
 
-    /// Border that both have on the same side, mm; `barely` when there is none but their boxes meet; 0 when they are
-    /// apart.
+    /// Border that both have left of them, or both right, mm; `barely` when there is none but their boxes meet; 0 when
+    /// they are apart.
     double overlap(FaceId old_face, FaceId new_face) const {
         if (!boxes_meet(old_face, new_face)) return 0;
         const std::vector<Border> was = border(old_face, false), is = border(new_face, true);
@@ -200,7 +200,7 @@ class PartnerFinder {
             for (int i = 0; i < 8; ++i) {
                 const Vec3 p = motion.apply(point_at(curve, curve.first + (curve.last - curve.first) * i / 8));
                 if (target.box.grown(pair_.sameness.length).contains(p) &&
-                    other_model.classify(other, parameters_of(target.underlying, p)) == Side::inside)
+                    other_model.classify(other, parameters_of(target.underlying, p)) == Containment::inside)
                     return true;
             }
         }

@@ -18,7 +18,7 @@ constexpr double gap = 1e-6;  // mm, between ends of edges that are meant to mee
 struct Segment {
     Uv a, b;
     double margin;
-    bool is_border;  ///< on one side of it is difference, on the other not
+    bool is_border;  ///< left of it is difference and right of it not, or the other way round
 };
 
 /// A cell that no border enters, and whether it belongs to the difference.
@@ -370,9 +370,9 @@ class TrimRaster {
     /// Of a cell that nothing enters. True also when no point of it could be told.
     bool differs(const UvBox& cell) {
         if (by_crossings_) return told(cell, [&](const Uv& uv) { return differs_by_crossings(uv); }).value_or(true);
-        // No border lies between two such cells that share a side.
+        // No changed piece lies between two such cells that share a border.
         for (const ToldCell& other : told_)
-            if (share_a_side(cell, other.cell)) return other.differs;
+            if (share_a_border(cell, other.cell)) return other.differs;
         const auto verdict = told(cell, [&](const Uv& uv) { return differs_by_trims(uv); });
         if (!verdict) return true;
         if (told_.size() < most_told_cells)
@@ -390,8 +390,8 @@ class TrimRaster {
         return std::nullopt;
     }
 
-    /// Cells come from halving, so that sides which meet are the same to the last bit or nearly so.
-    bool share_a_side(const UvBox& a, const UvBox& b) const {
+    /// Cells come from halving, so that borders which meet are the same to the last bit or nearly so.
+    bool share_a_border(const UvBox& a, const UvBox& b) const {
         for (int k = 0; k < 2; ++k) {
             const double least = 0.5 * std::min(a.size(1 - k), b.size(1 - k));
             const double together = std::min(a.high[1 - k], b.high[1 - k]) - std::max(a.low[1 - k], b.low[1 - k]);
@@ -405,8 +405,8 @@ class TrimRaster {
     /// starts there.
     std::optional<bool> differs_by_crossings(const Uv& uv) const {
         const UnderlyingSurface& c = chart_.underlying();
-        const double cone_side = (c.radius + uv[1] * std::sin(c.second)) * std::sin(c.second);
-        const double away = c.kind == SurfaceKind::cone && cone_side < 0 ? -1 : 1;
+        const double nappe = (c.radius + uv[1] * std::sin(c.second)) * std::sin(c.second);
+        const double away = c.kind == SurfaceKind::cone && nappe < 0 ? -1 : 1;
         const double slack = gap / chart_.scale()[0];
         bool odd = false;
         for (const int i : columns_[std::size_t(column_of(uv[0]))]) {
@@ -421,20 +421,21 @@ class TrimRaster {
 
     std::optional<bool> differs_by_trims(const Uv& uv) const {
         const Vec3 p = chart_.point(uv);
-        const Side was = side(pair_.old_model, group_.old_faces, to_old_.apply(p), uv);
-        const Side is = side(pair_.new_model, group_.new_faces, p, uv);
-        return was == Side::on || is == Side::on ? std::nullopt : std::optional(was != is);
+        const Containment was = containment(pair_.old_model, group_.old_faces, to_old_.apply(p), uv);
+        const Containment is = containment(pair_.new_model, group_.new_faces, p, uv);
+        return was == Containment::on || is == Containment::on ? std::nullopt : std::optional(was != is);
     }
 
-    Side side(const BoundaryModel& model, const std::vector<FaceId>& faces, const Vec3& p, const Uv& uv) const {
-        Side result = Side::outside;
+    Containment containment(const BoundaryModel& model, const std::vector<FaceId>& faces, const Vec3& p,
+                            const Uv& uv) const {
+        Containment result = Containment::outside;
         for (const FaceId f : faces) {
             const BoundaryFace& face = model.faces()[f.index()];
             if (!face.box.grown(pair_.sameness.length).contains(p)) continue;
             const bool free = face.underlying.kind == SurfaceKind::free_form;
-            const Side here = model.classify(f, free ? uv : parameters_of(face.underlying, p));
-            if (here == Side::inside) return here;
-            if (here == Side::on) result = Side::on;
+            const Containment here = model.classify(f, free ? uv : parameters_of(face.underlying, p));
+            if (here == Containment::inside) return here;
+            if (here == Containment::on) result = Containment::on;
         }
         return result;
     }
@@ -460,7 +461,7 @@ class TrimRaster {
         emit_free_form(cell, {at(0, 0), at(1, 0), at(1, 1), at(0, 1)}, 0);
     }
 
-    // Quarters until the middles of a cell and of its sides are close to the two triangles.
+    // Quarters until the middles of a cell and of its borders are close to the two triangles.
     void emit_free_form(const UvBox& cell, const Corners& corners, int depth) {
         const auto& [a, b, c, d] = corners;
         const auto at = [&](double s, double t) { return chart_.point(cell.at(s, t)); };
@@ -484,7 +485,7 @@ class TrimRaster {
         }
     }
 
-    // At a pole a side has no length.
+    // At a pole a border has no length.
     void add_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
         if (squared_length(cross(b - a, c - a)) > 0) triangles_.push_back({a, b, c});
     }

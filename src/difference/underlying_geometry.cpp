@@ -213,7 +213,7 @@ Vec3 outward_at(const UnderlyingSurface& c, const Vec3& p, const Vec3& parametri
     return parametric_normal;
 }
 
-bool same_side(const UnderlyingSurface& a, const UnderlyingSurface& b) {
+bool same_sense(const UnderlyingSurface& a, const UnderlyingSurface& b) {
     return a.kind != SurfaceKind::plane || dot(axis_of(a), axis_of(b)) > 0;
 }
 

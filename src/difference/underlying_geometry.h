@@ -44,11 +44,11 @@ double sort_key(const UnderlyingSurface& underlying, const Vec3& reference);
 Vec3 point_at(const UnderlyingSurface& underlying, double u, double v);
 /// The parameters of a point on an underlying surface that is not free-form.
 std::array<double, 2> parameters_of(const UnderlyingSurface& underlying, const Vec3& p);
-/// A normal that does not depend on the parametrisation: away from the axis, or the plane's own (same_side tells its
+/// A normal that does not depend on the parametrisation: away from the axis, or the plane's own (same_sense tells its
 /// sense).
 Vec3 outward_at(const UnderlyingSurface& underlying, const Vec3& p, const Vec3& parametric_normal);
 /// Whether `outward_at` of both has the same sense.
-bool same_side(const UnderlyingSurface& a, const UnderlyingSurface& b);
+bool same_sense(const UnderlyingSurface& a, const UnderlyingSurface& b);
 
 enum class CurveKind { line, circle, ellipse, free_form };
 

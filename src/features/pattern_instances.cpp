@@ -34,7 +34,8 @@ class PatternWitness {
         : after_(after) {
         // Later originals may undo earlier ones, so only the last can be told from the outcome.
         if (!originals.empty()) inner_ = point_inside(originals.back().shape);
-        if (!originals.empty()) wanted_ = originals.back().step == Effect::adds ? Side::inside : Side::outside;
+        if (!originals.empty())
+            wanted_ = originals.back().step == Effect::adds ? Containment::inside : Containment::outside;
         for (const TopoDS_Shape& face : unshared_faces(before, after)) old_faces_.emplace_back(TopoDS::Face(face));
         for (const TopoDS_Shape& face : unshared_faces(after, before)) new_faces_.emplace_back(TopoDS::Face(face));
     }
@@ -42,7 +43,7 @@ class PatternWitness {
     bool confirms(const Placements& placements, const std::vector<FeatureVolume>& volumes) const {
         if (!inner_) return false;
         for (const gp_Trsf& placement : placements)
-            if (after_.side_of(to_vec3(to_pnt(*inner_).Transformed(placement))) != wanted_) return false;
+            if (after_.containment_of(to_vec3(to_pnt(*inner_).Transformed(placement))) != wanted_) return false;
         return explains_faces(volumes);
     }
 
@@ -68,7 +69,7 @@ class PatternWitness {
 
     SolidProbe after_;
     std::optional<Vec3> inner_;
-    Side wanted_ = Side::inside;
+    Containment wanted_ = Containment::inside;
     std::vector<FaceProbe> old_faces_, new_faces_;
 };
 

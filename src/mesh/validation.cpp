@@ -96,7 +96,7 @@ void check_ranges(const Mesh& mesh, const Expectation& expected, Findings& findi
             mesh.segment_mids[i].index() >= nodes)
             findings.add("node out of range", "segment at place " + std::to_string(i));
     check_owners(mesh.segment_edges, 0, "segment", findings);
-    check_owners(mesh.triangle_faces, expected.face_sides.size(), "triangle", findings);
+    check_owners(mesh.triangle_faces, expected.solids_beside_face.size(), "triangle", findings);
     check_owners(mesh.tet_solids, expected.solid_volumes.size(), "tet", findings);
     for (std::size_t i = 0; i < nodes; ++i)
         if (!std::isfinite(mesh.points[i].x + mesh.points[i].y + mesh.points[i].z))
@@ -217,7 +217,7 @@ double volume_over(const Mesh& mesh, std::size_t t, const Vec3& apex) {
 }
 
 /// Only `near`, of which a node is unproven. The volume is what the triangles around each solid enclose: where every
-/// side of a tet has a tet or a triangle on its other side, which is checked besides, that is the sum of the tets.
+/// facet of a tet has a tet or a triangle beyond it, which is checked besides, that is the sum of the tets.
 void check_unproven_tets(const Mesh& mesh, const Expectation& expected, std::span<const TetId> near,
                          RunContext& context, Findings& findings) {
     std::vector<Findings> parts((near.size() + grain - 1) / grain);
@@ -228,29 +228,29 @@ void check_unproven_tets(const Mesh& mesh, const Expectation& expected, std::spa
                 parts[begin / grain].add("element without positive volume", tet_name(mesh, t.index()));
     });
     for (const Findings& part : parts) findings.add(part);
-    if (expected.solid_volumes.empty() || expected.face_sides.empty()) return;
+    if (expected.solid_volumes.empty() || expected.solids_beside_face.empty()) return;
     const Vec3 apex = mesh.points.front();
     std::vector<double> volumes(expected.solid_volumes.size(), 0.0);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const double share = volume_over(mesh, t, apex);
-        const auto& sides = expected.face_sides[mesh.triangle_faces[t].index()];
-        if (sides[0].is_valid()) volumes[sides[0].index()] += share;
-        if (sides[1].is_valid()) volumes[sides[1].index()] -= share;
+        const auto& solids = expected.solids_beside_face[mesh.triangle_faces[t].index()];
+        if (solids[0].is_valid()) volumes[solids[0].index()] += share;
+        if (solids[1].is_valid()) volumes[solids[1].index()] -= share;
     }
     check_volumes(volumes, expected, findings);
 }
 
-/// The tets (behind and before) at one surface triangle, against what its face's sides say.
-void check_sides(const Mesh& mesh, const Expectation& expected, std::span<const TriangleUse> tets,
-                 const TriangleUse& triangle, Findings& findings) {
-    std::array<SolidId, 2> sides;
+/// The tets (behind and before) at one surface triangle, against the solids beside its face.
+void check_solids_beside(const Mesh& mesh, const Expectation& expected, std::span<const TriangleUse> tets,
+                         const TriangleUse& triangle, Findings& findings) {
+    std::array<SolidId, 2> solids;
     for (const TriangleUse& tet : tets)
-        sides[tet.is_forward() == triangle.is_forward() ? 0 : 1] = mesh.tet_solids[tet.element()];
-    const auto& wanted = expected.face_sides[mesh.triangle_faces[triangle.element()].index()];
+        solids[tet.is_forward() == triangle.is_forward() ? 0 : 1] = mesh.tet_solids[tet.element()];
+    const auto& wanted = expected.solids_beside_face[mesh.triangle_faces[triangle.element()].index()];
     for (int i = 0; i < 2; ++i)
-        if (sides[i] != wanted[i])
+        if (solids[i] != wanted[i])
             findings.add("wrong solid at a triangle",
-                         triangle_name(mesh, triangle.element()) + " has " + solid_name(sides[i]) +
+                         triangle_name(mesh, triangle.element()) + " has " + solid_name(solids[i]) +
                              (i == 0 ? " behind it, not " : " before it, not ") + solid_name(wanted[i]));
 }
 
@@ -270,7 +270,7 @@ void check_triangle(const Mesh& mesh, const Expectation& expected, std::span<con
     const std::span<const TriangleUse> tets(uses.begin(), first_triangle), triangles(first_triangle, uses.end());
     if (tets.size() > 2) findings.add("triangle shared by more than two elements", tet_name(mesh, tets[0].element()));
     if (tets.size() == 2 && tets[0].is_forward() == tets[1].is_forward())
-        findings.add("two elements on the same side of a triangle",
+        findings.add("two elements overlap at a triangle",
                      tet_name(mesh, tets[0].element()) + " and " + tet_name(mesh, tets[1].element()));
     if (triangles.size() > 1) findings.add("the same triangle twice", triangle_name(mesh, triangles[0].element()));
     if (triangles.empty()) {
@@ -281,8 +281,8 @@ void check_triangle(const Mesh& mesh, const Expectation& expected, std::span<con
     } else if (tets.empty()) {
         if (!is_free(expected, mesh.triangle_faces[triangles[0].element()]))
             findings.add("triangle without an element", triangle_name(mesh, triangles[0].element()));
-    } else if (!expected.face_sides.empty() && tets.size() <= 2) {
-        check_sides(mesh, expected, tets, triangles[0], findings);
+    } else if (!expected.solids_beside_face.empty() && tets.size() <= 2) {
+        check_solids_beside(mesh, expected, tets, triangles[0], findings);
     }
 }
 
@@ -305,26 +305,26 @@ void check_triangles_against_tets(const Mesh& mesh, const Expectation& expected,
 /// For a surface without tets: the triangles around each solid leave no gap.
 void check_closed_surface(const Mesh& mesh, const Expectation& expected, Findings& findings) {
     SolidId last{0};
-    for (const auto& sides : expected.face_sides) last = std::max({last, sides[0], sides[1]});
+    for (const auto& solids : expected.solids_beside_face) last = std::max({last, solids[0], solids[1]});
     for (SolidId solid{0}; solid <= last; ++solid.value) {
         SideTable balance(mesh.corner_count);
         for (const bool report : {false, true})
             for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-                for (int side = 0; side < 2; ++side) {
-                    if (!expected.face_sides.empty() &&
-                        expected.face_sides[mesh.triangle_faces[t].index()][side] != solid)
+                for (int place = 0; place < 2; ++place) {
+                    if (!expected.solids_beside_face.empty() &&
+                        expected.solids_beside_face[mesh.triangle_faces[t].index()][place] != solid)
                         continue;
-                    if (expected.face_sides.empty() && side == 1) continue;
+                    if (expected.solids_beside_face.empty() && place == 1) continue;
                     for (int s = 0; s < 3; ++s) {
                         const NodeId a = mesh.triangles[t][s], b = mesh.triangles[t][(s + 1) % 3];
                         std::int32_t& count = balance.value(a, b);
                         // -1 stands for a side seen for the first time: sums are kept shifted by a large even number
                         constexpr std::int32_t zero = 1 << 20;
                         if (!report)
-                            count = (count < 0 ? zero : count) + (expected.face_sides.empty() ? 1
-                                                                  : (a < b) == (side == 0)    ? 1
-                                                                                              : -1);
-                        else if (expected.face_sides.empty() ? count < zero + 2 : count != zero)
+                            count = (count < 0 ? zero : count) + (expected.solids_beside_face.empty() ? 1
+                                                                  : (a < b) == (place == 0)           ? 1
+                                                                                                      : -1);
+                        else if (expected.solids_beside_face.empty() ? count < zero + 2 : count != zero)
                             findings.add("open surface around " + solid_name(solid),
                                          "at a side of " + triangle_name(mesh, t));
                     }

@@ -19,7 +19,7 @@ struct Expectation {
     std::vector<double> solid_volumes;        ///< mm^3, by SolidId
     double volume_tolerance = 0.05;           ///< share; coarse meshes of curved parts cut chords
     std::vector<std::array<SolidId, 2>>
-        face_sides;  ///< by FaceId: solid behind (against the normal) and before it, or none
+        solids_beside_face;  ///< by FaceId: solid behind (against the normal) and before it, or none
     /// By node: whether an element around it is new or gone. Where a valid mesh was updated, elements without such a
     /// node are as they were, place and neighbours: triangles are compared with tets only where all three nodes are
     /// unproven; 4-node tets and segments are measured, and mid-side nodes and Jacobians looked at, only where one is
@@ -29,12 +29,12 @@ struct Expectation {
 };
 
 /// Every broken invariant, in words that name nodes, tets and faces; empty for a valid mesh. Checked: sizes of all
-/// arrays, ids in range, distinct numbers, positive tets, every triangle in the one or two tets that its face's sides
-/// say, no boundary of the tets without a triangle, closed boundary per solid, segments on triangles' sides, volumes
-/// per solid, mid-side nodes shared by all elements around a side, positive Jacobian of 10-node tets. A mesh of solids
-/// without tets is checked as a surface: closed around every solid. Of a mesh of faces, and on faces without solids,
-/// triangles have an area, leave no gap in their face but at its edges' segments, and are folded nowhere; a mesh of
-/// edges has no triangles, and an edge without faces no gap.
+/// arrays, ids in range, distinct numbers, positive tets, every triangle in the one or two tets that the solids
+/// beside its face say, no boundary of the tets without a triangle, closed boundary per solid, segments on triangles'
+/// sides, volumes per solid, mid-side nodes shared by all elements around a side, positive Jacobian of 10-node tets. A
+/// mesh of solids without tets is checked as a surface: closed around every solid. Of a mesh of faces, and on faces
+/// without solids, triangles have an area, leave no gap in their face but at its edges' segments, and are folded
+/// nowhere; a mesh of edges has no triangles, and an edge without faces no gap.
 std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& expected, RunContext& context);
 std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& expected = {});
 

@@ -50,12 +50,12 @@ bool goes_round(const TopoDS_Face& face, const BRepAdaptor_Surface& surface, con
     return false;
 }
 
-/// Whether the material that the face bounds is on the side of `center`.
+/// Whether the material that the face bounds is where `center` is.
 bool is_round_material(const Brep& brep, FaceId face, const BRepAdaptor_Surface& surface, double u, double v,
                        const Vec3& center) {
     const double outward = dot(outward_normal(surface, brep.face(face), u, v), to_vec3(surface.Value(u, v)) - center);
-    const auto sides = brep.sides_of(face);
-    return (outward > 0 && sides[0].is_valid()) || (outward < 0 && sides[1].is_valid());
+    const auto solids = brep.solids_beside(face);
+    return (outward > 0 && solids[0].is_valid()) || (outward < 0 && solids[1].is_valid());
 }
 
 bool is_same_cylinder(const gp_Cylinder& a, const gp_Cylinder& b, double tolerance) {

@@ -65,8 +65,8 @@ class LocalSizeProvider : public SizeProvider {
             size = std::min(size, local.size);
         }
         for (std::size_t f = 0; f < brep.face_count(); ++f)
-            for (const SolidId side : brep.sides_of(FaceId(f)))
-                if (side.is_valid()) sizes_[2][f] = std::min(sizes_[2][f], sizes_[3][side.index()]);
+            for (const SolidId solid : brep.solids_beside(FaceId(f)))
+                if (solid.is_valid()) sizes_[2][f] = std::min(sizes_[2][f], sizes_[3][solid.index()]);
     }
 
     double on(VertexId vertex) const override { return sizes_[0][vertex.index()]; }
@@ -93,8 +93,8 @@ class LocalSizeProvider : public SizeProvider {
         Box box;
         std::vector<SourceBall> on_faces;
         for (std::size_t f = 0; f < brep_.face_count(); ++f) {
-            const auto sides = brep_.sides_of(FaceId(f));
-            if (sides[0] == solid || sides[1] == solid) cover_face(brep_, FaceId(f), wish, limit_, on_faces);
+            const auto solids = brep_.solids_beside(FaceId(f));
+            if (solids[0] == solid || solids[1] == solid) cover_face(brep_, FaceId(f), wish, limit_, on_faces);
         }
         for (const SourceBall& ball : on_faces) box.add(ball.center);
         if (box.is_empty()) return;

@@ -21,7 +21,7 @@ constexpr double longest = 4;                           ///< widths, of a piece
 constexpr double shortest = 1. / 4;                     ///< of the size, of a piece
 constexpr double least_run = 1.25;                      ///< pieces, along which a strip has to be a strip
 constexpr double step = 0.25;                           ///< of the size, between places that are looked at
-constexpr double least_cosine = 0.99985;                ///< 1 degree between the two sides of a strip
+constexpr double least_cosine = 0.99985;                ///< 1 degree between the two borders of a strip
 
 /// An edge of the face as a curve and as a polygon.
 class Border {
@@ -186,23 +186,23 @@ class NarrowFaceCover {
         return width;
     }
 
-    /// Whether each place has the face on the side where the other is.
+    /// Whether each place has the face where the other is.
     bool is_across(const Border& a, const Border::Place& at, const Border& b, const Border::Place& other) const {
         const Vec3 to_other = other.point - at.point;
         return dot(cross(normal(face_, a.edge(), at.t), at.direction), to_other) > 0 &&
                dot(cross(normal(face_, b.edge(), other.t), other.direction), to_other) < 0;
     }
 
-    /// Whether the faces beyond the two edges are the two sides of a wall.
+    /// Whether the faces beyond the two edges are those of one wall.
     bool is_thin_wall(const Border& a, const Border::Place& at, const Border& b, const Border::Place& other) const {
         const Vec3 n = outward_beyond(a.edge(), at.t), m = outward_beyond(b.edge(), other.t);
         return dot(n, m) < -0.7 && dot(n, at.point - other.point) > 0;
     }
 
-    /// Out of the solid, on the face on the other side of the edge.
+    /// Out of the solid, on the face beyond the edge.
     Vec3 outward_beyond(EdgeId edge, double t) const {
         for (const FaceId f : brep_.faces_of(edge))
-            if (f != face_) return brep_.sides_of(f)[0].is_valid() ? normal(f, edge, t) : -normal(f, edge, t);
+            if (f != face_) return brep_.solids_beside(f)[0].is_valid() ? normal(f, edge, t) : -normal(f, edge, t);
         return {};
     }
 

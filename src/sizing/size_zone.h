@@ -13,7 +13,7 @@ namespace featuremesh {
 
 /// From a corner at the origin along the axes.
 struct BoxZone {
-    Vec3 sides;  ///< mm
+    Vec3 extent;  ///< mm
     bool operator==(const BoxZone&) const = default;
 };
 /// Around the origin.

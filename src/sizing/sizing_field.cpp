@@ -108,16 +108,16 @@ constexpr double fewer_per_square = 0.7, least_per_square = 3.5, of_finer = 1.25
 
 constexpr double least_extent = 1e-3;  // mm: ten thousand times the kernel's own tolerance
 
-double longest_side(const Box& box) {
+double longest_extent(const Box& box) {
     const Vec3 size = box.size();
     return std::max({size.x, size.y, size.z});
 }
 
 void check_size(double size, const Box& part) {
     const Extent extent{part.size()};
-    if (longest_side(part) < least_extent) throw InputError(say<Code::part_too_small>(extent));
+    if (longest_extent(part) < least_extent) throw InputError(say<Code::part_too_small>(extent));
     if (!std::isfinite(size) || size <= 0) throw InputError(say<Code::size_not_positive>(Length{size}, extent));
-    if (size > longest_side(part) * (1 + 1e-9))
+    if (size > longest_extent(part) * (1 + 1e-9))
         throw InputError(say<Code::size_larger_than_part>(Length{size}, extent));
 }
 

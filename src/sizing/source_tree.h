@@ -15,7 +15,7 @@ namespace featuremesh {
 /// Immutable tree of boxes, eight below each. The field is the exact minimum of size_i + slope * max(0, |x - center_i|
 /// - radius_i), so it is Lipschitz with the slope by itself. A query first goes down to where the least size is to be
 /// expected, which is mostly the answer, and then into what may hold less still. Boxes are looked at four at a time, in
-/// single precision on the safe side; what the balls ask for is found in double precision.
+/// single precision, rounded to be safe; what the balls ask for is found in double precision.
 class SourceTree {
   public:
     SourceTree() = default;

@@ -28,14 +28,14 @@ class ThinWallProvider : public SizeProvider {
     }
 
   private:
-    /// Of the thinner of the walls on the two sides, mm; no more than is of interest.
+    /// Of the thinner of the walls behind and before it, mm; no more than is of interest.
     double thickness(FaceId face, const SurfacePoint& p) const {
         const double limit = options_.elements_across_gap * options_.size;
         const Vec3 outward = brep_.face(face).Orientation() == TopAbs_REVERSED ? -p.normal : p.normal;
-        const auto sides = brep_.sides_of(face);
+        const auto solids = brep_.solids_beside(face);
         double least = limit;
-        if (sides[0].is_valid()) least = std::min(least, rays_->thickness(face, p.point, -outward, limit));
-        if (sides[1].is_valid()) least = std::min(least, rays_->thickness(face, p.point, outward, limit));
+        if (solids[0].is_valid()) least = std::min(least, rays_->thickness(face, p.point, -outward, limit));
+        if (solids[1].is_valid()) least = std::min(least, rays_->thickness(face, p.point, outward, limit));
         return least;
     }
 

@@ -72,8 +72,8 @@ WallRays::WallRays(const Brep& brep, double deflection)
         }
     }
     for (std::size_t f = 0; f < brep.face_count(); ++f) {
-        const auto sides = brep.sides_of(FaceId(f));
-        is_between_solids_.push_back(sides[0].is_valid() && sides[1].is_valid());
+        const auto solids = brep.solids_beside(FaceId(f));
+        is_between_solids_.push_back(solids[0].is_valid() && solids[1].is_valid());
         for (const EdgeId edge : brep.edges_of(FaceId(f)))
             for (const FaceId other : brep.faces_of(edge))
                 if (other != FaceId(f)) neighbours_[f].push_back(other);

@@ -15,14 +15,14 @@ namespace {
 double beyond(double x, double low, double high) { return std::max({0.0, low - x, x - high}); }
 
 double distance_from(const BoxZone& box, const Vec3& p) {
-    return length({beyond(p.x, 0, box.sides.x), beyond(p.y, 0, box.sides.y), beyond(p.z, 0, box.sides.z)});
+    return length({beyond(p.x, 0, box.extent.x), beyond(p.y, 0, box.extent.y), beyond(p.z, 0, box.extent.z)});
 }
 double distance_from(const SphereZone& sphere, const Vec3& p) { return std::max(0.0, length(p) - sphere.radius); }
 double distance_from(const CylinderZone& cylinder, const Vec3& p) {
     return std::hypot(std::max(0.0, std::hypot(p.x, p.y) - cylinder.radius), beyond(p.z, 0, cylinder.height));
 }
 
-Box box_of(const BoxZone& box) { return {{}, box.sides}; }
+Box box_of(const BoxZone& box) { return {{}, box.extent}; }
 Box box_of(const SphereZone& sphere) { return Box{{}, {}}.grown(sphere.radius); }
 Box box_of(const CylinderZone& cylinder) {
     const double r = cylinder.radius;

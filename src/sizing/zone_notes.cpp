@@ -31,9 +31,9 @@ void require_positive(double measure, const SizeZone& zone) {
 
 void check_shape(const SizeZone& zone) {
     if (const auto* box = std::get_if<BoxZone>(&zone.shape)) {
-        require_positive<Code::zone_length_not_positive>(box->sides.x, zone);
-        require_positive<Code::zone_width_not_positive>(box->sides.y, zone);
-        require_positive<Code::zone_height_not_positive>(box->sides.z, zone);
+        require_positive<Code::zone_length_not_positive>(box->extent.x, zone);
+        require_positive<Code::zone_width_not_positive>(box->extent.y, zone);
+        require_positive<Code::zone_height_not_positive>(box->extent.z, zone);
     } else if (const auto* sphere = std::get_if<SphereZone>(&zone.shape)) {
         require_positive<Code::zone_radius_not_positive>(sphere->radius, zone);
     } else if (const auto* cylinder = std::get_if<CylinderZone>(&zone.shape)) {

@@ -10,21 +10,21 @@
 namespace featuremesh {
 
 std::vector<std::int32_t> bodies_of_tets(const Mesh& mesh) {
-    struct Side {
+    struct Facet {
         std::array<std::int32_t, 3> nodes;
         std::int32_t tet;
     };
-    std::vector<Side> sides;
-    sides.reserve(4 * mesh.tets.size());
+    std::vector<Facet> facets;
+    facets.reserve(4 * mesh.tets.size());
     for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet)
         for (const auto& face : tet_faces) {
             std::array<std::int32_t, 3> nodes;
             for (std::size_t i = 0; i < 3; ++i) nodes[i] = mesh.tets[tet][std::size_t(face[i])].value;
             std::sort(nodes.begin(), nodes.end());
-            sides.push_back({nodes, std::int32_t(tet)});
+            facets.push_back({nodes, std::int32_t(tet)});
         }
-    std::sort(sides.begin(), sides.end(),
-              [](const Side& a, const Side& b) { return a.nodes != b.nodes ? a.nodes < b.nodes : a.tet < b.tet; });
+    std::sort(facets.begin(), facets.end(),
+              [](const Facet& a, const Facet& b) { return a.nodes != b.nodes ? a.nodes < b.nodes : a.tet < b.tet; });
 
     std::vector<std::int32_t> first(mesh.tets.size());  // each tet points towards the first of its body
     std::iota(first.begin(), first.end(), 0);
@@ -33,9 +33,9 @@ std::vector<std::int32_t> bodies_of_tets(const Mesh& mesh) {
             tet = first[std::size_t(tet)] = first[std::size_t(first[std::size_t(tet)])];
         return tet;
     };
-    for (std::size_t i = 1; i < sides.size(); ++i)
-        if (sides[i].nodes == sides[i - 1].nodes) {
-            const std::int32_t a = root(sides[i - 1].tet), b = root(sides[i].tet);
+    for (std::size_t i = 1; i < facets.size(); ++i)
+        if (facets[i].nodes == facets[i - 1].nodes) {
+            const std::int32_t a = root(facets[i - 1].tet), b = root(facets[i].tet);
             first[std::size_t(std::max(a, b))] = std::min(a, b);
         }
     std::vector<std::int32_t> bodies(mesh.tets.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which tets hang together by their sides and so move as one body where nothing strains them.
+// Which tets hang together by their facets and so move as one body where nothing strains them.
 #pragma once
 
 #include <cstdint>

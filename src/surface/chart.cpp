@@ -60,7 +60,7 @@ struct Chart::Data {
     double u_min = 0, u_max = 0, v_min = 0, v_max = 0;  ///< of the face's trim
     double u_period = 0, v_period = 0;
     double radius = 0;  ///< cylinder
-    double apex = 0, sine = 0, side = 1, turn = 0,
+    double apex = 0, sine = 0, nappe = 1, turn = 0,
            slant = 0;  ///< cone: v of the apex, |sin|, which nappe, middle u, length
     Stretch u_stretch, v_stretch;
 
@@ -90,7 +90,7 @@ struct Chart::Data {
         const double signed_sine = std::sin(cone.SemiAngle());
         apex = -cone.RefRadius() / signed_sine;
         sine = std::abs(signed_sine);
-        side = mid(v_min, v_max) > apex ? 1 : -1;
+        nappe = mid(v_min, v_max) > apex ? 1 : -1;
         turn = mid(u_min, u_max);
         // At the apex a triangle of the developed plane may span half the cone and more: there only lengths in space
         // tell.
@@ -151,8 +151,8 @@ Vec2 Chart::to_plane(std::array<double, 2> uv) const {
         case Kind::cylinder:
             return {d.radius * uv[0], uv[1]};
         case Kind::cone: {
-            const double s = d.side * (uv[1] - d.apex), angle = (uv[0] - d.turn) * d.sine;
-            return {d.side * s * std::sin(angle), s * std::cos(angle)};
+            const double s = d.nappe * (uv[1] - d.apex), angle = (uv[0] - d.turn) * d.sine;
+            return {d.nappe * s * std::sin(angle), s * std::cos(angle)};
         }
         default:
             return {d.u_stretch.forward(uv[0]), d.v_stretch.forward(uv[1])};
@@ -167,8 +167,8 @@ std::array<double, 2> Chart::to_uv(Vec2 p) const {
         case Kind::cylinder:
             return {p.x / d.radius, p.y};
         case Kind::cone: {
-            const double angle = std::atan2(d.side * p.x, p.y);
-            return {d.turn + angle / d.sine, d.apex + d.side * std::hypot(p.x, p.y)};
+            const double angle = std::atan2(d.nappe * p.x, p.y);
+            return {d.turn + angle / d.sine, d.apex + d.nappe * std::hypot(p.x, p.y)};
         }
         default:
             return {d.u_stretch.back(p.x), d.v_stretch.back(p.y)};
@@ -197,9 +197,9 @@ Chart::Frame Chart::frame(Vec2 p) const {
             const double s = std::hypot(p.x, p.y);
             // At the apex there is no direction around; what rounding leaves of it may even point backwards.
             if (s < 1e-9 * d.slant) return {to_vec3(q), Vec3{}, sv};
-            const Vec3 around = su / (s * d.sine), along = d.side * sv;
-            const double c = p.y / s, n = d.side * p.x / s;
-            return {to_vec3(q), d.side * (c * around + n * along), c * along - n * around};
+            const Vec3 around = su / (s * d.sine), along = d.nappe * sv;
+            const double c = p.y / s, n = d.nappe * p.x / s;
+            return {to_vec3(q), d.nappe * (c * around + n * along), c * along - n * around};
         }
         default:
             return {to_vec3(q), su / d.u_stretch.slope(uv[0]), sv / d.v_stretch.slope(uv[1])};

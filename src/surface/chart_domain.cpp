@@ -20,7 +20,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 
 struct FaceInfo {
-    int side = 0;    ///< 1 inside, -1 outside, 0 not known
+    int label = 0;   ///< 1 inside, -1 outside, 0 not known
     int index = -1;  ///< in the patch
 };
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
@@ -153,7 +153,7 @@ struct ChartDomain::Data {
         for (const int p : boundary.lone_points) {
             const Vertex lone = vertices[static_cast<std::size_t>(p)];
             const Face around = lone->face();
-            if (!cdt.is_infinite(around) && around->info().side > 0) continue;
+            if (!cdt.is_infinite(around) && around->info().label > 0) continue;
             const auto distance_to = [&](const std::array<int, 2>& ends) {
                 const auto place = [&](int end) { return vertices[static_cast<std::size_t>(end)]->point(); };
                 return CGAL::squared_distance(lone->point(), Kernel::Segment_2(place(ends[0]), place(ends[1])));
@@ -166,13 +166,13 @@ struct ChartDomain::Data {
         }
     }
 
-    /// Marks what lies left of the segments and what lies right; false when something lies on both sides.
+    /// Marks what lies left of the segments and what lies right; false when something lies left and right.
     bool label_regions() {
         for (auto f = cdt.all_faces_begin(); f != cdt.all_faces_end(); ++f) f->info() = {};
         std::vector<Face> queue;
-        const auto mark = [&](Face f, int side) {
-            if (f->info().side == -side) return false;
-            if (f->info().side == 0) f->info().side = side, queue.push_back(f);
+        const auto mark = [&](Face f, int label) {
+            if (f->info().label == -label) return false;
+            if (f->info().label == 0) f->info().label = label, queue.push_back(f);
             return true;
         };
         for (const auto& [a, b] : segments) {
@@ -187,10 +187,10 @@ struct ChartDomain::Data {
         while (!queue.empty()) {
             const Face f = queue.back();
             queue.pop_back();
-            if (f->info().side > 0 && cdt.is_infinite(f)) return false;
+            if (f->info().label > 0 && cdt.is_infinite(f)) return false;
             for (int i = 0; i < 3; ++i) {
                 if (f->is_constrained(i) && !is_inner(f, i)) continue;
-                if (!mark(f->neighbor(i), f->info().side)) return false;
+                if (!mark(f->neighbor(i), f->info().label)) return false;
             }
         }
         return true;
@@ -213,7 +213,7 @@ bool ChartDomain::contains(Vec2 p, void*& hint) const {
     const Face start = hint ? Face(static_cast<Structure::Face_handle::pointer>(hint)) : Face();
     const Face f = cdt.locate(Point(p.x, p.y), start);
     hint = cdt.is_infinite(f) ? nullptr : &*f;
-    return f->info().side > 0 && !cdt.is_infinite(f);
+    return f->info().label > 0 && !cdt.is_infinite(f);
 }
 
 void ChartDomain::insert(std::span<const Vec2> seeds, const Heartbeat& heart) {
@@ -244,7 +244,7 @@ TrianglePatch ChartDomain::patch() const {
     patch.nodes.assign(patch.points.size(), -1);
     patch.triangle_of.assign(patch.points.size(), -1);
     int count = 0;
-    for (const Face f : data_->cdt.finite_face_handles()) f->info().index = f->info().side > 0 ? count++ : -1;
+    for (const Face f : data_->cdt.finite_face_handles()) f->info().index = f->info().label > 0 ? count++ : -1;
     patch.triangles.reserve(static_cast<std::size_t>(count)), patch.neighbours.reserve(static_cast<std::size_t>(count));
     for (const Face f : data_->cdt.finite_face_handles()) {
         if (f->info().index < 0) continue;

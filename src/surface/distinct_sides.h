@@ -18,7 +18,7 @@ struct FilledFace {
     FaceFilling* filling = nullptr;
 };
 
-/// Where two faces (or both sides of a seam) join the same two edge nodes by an inner side, or the same three nodes by
+/// Where two faces (or both copies of a seam) join the same two edge nodes by an inner side, or the same three nodes by
 /// a triangle, the surface would touch itself: an inner node is put in. `mesh` has the chains' nodes and the kept
 /// triangles; `segments` are all sides of the chains. Returns how many nodes were added.
 std::size_t make_sides_distinct(std::span<FilledFace> faces, std::span<const std::array<NodeId, 2>> segments,

@@ -186,9 +186,9 @@ int fewest_pieces(const Measure& measure, bool is_closed, bool has_twin) {
 /// that carries the edge's loads.
 bool misses_vertex(const Brep& brep, EdgeId edge) {
     const auto ends = brep.ends_of(edge);
-    const auto is_beyond = [&](std::size_t side) {
-        return is_loose(brep.vertex(ends[side])) &&
-               distance_beyond_end(brep.edge(edge), side == 0, brep.point_of(ends[side])) > Precision::Confusion();
+    const auto is_beyond = [&](std::size_t end) {
+        return is_loose(brep.vertex(ends[end])) &&
+               distance_beyond_end(brep.edge(edge), end == 0, brep.point_of(ends[end])) > Precision::Confusion();
     };
     return is_beyond(0) || is_beyond(1);
 }

@@ -26,7 +26,7 @@ struct FaceBoundary {
     std::vector<Vec2> points;
     std::vector<NodeId> nodes;              ///< by point
     std::vector<BoundarySegment> segments;  ///< closed loops
-    std::vector<BoundarySegment> inner;     ///< edges inside the face, to be filled on both sides
+    std::vector<BoundarySegment> inner;     ///< edges inside the face, to be filled left and right of them
     std::vector<int> lone_points;           ///< inside, without triangles yet: kept nodes, and those of vertices
 
     bool is_complete() const { return segments.empty(); }

@@ -348,8 +348,8 @@ Message warning_of_contact(const Brep& brep, const Mesh& mesh, const TrianglePai
     std::set<std::pair<SolidId, SolidId>> solids;
     for (const auto& [t, u] : crossings) {
         const auto solid = [&](TriangleId triangle) {
-            const auto sides = brep.sides_of(mesh.triangle_faces[triangle.index()]);
-            return sides[0].is_valid() ? sides[0] : sides[1];
+            const auto solids = brep.solids_beside(mesh.triangle_faces[triangle.index()]);
+            return solids[0].is_valid() ? solids[0] : solids[1];
         };
         solids.insert(std::minmax(solid(t), solid(u)));
     }
@@ -364,7 +364,7 @@ std::vector<Message> warnings_of_enclosed(const Brep& brep, const Mesh& mesh) {
     const auto look = [&](Entity entity, const Vec3& p) {
         for (std::size_t s = 0; s < probes.size(); ++s) {
             if (!probes[s]) probes[s] = std::make_unique<SolidProbe>(brep, SolidId(s));
-            if (probes[s]->side_of(p) != Side::inside) continue;
+            if (probes[s]->containment_of(p) != Containment::inside) continue;
             places.push_back(say<Code::one_in_other>(entity, SolidId(s)));
             return;
         }

@@ -58,7 +58,7 @@ class PointGrid {
     }
 
     bool has_near_on_level(const Vec3& p, double reach, int level) const {
-        const double side = std::ldexp(1.0, level), limit = std::min(reach, side);
+        const double width = std::ldexp(1.0, level), limit = std::min(reach, width);
         const Cell low = cell_of(p - Vec3{limit, limit, limit}, level),
                    high = cell_of(p + Vec3{limit, limit, limit}, level);
         for (long x = low.x; x <= high.x; ++x)
@@ -251,7 +251,7 @@ class Front {
     double angle_of(int p) const { return std::atan2(point(p).y, point(p).x); }
 
     /// The apex of the equilateral triangle on a piece.
-    void start_from(const BoundarySegment& s, double side) {
+    void start_from(const BoundarySegment& s, double sign) {
         const Vec2 middle = 0.5 * (point(s.a) + point(s.b));
         const Chart::Frame frame = chart_.frame(middle);
         const Vec3 along = place(s.b) - place(s.a);
@@ -260,7 +260,7 @@ class Front {
         const Vec3 inwards = normalized(cross(cross(frame.dx, frame.dy), along));
         const double h = 0.5 * (wanted(s.a) + wanted(s.b)),
                      height = std::sqrt(std::max(0.25 * h * h, h * h - 0.25 * l * l));
-        try_add(middle, frame, side * height * inwards, along, nullptr, 0.5 * (place(s.a) + place(s.b)));
+        try_add(middle, frame, sign * height * inwards, along, nullptr, 0.5 * (place(s.a) + place(s.b)));
     }
 
     void grow_around(std::size_t i) {

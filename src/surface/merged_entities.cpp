@@ -209,13 +209,13 @@ void MergedEntities::join_edges(const Brep& brep, const Projector& projector) {
 
 void MergedEntities::find_flat_faces(const Brep& brep) {
     for (std::size_t f = 0; f < brep.face_count(); ++f) {
-        std::map<std::pair<EdgeId, std::ptrdiff_t>, int> sides;  // stretches of chains between vertices
+        std::map<std::pair<EdgeId, std::ptrdiff_t>, int> uses;  // stretches of chains between vertices
         for (const EdgeId e : brep.edges_of(FaceId(f))) {
             if (brep.is_degenerated(e) || is_point[e.index()]) continue;
             const EdgeId owner = edge_of[e.index()];
             const auto ends = brep.ends_of(e);
             if (!ends[0].is_valid() || !ends[1].is_valid() || ends[0] == ends[1]) {
-                ++sides[{owner, 0}];
+                ++uses[{owner, 0}];
                 continue;
             }
             const std::vector<VertexId> sequence = sequence_of(brep, owner);
@@ -223,10 +223,10 @@ void MergedEntities::find_flat_faces(const Brep& brep) {
                 return std::find(sequence.begin(), sequence.end(), vertex_of[v.index()]) - sequence.begin();
             };
             const auto [first, last] = std::minmax({place(ends[0]), place(ends[1])});
-            for (std::ptrdiff_t i = first; i < last; ++i) ++sides[{owner, i}];
+            for (std::ptrdiff_t i = first; i < last; ++i) ++uses[{owner, i}];
         }
         is_flat[f] = !brep.edges_of(FaceId(f)).empty() &&
-                     std::all_of(sides.begin(), sides.end(), [](const auto& side) { return side.second == 2; });
+                     std::all_of(uses.begin(), uses.end(), [](const auto& use) { return use.second == 2; });
     }
 }
 

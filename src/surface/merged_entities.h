@@ -13,7 +13,7 @@ namespace featuremesh {
 
 /// Vertices of one solid in the same place within Tolerances::negligible(), or as far as details are ignored, share a
 /// node, and an edge goes through the nodes of the vertices that lie on it. Then an edge may be a point, an edge may
-/// have its chain in common with another or a part of it (a solid that touches itself along an edge; the long sides of
+/// have its chain in common with another or a part of it (a solid that touches itself along an edge; the long edges of
 /// a sliver), and a face whose edges are so in pairs has no triangles.
 struct MergedEntities {
     /// `ignore_below`: mm, details smaller than this are ignored; nodes are off the shape there by no more than it.

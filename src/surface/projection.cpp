@@ -44,8 +44,10 @@ class WireTrim {
         TopLoc_Location place;
         const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, place);
         for (TopoDS_Iterator it(face.Oriented(TopAbs_FORWARD)); it.More(); it.Next()) {
-            const TopAbs_Orientation side = it.Value().Orientation();
-            if (it.Value().ShapeType() != TopAbs_WIRE || (side != TopAbs_FORWARD && side != TopAbs_REVERSED)) continue;
+            const TopAbs_Orientation orientation = it.Value().Orientation();
+            if (it.Value().ShapeType() != TopAbs_WIRE ||
+                (orientation != TopAbs_FORWARD && orientation != TopAbs_REVERSED))
+                continue;
             Wire& wire = wires_.emplace_back();
             BRep_Builder builder;
             builder.MakeFace(wire.face, surface, place, BRep_Tool::Tolerance(face));

@@ -33,7 +33,7 @@ bool overlap(const Box& a, const Box& b) {
            a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
-/// Boxes in a binary tree, split at the median of the longest side.
+/// Boxes in a binary tree, split at the median of the longest extent.
 class BoxTree {
   public:
     explicit BoxTree(const std::vector<Box>& boxes) : boxes_(boxes), order_(boxes.size()) {

@@ -30,7 +30,7 @@ struct TrianglePatch {
     std::vector<std::array<int, 3>> neighbours;  ///< across the side opposite each corner; -1 at the boundary
     std::vector<int> triangle_of;                ///< one triangle at each point; -1 for none
 
-    /// Whether two points are the same node: a pole, or the two sides of a seam.
+    /// Whether two points are the same node: a pole, or the two copies of a seam.
     bool are_one_node(int p, int q) const {
         return nodes[static_cast<std::size_t>(p)] >= 0 &&
                nodes[static_cast<std::size_t>(p)] == nodes[static_cast<std::size_t>(q)];

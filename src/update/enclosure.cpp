@@ -111,7 +111,7 @@ SolidLocator::~SolidLocator() = default;
 
 SolidId SolidLocator::solid_at(const Vec3& p) const {
     for (std::size_t s = 0; s < data_->probes.size(); ++s)
-        if (data_->probes[s]->side_of(p) == Side::inside) return SolidId(s);
+        if (data_->probes[s]->containment_of(p) == Containment::inside) return SolidId(s);
     return SolidId();
 }
 

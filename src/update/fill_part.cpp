@@ -361,7 +361,7 @@ Expectation expectation_of(const Brep& brep) {
     Expectation expected;
     expected.dimension = brep.dimension();
     for (std::size_t s = 0; s < brep.solid_count(); ++s) expected.solid_volumes.push_back(brep.volume_of(SolidId(s)));
-    expected.face_sides = brep.sides_of_faces();
+    expected.solids_beside_face = brep.solids_beside_faces();
     if (brep.has_free_faces())
         for (std::size_t f = 0; f < brep.face_count(); ++f) expected.is_free_face.push_back(brep.is_free(FaceId(f)));
     if (brep.has_free_edges())

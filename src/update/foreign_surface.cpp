@@ -57,8 +57,8 @@ class Matcher {
     void collect_sides() {
         std::vector<Box> between;
         for (std::size_t f = 0; f < brep_.face_count(); ++f) {
-            const auto sides = brep_.sides_of(FaceId(f));
-            if (sides[0].is_valid() && sides[1].is_valid())
+            const auto solids = brep_.solids_beside(FaceId(f));
+            if (solids[0].is_valid() && solids[1].is_valid())
                 between.push_back(box_of(brep_.face(FaceId(f))).grown(tolerance_));
         }
         TriangleUses uses(mesh_);
@@ -141,7 +141,7 @@ class Matcher {
         return (point(t.nodes[0]) + point(t.nodes[1]) + point(t.nodes[2])) / 3;
     }
 
-    // The nearest of the faces that all three nodes touch; one with the solid on the tet's side where it is the mesh's
+    // The nearest of the faces that all three nodes touch; one with the solid where the tet is, where it is the mesh's
     // boundary.
     FaceId face_of(const MatchedTriangle& triangle) const {
         const bool is_inner = triangle.tets[1].is_valid();
@@ -152,11 +152,11 @@ class Matcher {
         FaceId best;
         double nearest = std::numeric_limits<double>::infinity();
         for (const FaceId face : faces) {
-            const auto sides = brep_.sides_of(face);
-            if (is_inner != (sides[0].is_valid() && sides[1].is_valid())) continue;
+            const auto solids = brep_.solids_beside(face);
+            if (is_inner != (solids[0].is_valid() && solids[1].is_valid())) continue;
             const OnFace foot = finder_.projector().nearest(face, centre_of(triangle));
             const double outward =
-                dot(finder_.projector().normal(face, foot.uv), normal_of(triangle)) * (sides[0].is_valid() ? 1 : -1);
+                dot(finder_.projector().normal(face, foot.uv), normal_of(triangle)) * (solids[0].is_valid() ? 1 : -1);
             if (foot.distance >= nearest || (!is_inner && outward <= 0)) continue;
             if (!is_sure && !finder_.projector().is_inside_trim(face, foot.uv)) continue;
             nearest = foot.distance;
@@ -215,7 +215,7 @@ class Matcher {
         return best;
     }
 
-    // As the triangles along the edge show them: a seam has its face on both sides.
+    // As the triangles along the edge show them: a seam has its face left and right.
     std::vector<FaceId> faces_around(EdgeId edge) const {
         std::vector<FaceId> faces;
         for (const FaceId face : brep_.faces_of(edge)) {

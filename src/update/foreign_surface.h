@@ -24,7 +24,7 @@ struct MatchedSegment {
 /// Why tets of the foreign mesh cannot stay.
 struct Misfits {
     std::size_t nodes_off_surface = 0;  ///< on the mesh's boundary and further from the shape's than FreeCAD looks
-    std::size_t overlaps = 0;           ///< triangles with more than two tets, or two on one side
+    std::size_t overlaps = 0;           ///< triangles with more than two tets, or two that overlap there
     std::size_t triangles_on_no_face = 0;
     std::size_t sides_on_no_edge = 0;  ///< where triangles of different faces meet, and not along an edge of theirs
     std::vector<EdgeId> open_edges;    ///< not followed by a chain of sides

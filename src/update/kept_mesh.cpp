@@ -25,7 +25,7 @@ class Assembler {
         take_tets(kept, new_index);
         context_.check_cancelled();
         take_triangles(kept, new_index);
-        mark_changed_sides(kept);
+        mark_changed_solids(kept);
         take_segments(kept, new_index);
         kept.rim_tets = tets_.tets_at(kept.mesh, kept.is_rim, kept.node_origin);
         kept.mesh.next_node_number = in_.old_mesh.next_node_number;
@@ -117,9 +117,9 @@ class Assembler {
                                 old.tet_numbers.begin() + std::ptrdiff_t(end));
     }
 
-    // A face may have a solid on a side where it had none.
-    void mark_changed_sides(Kept& kept) const {
-        const std::vector<char> was = counts_of_sides(in_.old_brep), is = counts_of_sides(in_.new_brep);
+    // A face may have a solid beside it where it had none.
+    void mark_changed_solids(Kept& kept) const {
+        const std::vector<char> was = counts_of_solids_beside(in_.old_brep), is = counts_of_solids_beside(in_.new_brep);
         for (std::size_t t = 0; t < kept.triangle_origin.size(); ++t) {
             const FaceId old_face = in_.old_mesh.triangle_faces[std::size_t(kept.triangle_origin[t])];
             if (was[old_face.index()] == is[kept.mesh.triangle_faces[t].index()]) continue;
@@ -200,13 +200,13 @@ class Assembler {
             const auto& nodes = old.tets[std::size_t(tet)];
             if (is_rim(nodes[0]) + is_rim(nodes[1]) + is_rim(nodes[2]) + is_rim(nodes[3]) < 3) continue;
             for (int skip = 0; skip < 4; ++skip) {
-                std::array<NodeId, 3> side;
+                std::array<NodeId, 3> facet;
                 for (int k = 0, j = 0; k < 4; ++k)
-                    if (k != skip) side[std::size_t(j++)] = nodes[std::size_t(k)];
-                std::sort(side.begin(), side.end());
-                const auto it = std::lower_bound(doubtful.begin(), doubtful.end(), side,
+                    if (k != skip) facet[std::size_t(j++)] = nodes[std::size_t(k)];
+                std::sort(facet.begin(), facet.end());
+                const auto it = std::lower_bound(doubtful.begin(), doubtful.end(), facet,
                                                  [](const auto& d, const auto& s) { return d.first < s; });
-                if (it != doubtful.end() && it->first == side) backed[it->second] = 1;
+                if (it != doubtful.end() && it->first == facet) backed[it->second] = 1;
             }
         }
         return backed;

@@ -48,8 +48,8 @@ std::vector<SolidId> solids_off_volume(const Mesh& mesh, const Brep& brep, doubl
 SizeRequest for_volume_of(const Mesh& mesh, const Brep& brep, SolidId solid) {
     SizeRequest request{SizeReason::cannot_follow, as_parameter(solid)};
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const auto sides = brep.sides_of(mesh.triangle_faces[t]);
-        if (std::find(sides.begin(), sides.end(), solid) != sides.end())
+        const auto solids = brep.solids_beside(mesh.triangle_faces[t]);
+        if (std::find(solids.begin(), solids.end(), solid) != solids.end())
             request.lengths.push_back(half_length_at(mesh, t));
     }
     return request;

@@ -40,8 +40,8 @@ class UntouchedSolids {
 
     bool shares_faces(std::size_t solid) const {
         return std::any_of(old_faces_[solid].begin(), old_faces_[solid].end(), [&](FaceId f) {
-            const auto sides = in_.old_brep.sides_of(f);
-            return sides[0].is_valid() && sides[1].is_valid();
+            const auto solids = in_.old_brep.solids_beside(f);
+            return solids[0].is_valid() && solids[1].is_valid();
         });
     }
 

@@ -24,16 +24,16 @@ std::uint64_t mixed(std::uint64_t x) {
 
 std::uint64_t node_key(NodeId n) { return mixed(static_cast<std::uint64_t>(n.value) + 0x9e3779b97f4a7c15ull); }
 
-/// The key of a side (a triangle seen from within one region), the same for any order of its corners.
-std::uint64_t side_key(std::uint64_t sum_of_node_keys, int region) {
+/// The key of a half-facet (a triangle seen from within one region), the same for any order of its corners.
+std::uint64_t half_facet_key(std::uint64_t sum_of_node_keys, int region) {
     return mixed(sum_of_node_keys + 0x632be59bd9b4e019ull * static_cast<std::uint64_t>(region + 1));
 }
 
 /// Whether the corners, brought into ascending order, are an odd permutation.
 bool is_odd(const std::array<NodeId, 3>& c) { return ((c[0] > c[1]) + (c[0] > c[2]) + (c[1] > c[2])) % 2 == 1; }
 
-/// One side of a triangle that something covers (a tet) or asks to be covered (a CAD face).
-struct Side {
+/// A triangle, seen from within one region, that something covers (a tet) or asks to be covered (a CAD face).
+struct HalfFacet {
     std::array<NodeId, 3> sorted;
     int region;
     bool is_odd_outward;  ///< the order in which the normal leaves the region
@@ -42,10 +42,10 @@ struct Side {
     auto key() const { return std::tie(sorted, region, is_odd_outward); }
 };
 
-Side make_side(std::array<NodeId, 3> outward, int region, TriangleId triangle, TetId tet) {
-    Side side{outward, region, is_odd(outward), triangle, tet};
-    std::sort(side.sorted.begin(), side.sorted.end());
-    return side;
+HalfFacet make_half_facet(std::array<NodeId, 3> outward, int region, TriangleId triangle, TetId tet) {
+    HalfFacet half{outward, region, is_odd(outward), triangle, tet};
+    std::sort(half.sorted.begin(), half.sorted.end());
+    return half;
 }
 
 std::array<NodeId, 3> face_of(const std::array<NodeId, 4>& tet, int k) {
@@ -54,8 +54,8 @@ std::array<NodeId, 3> face_of(const std::array<NodeId, 4>& tet, int k) {
 
 std::array<NodeId, 3> reversed(const std::array<NodeId, 3>& c) { return {c[0], c[2], c[1]}; }
 
-/// Sums signed keys of all sides around each node: 0 where every side of a region meets its other side, so that only
-/// nodes at the cavity remain. Keys are 64 bits; that a sum is 0 by chance is as likely as a memory error.
+/// Sums signed keys of all half-facets around each node: 0 where each meets its opposite one in the region, so that
+/// only nodes at the cavity remain. Keys are 64 bits; that a sum is 0 by chance is as likely as a memory error.
 class OpenNodes {
   public:
     explicit OpenNodes(std::size_t node_count) : sums_(node_count, 0) {}
@@ -63,15 +63,16 @@ class OpenNodes {
     void add_tet(const std::array<NodeId, 4>& tet, int region) {
         std::uint64_t keys[4], total = 0;
         for (int k = 0; k < 4; ++k) total += keys[k] = node_key(tet[k]);
-        std::uint64_t sides[4], all = 0;
+        std::uint64_t by_corner[4], all = 0;
         for (int k = 0; k < 4; ++k) {
-            const std::uint64_t key = side_key(total - keys[k], region);
-            all += sides[k] = is_odd(face_of(tet, k)) ? key : 0 - key;
+            const std::uint64_t key = half_facet_key(total - keys[k], region);
+            all += by_corner[k] = is_odd(face_of(tet, k)) ? key : 0 - key;
         }
-        for (int k = 0; k < 4; ++k) sums_[tet[k].index()] += all - sides[k];
+        for (int k = 0; k < 4; ++k) sums_[tet[k].index()] += all - by_corner[k];
     }
     void add_triangle(const std::array<NodeId, 3>& outward, int region) {
-        const std::uint64_t key = side_key(node_key(outward[0]) + node_key(outward[1]) + node_key(outward[2]), region);
+        const std::uint64_t key =
+            half_facet_key(node_key(outward[0]) + node_key(outward[1]) + node_key(outward[2]), region);
         for (const NodeId n : outward) sums_[n.index()] += is_odd(outward) ? 0 - key : key;
     }
     std::vector<char> marks() const {
@@ -89,11 +90,11 @@ bool are_open(std::span<const char> is_open, const std::array<NodeId, 3>& nodes)
 }
 
 template <class Visit>
-void visit_triangle_sides(const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides, Visit visit) {
+void visit_triangles(const Mesh& mesh, std::span<const std::array<SolidId, 2>> solids_beside_face, Visit visit) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const auto& sides = face_sides[mesh.triangle_faces[i].index()];
-        if (sides[0].is_valid()) visit(TriangleId(i), mesh.triangles[i], sides[0].value);
-        if (sides[1].is_valid()) visit(TriangleId(i), reversed(mesh.triangles[i]), sides[1].value);
+        const auto& solids = solids_beside_face[mesh.triangle_faces[i].index()];
+        if (solids[0].is_valid()) visit(TriangleId(i), mesh.triangles[i], solids[0].value);
+        if (solids[1].is_valid()) visit(TriangleId(i), reversed(mesh.triangles[i]), solids[1].value);
     }
 }
 
@@ -107,10 +108,10 @@ void visit_kept(const Mesh& mesh, std::span<const std::uint8_t> is_released, std
     }
 }
 
-std::vector<char> open_nodes(const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,
+std::vector<char> open_nodes(const Mesh& mesh, std::span<const std::array<SolidId, 2>> solids_beside_face,
                              std::span<const std::uint8_t> is_released) {
     OpenNodes open(mesh.node_count());
-    visit_triangle_sides(mesh, face_sides, [&](TriangleId, const std::array<NodeId, 3>& outward, int region) {
+    visit_triangles(mesh, solids_beside_face, [&](TriangleId, const std::array<NodeId, 3>& outward, int region) {
         open.add_triangle(outward, region);
     });
     visit_kept(mesh, is_released, {},
@@ -118,17 +119,17 @@ std::vector<char> open_nodes(const Mesh& mesh, std::span<const std::array<SolidI
     return open.marks();
 }
 
-/// By nodes, region, direction and origin. Few sides have the same lowest node.
-std::vector<Side> sorted(const std::vector<Side>& sides, std::size_t node_count) {
-    std::vector<std::uint32_t> next(node_count + 1, 0);  // place of the next side with this lowest node
-    for (const Side& side : sides) ++next[side.sorted[0].index() + 1];
+/// By nodes, region, direction and origin. Few half-facets have the same lowest node.
+std::vector<HalfFacet> sorted(const std::vector<HalfFacet>& half_facets, std::size_t node_count) {
+    std::vector<std::uint32_t> next(node_count + 1, 0);  // place of the next one with this lowest node
+    for (const HalfFacet& half : half_facets) ++next[half.sorted[0].index() + 1];
     std::partial_sum(next.begin(), next.end(), next.begin());
-    std::vector<Side> rows(sides.size());
-    for (const Side& side : sides) rows[next[side.sorted[0].index()]++] = side;
+    std::vector<HalfFacet> rows(half_facets.size());
+    for (const HalfFacet& half : half_facets) rows[next[half.sorted[0].index()]++] = half;
     for (std::size_t begin = 0, end; begin < rows.size(); begin = end) {
         end = next[rows[begin].sorted[0].index()];
         std::sort(rows.begin() + static_cast<std::ptrdiff_t>(begin), rows.begin() + static_cast<std::ptrdiff_t>(end),
-                  [](const Side& a, const Side& b) {
+                  [](const HalfFacet& a, const HalfFacet& b) {
                       if (a.sorted[1] != b.sorted[1]) return a.sorted[1] < b.sorted[1];
                       if (a.sorted[2] != b.sorted[2]) return a.sorted[2] < b.sorted[2];
                       return std::tie(a.region, a.is_odd_outward, a.triangle, a.tet) <
@@ -138,44 +139,46 @@ std::vector<Side> sorted(const std::vector<Side>& sides, std::size_t node_count)
     return rows;
 }
 
-std::vector<Side> sides_at(std::span<const char> open, const Mesh& mesh,
-                           std::span<const std::array<SolidId, 2>> face_sides,
-                           std::span<const std::uint8_t> is_released, std::optional<std::span<const TetId>> near) {
-    std::vector<Side> sides;
-    visit_triangle_sides(mesh, face_sides, [&](TriangleId t, const std::array<NodeId, 3>& outward, int region) {
-        if (are_open(open, outward)) sides.push_back(make_side(outward, region, t, TetId()));
+std::vector<HalfFacet> half_facets_at(std::span<const char> open, const Mesh& mesh,
+                                      std::span<const std::array<SolidId, 2>> solids_beside_face,
+                                      std::span<const std::uint8_t> is_released,
+                                      std::optional<std::span<const TetId>> near) {
+    std::vector<HalfFacet> half_facets;
+    visit_triangles(mesh, solids_beside_face, [&](TriangleId t, const std::array<NodeId, 3>& outward, int region) {
+        if (are_open(open, outward)) half_facets.push_back(make_half_facet(outward, region, t, TetId()));
     });
     visit_kept(mesh, is_released, near, [&](TetId t, const std::array<NodeId, 4>& tet, int region) {
         const int count = open[tet[0].index()] + open[tet[1].index()] + open[tet[2].index()] + open[tet[3].index()];
         if (count < 3) return;
         for (int k = 0; k < 4; ++k)
             if (const auto face = face_of(tet, k); are_open(open, face))
-                sides.push_back(make_side(face, region, TriangleId(), t));
+                half_facets.push_back(make_half_facet(face, region, TriangleId(), t));
     });
-    return sorted(sides, mesh.node_count());
+    return sorted(half_facets, mesh.node_count());
 }
 
-/// Index of the next side that lies on another triangle or in another region.
-std::size_t end_of_group(const std::vector<Side>& sides, std::size_t begin) {
+/// Index of the next half-facet that lies on another triangle or in another region.
+std::size_t end_of_group(const std::vector<HalfFacet>& half_facets, std::size_t begin) {
     std::size_t end = begin;
-    while (end < sides.size() && sides[end].sorted == sides[begin].sorted && sides[end].region == sides[begin].region)
+    while (end < half_facets.size() && half_facets[end].sorted == half_facets[begin].sorted &&
+           half_facets[end].region == half_facets[begin].region)
         ++end;
     return end;
 }
 
-[[noreturn]] void throw_overlap(const Mesh& mesh, const Side& side) {
-    throw MeshError(say<Code::kept_elements_overlap>(mesh.node_numbers[side.sorted[0].index()]));
+[[noreturn]] void throw_overlap(const Mesh& mesh, const HalfFacet& half) {
+    throw MeshError(say<Code::kept_elements_overlap>(mesh.node_numbers[half.sorted[0].index()]));
 }
 
-/// Sides of one triangle in one region that remain to be filled: those of a CAD face without a tet, those of a tet
-/// without a partner.
-void append_unmatched(const Mesh& mesh, std::span<const Side> group, std::vector<Side>& unmatched) {
-    const Side* asked[2] = {nullptr, nullptr};  // by is_odd_outward
-    const Side* covers[2] = {nullptr, nullptr};
-    for (const Side& side : group) {
-        const Side*& place = (side.triangle.is_valid() ? asked : covers)[side.is_odd_outward];
-        if (place) throw_overlap(mesh, side);
-        place = &side;
+/// Half-facets of one triangle in one region that remain to be filled: those of a CAD face without a tet, those of a
+/// tet without a partner.
+void append_unmatched(const Mesh& mesh, std::span<const HalfFacet> group, std::vector<HalfFacet>& unmatched) {
+    const HalfFacet* asked[2] = {nullptr, nullptr};  // by is_odd_outward
+    const HalfFacet* covers[2] = {nullptr, nullptr};
+    for (const HalfFacet& half : group) {
+        const HalfFacet*& place = (half.triangle.is_valid() ? asked : covers)[half.is_odd_outward];
+        if (place) throw_overlap(mesh, half);
+        place = &half;
     }
     for (const int odd : {0, 1}) {
         if (asked[odd] && !covers[odd]) unmatched.push_back(*asked[odd]);
@@ -183,11 +186,11 @@ void append_unmatched(const Mesh& mesh, std::span<const Side> group, std::vector
     }
 }
 
-Cavity make_cavity(const Mesh& mesh, const std::vector<Side>& sides) {
+Cavity make_cavity(const Mesh& mesh, const std::vector<HalfFacet>& half_facets) {
     Cavity cavity;
     std::vector<int> place(mesh.node_count(), -1);  // among the nodes of the cavity
-    for (const Side& side : sides)
-        for (const NodeId n : side.sorted) place[n.index()] = 0;
+    for (const HalfFacet& half : half_facets)
+        for (const NodeId n : half.sorted) place[n.index()] = 0;
     for (std::size_t n = 0; n < place.size(); ++n) {
         if (place[n] < 0) continue;
         place[n] = static_cast<int>(cavity.nodes.size());
@@ -195,20 +198,20 @@ Cavity make_cavity(const Mesh& mesh, const std::vector<Side>& sides) {
         cavity.points.push_back(mesh.points[n]);
     }
     const auto local = [&](NodeId n) { return place[n.index()]; };
-    for (const Side& side : sides) {
-        Facet facet{{local(side.sorted[0]), local(side.sorted[1]), local(side.sorted[2])}, {-1, -1}};
+    for (const HalfFacet& half : half_facets) {
+        Facet facet{{local(half.sorted[0]), local(half.sorted[1]), local(half.sorted[2])}, {-1, -1}};
         // A tet fills what is behind its face: the cavity is before it.
-        facet.regions[side.is_odd_outward != side.tet.is_valid()] = side.region;
-        const bool is_second_side = !cavity.facets.empty() && cavity.facets.back().corners == facet.corners &&
-                                    cavity.triangle_of_facet.back().is_valid() && side.triangle.is_valid();
-        if (is_second_side) {
+        facet.regions[half.is_odd_outward != half.tet.is_valid()] = half.region;
+        const bool is_other_half = !cavity.facets.empty() && cavity.facets.back().corners == facet.corners &&
+                                   cavity.triangle_of_facet.back().is_valid() && half.triangle.is_valid();
+        if (is_other_half) {
             auto& regions = cavity.facets.back().regions;
             for (int k = 0; k < 2; ++k) regions[k] = std::max(regions[k], facet.regions[k]);
             continue;
         }
         cavity.facets.push_back(facet);
-        cavity.triangle_of_facet.push_back(side.triangle);
-        cavity.tet_of_facet.push_back(side.tet);
+        cavity.triangle_of_facet.push_back(half.triangle);
+        cavity.tet_of_facet.push_back(half.tet);
     }
     return cavity;
 }
@@ -284,17 +287,17 @@ std::vector<int> number_parts(const Cavity& cavity, int& part_count) {
 
 }  // namespace
 
-Cavity find_cavity(const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,
+Cavity find_cavity(const Mesh& mesh, std::span<const std::array<SolidId, 2>> solids_beside_face,
                    std::span<const std::uint8_t> is_released, std::span<const char> may_be_open,
                    std::optional<std::span<const TetId>> near) {
     std::vector<char> found;
-    if (may_be_open.empty()) found = open_nodes(mesh, face_sides, is_released);
-    const std::vector<Side> sides =
-        sides_at(may_be_open.empty() ? found : may_be_open, mesh, face_sides, is_released, near);
-    std::vector<Side> unmatched;
-    for (std::size_t begin = 0; begin < sides.size();) {
-        const std::size_t end = end_of_group(sides, begin);
-        append_unmatched(mesh, std::span(sides).subspan(begin, end - begin), unmatched);
+    if (may_be_open.empty()) found = open_nodes(mesh, solids_beside_face, is_released);
+    const std::vector<HalfFacet> half_facets =
+        half_facets_at(may_be_open.empty() ? found : may_be_open, mesh, solids_beside_face, is_released, near);
+    std::vector<HalfFacet> unmatched;
+    for (std::size_t begin = 0; begin < half_facets.size();) {
+        const std::size_t end = end_of_group(half_facets, begin);
+        append_unmatched(mesh, std::span(half_facets).subspan(begin, end - begin), unmatched);
         begin = end;
     }
     return make_cavity(mesh, unmatched);
@@ -305,11 +308,11 @@ std::vector<int> open_facets(const Cavity& cavity) {
     std::map<std::array<int, 3>, int> balance;
     const auto visit_edges = [&](auto&& visit) {
         for (std::size_t i = 0; i < cavity.facets.size(); ++i)
-            for (const int side : {0, 1})
-                for (int k = 0; k < 3 && cavity.facets[i].regions[side] >= 0; ++k) {
+            for (const int half : {0, 1})
+                for (int k = 0; k < 3 && cavity.facets[i].regions[half] >= 0; ++k) {
                     const int a = cavity.facets[i].corners[k], b = cavity.facets[i].corners[(k + 1) % 3];
-                    int& count = balance[{cavity.facets[i].regions[side], std::min(a, b), std::max(a, b)}];
-                    visit(static_cast<int>(i), count, (a < b) == (side == 0) ? 1 : -1);
+                    int& count = balance[{cavity.facets[i].regions[half], std::min(a, b), std::max(a, b)}];
+                    visit(static_cast<int>(i), count, (a < b) == (half == 0) ? 1 : -1);
                 }
     };
     visit_edges([](int, int& count, int sign) { count += sign; });

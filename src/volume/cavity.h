@@ -21,12 +21,12 @@ struct Cavity {
     std::vector<TetId> tet_of_facet;            ///< the kept tet behind the interface, else none
 };
 
-/// Triangles whose solid sides are not covered by a kept tet, and faces of kept tets that no other kept tet and no
-/// triangle matches. One linear pass over the tets, unless `near` is given; the rest costs what the cavity costs.
-/// `face_sides` as Brep::sides_of_faces; `is_released` by TetId marks tets that count as not there (empty: none);
-/// `may_be_open` by node marks all nodes that the cavity can have (empty: unknown, they are searched for); `near` are
-/// all tets with such a node, ascending (none: searched for).
-Cavity find_cavity(const Mesh& mesh, std::span<const std::array<SolidId, 2>> face_sides,
+/// Triangles with a solid beside them that no kept tet covers there, and facets of kept tets that no other kept tet and
+/// no triangle matches. One linear pass over the tets, unless `near` is given; the rest costs what the cavity costs.
+/// `solids_beside_face` as Brep::solids_beside_faces; `is_released` by TetId marks tets that count as not there (empty:
+/// none); `may_be_open` by node marks all nodes that the cavity can have (empty: unknown, they are searched for);
+/// `near` are all tets with such a node, ascending (none: searched for).
+Cavity find_cavity(const Mesh& mesh, std::span<const std::array<SolidId, 2>> solids_beside_face,
                    std::span<const std::uint8_t> is_released = {}, std::span<const char> may_be_open = {},
                    std::optional<std::span<const TetId>> near = {});
 

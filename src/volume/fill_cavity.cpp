@@ -17,21 +17,21 @@ constexpr SeedOptions places_in_gaps{.clearance = 0.5, .spacing = 0.7, .spares_f
 
 /// By point: whether it is a corner of the interface with kept tets.
 std::vector<char> interface_points(std::size_t point_count, const Cavity& cavity) {
-    std::vector<char> is_seam(point_count, 0);
+    std::vector<char> is_at_interface(point_count, 0);
     for (std::size_t f = 0; f < cavity.facets.size(); ++f)
         if (cavity.tet_of_facet[f].is_valid())
-            for (const int c : cavity.facets[f].corners) is_seam[c] = 1;
-    return is_seam;
+            for (const int c : cavity.facets[f].corners) is_at_interface[c] = 1;
+    return is_at_interface;
 }
 
 /// Between the lattice and an interface there may be room for a point that neither has. Left empty, the mesh would get
 /// coarser with every update. Elsewhere a mesh from scratch has such room, too.
 std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<const Vec3> points, const Cavity& cavity,
                                  SeedSpace& space, const WantedSize& size) {
-    const std::vector<char> is_seam = interface_points(points.size(), cavity);
+    const std::vector<char> is_at_interface = interface_points(points.size(), cavity);
     std::vector<std::pair<double, Vec3>> gaps;
     for (const auto& [a, b, c, d] : triangulation.tets) {
-        if (!(is_seam[a] || is_seam[b] || is_seam[c] || is_seam[d])) continue;
+        if (!(is_at_interface[a] || is_at_interface[b] || is_at_interface[c] || is_at_interface[d])) continue;
         const Ball ball = circumsphere(points[a], points[b], points[c], points[d]);
         if (!(ball.radius > radius_of_a_gap * size.at(ball.center) && ball.radius < 2 * size.largest)) continue;
         gaps.emplace_back(-ball.radius, ball.center);

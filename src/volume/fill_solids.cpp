@@ -263,7 +263,7 @@ class Filling {
         for (const auto& piece : flips.pieces) new_corners[piece.facet] = piece.corners;
         for (std::size_t t = 0; t < live.size(); ++t) {
             const auto& tet = fill.triangulation.tets[t];
-            int count = 0;  // of new triangles that are sides of this tet, in place of old ones that are
+            int count = 0;  // of new triangles that are facets of this tet, in place of old ones that are
             for (int k = 0; k < 4; ++k) {
                 const auto flipped = new_corners.find(fill.places.facet_at[4 * t + k]);
                 if (flipped == new_corners.end()) continue;

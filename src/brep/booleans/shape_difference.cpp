@@ -137,7 +137,8 @@ ShapeDifference between_faces(const Change& change, bool glued, Work most, RunCo
         context.progress(0.5);
         const auto inner = point_inside(solid);
         if (!inner) continue;  // a sliver, or its volume will be missed
-        const bool was = before.side_of(*inner) == Side::inside, is = after.side_of(*inner) == Side::inside;
+        const bool was = before.containment_of(*inner) == Containment::inside,
+                   is = after.containment_of(*inner) == Containment::inside;
         if (is && !was) result.added.push_back(solid);
         if (was && !is) result.removed.push_back(solid);
     }

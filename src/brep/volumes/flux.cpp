@@ -116,7 +116,7 @@ CurvePoint point_on(const BRepAdaptor_Curve& curve, double t) {
 }
 
 /// Flux through the ribbon between a face's border, as its surface has it, and the edge's own curve in space, per unit
-/// of their parameter. The face on the other side ends at the same curve: with the ribbons the faces of a shape close,
+/// of their parameter. The face beyond it ends at the same curve: with the ribbons the faces of a shape close,
 /// however loose its edges are; without them its volume depends on the apex and on how its faces were split.
 double ribbon(const CurvePoint& border, const CurvePoint& edge, const Vec3& apex) {
     return dot(border.point - apex, cross(edge.point - border.point, (border.derivative + edge.derivative) / 2)) / 3;
@@ -185,7 +185,7 @@ auto end_of(const Curve& curve, bool first) {
     return curve.Value(first ? curve.FirstParameter() : curve.LastParameter());
 }
 
-// In space, not in the parameter plane: the faces on both sides of an edge then see the same curve.
+// In space, not in the parameter plane: both faces at an edge then see the same curve.
 double flux_of_plane(const TopoDS_Face& face, const BRepAdaptor_Surface& surface, const Vec3& apex, double size) {
     gp_Pnt origin;
     gp_Vec du, dv;

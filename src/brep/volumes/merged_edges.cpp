@@ -151,7 +151,7 @@ void MergedEdges::merge_vertices() {
         if (distance(places_[v].point, first.point) > first.tolerance)
             throw Standard_DomainError("a vertex wider than the one it stands for");
         places_[v].merged = root(int(v));
-        for (int side = 0; side < 2; ++side) first.is_of[side] = first.is_of[side] || places_[v].is_of[side];
+        for (int shape = 0; shape < 2; ++shape) first.is_of[shape] = first.is_of[shape] || places_[v].is_of[shape];
     }
     for (Edge& edge : edges_)
         for (int& end : edge.ends) end = places_[std::size_t(end)].merged;

@@ -11,8 +11,8 @@ namespace featuremesh {
 struct PatchFace {
     TopoDS_Face face;
     bool vanished = false;  ///< only the shape before has it, else only the one after
-    /// The same for faces cut from one surface (for planes) with the same parameters (for others), with material on the
-    /// same side, of which some vanished and some appeared; -1 for a face that is alone on its surface.
+    /// The same for faces cut from one surface (for planes) with the same parameters (for others), with the material in
+    /// the same direction, of which some vanished and some appeared; -1 for a face that is alone on its surface.
     int underlying = -1;
     std::size_t index = 0;  ///< among those that vanished or those that appeared
 };

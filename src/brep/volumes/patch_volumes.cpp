@@ -127,12 +127,12 @@ class PieceEdges {
 
 /// A face of the shells: all of a face of the patch, or a region of its surface.
 struct Sheet {
-    struct Side {
+    struct Coedge {
         int piece = 0, sense = 1;  // along the piece or against it in `face` oriented forward
     };
     std::size_t on = 0;
     bool vanished = false, is_whole = false, is_reversed = false;
-    std::vector<std::vector<Side>> wires;
+    std::vector<std::vector<Coedge>> wires;
     TopoDS_Face face;  // out of what was removed less what was added
     Box box;
 };
@@ -182,7 +182,7 @@ class PatchShells {
         for (const Sheet& sheet : sheets_) {
             ContactSheet& contact = list.emplace_back(ContactSheet{sheet.face, sheet.box, sheet.vanished, {}});
             for (const auto& wire : sheet.wires)
-                for (const Sheet::Side& side : wire) contact.border.push_back(side.piece);
+                for (const Sheet::Coedge& coedge : wire) contact.border.push_back(coedge.piece);
         }
         return list;
     }
@@ -196,7 +196,7 @@ class PatchShells {
     /// Of two solids whose borders do not cross.
     static bool is_within(const TopoDS_Shape& inner, const TopoDS_Shape& outer) {
         const auto point = point_on(TopoDS::Face(TopExp_Explorer(inner, TopAbs_FACE).Current()));
-        return !point || SolidProbe(outer).side_of(point->point) != Side::outside;
+        return !point || SolidProbe(outer).containment_of(point->point) != Containment::outside;
     }
 
     void add_whole(std::size_t f) {
@@ -206,10 +206,10 @@ class PatchShells {
         sheet.vanished = faces_[f].vanished;
         sheet.is_reversed = (faces_[f].face.Orientation() == TopAbs_REVERSED) == faces_[f].vanished;
         for (const MergedEdges::Wire& wire : edges_.wires_of(f)) {
-            std::vector<Sheet::Side>& sides = sheet.wires.emplace_back();
+            std::vector<Sheet::Coedge>& coedges = sheet.wires.emplace_back();
             for (const MergedEdges::Use& use : wire) {
                 pieces_.need(use, faces_[f].face, faces_[f].face, {});
-                sides.push_back({use.piece, use.sense});
+                coedges.push_back({use.piece, use.sense});
             }
         }
     }
@@ -219,11 +219,11 @@ class PatchShells {
         sheet.on = cap.on;
         sheet.vanished = cap.vanished;
         sheet.is_reversed = (faces_[cap.on].face.Orientation() == TopAbs_REVERSED) == cap.vanished;
-        for (const std::vector<SurfaceCap::Side>& wire : cap.wires) {
-            std::vector<Sheet::Side>& sides = sheet.wires.emplace_back();
-            for (const SurfaceCap::Side& side : wire) {
-                pieces_.need(side.use, faces_[side.face].face, faces_[cap.on].face, side.shift);
-                sides.push_back({side.use.piece, side.sense});
+        for (const std::vector<SurfaceCap::Coedge>& wire : cap.wires) {
+            std::vector<Sheet::Coedge>& coedges = sheet.wires.emplace_back();
+            for (const SurfaceCap::Coedge& coedge : wire) {
+                pieces_.need(coedge.use, faces_[coedge.face].face, faces_[cap.on].face, coedge.shift);
+                coedges.push_back({coedge.use.piece, coedge.sense});
             }
         }
     }
@@ -249,11 +249,12 @@ class PatchShells {
         const BRep_Builder builder;
         TopoDS_Face face = TopoDS::Face(on.EmptyCopied());
         face.Orientation(TopAbs_FORWARD);
-        for (const std::vector<Sheet::Side>& sides : sheet.wires) {
+        for (const std::vector<Sheet::Coedge>& coedges : sheet.wires) {
             TopoDS_Wire wire;
             builder.MakeWire(wire);
-            for (const Sheet::Side& side : sides)
-                builder.Add(wire, pieces_.edge(side.piece).Oriented(side.sense > 0 ? TopAbs_FORWARD : TopAbs_REVERSED));
+            for (const Sheet::Coedge& coedge : coedges)
+                builder.Add(wire,
+                            pieces_.edge(coedge.piece).Oriented(coedge.sense > 0 ? TopAbs_FORWARD : TopAbs_REVERSED));
             wire.Closed(true);
             builder.Add(face, wire);
         }
@@ -271,9 +272,9 @@ class PatchShells {
         std::map<int, std::vector<std::pair<std::size_t, int>>> around;
         for (std::size_t s = 0; s < sheets_.size(); ++s)
             for (const auto& wire : sheets_[s].wires)
-                for (const Sheet::Side& side : wire)
-                    if (!edges_.is_degenerated(edges_.piece(side.piece)))
-                        around[side.piece].emplace_back(s, sheets_[s].is_reversed ? -side.sense : side.sense);
+                for (const Sheet::Coedge& coedge : wire)
+                    if (!edges_.is_degenerated(edges_.piece(coedge.piece)))
+                        around[coedge.piece].emplace_back(s, sheets_[s].is_reversed ? -coedge.sense : coedge.sense);
         for (const auto& [piece, uses] : around) {
             if (uses.size() != 2 || uses[0].second == uses[1].second)
                 throw Standard_DomainError("faces that do not close");

@@ -56,8 +56,8 @@ class Feet {
     Foot of(const Vec3& p) const {
         const At at = samples_.empty() ? by_formula(p) : by_newton(p);
         const Vec3 off = p - at.point;
-        const double side = dot(off, cross(at.du, at.dv)) * (face_.Orientation() == TopAbs_REVERSED ? -1 : 1);
-        const bool is_below = side < -1e-12 * length(off) * length(at.du) * length(at.dv);  // never at a pole
+        const double height = dot(off, cross(at.du, at.dv)) * (face_.Orientation() == TopAbs_REVERSED ? -1 : 1);
+        const bool is_below = height < -1e-12 * length(off) * length(at.du) * length(at.dv);  // never at a pole
         return {at.u, at.v, is_below ? -length(off) : length(off)};
     }
 
@@ -184,7 +184,7 @@ class SheetContacts {
         }
         const Vec3 p = to_vec3(curve.Value(from));
         const Foot foot = feet_->of(p);
-        // Else the side changed where the foot sprang over to another part of the surface.
+        // Else above and below changed where the foot sprang over to another part of the surface.
         const double close = generous * BRep_Tool::Tolerance(sheet_.face) + 1e-6 * box_.diagonal();
         return std::abs(foot.offset) <= close && box_.grown(close).contains(p) && probe_.contains(foot.u, foot.v);
     }

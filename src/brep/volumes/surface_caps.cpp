@@ -19,8 +19,8 @@ namespace featuremesh {
 
 namespace {
 
-constexpr double same_parameters = 1e-3;  // of the region's extent: tells the two sides of a seam apart
-constexpr double no_turn = 0.02;          // rad: which of two sides is further left is not to be told any more
+constexpr double same_parameters = 1e-3;  // of the region's extent: tells the two uses of a seam apart
+constexpr double no_turn = 0.02;          // rad: which of two uses is further left is not to be told any more
 
 struct Point {
     double u = 0, v = 0;
@@ -43,7 +43,7 @@ struct Rectangle {
 
 /// A directed piece of border with its way through the parameters.
 struct Step {
-    SurfaceCap::Side side;
+    SurfaceCap::Coedge coedge;
     int from = 0, to = 0;  // vertices
     std::vector<Point> way;
 };
@@ -120,7 +120,7 @@ class CapsOfSurface {
 
     static void move(Step& step, const Parameters& by) {
         for (Point& p : step.way) p = {p.u + by.u, p.v + by.v};
-        step.side.shift = {step.side.shift.u + by.u, step.side.shift.v + by.v};
+        step.coedge.shift = {step.coedge.shift.u + by.u, step.coedge.shift.v + by.v};
     }
 
     /// Brings the steps of a face beside one another.
@@ -146,10 +146,10 @@ class CapsOfSurface {
         const bool against = is_turned(face) == faces_[face].vanished;  // those that appeared are turned round
         Step step{{face, use, against ? -use.sense : use.sense, {}}, 0, 0, {}};
         const MergedEdges::Piece& piece = edges_.piece(use.piece);
-        step.from = piece.ends[step.side.sense > 0 ? 0 : 1];
-        step.to = piece.ends[step.side.sense > 0 ? 1 : 0];
+        step.from = piece.ends[step.coedge.sense > 0 ? 0 : 1];
+        step.to = piece.ends[step.coedge.sense > 0 ? 1 : 0];
         step.way = is_plane() ? way_in_plane(use) : way_by_parameters(face, use);
-        const bool along_own = (step.side.sense > 0) != edges_.piece(use.own).turned;
+        const bool along_own = (step.coedge.sense > 0) != edges_.piece(use.own).turned;
         if (!along_own) std::reverse(step.way.begin(), step.way.end());
         steps_.push_back(std::move(step));
     }
@@ -187,7 +187,7 @@ class CapsOfSurface {
         return way;
     }
 
-    /// The same place, and not only the same vertex: the two sides of a seam are apart.
+    /// The same place, and not only the same vertex: the two uses of a seam are apart.
     bool is_near(const Point& a, const Point& b) const {
         if (is_plane()) return true;
         const Point d = a - b, size = extent_.high - extent_.low;
@@ -212,7 +212,7 @@ class CapsOfSurface {
     }
 
     int name_of(const Step& step) const {
-        return edges_.is_degenerated(edges_.piece(step.side.use.piece)) ? -1 - step.from : step.side.use.piece;
+        return edges_.is_degenerated(edges_.piece(step.coedge.use.piece)) ? -1 - step.from : step.coedge.use.piece;
     }
 
     void cancel() {
@@ -222,7 +222,7 @@ class CapsOfSurface {
             std::vector<std::size_t>& others = waiting[name_of(steps_[i])];
             const auto partner = std::find_if(others.begin(), others.end(), [&](std::size_t k) {
                 return steps_[k].from == steps_[i].to && steps_[k].to == steps_[i].from &&
-                       (steps_[k].side.sense != steps_[i].side.sense || name_of(steps_[i]) < 0) &&
+                       (steps_[k].coedge.sense != steps_[i].coedge.sense || name_of(steps_[i]) < 0) &&
                        is_near(steps_[k].way.front(), steps_[i].way.back()) &&
                        is_near(steps_[k].way.back(), steps_[i].way.front());
             });
@@ -239,13 +239,13 @@ class CapsOfSurface {
         steps_ = std::move(left);
     }
 
-    /// Faces before and after border on the same edge from the same side, but their parameters are elsewhere.
+    /// Faces before and after lie left of the same edge, or both right, but their parameters are elsewhere.
     void refuse_doubles() const {
         for (std::size_t i = 0; i < steps_.size(); ++i)
             for (std::size_t k = 0; k < i; ++k)
-                if (steps_[i].side.use.piece == steps_[k].side.use.piece &&
-                    steps_[i].side.sense != steps_[k].side.sense &&
-                    faces_[steps_[i].side.face].vanished != faces_[steps_[k].side.face].vanished)
+                if (steps_[i].coedge.use.piece == steps_[k].coedge.use.piece &&
+                    steps_[i].coedge.sense != steps_[k].coedge.sense &&
+                    faces_[steps_[i].coedge.face].vanished != faces_[steps_[k].coedge.face].vanished)
                     throw Standard_DomainError("a surface with a seam elsewhere");
     }
 
@@ -256,7 +256,7 @@ class CapsOfSurface {
             for (const Point& p : steps_[i].way) boxes[i].add(p);
         for (std::size_t i = 0; i < steps_.size(); ++i)
             for (std::size_t k = 0; k < i; ++k)
-                if (steps_[i].side.use.piece != steps_[k].side.use.piece && boxes[i].overlaps(boxes[k]) &&
+                if (steps_[i].coedge.use.piece != steps_[k].coedge.use.piece && boxes[i].overlaps(boxes[k]) &&
                     do_cross(steps_[i].way, steps_[k].way, boxes[k]))
                     throw Standard_DomainError("edges of faces before and after cross");
     }
@@ -277,7 +277,7 @@ class CapsOfSurface {
         return false;
     }
 
-    /// In points well within both, so that sides that begin or end at the same vertex do not.
+    /// In points well within both, so that uses that begin or end at the same vertex do not.
     static bool do_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
         const Point along = b - a, other = d - c;
         const double sine = cross(along, other);
@@ -397,10 +397,10 @@ class CapsOfSurface {
         }
     }
 
-    std::vector<SurfaceCap::Side> wire_of(const Loop& loop, bool along) const {
-        std::vector<SurfaceCap::Side> wire;
+    std::vector<SurfaceCap::Coedge> wire_of(const Loop& loop, bool along) const {
+        std::vector<SurfaceCap::Coedge> wire;
         for (const std::size_t s : loop.steps) {
-            wire.push_back(steps_[s].side);
+            wire.push_back(steps_[s].coedge);
             if (!along) wire.back().sense = -wire.back().sense;
         }
         if (!along) std::reverse(wire.begin(), wire.end());

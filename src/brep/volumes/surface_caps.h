@@ -12,7 +12,8 @@ namespace featuremesh {
 
 /// One connected region of a surface, without holes in its midst but those that its wires say.
 struct SurfaceCap {
-    struct Side {
+    /// A use of an edge in the region's border.
+    struct Coedge {
         std::size_t face = 0;  ///< the face that the use is from, on the same surface
         MergedEdges::Use use;
         int sense = 1;     ///< along the use's piece or against it, with the region to the left in `on`
@@ -20,7 +21,7 @@ struct SurfaceCap {
     };
     std::size_t on = 0;     ///< the face, oriented forward, on whose surface it lies
     bool vanished = false;  ///< covered before
-    std::vector<std::vector<Side>> wires;
+    std::vector<std::vector<Coedge>> wires;
 };
 
 /// The borders of the faces of each underlying surface (PatchFace::underlying), with those that appeared turned round,

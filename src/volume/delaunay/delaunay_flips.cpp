@@ -64,7 +64,7 @@ void DelaunayFlipper::flag_violations(const OdtMarks& marks, std::size_t begin, 
     for (std::size_t t = begin; t < end; ++t) {
         const int tet = static_cast<int>(t);
         if (complex_.tets[t][0] < 0 || !is_touched(complex_.tets[t])) continue;
-        // a face between two touched tets is looked at from one side
+        // a face between two touched tets is looked at from one of them
         const auto skip = [&](int next, const Tet& w) { return next < tet && is_touched(w); };
         flagged_[t] = find_violation(tet, 0, skip).face >= 0;
     }

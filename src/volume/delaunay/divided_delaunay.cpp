@@ -18,7 +18,7 @@ constexpr std::size_t most_points_of_a_part = 24000;
 constexpr double least_share = 0.25;
 constexpr std::size_t tets_per_chunk = 1 << 13;
 
-/// Points on one side of all cuts so far, and their Delaunay tets.
+/// Points of one part of space between the cuts so far, and their Delaunay tets.
 struct Part {
     std::vector<int> points;
     Box box;
@@ -26,7 +26,7 @@ struct Part {
     int first_half = -1, level = 0;  ///< the halves stand in a row; -1 for a part that is not divided
 };
 
-/// Cuts the points in two across their longest side that can be cut; points in one plane across it stay together.
+/// Cuts the points in two across their longest extent that can be cut; points in one plane across it stay together.
 class Division {
   public:
     Division(std::span<const Vec3> points, const RunContext& context) : points_(points), context_(context) {
@@ -94,11 +94,11 @@ class FinalTets {
         return is_outside(circumsphere(points_[a], points_[b], points_[c], points_[d]));
     }
 
-    /// The same of the endless cell outside a side of the hull: what is before the side's plane, and its circle.
-    bool is_final(std::size_t t, int side) const {
+    /// The same of the endless cell outside a facet of the hull: what is before the facet's plane, and its circle.
+    bool is_final(std::size_t t, int facet) const {
         const auto& tet = half_.tets[t];
-        const Vec3 &a = points_[tet[tet_faces[side][0]]], &b = points_[tet[tet_faces[side][1]]],
-                   &c = points_[tet[tet_faces[side][2]]];
+        const Vec3 &a = points_[tet[tet_faces[facet][0]]], &b = points_[tet[tet_faces[facet][1]]],
+                   &c = points_[tet[tet_faces[facet][2]]];
         const Vec3 u = b - a, v = c - a, n = cross(u, v);
         // of long thin triangles not even the normal is known
         if (!(length(n) > 1e-6 * std::max(squared_length(u), squared_length(v)))) return false;
@@ -160,23 +160,23 @@ class Joining {
         joined_.neighbours.resize(first[3]);
         each_half(
             [&](int h) { halves_[h].open = append(halves_[h].part.triangulation, halves_[h].is_final, first[h]); });
-        std::vector<OpenSide> open = append(filling, is_wanted, first[2]);
+        std::vector<OpenFacet> open = append(filling, is_wanted, first[2]);
         for (const Half& half : halves_) open.insert(open.end(), half.open.begin(), half.open.end());
         link(std::move(open));
         return std::move(joined_);
     }
 
   private:
-    struct OpenSide {
+    struct OpenFacet {
         std::array<int, 3> corners;
-        int tet, side;
+        int tet, facet;
     };
     struct Half {
         const Part& part;
-        std::vector<std::uint8_t> is_final{}, is_side_final{};  // by tet; by tet, a bit for each side
-        std::vector<Corners> unsure{};                          // tets that are not final
+        std::vector<std::uint8_t> is_final{}, is_facet_final{};  // by tet; by tet, a bit for each facet
+        std::vector<Corners> unsure{};                           // tets that are not final
         std::vector<int> between{};  // points with a cell that is not; all others keep their tets in the whole
-        std::vector<OpenSide> open{};
+        std::vector<OpenFacet> open{};
     };
 
     template <class Work>
@@ -191,12 +191,12 @@ class Joining {
         const Triangulation& half = of.part.triangulation;
         const FinalTets final(points_, half, other);
         of.is_final.assign(half.tets.size(), 0);
-        of.is_side_final.assign(half.tets.size(), 0);
+        of.is_facet_final.assign(half.tets.size(), 0);
         parallel_for(context_, half.tets.size(), tets_per_chunk, [&](std::size_t begin, std::size_t end) {
             for (std::size_t t = begin; t < end; ++t) {
                 of.is_final[t] = final.is_final(t);
                 for (int k = 0; k < 4; ++k)
-                    of.is_side_final[t] |= (half.neighbours[t][k] < 0 && final.is_final(t, k)) << k;
+                    of.is_facet_final[t] |= (half.neighbours[t][k] < 0 && final.is_final(t, k)) << k;
             }
         });
     }
@@ -212,7 +212,7 @@ class Joining {
         }
         for (std::size_t t = 0; t < half.tets.size(); ++t)
             for (int k = 0; k < 4; ++k)
-                if (half.neighbours[t][k] < 0 && !(of.is_side_final[t] >> k & 1))
+                if (half.neighbours[t][k] < 0 && !(of.is_facet_final[t] >> k & 1))
                     for (const int i : tet_faces[k]) state[half.tets[t][i]] = is_open;
         for (const int p : of.part.points)
             if (state[p] != is_closed) of.between.push_back(p);
@@ -247,13 +247,14 @@ class Joining {
         return is_wanted;
     }
 
-    /// The sides whose tet beyond is not taken, or that have none.
-    std::vector<OpenSide> append(const Triangulation& part, std::span<const std::uint8_t> is_taken, std::size_t first) {
+    /// The facets whose tet beyond is not taken, or that have none.
+    std::vector<OpenFacet> append(const Triangulation& part, std::span<const std::uint8_t> is_taken,
+                                  std::size_t first) {
         std::vector<int> place(part.tets.size(), -1);
         int next = static_cast<int>(first);
         for (std::size_t t = 0; t < part.tets.size(); ++t)
             if (is_taken[t]) place[t] = next++;
-        std::vector<OpenSide> open;
+        std::vector<OpenFacet> open;
         for (std::size_t t = 0; t < part.tets.size(); ++t) {
             if (!is_taken[t]) continue;
             const auto at = static_cast<std::size_t>(place[t]);
@@ -261,28 +262,28 @@ class Joining {
             for (int k = 0; k < 4; ++k) {
                 const int other = part.neighbours[t][k];
                 joined_.neighbours[at][k] = other >= 0 ? place[other] : -1;
-                if (joined_.neighbours[at][k] < 0) open.push_back(side_of(place[t], k));
+                if (joined_.neighbours[at][k] < 0) open.push_back(facet_of(place[t], k));
             }
         }
         return open;
     }
 
-    OpenSide side_of(int tet, int k) const {
+    OpenFacet facet_of(int tet, int k) const {
         const Corners& corners = joined_.tets[tet];
-        OpenSide side{{corners[tet_faces[k][0]], corners[tet_faces[k][1]], corners[tet_faces[k][2]]}, tet, k};
-        std::sort(side.corners.begin(), side.corners.end());
-        return side;
+        OpenFacet facet{{corners[tet_faces[k][0]], corners[tet_faces[k][1]], corners[tet_faces[k][2]]}, tet, k};
+        std::sort(facet.corners.begin(), facet.corners.end());
+        return facet;
     }
 
-    void link(std::vector<OpenSide> open) {
-        std::sort(open.begin(), open.end(), [](const OpenSide& a, const OpenSide& b) {
+    void link(std::vector<OpenFacet> open) {
+        std::sort(open.begin(), open.end(), [](const OpenFacet& a, const OpenFacet& b) {
             return std::tie(a.corners, a.tet) < std::tie(b.corners, b.tet);
         });
         for (std::size_t i = 0; i + 1 < open.size(); ++i) {
-            const OpenSide &a = open[i], &b = open[i + 1];
+            const OpenFacet &a = open[i], &b = open[i + 1];
             if (a.corners != b.corners) continue;
-            joined_.neighbours[a.tet][a.side] = b.tet;
-            joined_.neighbours[b.tet][b.side] = a.tet;
+            joined_.neighbours[a.tet][a.facet] = b.tet;
+            joined_.neighbours[b.tet][b.facet] = a.tet;
         }
     }
 

@@ -13,15 +13,16 @@ constexpr std::size_t tets_per_chunk = 1 << 14;
 
 bool is_odd(const std::array<int, 3>& c) { return ((c[0] > c[1]) + (c[0] > c[2]) + (c[1] > c[2])) % 2 == 1; }
 
-/// The corners of the tet's side opposite corner k, normal outward.
-std::array<int, 3> side_of(const std::array<int, 4>& tet, int k) {
+/// The corners of the tet's facet opposite corner k, normal outward.
+std::array<int, 3> facet_of(const std::array<int, 4>& tet, int k) {
     return {tet[tet_faces[k][0]], tet[tet_faces[k][1]], tet[tet_faces[k][2]]};
 }
 
-/// The side of the tet that its neighbour is at.
-int side_towards(const Triangulation& triangulation, int tet, std::size_t neighbour) {
-    const auto& sides = triangulation.neighbours[tet];
-    return static_cast<int>(std::find(sides.begin(), sides.end(), static_cast<int>(neighbour)) - sides.begin());
+/// The facet of the tet that its neighbour is at.
+int facet_towards(const Triangulation& triangulation, int tet, std::size_t neighbour) {
+    const auto& neighbours = triangulation.neighbours[tet];
+    return static_cast<int>(std::find(neighbours.begin(), neighbours.end(), static_cast<int>(neighbour)) -
+                            neighbours.begin());
 }
 
 /// Facets in rows by their lowest corner, for look-up without hashing.
@@ -116,8 +117,8 @@ class Labelling {
             for (int k = 0; k < 4; ++k) {
                 const int facet = places_.facet_at[4 * t + k];
                 if (facet < 0) continue;
-                // A tet whose outward side turns as the facet does lies behind it.
-                const bool is_before = is_odd(side_of(triangulation_.tets[t], k)) != is_odd(facets_[facet].corners);
+                // A tet whose facet turns outward as the surface facet does lies behind it.
+                const bool is_before = is_odd(facet_of(triangulation_.tets[t], k)) != is_odd(facets_[facet].corners);
                 reach(chunks_[at], static_cast<int>(t), facets_[facet].regions[is_before]);
             }
         spread(at);
@@ -172,10 +173,10 @@ void place_missing(const Triangulation& triangulation, std::size_t point_count, 
     const auto neighbour = [&](std::size_t t, int k) {
         return triangulation.neighbours.empty() ? -1 : triangulation.neighbours[t][k];
     };
-    // with neighbours each side is looked at from one tet, so no two threads write to the same place
+    // with neighbours each facet is looked at from one tet, so no two threads write to the same place
     const std::size_t count = triangulation.tets.size(),
                       grain = triangulation.neighbours.empty() ? count + 1 : tets_per_chunk;
-    const auto place_sides_of = [&](std::size_t t) {
+    const auto place_facets_of = [&](std::size_t t) {
         const auto& tet = triangulation.tets[t];
         int corners = 0;
         for (const int corner : tet) corners += table.is_corner(corner);
@@ -183,15 +184,15 @@ void place_missing(const Triangulation& triangulation, std::size_t point_count, 
         for (int k = 0; k < 4; ++k) {
             const int other = neighbour(t, k);
             if (corners - table.is_corner(tet[k]) < 3 || (other >= 0 && other < static_cast<int>(t))) continue;
-            const int facet = table.find(side_of(tet, k));
+            const int facet = table.find(facet_of(tet, k));
             if (facet < 0) continue;
             is_found[facet] = 1;
             places.facet_at[4 * t + k] = facet;
-            if (other >= 0) places.facet_at[4 * other + side_towards(triangulation, other, t)] = facet;
+            if (other >= 0) places.facet_at[4 * other + facet_towards(triangulation, other, t)] = facet;
         }
     };
     parallel_for(context, count, grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) place_sides_of(t);
+        for (std::size_t t = begin; t < end; ++t) place_facets_of(t);
     });
     std::erase_if(places.missing, [&](int i) { return is_found[i] != 0; });
 }

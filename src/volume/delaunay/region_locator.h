@@ -16,7 +16,7 @@ class RegionLocator {
     /// Keeps the spans; they must outlive it.
     RegionLocator(std::span<const Vec3> points, std::span<const Facet> facets);
 
-    /// The region on this side of the first facet that a ray from `p` meets; -1 outside all. `clearance` is a distance
+    /// The region before the first facet that a ray from `p` meets; -1 outside all. `clearance` is a distance
     /// within which no facet is, mm: the ray may start anywhere in there, which keeps it off the facets' edges.
     int region_at(const Vec3& p, double clearance) const;
 

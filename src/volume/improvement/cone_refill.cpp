@@ -12,7 +12,7 @@ namespace {
 
 /// For an insertion the cavity is grown and the point moved this often in turn.
 constexpr int insertion_rounds = 2;
-/// Above a side of the tet, in square roots of twice its area; a regular tet is 0.88 high.
+/// Above a facet of the tet, in square roots of twice its area; a regular tet is 0.88 high.
 constexpr std::array heights_of_insertion{0.5, 0.9};
 
 class ConeRefill : public Operation {
@@ -115,7 +115,7 @@ class ConeRefill : public Operation {
         }
     }
 
-    /// Where boundary nodes alone make a tet, as across a thin wall with a short edge on either side.
+    /// Where boundary nodes alone make a tet, as across a thin wall with a short edge at either wall.
     void insert_with_room(int tet) {
         --options_.most_large_cavities;
         visit_starts(tet, [&](std::span<const int> start, const Vec3& point) {

@@ -26,7 +26,7 @@ std::array<NodeId, N> replaced(std::array<NodeId, N> corners, NodeId from, NodeI
     return corners;
 }
 
-/// Two triangles of a face on both sides of the side b, d, with their other corners.
+/// The two triangles of a face at the side b, d, with their other corners.
 struct Quad {
     TriangleId first, second;
     NodeId a, b, d, e;
@@ -246,8 +246,8 @@ class NeedleStrips {
     /// None where kept tets or two solids are at the side, or too many tets.
     std::optional<Fan> fan_of(const Quad& quad) const {
         constexpr std::size_t most = 8;
-        const auto sides = brep_.sides_of(mesh_.triangle_faces[quad.first.index()]);
-        if (sides[0].is_valid() == sides[1].is_valid()) return {};
+        const auto solids = brep_.solids_beside(mesh_.triangle_faces[quad.first.index()]);
+        if (solids[0].is_valid() == solids[1].is_valid()) return {};
         std::vector<TetId> around;
         if (const auto it = tets_at_.find(quad.b); it != tets_at_.end())
             for (const TetId t : it->second) {

@@ -96,11 +96,11 @@ std::vector<Vec3> LocalMesh::ways_from(int vertex, const Star& star) const {
     constexpr int ways = 12;
     const Vec3 normal = surface_.projector->normal(FaceId(of->on.index), of->parameters);
     const Vec3 to_other = star.rim.front()[0] - complex_.points[vertex];
-    const Vec3 side = normalized(to_other - dot(to_other, normal) * normal), across = cross(normal, side);
+    const Vec3 along = normalized(to_other - dot(to_other, normal) * normal), across = cross(normal, along);
     std::vector<Vec3> directions;
     for (int way = 0; way < ways; ++way) {
         const double angle = way * (2 * std::numbers::pi / ways);
-        directions.push_back(std::cos(angle) * side + std::sin(angle) * across);
+        directions.push_back(std::cos(angle) * along + std::sin(angle) * across);
     }
     return directions;
 }

@@ -60,7 +60,7 @@ class LocalMesh {
     Vec3 along(int vertex, const Vec3& way) const;
     /// Nearest to `aim` on what the vertex lies on. None where a short step does not get there.
     std::optional<Change::Move> place_near(int vertex, const Vec3& aim) const;
-    /// The triangles of the surface keep their side, and their angles stay as good, or good enough.
+    /// The triangles of the surface do not turn over, and their angles stay as good, or good enough.
     bool keeps_triangles(int vertex, const Star& star, const Vec3& to) const;
     /// The star's volume stays within half a percent: on a curved face other triangles cut off more of it, or less.
     bool keeps_volume(int vertex, const Star& star, const Vec3& to) const;

@@ -40,8 +40,8 @@ class TetSplit : public Operation {
             for (const int corner : shared) {
                 Tet tet = complex_.tets[t];
                 const int gone = corner_of(tet, v[corner]);
-                const auto& side = opposite_face[gone];
-                shape.add(p[tet[side[0]]], p[tet[side[1]]], p[tet[side[2]]]);
+                const auto& face = opposite_face[gone];
+                shape.add(p[tet[face[0]]], p[tet[face[1]]], p[tet[face[2]]]);
                 tet[gone] = static_cast<int>(p.size());
                 added.push_back(tet);
             }

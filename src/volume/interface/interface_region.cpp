@@ -12,8 +12,8 @@ namespace featuremesh {
 namespace {
 
 bool is_outside(const Brep& brep, FaceId face) {
-    const auto sides = brep.sides_of(face);
-    return sides[0].is_valid() != sides[1].is_valid();
+    const auto solids = brep.solids_beside(face);
+    return solids[0].is_valid() != solids[1].is_valid();
 }
 
 }  // namespace
@@ -107,12 +107,12 @@ std::vector<int> InterfaceRegion::take_in(const Mesh& mesh, std::span<const TetI
     is_at_interface_.resize(complex.points.size(), 0);
     for (const int t : places)
         for (const int v : complex.tets[t]) is_at_interface_[static_cast<std::size_t>(v)] = 1;
-    link_open_sides();
+    link_open_facets();
     return places;
 }
 
-void InterfaceRegion::link_open_sides() {
-    struct Side {
+void InterfaceRegion::link_open_facets() {
+    struct HalfFacet {
         std::array<int, 3> corners;
         int region, tet, face;
         auto key() const { return std::tie(corners, region); }
@@ -120,7 +120,7 @@ void InterfaceRegion::link_open_sides() {
     std::vector<std::uint8_t> is_of_taken(complex.points.size(), 0);
     for (const Taken& taken : taken_)
         for (const int v : taken.corners) is_of_taken[static_cast<std::size_t>(v)] = 1;
-    std::vector<Side> open;
+    std::vector<HalfFacet> open;
     for (std::size_t t = 0; t < complex.tets.size(); ++t)
         for (int face = 0; complex.tets[t][0] >= 0 && face < 4; ++face) {
             if (complex.neighbours[t][face] >= 0) continue;
@@ -128,11 +128,11 @@ void InterfaceRegion::link_open_sides() {
             if (std::all_of(corners.begin(), corners.end(), [&](int v) { return is_of_taken[v] != 0; }))
                 open.push_back({corners, complex.regions[t], static_cast<int>(t), face});
         }
-    std::sort(open.begin(), open.end(), [](const Side& a, const Side& b) {
+    std::sort(open.begin(), open.end(), [](const HalfFacet& a, const HalfFacet& b) {
         return std::tie(a.corners, a.region, a.tet) < std::tie(b.corners, b.region, b.tet);
     });
     for (std::size_t i = 1; i < open.size(); ++i) {
-        const Side &a = open[i - 1], &b = open[i];
+        const HalfFacet &a = open[i - 1], &b = open[i];
         if (a.key() != b.key()) continue;
         complex.neighbours[a.tet][a.face] = b.tet;
         complex.neighbours[b.tet][b.face] = a.tet;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bad tets at an interface can often be mended only together with kept tets on its other side.
+// Bad tets at an interface can often be mended only together with kept tets beyond it.
 #pragma once
 
 #include <span>
@@ -64,14 +64,14 @@ class InterfaceRegion {
     int add_vertex(NodeId node, const Mesh& mesh);
     bool is_moved(int vertex, const Mesh& mesh) const;
     bool is_changed(const Taken& taken, const Mesh& mesh) const;
-    void link_open_sides();
+    void link_open_facets();
 
     std::vector<NodeId> nodes_;                  // by vertex
     std::vector<std::uint8_t> is_at_interface_;  // by vertex
     std::vector<Taken> taken_;
 };
 
-/// The region's nodes from `first_new` on that are on one face, or between two, with material on one side only, and
+/// The region's nodes from `first_new` on that are on one face, or between two, with one solid beside them, and
 /// away from kept tets.
 std::vector<SurfaceVertex> movable_vertices(const Brep& brep, const Mesh& mesh, const InterfaceRegion& region,
                                             std::size_t first_new);

@@ -72,7 +72,7 @@ bool BoundaryRecovery::fill_all(int round) {
     if (!may_be_open.empty()) may_be_open.resize(mesh_.node_count(), 1);
     if (std::exchange(is_rim_wider_, false)) rim_tets = tets_at_nodes(mesh_, may_be_open);
     if (!may_be_open.empty()) near_ = rim_tets;
-    cavities = separate_cavities(find_cavity(mesh_, brep_.sides_of_faces(), is_released, may_be_open, near_));
+    cavities = separate_cavities(find_cavity(mesh_, brep_.solids_beside_faces(), is_released, may_be_open, near_));
     fills.assign(cavities.size(), {});
     parallel_for(context_, cavities.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) fill(i);

@@ -101,7 +101,7 @@ std::vector<std::array<std::size_t, 3>> corners_of(std::span<const Facet> facets
 }
 
 /// The facets with a normal, as far as numbers tell: the library leaves out any other, but only after writing it to the
-/// standard error and a file of its own. Their sides are those of their neighbours.
+/// standard error and a file of its own. Their regions are those of their neighbours.
 std::vector<int> facets_with_normal(const Cavity& cavity) {
     std::vector<int> facets;
     for (std::size_t f = 0; f < cavity.facets.size(); ++f) {

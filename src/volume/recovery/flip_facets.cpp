@@ -46,7 +46,7 @@ class FlipSearch {
             std::vector<int> own;
             for (int k = 0; k < 4; ++k)
                 if (const int f = fill_.places.facet_at[4 * t + k]; f >= 0) own.push_back(f);
-            if (own.size() != 2 || !is_one_sided(own[0]) || !is_one_sided(own[1])) continue;
+            if (own.size() != 2 || !has_one_region(own[0]) || !has_one_region(own[1])) continue;
             pairs.insert(sorted_pair(own[0], own[1]));
             facets.insert(facets.end(), own.begin(), own.end());
         }
@@ -58,7 +58,7 @@ class FlipSearch {
     }
 
   private:
-    bool is_one_sided(int facet) const {
+    bool has_one_region(int facet) const {
         return std::min(cavity_.facets[facet].regions[0], cavity_.facets[facet].regions[1]) < 0;
     }
     bool is_flat(const std::array<int, 4>& t, double least_volume) const {
@@ -147,7 +147,7 @@ class FlipSearch {
         return is_turned(facet) ? FacetSplit::Piece{{a, c, b}, facet} : FacetSplit::Piece{{a, b, c}, facet};
     }
 
-    /// Corners so that the first facet turns as (a, b, c); a is -1 when the two do not make a quad of one side.
+    /// Corners so that the first facet turns as (a, b, c); a is -1 when the two do not make a quad of one region.
     Quad quad_of(int f, int g, const Edge& edge) const {
         const Facet one = turned(f), other = turned(g);
         auto first = one.corners, second = other.corners;

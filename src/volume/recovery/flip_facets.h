@@ -12,8 +12,8 @@ namespace featuremesh {
 FacetSplit flip_missing(const Cavity& cavity, const CavityFill& fill, const Mesh& mesh);
 
 /// Where a tet without height lies under two facets of one CAD face, nodes in one plane to the last bits: the change of
-/// diagonal that leaves it outside. So too for tets of less than `least_volume`, mm^3. Only for faces with a solid on
-/// one side.
+/// diagonal that leaves it outside. So too for tets of less than `least_volume`, mm^3. Only for faces with one
+/// solid beside them.
 FacetSplit flip_flat(const Cavity& cavity, const CavityFill& fill, const Mesh& mesh, double least_volume = 0);
 
 }  // namespace featuremesh

@@ -130,7 +130,7 @@ class FlipRecovery {
     }
 
     const Vec3& point(int v) const { return complex_.points[v]; }
-    int side(int a, int b, int c, int d) const { return orientation(point(a), point(b), point(c), point(d)); }
+    int turn(int a, int b, int c, int d) const { return orientation(point(a), point(b), point(c), point(d)); }
 
     bool is_protected(const Side& s) const {
         return std::binary_search(sides_.begin(), sides_.end(), sorted_pair(s[0], s[1]));
@@ -166,8 +166,8 @@ class FlipRecovery {
     bool passes(int a, int b, int p, int q, int r) const {
         for (const int v : {p, q, r})
             if (v == a || v == b) return false;
-        if (side(p, q, r, a) * side(p, q, r, b) >= 0) return false;
-        const int s = side(a, b, p, q), t = side(a, b, q, r), u = side(a, b, r, p);
+        if (turn(p, q, r, a) * turn(p, q, r, b) >= 0) return false;
+        const int s = turn(a, b, p, q), t = turn(a, b, q, r), u = turn(a, b, r, p);
         return (s >= 0 && t >= 0 && u >= 0) || (s <= 0 && t <= 0 && u <= 0);
     }
     bool face_crosses(const Target& target, int p, int q, int r) const {
@@ -307,7 +307,7 @@ class FlipRecovery {
         return edge_crosses(target, p, q) || edge_crosses(target, q, r) || edge_crosses(target, r, p);
     }
 
-    bool is_positive(const Tet& t) const { return side(t[0], t[1], t[2], t[3]) > 0; }
+    bool is_positive(const Tet& t) const { return turn(t[0], t[1], t[2], t[3]) > 0; }
     /// Of changes that cross as little the one with the better tets is taken.
     double badness(const Tet& t) const {
         return 1e-3 * std::min(1.0, flatness(point(t[0]), point(t[1]), point(t[2]), point(t[3])));

@@ -13,7 +13,7 @@ namespace {
 
 using Corners = std::array<int, 3>;
 
-Corners side_of(const std::array<int, 4>& tet, int k) {
+Corners facet_of(const std::array<int, 4>& tet, int k) {
     return {tet[tet_faces[k][0]], tet[tet_faces[k][1]], tet[tet_faces[k][2]]};
 }
 
@@ -101,8 +101,8 @@ class Neighbourhood {
                 if (other < 0 || is_inner_[other]) continue;  // at the hull of all points nothing is beyond
                 const int facet = fill_.places.facet_at[4 * t + k];
                 if (facet >= 0) is_taken[facet] = 1;
-                border_sides_.emplace(sorted(side_of(tets()[t], k)), other);
-                add_facet(side_of(tets()[t], k), facet, true);
+                border_facets_.emplace(sorted(facet_of(tets()[t], k)), other);
+                add_facet(facet_of(tets()[t], k), facet, true);
             }
         border_count_ = sub_.facets.size();
         for (std::size_t t = 0; t < tets().size(); ++t)
@@ -156,7 +156,7 @@ class Neighbourhood {
             for (int k = 0; k < 4; ++k) {
                 const bool is_border = places.facet_at[4 * t + k] >= 0;
                 const int other = local.triangulation.neighbours[t][k];
-                neighbours[k] = is_border   ? outside_at(side_of(c, k), index, outer_index, all)
+                neighbours[k] = is_border   ? outside_at(facet_of(c, k), index, outer_index, all)
                                 : other < 0 ? -1
                                             : inner_index[other];
             }
@@ -176,7 +176,7 @@ class Neighbourhood {
             for (int k = 0; k < 4; ++k) {
                 const int facet = places.facet_at[4 * t + k];
                 if (facet < 0) continue;
-                const bool is_beyond = is_odd(side_of(local.tets[t], k)) != is_odd(sub_.facets[facet].corners);
+                const bool is_beyond = is_odd(facet_of(local.tets[t], k)) != is_odd(sub_.facets[facet].corners);
                 if (!agrees(static_cast<int>(t), is_beyond)) return {};
             }
         while (!stack.empty()) {
@@ -189,12 +189,12 @@ class Neighbourhood {
         return std::count(state.begin(), state.end(), -1) == 0 ? state : std::vector<int>();
     }
 
-    /// The tet beyond a side of the border, which learns of its new neighbour.
-    int outside_at(const Corners& side, int index, const std::vector<int>& outer_index, Triangulation& all) const {
-        const Corners key = sorted({point_of_sub_[side[0]], point_of_sub_[side[1]], point_of_sub_[side[2]]});
-        const int tet = border_sides_.at(key);
+    /// The tet beyond a facet of the border, which learns of its new neighbour.
+    int outside_at(const Corners& corners, int index, const std::vector<int>& outer_index, Triangulation& all) const {
+        const Corners key = sorted({point_of_sub_[corners[0]], point_of_sub_[corners[1]], point_of_sub_[corners[2]]});
+        const int tet = border_facets_.at(key);
         for (int k = 0; k < 4; ++k)
-            if (sorted(side_of(tets()[tet], k)) == key) all.neighbours[outer_index[tet]][k] = index;
+            if (sorted(facet_of(tets()[tet], k)) == key) all.neighbours[outer_index[tet]][k] = index;
         return outer_index[tet];
     }
 
@@ -221,7 +221,7 @@ class Neighbourhood {
     std::size_t inner_count_ = 0, border_count_ = 0;
     std::vector<int> sub_index_, point_of_sub_, facet_of_sub_;
     std::vector<std::uint8_t> is_border_;
-    std::map<Corners, int> border_sides_;  ///< the tet beyond
+    std::map<Corners, int> border_facets_;  ///< the tet beyond
     Cavity sub_;
 };
 

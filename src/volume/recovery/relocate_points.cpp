@@ -201,11 +201,11 @@ class Relocation {
                 for (int k = 0; k < 4; ++k) {
                     if (tets_[t][k] == point) continue;
                     const auto& face = opposite_face[k];
-                    Corners side{tets_[t][face[0]], tets_[t][face[1]], tets_[t][face[2]]};
-                    while (side[0] != point) std::rotate(side.begin(), side.begin() + 1, side.end());
-                    const Pair key = sorted_pair(side[1], side[2]);
+                    Corners facet{tets_[t][face[0]], tets_[t][face[1]], tets_[t][face[2]]};
+                    while (facet[0] != point) std::rotate(facet.begin(), facet.begin() + 1, facet.end());
+                    const Pair key = sorted_pair(facet[1], facet[2]);
                     if (const auto patch = patch_at.find(key); patch != patch_at.end()) {
-                        const bool behind = turn_of[key] == Pair{side[1], side[2]};
+                        const bool behind = turn_of[key] == Pair{facet[1], facet[2]};
                         is_plain &= is_behind.emplace(patch->second, behind).first->second == behind;
                         continue;
                     }
@@ -216,9 +216,9 @@ class Relocation {
             }
             if (!is_plain) sector.tets.clear();
             for (const Patch& patch : patches)
-                if (const auto side = is_behind.find(&patch); side != is_behind.end())
+                if (const auto found = is_behind.find(&patch); found != is_behind.end())
                     for (const Corners& c : patch.filled)
-                        sector.cones.push_back(side->second ? c : Corners{c[0], c[2], c[1]});
+                        sector.cones.push_back(found->second ? c : Corners{c[0], c[2], c[1]});
             sectors.push_back(std::move(sector));
         }
         return sectors;

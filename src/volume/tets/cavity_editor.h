@@ -53,7 +53,7 @@ class CavityEditor {
     bool is_marked(int tet) const { return marks_[tet] == stamp_; }
 
   private:
-    /// A triangle that waits for the tet on its other side.
+    /// A triangle that waits for the tet beyond it.
     struct OpenFace {
         std::array<int, 3> key{};
         int tet = -1, face = 0;  // -1 at the boundary

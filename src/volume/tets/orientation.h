@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// On which side of a plane a point lies, without an error.
+// Whether a point lies before, behind or in a plane, without an error.
 #pragma once
 
 #include "core/geometry.h"

@@ -29,8 +29,8 @@ struct TetComplex {
     bool is_free(int vertex) const { return mobility[static_cast<std::size_t>(vertex)] == Mobility::free; }
 };
 
-/// Finds neighbours and tet_of_vertex from points and tets. A triangle between two regions counts as boundary (-1 on
-/// both sides). Throws MeshError where a triangle has more than two tets.
+/// Finds neighbours and tet_of_vertex from points and tets. A triangle between two regions counts as boundary (-1 for
+/// both tets). Throws MeshError where a triangle has more than two tets.
 void connect(TetComplex& complex);
 
 /// What is wrong with the complex, one line each (at most ten): neighbours that do not know each other or share other

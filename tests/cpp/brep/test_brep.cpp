@@ -41,7 +41,7 @@ TEST_CASE("a box is numbered and its faces know their sides") {
     CHECK(box.volume_of(SolidId(0)) == Approx(6));
     CHECK(box.box().diagonal() == Approx(std::sqrt(14.0)).epsilon(1e-6));
     for (std::size_t f = 0; f < box.face_count(); ++f) {
-        CHECK(box.sides_of(FaceId(f)) == std::array<SolidId, 2>{SolidId(0), SolidId()});
+        CHECK(box.solids_beside(FaceId(f)) == std::array<SolidId, 2>{SolidId(0), SolidId()});
         CHECK(box.edges_of(FaceId(f)).size() == 4);
         CHECK(box.find(box.face(FaceId(f))) == FaceId(f));
     }

@@ -162,14 +162,14 @@ TEST_CASE("edges beside their faces make no difference to a volume") {
 TEST_CASE("points in, out and on") {
     const TopoDS_Shape solid = cut(box(0, 0, 0, 10, 10, 10), cylinder({5, 5, -1}, {0, 0, 1}, 2, 12));
     const SolidProbe probe(solid);
-    CHECK(probe.side_of({1, 1, 1}) == Side::inside);
-    CHECK(probe.side_of({5, 5, 5}) == Side::outside);
-    CHECK(probe.side_of({20, 5, 5}) == Side::outside);
-    CHECK(probe.side_of({5, 5, 10.5}) == Side::outside);
-    CHECK(probe.side_of({0, 3, 3}) != Side::outside);
+    CHECK(probe.containment_of({1, 1, 1}) == Containment::inside);
+    CHECK(probe.containment_of({5, 5, 5}) == Containment::outside);
+    CHECK(probe.containment_of({20, 5, 5}) == Containment::outside);
+    CHECK(probe.containment_of({5, 5, 10.5}) == Containment::outside);
+    CHECK(probe.containment_of({0, 3, 3}) != Containment::outside);
     const auto inner = point_inside(solid);
     REQUIRE(inner);
-    CHECK(probe.side_of(*inner) == Side::inside);
+    CHECK(probe.containment_of(*inner) == Containment::inside);
 }
 
 TEST_CASE("faces are recognised after a copy, not after a move") {

@@ -108,7 +108,7 @@ TEST_CASE("radii and axes that differ make other surfaces") {
     CHECK(same_underlying(one, cylinder(askew.Translated(gp_Vec(askew.Direction()) * 7), 2), {}));
     CHECK_FALSE(same_underlying(one, cylinder(askew, 2.0001), {}));
     CHECK_FALSE(same_underlying(one, cylinder(askew.Translated(gp_Vec(1e-4, 0, 0)), 2), {}));
-    CHECK(same_side(one, cylinder(gp_Ax2(askew.Location(), askew.Direction().Reversed()), 2)));
+    CHECK(same_sense(one, cylinder(gp_Ax2(askew.Location(), askew.Direction().Reversed()), 2)));
     CHECK(same_underlying(one, cylinder(gp_Ax2(askew.Location(), askew.Direction().Reversed()), 2), {}));
 }
 

@@ -91,7 +91,7 @@ inline Expectation box_expectation() {
     Expectation expected;
     expected.solid_volumes = {1.0};
     expected.volume_tolerance = 1e-9;
-    expected.face_sides.assign(6, {SolidId(0), SolidId()});
+    expected.solids_beside_face.assign(6, {SolidId(0), SolidId()});
     return expected;
 }
 

@@ -59,7 +59,7 @@ Mesh two_solids(Expectation& expected) {
         }
     }
     expected.solid_volumes = {0.5, 0.5};
-    expected.face_sides = {{SolidId(0), {}}, {SolidId(1), {}}, {}, {}, {}, {}, {SolidId(1), SolidId(0)}};
+    expected.solids_beside_face = {{SolidId(0), {}}, {SolidId(1), {}}, {}, {}, {}, {}, {SolidId(1), SolidId(0)}};
     return mesh;
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("tets: volume, overlap, gaps") {
     CHECK(has(messages_after([](Mesh& m, Expectation&) { std::swap(m.tets[3][0], m.tets[3][1]); }),
               "element without positive volume: element "));
     CHECK(has(messages_after([](Mesh& m, Expectation&) { std::swap(m.tets[3][0], m.tets[3][1]); }),
-              "two elements on the same side"));
+              "two elements overlap at a triangle"));
     CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_tet(m.tets[5], SolidId(0)); }),
               "triangle shared by more than two elements"));
     CHECK(has(messages_after([](Mesh& m, Expectation&) { remove_tet(m, 7); }),
@@ -91,7 +91,7 @@ TEST_CASE("tets: volume, overlap, gaps") {
               "element without positive volume"));
 }
 
-TEST_CASE("triangles: missing, twice, loose, on the wrong side") {
+TEST_CASE("triangles: missing, twice, loose, before what they should be behind") {
     CHECK(has(messages_after([](Mesh& m, Expectation&) { remove_triangle(m, 2); }),
               "boundary of the elements without a triangle"));
     CHECK(has(messages_after([](Mesh& m, Expectation&) { m.add_triangle(m.triangles[2], FaceId(0)); }),
@@ -106,11 +106,11 @@ TEST_CASE("triangles: missing, twice, loose, on the wrong side") {
     CHECK(has(flipped, "the outside behind it, not Solid1"));
 }
 
-TEST_CASE("several solids: the wall between them has triangles with the right sides") {
+TEST_CASE("several solids: the wall between them has triangles with the right solids beside them") {
     Expectation expected;
     Mesh mesh = two_solids(expected);
     // the outer faces y and z belong to both solids here, so only the wall is checked
-    expected.face_sides.clear();
+    expected.solids_beside_face.clear();
     CHECK(broken_invariants(mesh, expected).empty());
     Mesh without = mesh;
     remove_triangle(without, without.triangles.size() - 1);
@@ -191,7 +191,7 @@ TEST_CASE("a surface without tets is closed around its solid") {
     Mesh surface = box_mesh(2);
     surface.tets.clear(), surface.tet_solids.clear(), surface.tet_numbers.clear();
     Expectation sides;
-    sides.face_sides = box_expectation().face_sides;
+    sides.solids_beside_face = box_expectation().solids_beside_face;
     CHECK(broken_invariants(surface, sides).empty());
     CHECK(broken_invariants(surface).empty());
     Mesh open = surface;

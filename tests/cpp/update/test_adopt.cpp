@@ -57,7 +57,7 @@ void check_valid(const PartMesh& part) {
     Expectation expected;
     const Brep& brep = part.part.brep;
     for (std::size_t s = 0; s < brep.solid_count(); ++s) expected.solid_volumes.push_back(brep.volume_of(SolidId(s)));
-    expected.face_sides = brep.sides_of_faces();
+    expected.solids_beside_face = brep.solids_beside_faces();
     const auto broken = broken_invariants(part.mesh, expected);
     INFO((broken.empty() ? std::string() : broken.front()));
     CHECK(broken.empty());

@@ -51,7 +51,7 @@ std::string findings(const PartMesh& part) {
     Expectation expected;
     for (std::size_t s = 0; s < part.part.brep.solid_count(); ++s)
         expected.solid_volumes.push_back(part.part.brep.volume_of(SolidId(s)));
-    expected.face_sides = part.part.brep.sides_of_faces();
+    expected.solids_beside_face = part.part.brep.solids_beside_faces();
     const std::vector<std::string> broken = broken_invariants(part.mesh, expected);
     return broken.empty() ? "" : broken.front();
 }

@@ -208,8 +208,8 @@ TEST_CASE("faces of solids that lie on one another are followed each by itself")
     for (const FollowedFace& followed : follow_faces(was, {}, is, {})) {
         REQUIRE(followed.new_faces.size() == 1);
         const auto solid_of = [](const PartState& part, FaceId f) {
-            const auto sides = part.brep.sides_of(f);
-            return sides[0].is_valid() ? sides[0] : sides[1];
+            const auto solids = part.brep.solids_beside(f);
+            return solids[0].is_valid() ? solids[0] : solids[1];
         };
         CHECK(solid_of(is, followed.new_faces[0]) == solid_of(was, followed.old_face));
     }

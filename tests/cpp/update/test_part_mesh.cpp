@@ -68,7 +68,7 @@ RawDocument plate_at(Vec3 p) {
 Expectation expectation_of(const Brep& brep) {
     Expectation expected;
     for (std::size_t s = 0; s < brep.solid_count(); ++s) expected.solid_volumes.push_back(brep.volume_of(SolidId(s)));
-    expected.face_sides = brep.sides_of_faces();
+    expected.solids_beside_face = brep.solids_beside_faces();
     return expected;
 }
 

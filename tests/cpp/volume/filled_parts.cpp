@@ -157,7 +157,7 @@ VolumeResult fill(const Part& part, int threads) {
 Expectation expectation_of(const Brep& brep) {
     Expectation expected;
     for (std::size_t i = 0; i < brep.solid_count(); ++i) expected.solid_volumes.push_back(brep.volume_of(SolidId(i)));
-    expected.face_sides = brep.sides_of_faces();
+    expected.solids_beside_face = brep.solids_beside_faces();
     return expected;
 }
 

@@ -151,7 +151,7 @@ TEST_CASE("coarse 10-node meshes of strongly curved parts are unfolded and on th
         const Brep brep(c.shape);
         const Mesh mesh = curved_mesh(brep, c.size);
         Expectation expected;
-        expected.face_sides = brep.sides_of_faces();
+        expected.solids_beside_face = brep.solids_beside_faces();
         CHECK(broken_invariants(mesh, expected).empty());
         CHECK(measure_quality(mesh).min_scaled_jacobian > 0.199);
         if (c.name == "cylinder, four around") CHECK(measure_quality(mesh).min_dihedral > 25);

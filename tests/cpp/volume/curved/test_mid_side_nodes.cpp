@@ -59,7 +59,7 @@ double largest_distance(const Brep& brep, const Mesh& mesh) {
 
 Expectation expectation_of(const Brep& brep) {
     Expectation expected;
-    expected.face_sides = brep.sides_of_faces();
+    expected.solids_beside_face = brep.solids_beside_faces();
     return expected;
 }
 

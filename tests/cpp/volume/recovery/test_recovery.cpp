@@ -24,7 +24,7 @@ Filled delaunay_fill(const TopoDS_Shape& shape, double size) {
     SizingOptions options;
     options.size = options.min_size = size;  // or the bottom of a slot would get shorter pieces
     Part part = prepare(shape, options);
-    Cavity cavity = find_cavity(part.surface, part.brep.sides_of_faces());
+    Cavity cavity = find_cavity(part.surface, part.brep.solids_beside_faces());
     const WantedSize wanted{[size](const Vec3&) { return size; }, size, true};
     RunContext context;
     CavityFill fill = fill_cavity(cavity, {}, {}, wanted, context);

@@ -33,7 +33,7 @@ void check_relocated(const TopoDS_Shape& shape, double size) {
     SizingOptions options;
     options.size = options.min_size = size;  // or the bottom of a slot would get shorter pieces
     const Part part = prepare(shape, options);
-    const Cavity cavity = find_cavity(part.surface, part.brep.sides_of_faces());
+    const Cavity cavity = find_cavity(part.surface, part.brep.solids_beside_faces());
     const ConstrainedTriangulation recovered = constrained_delaunay(cavity, {}, 0);
     REQUIRE(!recovered.split.added.empty());
     RunContext context;
