@@ -157,6 +157,7 @@ py::dict to_dict(const VolumeReport& volume) {
     out["odt_energy_after"] = volume.odt_energy_after;
     out["slivers_before"] = volume.slivers_before;
     out["slivers_left"] = volume.slivers_left;
+    out["large_cavities"] = volume.large_cavities;
     return out;
 }
 

@@ -130,6 +130,7 @@ class Filling {
             }
         });
         for (const std::size_t i : large) reports[i] = optimise(i, context_);
+        result_.report.large_cavities = large.size();
         return reports;
     }
 

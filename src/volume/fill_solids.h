@@ -44,6 +44,7 @@ struct VolumeReport {
     double odt_energy_before = 0,
            odt_energy_after = 0;                       ///< sum of V S / 20 over the new tets (Alliez et al. 2005), mm^5
     std::size_t slivers_before = 0, slivers_left = 0;  ///< new tets below the target
+    std::size_t large_cavities = 0;                    ///< optimised one after the other, each on all threads
     std::vector<Message> warnings;
 };
 

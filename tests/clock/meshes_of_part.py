@@ -28,14 +28,15 @@ def main(old, new, size, order, threads):
     raw, edited = read_raw(Path(old)), read_raw(Path(new))
     mesh, report = engine.mesh_part(raw, options)
     add(digest, mesh, report)
-    kept = []
+    kept, large_cavities = [], []
     for document in (edited, raw):
         mesh, report = engine.update_part(mesh, document, options)
         add(digest, mesh, report)
         kept.append(report["kept"]["nodes_share"])
+        large_cavities.append(report["volume"]["large_cavities"])
     for told in (engine.read_tree(raw), engine.compare(raw, edited)):
         add_told(digest, told)
-    print(json.dumps({"digest": digest.hexdigest(), "clock": clock, "kept": kept, "tets": report["tets"]}))
+    print(json.dumps({"digest": digest.hexdigest(), "clock": clock, "kept": kept, "tets": report["tets"], "large_cavities": large_cavities}))
 
 
 def add(digest, mesh, report):

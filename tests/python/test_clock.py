@@ -11,6 +11,7 @@ from pathlib import Path
 
 import FreeCAD
 from freecad.featuremesh import api, reading, worker
+from parts import new_document, placement
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "resources" / "examples"
@@ -28,7 +29,9 @@ EDITS = {              # example: (document after, its edit, element order)
 FAST, SLOW = 1000, 0.001
 
 
-class Clock(unittest.TestCase):
+class InProcesses(unittest.TestCase):
+    """Each mesh is made in a process of its own."""
+
     def setUp(self):
         temporary = tempfile.TemporaryDirectory()
         self.addCleanup(temporary.cleanup)
@@ -42,11 +45,14 @@ class Clock(unittest.TestCase):
                 api.set_parameters(document, edits)
                 api.recompute(document)
             part = document.getObject("Body") or document.getObject("Flange")
-            path = self.folder / (name + ".json")
-            write_raw(path, reading.read_document(part))
-            return path, api.default_size(part, ELEMENTS)
+            return self.written(part, name), api.default_size(part, ELEMENTS)
         finally:
             FreeCAD.closeDocument(document.Name)
+
+    def written(self, part, name):
+        path = self.folder / (name + ".json")
+        write_raw(path, reading.read_document(part))
+        return path
 
     def made(self, old, new, size, order, threads=1, clock=None):
         environment = {**os.environ, "PYTHONPATH": os.environ["FEATUREMESH_ENGINE"]}
@@ -57,6 +63,8 @@ class Clock(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout.splitlines()[-1])
 
+
+class Clock(InProcesses):
     def test_same_bytes_by_every_clock_and_with_any_number_of_threads(self):
         for example, (after, edits, order) in EDITS.items():
             with self.subTest(example=example):
@@ -72,3 +80,24 @@ class Clock(unittest.TestCase):
                 self.assertLess(slow["clock"], 0.05)
                 self.assertEqual(fast["digest"], usual["digest"], "by a fast clock")
                 self.assertEqual(slow["digest"], usual["digest"], "by a slow clock")
+
+
+class LargeCavities(InProcesses):
+    def bar(self, end):
+        """A bar of three boxes, whose two ends are so long, mm."""
+        document = new_document()
+        for name, length, x in (("Middle", 24, 0), ("Left", end, -end), ("Right", end, 24)):
+            box = document.addObject("Part::Box", name)
+            box.Length, box.Width, box.Height, box.Placement = length, 26, 26, placement(x=x)
+        bar = document.addObject("Part::MultiFuse", "Bar")
+        bar.Shapes = [document.Middle, document.Left, document.Right]
+        document.recompute()
+        return self.written(bar, "bar_%d" % end)
+
+    def test_two_at_once_are_filled_on_all_threads_with_the_same_bytes_for_any_number(self):
+        old, new = self.bar(4), self.bar(34)
+        one = self.made(old, new, 2, 1)
+        self.assertEqual(one["large_cavities"][0], 2)
+        self.assertGreater(one["kept"][0], 0.05)   # of the new mesh's nodes: the middle of the middle
+        for threads in (2, 4):
+            self.assertEqual(self.made(old, new, 2, 1, threads)["digest"], one["digest"], f"{threads} threads")
