@@ -6,6 +6,7 @@ import time
 from ..errors import UserError
 from .database import WAITING, DiskFull
 from .folder import DocumentWatch, made_of
+from .steps import PROCESSORS
 
 MOST_ATTEMPTS = 2
 
@@ -60,7 +61,10 @@ class CaseBook:
             result = {**result, "state": "failed", "message": "case %d was ended %d times: %s" % (case.id, case.attempts, result["message"])}
         if result["state"] == "failed" and not result["message"].startswith("case "):
             result = {**result, "message": "case %d: %s" % (case.id, result["message"])}
-        seconds = {**result.get("seconds", {}), **({"total": result["elapsed"]} if "elapsed" in result else {})}
+        seconds = dict(result.get("seconds", {}))
+        if "elapsed" in result:
+            seconds["total"] = result["elapsed"]
+            seconds[PROCESSORS] = {**seconds.get(PROCESSORS, {}), "total": result[PROCESSORS]}
         made = made_of(self.study, self.facts, self._document_hash, case.parameters)
         return {**result, "seconds": seconds, "hashes": {**result.get("hashes", {}), "made_of": made}}
 

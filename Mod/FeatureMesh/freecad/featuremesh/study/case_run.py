@@ -6,7 +6,6 @@ import hashlib
 import json
 import os
 import shutil
-import time
 import traceback
 
 from .. import api, documents, engine, reading, versions
@@ -16,6 +15,7 @@ from ..mesh_object import element_count, one_line
 from . import case_solver, places, response_words, responses
 from .database import DONE, FAILED, INFEASIBLE
 from .design import from_plain
+from .steps import step
 
 KILLED, DISK_FULL = "killed", "disk full"   # states that only a worker and a runner know
 _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
@@ -64,28 +64,29 @@ def run(base, case):
 
 
 def _run(base, case, seconds):
-    start = time.perf_counter()
-    _edit(base, case)
-    seconds["recompute"] = time.perf_counter() - start
+    with step(seconds, "recompute"):
+        edit(base, case)
     report = _mesh(base, seconds)
     part_mesh = base.mesh.Proxy.last_part_mesh(base.mesh)
     arrays = part_mesh.arrays()
     fields = _solve(base, arrays, case["folder"], seconds)
-    start = time.perf_counter()
-    solved = responses.SolvedCase(case["id"], case["parameters"], base.part, base.analysis, arrays, fields,
-                                  places.Places(base.mesh, base.part, arrays, part_mesh, base.study.responses))
-    values = responses.evaluate(base.study.responses, solved)
-    if "mesh" in base.study.keep:
-        api.export_mesh(base.mesh, os.path.join(case["folder"], "case.vtu"))
-    seconds["responses"] = time.perf_counter() - start
+    with step(seconds, "responses"):
+        solved = responses.SolvedCase(case["id"], case["parameters"], base.part, base.analysis, arrays, fields,
+                                      places.Places(base.mesh, base.part, arrays, part_mesh, base.study.responses))
+        values = responses.evaluate(base.study.responses, solved)
+        if "mesh" in base.study.keep:
+            api.export_mesh(base.mesh, os.path.join(case["folder"], "case.vtu"))
+    with step(seconds, "hashes"):
+        mesh_hash = hash_of(arrays)
+        hashes = {"mesh": mesh_hash, "result": _hash_of_values(mesh_hash, values)}
     return {"state": DONE, "responses": values, "seconds": seconds, "message": "; ".join(map(english, report["warnings"])),
             "mesh": {"nodes": report["nodes"], "elements": element_count(report), "kept_share": (report.get("kept") or {}).get("nodes_share", 0.0),
                      "fallback": english(report["fallback"]) or None},
-            "hashes": {"mesh": hash_of(arrays), "result": _hash_of_values(hash_of(arrays), values)}}
+            "hashes": hashes}
 
 
-def _edit(base, case):
-    """Gives the part the case's parameters. Throws Infeasible with FreeCAD's word."""
+def edit(base, case):
+    """Gives `base.part` in `base.document` the case's parameters. Throws Infeasible with FreeCAD's word."""
     try:
         api.set_parameters(base.document, case["set"])
         api.recompute(base.document)
@@ -98,17 +99,15 @@ def _edit(base, case):
 
 
 def _mesh(base, seconds):
-    start = time.perf_counter()
-    job = base.mesh.Proxy.prepare(base.mesh)
-    try:
-        job.run()
-    except engine.load().InputError as error:
-        raise Infeasible(one_line(error)) from error
-    seconds["mesh"] = time.perf_counter() - start
-    start = time.perf_counter()
-    needs_freecad = base.solver == "ccx" or "mesh" in base.study.keep
-    report = base.mesh.Proxy.take_over(base.mesh, job, needs_freecad)
-    seconds["hand_over"] = time.perf_counter() - start
+    with step(seconds, "mesh"):
+        job = base.mesh.Proxy.prepare(base.mesh)
+        try:
+            job.run()
+        except engine.load().InputError as error:
+            raise Infeasible(one_line(error)) from error
+    with step(seconds, "hand_over"):
+        needs_freecad = base.solver == "ccx" or "mesh" in base.study.keep
+        report = base.mesh.Proxy.take_over(base.mesh, job, needs_freecad)
     report.setdefault("fallback", None)
     return report
 
@@ -116,16 +115,14 @@ def _mesh(base, seconds):
 def _solve(base, arrays, folder, seconds):
     if not response_words.needs_solution(base.study.responses):
         return None
-    start = time.perf_counter()
     if base.solver == "live":
-        fields = case_solver.solve_live(base.analysis, base.study.threads)
-    else:
-        work = os.path.join(folder, "calculix")
-        shutil.rmtree(work, ignore_errors=True)   # of an attempt that was killed
-        os.makedirs(work)
-        fields = case_solver.solve_ccx(base.analysis, arrays, work, base.study.threads)
-        case_solver.keep_files(work, folder, [name for name in base.study.keep if name != "mesh"])
-    seconds["solve"] = time.perf_counter() - start
+        with step(seconds, "solve"):
+            return case_solver.solve_live(base.analysis, base.study.threads)
+    work = os.path.join(folder, "calculix")
+    shutil.rmtree(work, ignore_errors=True)   # of an attempt that was killed
+    os.makedirs(work)
+    fields = case_solver.solve_ccx(base.analysis, arrays, work, base.study.threads, seconds)
+    case_solver.keep_files(work, folder, [name for name in base.study.keep if name != "mesh"])
     return fields
 
 

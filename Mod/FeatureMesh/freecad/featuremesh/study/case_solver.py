@@ -15,6 +15,7 @@ from .. import calculix, formats, frd, statics
 from ..errors import UserError
 from ..reading import describe
 from . import modes, parent_process
+from .steps import step
 
 
 class Killed(RuntimeError):
@@ -45,15 +46,25 @@ def solve_live(analysis, threads):
                   strain_energy=report["responses"]["strain_energy_mj"], residual=report["residual"])
 
 
-def solve_ccx(analysis, arrays, folder, threads):
-    """CalculiX, in `folder`. Throws UserError when it cannot be solved, Killed when CalculiX was ended from outside."""
-    solver, known = calculix.solver_of(analysis), calculix.as_arrays(analysis)
-    tools = ccxtools.FemToolsCcx(analysis, solver, test_mode=False)
-    calculix.write_input(tools, folder, analysis)
-    calculix.amend(tools.inp_file_name, solver, known)
+def solve_ccx(analysis, arrays, folder, threads, seconds):
+    """CalculiX, in `folder`; what writing, solving and reading take goes into `seconds`. Throws UserError when it cannot be solved, Killed when CalculiX
+    was ended from outside."""
+    solver = calculix.solver_of(analysis)
+    with step(seconds, "write"):
+        known = calculix.as_arrays(analysis)
+        tools = ccxtools.FemToolsCcx(analysis, solver, test_mode=False)
+        calculix.write_input(tools, folder, analysis)
+        calculix.amend(tools.inp_file_name, solver, known)
     base = os.path.splitext(tools.inp_file_name)[0]
-    _run(base, threads)
-    kind = solver.AnalysisType
+    with step(seconds, "solve"):
+        _run(base, threads)
+    with step(seconds, "read"):
+        return _read(base, analysis, arrays, known)
+
+
+def _read(base, analysis, arrays, known):
+    """What CalculiX left. Throws UserError."""
+    kind = calculix.solver_of(analysis).AnalysisType
     try:
         with open(base + ".dat", encoding="utf-8") as stream:
             printed = stream.read()

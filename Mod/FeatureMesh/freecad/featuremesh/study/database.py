@@ -30,7 +30,7 @@ class Case:
     parameters: dict
     responses: dict = field(default_factory=dict)
     message: str = ""
-    seconds: dict = field(default_factory=dict)   # of each step
+    seconds: dict = field(default_factory=dict)   # of each step (see steps.py)
     mesh: dict = field(default_factory=dict)      # nodes, tets, kept share
     hashes: dict = field(default_factory=dict)    # made_of: document, parameters, settings; result: mesh and responses
     attempts: int = 0

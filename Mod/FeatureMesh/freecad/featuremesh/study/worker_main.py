@@ -7,6 +7,7 @@ Requests and answers are lines of JSON on two descriptors, which FEATUREMESH_STU
 
 import json
 import os
+import resource
 import select
 import signal
 import sys
@@ -38,8 +39,10 @@ def main():
 
 def run_in_copy(work, folder, seconds_limit, memory_limit):
     """What `work()` gives in a copy of this process; where that does not end well, a result that says how it ended."""
+    from freecad.featuremesh.study.steps import PROCESSORS, processor_seconds
     reader, writer = os.pipe()
-    start, parent = time.monotonic(), os.getpid()
+    everything = resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN
+    start, worked, parent = time.monotonic(), processor_seconds(*everything), os.getpid()
     copy = os.fork()
     if copy == 0:
         os.close(reader)
@@ -51,7 +54,7 @@ def run_in_copy(work, folder, seconds_limit, memory_limit):
     if problem:
         return {"state": "failed", "message": problem}
     if said.endswith(b"\n"):
-        return {**json.loads(said), "elapsed": time.monotonic() - start}
+        return {**json.loads(said), "elapsed": time.monotonic() - start, PROCESSORS: processor_seconds(*everything) - worked}
     return _how_it_ended(status)
 
 
