@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What each command of `featuremesh study` does. The studies themselves are in the workbench (freecad/featuremesh/study)."""
 import contextlib
+import errno
 import os
 import sys
 import types
@@ -33,6 +34,10 @@ def errors_of_studies():
         yield
     except (DiskFull, Stopped) as error:
         raise Failure(str(error)) from error
+    except OSError as error:
+        if error.errno not in (errno.ENOSPC, errno.EDQUOT):
+            raise
+        raise Failure(f"the disk is full ({error}); every finished case is safe. Make room, then go on with `study resume`") from error
     except StudyError as error:
         raise UserError(str(error)) from error
 

@@ -4,10 +4,11 @@ import os
 import resource
 import shutil
 import signal
+import subprocess
 import unittest
 from pathlib import Path
 
-from study_tests import StudyTest
+from study_tests import LAUNCHER, StudyTest
 
 LONGEST_FILE = 30_000_000   # bytes, on the disk that is full: the base document fits
 
@@ -195,6 +196,32 @@ class Faults(StudyTest):
         self.assertEqual(self.states(), ["done", "waiting", "waiting", "waiting"])
         self.response_file("return 1.0")
         self.assert_resumed()
+
+    def test_a_real_disk_is_full(self):
+        """A disk of its own, mounted for these commands alone; the first case leaves `room` on it, for the database or for CalculiX too little."""
+        unshare = ["unshare", "-m"] if os.geteuid() == 0 else ["unshare", "-U", "-r", "-m"]
+        (self.folder / "disk").mkdir()
+        mount = "mount -t tmpfs -o size=64m disk %s/disk" % self.folder
+        if not shutil.which("unshare") or subprocess.run([*unshare, "sh", "-c", mount], stderr=subprocess.DEVNULL).returncode:
+            self.skipTest("no disk can be mounted here")
+        self.response_file("DISK, room = HERE / 'disk', int((HERE / 'room').read_text())", "free = os.statvfs(DISK).f_bavail * os.statvfs(DISK).f_frsize",
+                           "(DISK / 'big').write_bytes(bytes(free - room)) if case.id == 1 and room else None", "return 1.0")
+        text = (self.folder / "study.toml").read_text(encoding="utf-8")
+        (self.folder / "study.toml").write_text(text.replace('"volume"', '"max_mises"').replace("responses", 'solver = "ccx"\nresponses', 1), encoding="utf-8")
+        for room in (8_000, 120_000):
+            with self.subTest(room=room):
+                (self.folder / "room").write_text(str(room), encoding="utf-8")
+                run, go_on = "%s study run study.toml --jobs 1 --folder disk/s" % LAUNCHER, "%s study resume disk/s" % LAUNCHER
+                script = "%s; ! %s; %s study status disk/s; rm disk/big; echo 0 >room; %s; cp -r disk/s full-%d" % (mount, run, LAUNCHER, go_on, room)
+                done = subprocess.run([*unshare, "sh", "-exc", script], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=600)
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                self.assertRegex(done.stderr, "featuremesh study: .*every finished case is safe. Make room, then go on with `study resume`")
+                self.assertNotIn("Traceback", done.stderr)
+                self.assertIn(" 0 failed", done.stdout)
+                self.assertIn("4 of 4 cases done", done.stdout)
+        self.study("run", "study.toml", "--folder", "undisturbed")
+        for room in (8_000, 120_000):
+            self.assertEqual(self.results("full-%d" % room), self.results("undisturbed"))
 
 
 if __name__ == "__main__":

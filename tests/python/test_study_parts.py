@@ -6,13 +6,16 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
+from types import SimpleNamespace
 
 import numpy as np
 
 from study_tests import ROOT
 
 from freecad.featuremesh.errors import UserError  # noqa: E402
-from freecad.featuremesh.study import answers, design, memory, modes, progress, sampling, study_file, surface  # noqa: E402
+from freecad.featuremesh.study import (  # noqa: E402
+    answers, case_book, design, memory, modes, progress, runner, sampling, study_file, surface, worker_process)
 from freecad.featuremesh.study.classic_designs import box_behnken, central_composite  # noqa: E402
 from freecad.featuremesh.study.database import Database  # noqa: E402
 from freecad.featuremesh.study.expressions import Expression  # noqa: E402
@@ -100,8 +103,6 @@ class Sampling(unittest.TestCase):
             self.assertEqual(len(np.unique(rows, axis=0)), size)
             self.assertLess(np.abs(rows.sum(axis=0)).max(), 1e-12)
             self.assertEqual(np.linalg.matrix_rank(surface._quadratic_terms(rows)), (count + 1) * (count + 2) // 2)
-        with self.assertRaisesRegex(UserError, "at least three"):
-            box_behnken(2)
 
 
 class Files(unittest.TestCase):
@@ -161,6 +162,35 @@ class Answers(unittest.TestCase):
         found = answers.effects(self.data(), "mass")
         np.testing.assert_allclose(found.main, [2, 0], atol=1e-9)
         np.testing.assert_allclose(found.first, [1, 0], atol=0.01)
+
+
+class Running(unittest.TestCase):
+
+    def test_a_worker_that_is_stuck_is_overdue(self):
+        """In FreeCAD's place a program that says that it is ready, and then nothing."""
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.object(worker_process, "_GRACE", 0.0):
+            program = os.path.join(folder, "stuck")
+            with open(program, "w", encoding="utf-8") as stream:
+                stream.write("#!%s\nimport json, os, time\nsaid = json.loads(os.environ['FEATUREMESH_STUDY_WORKER'])\n"
+                             "os.write(said['answers'], b'{\"ready\": 1}\\n')\ntime.sleep(1000)\n" % sys.executable)
+            os.chmod(program, 0o755)
+            worker = worker_process.WorkerProcess(program, dict(os.environ), {"seconds_limit": 20.0}, os.path.join(folder, "log"))
+            try:
+                self.assertEqual(worker.answer(), {"ready": 1})
+                self.assertFalse(worker.is_overdue())
+                worker._limit = 0.2
+                worker.send({"id": 1})
+                with self.assertRaisesRegex(worker_process.WorkerDied, "FreeCAD does not answer"):
+                    worker.answer()
+                self.assertTrue(worker.is_overdue())
+            finally:
+                worker.end()
+
+    def test_no_case_starts_without_memory_for_it(self):
+        book = SimpleNamespace(facts={"nodes": 1_000_000, "filled_by": "tets", "solver": "ccx"})
+        with unittest.mock.patch.object(runner, "CaseBook", lambda *_: book), unittest.mock.patch.object(memory, "available_bytes", lambda: 2e9):
+            with self.assertRaisesRegex(case_book.Stopped, r"a case needs about [\d.]+ GB of memory, and 2.0 GB are free; take a coarser mesh, or free memory"):
+                runner.Runner(None, None)._jobs_now(2)
 
 
 class Keeping(unittest.TestCase):

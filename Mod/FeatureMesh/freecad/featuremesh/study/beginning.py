@@ -14,6 +14,5 @@ def begin(study, path, make_base):
     facts = make_base(study.to_plain(), folder.base_path)
     if hash_of_file(study.document) != before:
         raise UserError("%s was changed while its base mesh was made; start the study again" % study.document)
-    folder.create(study, facts)
-    planning.plan(folder)
+    folder.create(study, facts, planning.plan)
     return folder

@@ -38,9 +38,10 @@ class CaseBook:
 
     def start(self, case):
         """What a worker needs to know of the case, which runs from now on."""
+        folder = self.folder.clear_case(case.id)
         self.database.start(case.id)
         case.attempts += 1
-        return {"id": case.id, "parameters": case.parameters, "folder": self.folder.clear_case(case.id),
+        return {"id": case.id, "parameters": case.parameters, "folder": folder,
                 "set": [parameter.assignment(case.parameters[parameter.name]) for parameter in self.study.parameters]}
 
     def keep(self, case, result, seconds):

@@ -6,6 +6,7 @@ import hashlib
 import json
 import os
 import shutil
+import tempfile
 import traceback
 
 from .. import api, documents, engine, reading, versions
@@ -19,6 +20,7 @@ from .steps import step
 
 KILLED, DISK_FULL = "killed", "disk full"   # states that only a worker and a runner know
 _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+_NO_ROOM = 1 << 20   # bytes; a disk with less is full
 
 
 class Infeasible(Exception):
@@ -52,7 +54,7 @@ def run(base, case):
     except case_solver.Killed as error:
         return {"state": KILLED, "message": one_line(error)}
     except OSError as error:
-        state = DISK_FULL if error.errno in _FULL else FAILED
+        state = DISK_FULL if error.errno in _FULL or _has_no_room(case["folder"]) else FAILED
         return {"state": state, "message": one_line(error), "seconds": seconds}
     except MemoryError:
         return {"state": FAILED, "message": "case %d: the memory was not enough" % case["id"], "seconds": seconds}
@@ -60,7 +62,14 @@ def run(base, case):
         if not isinstance(error, (UserError, engine.load().Error)):
             traceback.print_exc()
         message = one_line(error)
+        if _has_no_room(case["folder"]):   # CalculiX and FreeCAD tell of a full disk in words of their own
+            return {"state": DISK_FULL, "message": message, "seconds": seconds}
         return {"state": FAILED, "seconds": seconds, "message": message if message.startswith("case ") else "case %d: %s" % (case["id"], message)}
+
+
+def _has_no_room(folder):
+    """Is the disk of the case's files or that of temporary files full?"""
+    return any(shutil.disk_usage(path).free < _NO_ROOM for path in (folder, tempfile.gettempdir()))
 
 
 def _run(base, case, seconds):

@@ -26,22 +26,31 @@ class StudyFolder:
         if new and there:
             raise UserError("%s holds a study already: go on with `study resume`, extend it with `study add`, or name another --folder" % path)
         if not new and not there:
-            raise UserError("%s holds no study" % path)
+            raise UserError("%s holds no study; begin one there with `study run ... --folder %s`" % (path, path))
         if new:
-            os.makedirs(os.path.join(self.path, "cases"), exist_ok=True)
+            self._make()
         self._lock = None
         self.database = None if new else Database(self.database_path)
 
-    def create(self, study, facts):
-        """Makes the database, once the base document is there. `facts` are what base.make gave."""
+    def _make(self):
+        try:
+            os.makedirs(os.path.join(self.path, "cases"), exist_ok=True)
+        except (FileExistsError, NotADirectoryError, PermissionError) as error:
+            raise UserError("%s cannot be made a study's folder (%s); name another --folder" % (self.path, error.strerror)) from error
+
+    def create(self, study, facts, plan):
+        """Makes the database, once the base document is there. `facts` are what base.make gave; `plan(folder)` adds the cases. The study is there with all
+        its cases, or it is not there."""
         temporary = self.database_path + ".new"
-        if os.path.exists(temporary):
-            os.unlink(temporary)
-        database = Database(temporary, new=True)
+        for ending in ("", "-wal", "-shm"):
+            if os.path.exists(temporary + ending):
+                os.unlink(temporary + ending)
+        self.database = Database(temporary, new=True)
         for key, value in (("study", study.to_plain()), ("facts", facts), ("document_hash", hash_of_file(study.document)),
                            ("base_hash", hash_of_file(self.base_path))):
-            database.set_value(key, value)
-        database.close()
+            self.database.set_value(key, value)
+        plan(self)
+        self.database.close()
         os.replace(temporary, self.database_path)
         self.database = Database(self.database_path)
 

@@ -49,7 +49,8 @@ class Runner:
             while len(self._starting + self._idle + self._busy) < min(jobs, len(self._busy) + len(waiting)):
                 self._starting.append(self._new_worker())
             self._book.show_progress([busy.start for busy in self._busy], jobs)
-            ready, _, _ = select.select(self._starting + [busy.worker for busy in self._busy], [], [], _LOOK_EVERY)
+            watched = self._starting + [busy.worker for busy in self._busy]
+            ready = select.select(watched, [], [], _LOOK_EVERY)[0] + [worker for worker in watched if worker.is_overdue()]
             for worker in [worker for worker in self._starting if worker in ready]:
                 self._take_ready(worker)
             for busy in [busy for busy in self._busy if busy.worker in ready]:

@@ -6,6 +6,7 @@ import os
 import select
 import signal
 import subprocess
+import time
 
 WORKER_SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worker_main.py")
 _GRACE = 30.0   # s that a worker has beyond a case's limit to end the case itself
@@ -38,6 +39,7 @@ class WorkerProcess:
         self._in = ours_in
         self._buffer = b""
         self._ended = False
+        self._end = time.monotonic() + self._limit   # of what it does now: it starts
 
     @property
     def pid(self):
@@ -47,8 +49,13 @@ class WorkerProcess:
         """Readable when there is an answer, or when the worker died."""
         return self._in
 
+    def is_overdue(self):
+        """Should it have answered long ago? It ends each case at its limit, unless it is stuck or was stopped itself."""
+        return time.monotonic() > self._end
+
     def send(self, case):
         """Gives it a case: {"id", "set", "parameters", "folder"}. Throws WorkerDied."""
+        self._end = time.monotonic() + self._limit
         try:
             self._out.write(json.dumps(case) + "\n")
             self._out.flush()
@@ -56,9 +63,9 @@ class WorkerProcess:
             raise WorkerDied("FreeCAD ended (%s)" % error) from error
 
     def answer(self):
-        """Its next answer, waited for. Throws WorkerDied, BaseBroken."""
+        """Its next answer, waited for until it is overdue. Throws WorkerDied, BaseBroken."""
         while b"\n" not in self._buffer:
-            if not select.select([self._in], [], [], self._limit)[0]:
+            if not select.select([self._in], [], [], max(0.0, self._end - time.monotonic()))[0]:
                 raise WorkerDied("FreeCAD does not answer")
             chunk = os.read(self._in, 1 << 16)
             if not chunk:
