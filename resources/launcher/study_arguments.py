@@ -28,8 +28,7 @@ def add_run(parts, command, add_object):
     run.add_argument("--keep", metavar="mesh,inp,frd", help="files to keep of each case (default: none)")
     run.add_argument("--seed", type=int, metavar="N", help="of lhs, sobol and halton (default: 1)")
     run.add_argument("--threads", type=int, metavar="N", help="threads of each case (default: 1)")
-    run.add_argument("--time-limit", type=float, metavar="SECONDS", help="of each case (default: 3600)")
-    run.add_argument("--memory-limit", type=float, metavar="GB", help="of each case (default: what the machine has)")
+    add_limits(run, "3600", "what the machine has")
     run.add_argument("--folder", metavar="DIR", help="the study's folder, made if need be (default: named as the file is)")
     add_machine(run)
 
@@ -39,6 +38,7 @@ def add_resume(parts, command, _):
     add_folder(resume)
     resume.add_argument("--keep-base", action="store_true", help="go on with the document as it was when the study began")
     resume.add_argument("--retry-failed", action="store_true", help="run failed cases again, too")
+    add_limits(resume, "as before", "as before")
     add_machine(resume)
 
 
@@ -83,6 +83,12 @@ def add_optimise(parts, command, _):
 
 def add_folder(parser):
     parser.add_argument("folder", metavar="DIR", help="the study's folder")
+
+
+def add_limits(parser, seconds, gigabytes):
+    """The words are the defaults."""
+    parser.add_argument("--time-limit", type=float, metavar="SECONDS", help=f"of each case (default: {seconds})")
+    parser.add_argument("--memory-limit", type=float, metavar="GB", help=f"of each case (default: {gigabytes})")
 
 
 def add_machine(parser):

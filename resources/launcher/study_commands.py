@@ -53,7 +53,8 @@ def run(given):
         from freecad.featuremesh.study import design
         study = design.read_toml(existing_file(given.what)) if given.what.endswith(".toml") else study_of_options(given)
         design.check(study)
-        existing_file(study.document)
+        if not os.path.isfile(study.document):
+            raise UserError(f"{given.what} names the document {study.document}, which is not there; its path is relative to that of the study's file")
         set_up_to_run(given, study.solver == "live")
         folder = new_folder(study, given.folder or Path(given.what).stem + "-study")
         return run_cases(folder, given)
@@ -95,9 +96,21 @@ def resume(given):
     set_up_to_run(given)
     with errors_of_studies():
         folder = locked_folder(given.folder)
+        set_limits(folder, given)
         if given.retry_failed:
             folder.database.retry_failed()
         return run_cases(folder, given, given.keep_base)
+
+
+def set_limits(folder, given):
+    """Gives the cases other limits, which change no result."""
+    from freecad.featuremesh.study import design
+    study = folder.study()
+    for name, value in (("seconds_limit", given.time_limit), ("memory_limit_gb", given.memory_limit)):
+        if value is not None:
+            setattr(study, name, value)
+    design.check_limits(study)
+    folder.database.set_value("study", study.to_plain())
 
 
 def add(given):

@@ -199,7 +199,7 @@ class Studies(StudyTest):
                                (("--responses", "max_mises", "--solver", "live"), "the live solver knows solids only")):
             _, err = self.study(*vary, *words, "--folder", "refused", code=2)
             self.assertIn(message, err.splitlines()[-1])
-        _, err = self.study(*vary, "--responses", "displacement_z@100,25,0", "--folder", "point", code=1)
+        _, err = self.study(*vary, "--responses", "displacement_z@100,25,0", "--folder", "point", code=2)
         self.assertIn("the part has no solid that the point 100,25,0 mm could be in", err)
         _, err = self.study(*vary, "--responses", "max_mises", "--folder", "middle")
         self.assertIn("warning: the stresses of shells and beams are those in the middle of the thickness", err)
@@ -241,20 +241,47 @@ class Studies(StudyTest):
 
     def test_wrong_use_is_told_in_one_line(self):
         self.study("run", "part.FCStd", *VARIED, "--sampling", "grid", "--responses", "volume", "--folder", "there")
+        run, two = ("run", "part.FCStd"), ("--responses", "mass", "--cases", "2")
         for words, message in (
-                (("run", "part.FCStd"), "say what to vary"),
-                (("run", "part.FCStd", *VARIED, "--responses", "beauty", "--cases", "2"), "there is no response beauty"),
-                (("run", "part.FCStd", *VARIED, "--responses", "mass"), "needs a number of cases"),
-                (("run", "part.FCStd", *VARIED, "--responses", "mass", "--cases", "2", "--folder", "there"), "holds a study already"),
-                (("run", "part.FCStd", "--vary", "Hole.Depht=1:2", "--responses", "mass", "--cases", "2", "--folder", "a"), "Hole has no property Depht"),
-                (("run", "part.FCStd", *VARIED, "--responses", "max_mises@Face99", "--cases", "2", "--folder", "b"), "the part has no Face99"),
-                (("run", "part.FCStd", *VARIED, "--responses", "frequency_1", "--cases", "2", "--folder", "c", "--solver", "ccx"), "needs an analysis of the kind"),
-                (("run", "part.FCStd", "--vary", "Plate.Length=2", "--vary", "Plate.Length=2:1", "--responses", "mass", "--cases", "2"), "has to rise"),
-                (("add", "there", "--cases", "2"), "the sampling grid is complete"), (("status", "nowhere"), "holds no study")):
+                (run, "say what to vary"),
+                (("run", "gone.FCStd", *VARIED, *two), "gone.FCStd: no such file"), (("run", "gone.toml"), "gone.toml: no such file"),
+                ((*run, *VARIED, "--responses", "max_misses", "--cases", "2"), "there is no response max_misses, did you mean max_mises?; there are mass, "),
+                ((*run, *VARIED, "--responses", "mass"), "needs a number of cases, such as --cases 32"),
+                ((*run, *VARIED, "--responses", "mass", "--sampling", "csv"), "needs a file of rows: --rows ROWS.csv"),
+                ((*run, *VARIED, "--responses", "mass", "--sampling", "box_behnken"), "needs at least three parameters, not 2; take central_composite"),
+                ((*run, *VARIED, *two, "--seed", "-1"), "the seed is 0 or larger, not -1"),
+                ((*run, *VARIED, *two, "--threads", "0"), "at least one thread, not 0"),
+                ((*run, *VARIED, *two, "--time-limit", "0"), "the time limit of a case is more than 0 s, not 0"),
+                ((*run, *VARIED, *two, "--memory-limit", "-2"), "the memory limit of a case is more than 0 GB, not -2; leave it out"),
+                ((*run, *VARIED, *two, "--folder", "there"), "holds a study already: go on with `study resume`"),
+                ((*run, *VARIED, *two, "--folder", "part.FCStd"), "cannot be made a study's folder (Not a directory); name another --folder"),
+                ((*run, "--vary", "Plaet.Length=1:2", *two, "--folder", "a"), "the document has no object Plaet; did you mean Plate"),
+                ((*run, "--vary", "Plate.Lenght=1:2", *two, "--folder", "a"), "Plate has no property Lenght; did you mean Length"),
+                ((*run, *VARIED, "--responses", "max_mises@Face99", "--cases", "2", "--folder", "b"), "the part has no Face99"),
+                ((*run, *VARIED, "--responses", "displacement_z@20,20,5", "--cases", "2", "--folder", "b"), "the point 20,20,5 mm, where a response is asked for, is not"),
+                ((*run, *VARIED, "--responses", "frequency_1", "--cases", "2", "--folder", "c", "--solver", "ccx"), "needs an analysis of the kind"),
+                ((*run, "--vary", "Plate.Length=2:1", *two), "the range of Plate.Length has to rise, not 2:1; write its low end first"),
+                (("resume", "there", "--time-limit", "-1"), "the time limit of a case is more than 0 s, not -1"),
+                (("add", "there", "--cases", "2"), "the sampling grid is complete"),
+                (("status", "nowhere"), "nowhere holds no study; begin one there with `study run ... --folder nowhere`")):
             with self.subTest(words=words):
                 _, err = self.study(*words, code=2)
                 self.assertIn(message, err)
                 self.assertEqual(len(err.splitlines()), 1, err)
+
+    def test_a_file_that_names_a_document_that_is_not_there(self):
+        self.toml('responses = ["volume"]')
+        self.part.unlink()
+        self.assertRegex(self.study("run", "study.toml", code=2)[1], r"study.toml names the document .*part.FCStd, which is not there; its path is relative")
+
+    def test_what_was_refused_leaves_no_study_behind(self):
+        """The rows are read when the base is there already."""
+        (self.folder / "rows.csv").write_text("Plate.Length\nthick\n", encoding="utf-8")
+        words = ("run", "part.FCStd", "--vary", "Plate.Length=8:12", "--sampling", "csv", "--rows", "rows.csv", "--responses", "volume", "--folder", "s")
+        self.assertIn("line 2: thick is no number for Plate.Length", self.study(*words, code=2)[1])
+        (self.folder / "rows.csv").write_text("Plate.Length\n9\n", encoding="utf-8")
+        self.study(*words)
+        self.assertEqual(self.states("s"), ["done"])
 
 
 if __name__ == "__main__":

@@ -141,8 +141,11 @@ class Faults(StudyTest):
                               "--time-limit", "20", "--folder", "study-study", code=1)
         self.assertIn("2 failed", out)
         self.assertTrue((self.folder / "began").exists())
-        self.assertIn("case 1: it took longer than the limit of 20 s", err)
+        self.assertIn("case 1: it took longer than the limit of 20 s; try `study resume --retry-failed` with a longer --time-limit", err)
         self.assert_nothing_left_behind()
+        program.unlink()
+        self.study("resume", "study-study", "--retry-failed", "--time-limit", "600")
+        self.assertEqual(self.states(), ["done", "done"])
 
     def test_a_case_that_crashes_or_ends_freecad(self):
         self.response_file("os.kill(os.getpid(), 11) if case.id == 1 else os._exit(7) if case.id == 2 else None", "return 1.0")

@@ -119,6 +119,24 @@ class Files(unittest.TestCase):
             self.assertEqual(design.read_toml(path), asked)
 
 
+    def test_each_key_holds_its_kind_of_value(self):
+        good = {"document": '"part.FCStd"', "sampling": '"grid"', "responses": '["mass"]', "parameters": '[{set = "A.x", range = [1, 2]}]'}
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "study.toml")
+            for key, value, message in (
+                    ("cases", '"2"', "study.toml: cases is a whole number, not '2'"), ("responses", '"mass"', "responses is a list in square brackets"),
+                    ("responses", "[3]", "a response is a text such as \"max_mises\" or a table, not 3"), ("constraints", "[3]", "the constraint 3 cannot be read"),
+                    ("parameters", "3", "parameters is a list"), ("parameters", "[3]", r"a parameter is a table \[\[parameters\]\]"),
+                    ("parameters", '[{set = "A.x", range = 3}]', "range is a list"), ("parameters", '[{set = "A.x", levels = true}]', "levels is a whole number, not True"),
+                    ("mesh", '{size = "2 mm"}', r"\[mesh\]: size is a number, not '2 mm'"), ("limits", "{seconds = 0}", "the time limit of a case is more than 0 s"),
+                    ("threds", "2", "there is no threds; known are analysis, "), ("document", None, "has no document; a study's file needs document, parameters and")):
+                entries = {name: said for name, said in {**good, key: value}.items() if said}
+                with open(path, "w", encoding="utf-8") as stream:
+                    stream.write("".join("%s = %s\n" % entry for entry in entries.items()))
+                with self.subTest(key=key, value=value), self.assertRaisesRegex(UserError, message):
+                    design.read_toml(path)
+
+
 class Answers(unittest.TestCase):
 
     def test_sobol_indices_of_ishigamis_function(self):

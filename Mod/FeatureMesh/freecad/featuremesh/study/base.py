@@ -34,6 +34,7 @@ def make(plain_study, out):
     solver = _solver(document, study, mesh)
     documents.save_document(document, out)
     arrays = mesh.Proxy.arrays(mesh)
+    places.refuse_points_outside(arrays, study.responses)
     _refuse_mixed(document, study, part, arrays)
     kind, mids, _, _ = formats.filling_of(arrays)
     return {"base_values": values, "integers": integers, "solver": solver, "nodes": len(arrays["points"]), "elements": len(arrays[kind]),

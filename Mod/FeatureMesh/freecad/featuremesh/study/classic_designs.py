@@ -5,14 +5,10 @@ import itertools
 
 import numpy as np
 
-from ..errors import UserError
-
 
 def box_behnken(count):
-    """(n, count): for each two parameters their four corners with the others in the middle, and the middle once. Cases are computed, so the
+    """(n, count), three parameters at least: for each two parameters their four corners with the others in the middle, and the middle once. Cases are computed, so the
     middle is not repeated."""
-    if count < 3:
-        raise UserError("Box-Behnken needs at least three parameters, not %d; take central_composite" % count)
     found = []
     for pair in itertools.combinations(range(count), 2):
         for corner in itertools.product((-1.0, 1.0), repeat=2):

@@ -13,9 +13,14 @@ SAMPLINGS = ("grid", "one_at_a_time", "lhs", "sobol", "halton", "box_behnken", "
 COUNTED = ("lhs", "sobol", "halton")   # those that take any number of cases
 SOLVERS = ("live", "ccx")
 KEPT_FILES = ("mesh", "inp", "frd")
-_KEYS = {"document", "object", "analysis", "solver", "threads", "keep", "seed", "sampling", "cases", "rows", "constraints", "responses", "mesh",
-         "limits", "parameters"}
-_PARAMETER_KEYS = {"set", "name", "range", "values", "unit", "levels", "integer"}
+# What each key of a study's file holds.
+_NUMBER = (int, float)
+_KEYS = {"document": str, "object": str, "analysis": str, "solver": str, "threads": int, "keep": list, "seed": int, "sampling": str, "cases": int, "rows": str,
+         "constraints": list, "responses": list, "mesh": dict, "limits": dict, "parameters": list}
+_MESH_KEYS = {"size": _NUMBER, "order": int}
+_LIMIT_KEYS = {"seconds": _NUMBER, "memory_gb": _NUMBER}
+_PARAMETER_KEYS = {"set": str, "name": str, "range": list, "values": list, "unit": str, "levels": int, "integer": bool}
+_IN_WORDS = {str: "a text in quotes", int: "a whole number", _NUMBER: "a number", list: "a list in square brackets", dict: "a table", bool: "true or false"}
 
 
 @dataclass
@@ -85,14 +90,14 @@ def read_toml(path):
             said = tomllib.load(stream)
     except tomllib.TOMLDecodeError as error:
         raise UserError("%s cannot be read: %s" % (path, error)) from error
-    refuse_unknown(said, _KEYS, path)
+    _refuse_wrong(said, _KEYS, path)
     folder = os.path.dirname(os.path.abspath(path))
     for key in ("document", "parameters", "responses"):
         if not said.get(key):
-            raise UserError("%s has no %s" % (path, key))
+            raise UserError("%s has no %s; a study's file needs document, parameters and responses" % (path, key))
     mesh, limits = said.get("mesh", {}), said.get("limits", {})
-    refuse_unknown(mesh, {"size", "order"}, path + ", [mesh]")
-    refuse_unknown(limits, {"seconds", "memory_gb"}, path + ", [limits]")
+    _refuse_wrong(mesh, _MESH_KEYS, path + ", [mesh]")
+    _refuse_wrong(limits, _LIMIT_KEYS, path + ", [limits]")
     study = Study(
         document=os.path.join(folder, said["document"]), parameters=[_parameter(entry, path) for entry in said["parameters"]],
         responses=[parse_response(entry) for entry in said["responses"]], object=said.get("object"), analysis=said.get("analysis"),
@@ -132,13 +137,18 @@ def check(study):
     if study.sampling not in SAMPLINGS:
         raise UserError("the sampling is one of %s, not %s" % (", ".join(SAMPLINGS), study.sampling))
     if study.sampling in COUNTED and not study.cases > 0:
-        raise UserError("the sampling %s needs a number of cases" % study.sampling)
+        raise UserError("the sampling %s needs a number of cases, such as --cases 32 (in a study's file cases = 32)" % study.sampling)
     if study.sampling == "csv" and not study.rows:
-        raise UserError("the sampling csv needs a file of rows")
+        raise UserError("the sampling csv needs a file of rows: --rows ROWS.csv (in a study's file rows = \"ROWS.csv\")")
+    if study.sampling == "box_behnken" and len(study.parameters) < 3:
+        raise UserError("Box-Behnken needs at least three parameters, not %d; take central_composite" % len(study.parameters))
     if study.solver not in (None, *SOLVERS):
         raise UserError("the solver is live or ccx, not %s" % study.solver)
-    if study.threads < 1 or not study.seconds_limit > 0:
-        raise UserError("a case needs at least one thread and some seconds")
+    if study.threads < 1:
+        raise UserError("a case needs at least one thread, not %d" % study.threads)
+    if study.seed < 0:
+        raise UserError("the seed is 0 or larger, not %d" % study.seed)
+    check_limits(study)
     for name in study.keep:
         if name not in KEPT_FILES:
             raise UserError("of a case can be kept: %s, not %s" % (", ".join(KEPT_FILES), name))
@@ -152,24 +162,36 @@ def check(study):
         Expression(text, "the constraint")
 
 
-def refuse_unknown(said, known, where):
-    """Throws UserError for a key that means nothing."""
-    for key in said:
+def check_limits(study):
+    """Throws UserError for a limit that no case could keep to."""
+    if not study.seconds_limit > 0:
+        raise UserError("the time limit of a case is more than 0 s, not %g" % study.seconds_limit)
+    if study.memory_limit_gb is not None and not study.memory_limit_gb > 0:
+        raise UserError("the memory limit of a case is more than 0 GB, not %g; leave it out where the whole machine may be used" % study.memory_limit_gb)
+
+
+def _refuse_wrong(said, known, where):
+    """Throws UserError for a key that means nothing, or that holds another kind of value than `known` says."""
+    for key, value in said.items():
         if key not in known:
             raise UserError("%s: there is no %s; known are %s" % (where, key, ", ".join(sorted(known))))
+        if not isinstance(value, known[key]) or (isinstance(value, bool) and known[key] is not bool):
+            raise UserError("%s: %s is %s, not %r" % (where, key, _IN_WORDS[known[key]], value))
 
 
 def _check_parameter(parameter):
     if bool(parameter.bounds) == bool(parameter.values):
         raise UserError("the parameter %s needs a range of two numbers or a list of values" % parameter.name)
     if parameter.bounds and not parameter.bounds[0] < parameter.bounds[1]:
-        raise UserError("the range of %s has to rise, not %g:%g" % (parameter.name, *parameter.bounds))
+        raise UserError("the range of %s has to rise, not %g:%g; write its low end first" % (parameter.name, *parameter.bounds))
     if parameter.levels < 2:
-        raise UserError("%s needs at least two levels" % parameter.name)
+        raise UserError("%s needs at least two levels, not %d" % (parameter.name, parameter.levels))
 
 
 def _parameter(said, path):
-    refuse_unknown(said, _PARAMETER_KEYS, "%s, [[parameters]]" % path)
+    if not isinstance(said, dict):
+        raise UserError("%s: a parameter is a table [[parameters]] with set = \"OBJECT.PROPERTY\", not %r" % (path, said))
+    _refuse_wrong(said, _PARAMETER_KEYS, "%s, [[parameters]]" % path)
     if not said.get("set"):
         raise UserError("%s: a parameter has no set = \"OBJECT.PROPERTY\"" % path)
     bounds = said.get("range", [])

@@ -19,7 +19,7 @@ class Expression:
         self.text, self._what = text, what
         try:
             self._code = compile(text, "<%s>" % what, "eval")
-        except (SyntaxError, ValueError) as error:
+        except (SyntaxError, TypeError, ValueError) as error:
             raise UserError("%s %s cannot be read: %s" % (what, text, getattr(error, "msg", error))) from error
 
     def value(self, values):

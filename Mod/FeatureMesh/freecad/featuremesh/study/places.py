@@ -110,6 +110,14 @@ def point_of(at):
         return None
 
 
+def refuse_points_outside(arrays, responses):
+    """Throws UserError where a response is asked for at a point that is not in the part."""
+    for response in responses:
+        point = point_of(response.at) if response.at else None
+        if point is not None:
+            _interpolated(arrays, arrays["points"], point)
+
+
 def _interpolated(arrays, values, point):
     """The field at a point, by the shape functions of the tet it lies in. Throws UserError for a point outside of the part."""
     if not len(arrays["tets"]):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How a response is written: KIND, KIND@PLACE, KIND:pNN for a percentile; or a table with name, kind, at, percentile, expression, file."""
 
+import difflib
 import re
 from dataclasses import dataclass
 
@@ -35,14 +36,22 @@ class Response:
     def unit(self):
         return KINDS.get(self.kind, "")
 
+    @property
+    def title(self):
+        """Name and unit, as an axis or a column has it."""
+        return "%s, %s" % (self.name, self.unit) if self.unit else self.name
+
 
 def parse_response(said):
     """A response from its text or table. Throws UserError."""
+    if not isinstance(said, (str, dict)):
+        raise UserError("a response is a text such as \"max_mises\" or a table, not %r" % (said,))
     response = _from_table(said) if isinstance(said, dict) else _from_text(said)
     if response.kind is None and bool(response.expression) == bool(response.file):
         raise UserError("the response %s needs a kind, an expression or a file" % response.name)
     if response.kind is not None and response.kind not in KINDS:
-        raise UserError("there is no response %s; there are %s" % (response.kind, ", ".join(KINDS)))
+        near = difflib.get_close_matches(response.kind, KINDS, 1)
+        raise UserError("there is no response %s%s; there are %s" % (response.kind, ", did you mean %s?" % near[0] if near else "", ", ".join(KINDS)))
     if response.percentile is not None and (response.kind not in _OF_NODES or not 0 <= response.percentile <= 100):
         raise UserError("the response %s cannot have a percentile, or one outside of 0 to 100" % response.name)
     if response.at and response.kind not in _OF_NODES and not (response.kind or "").startswith("reaction"):

@@ -88,10 +88,10 @@ def _wait(reader, copy, end, seconds_limit, memory_limit):
             said += chunk
         elif time.monotonic() > end:
             os.close(reader)
-            return b"", "it took longer than the limit of %g s" % seconds_limit
+            return b"", "it took longer than the limit of %g s; try `study resume --retry-failed` with a longer --time-limit" % seconds_limit
         elif memory_limit and memory_of_group(copy) > memory_limit:
             os.close(reader)
-            return b"", "it took more memory than the limit of %.3g GB" % (memory_limit / 1e9)
+            return b"", "it took more memory than the limit of %.3g GB; try `study resume --retry-failed` with a larger --memory-limit" % (memory_limit / 1e9)
 
 
 def memory_of_group(group):
