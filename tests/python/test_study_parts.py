@@ -10,12 +10,13 @@ import unittest.mock
 from types import SimpleNamespace
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from study_tests import ROOT
 
 from freecad.featuremesh.errors import UserError  # noqa: E402
 from freecad.featuremesh.study import (  # noqa: E402
-    answers, case_book, design, memory, modes, progress, runner, sampling, study_file, surface, worker_process)
+    answers, case_book, design, memory, modes, plots, progress, runner, sampling, study_file, surface, worker_process)
 from freecad.featuremesh.study.classic_designs import box_behnken, central_composite  # noqa: E402
 from freecad.featuremesh.study.database import Database  # noqa: E402
 from freecad.featuremesh.study.expressions import Expression  # noqa: E402
@@ -180,6 +181,19 @@ class Answers(unittest.TestCase):
         found = answers.effects(self.data(), "mass")
         np.testing.assert_allclose(found.main, [2, 0], atol=1e-9)
         np.testing.assert_allclose(found.first, [1, 0], atol=0.01)
+
+
+    def test_plots_name_everything_with_its_unit_and_show_what_differs(self):
+        data, responses = self.data(), [parse_response("mass"), parse_response("stress=max_mises")]
+        figure = Figure()
+        plots.scatter(figure, data, responses)
+        self.assertEqual([(axes.get_xlabel(), axes.get_ylabel()) for axes in figure.axes], [("x", "mass, kg"), ("y", ""), ("x", "stress, MPa"), ("y", "")])
+        figure = Figure()
+        plots.parallel(figure, data, responses)
+        self.assertEqual([text.get_text() for text in figure.axes[0].texts],
+                         ["1\nx", "3", "10\ny", "30", "1\nmass, kg", "3", "43.33\nstress, MPa", "130"])
+        self.assertEqual(plots._told_apart(0.11794, 0.11801), ("0.11794", "0.11801"))
+        self.assertEqual(plots._told_apart(1 / 3, 1 / 3), ("0.3333", "0.3333"))
 
 
 class Running(unittest.TestCase):

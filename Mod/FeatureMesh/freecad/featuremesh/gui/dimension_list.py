@@ -30,6 +30,7 @@ class DimensionList(QtGui.QTreeWidget):
             self._add(dimension, known.get(dimension.target))
         self.setRootIsDecorated(False)   # the panel may be narrow
         self.setIndentation(8)
+        self.setTextElideMode(QtCore.Qt.ElideMiddle)   # the end of a row is its value
         self.header().setStretchLastSection(False)
         self.header().setSectionResizeMode(_NAME, QtGui.QHeaderView.Stretch)
         self.setColumnWidth(_RANGE, 68)

@@ -14,13 +14,13 @@ from .dimension_list import DimensionList
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 _SAMPLINGS = {
-    "lhs": QT_TRANSLATE_NOOP("FeatureMesh", "spread at random, evenly (Latin hypercube)"),
-    "sobol": QT_TRANSLATE_NOOP("FeatureMesh", "spread evenly (Sobol)"),
-    "halton": QT_TRANSLATE_NOOP("FeatureMesh", "spread evenly (Halton)"),
+    "lhs": QT_TRANSLATE_NOOP("FeatureMesh", "evenly, at random (Latin hypercube)"),
+    "sobol": QT_TRANSLATE_NOOP("FeatureMesh", "evenly (Sobol)"),
+    "halton": QT_TRANSLATE_NOOP("FeatureMesh", "evenly (Halton)"),
     "grid": QT_TRANSLATE_NOOP("FeatureMesh", "every combination (grid of 3)"),
-    "one_at_a_time": QT_TRANSLATE_NOOP("FeatureMesh", "one dimension at a time"),
-    "box_behnken": QT_TRANSLATE_NOOP("FeatureMesh", "for a curved surface, no corners (Box-Behnken)"),
-    "central_composite": QT_TRANSLATE_NOOP("FeatureMesh", "for a curved surface (central composite)"),
+    "one_at_a_time": QT_TRANSLATE_NOOP("FeatureMesh", "one at a time"),
+    "box_behnken": QT_TRANSLATE_NOOP("FeatureMesh", "curved, no corners (Box-Behnken)"),
+    "central_composite": QT_TRANSLATE_NOOP("FeatureMesh", "curved (central composite)"),
 }
 _RESPONSES = {
     "mass": QT_TRANSLATE_NOOP("FeatureMesh", "mass"),
@@ -164,6 +164,8 @@ class StudyPanel:
         self.jobs.setRange(0, 1024)
         self.jobs.setSpecialValueText(translate("FeatureMesh", "automatic"))
         self.jobs.setValue(study.Jobs)
+        for box in (self.at, self.sampling, self.solver):
+            box.view().setMinimumWidth(box.view().sizeHintForColumn(0))   # its list shows every word
         for box in (self.sampling, self.solver):
             box.currentIndexChanged.connect(lambda _: self._take())
         for box in (self.cases, self.jobs):
@@ -217,6 +219,7 @@ class StudyPanel:
         study.Sampling, study.Cases = self.sampling.itemData(self.sampling.currentIndex()), self.cases.value()
         study.Solver, study.Jobs = self.solver.itemData(self.solver.currentIndex()), self.jobs.value()
         self.cases.setEnabled(study.Sampling in design.COUNTED)
+        self.sampling.setToolTip(self.sampling.currentText())
 
     def _add_at_selection(self):
         """The response of the box at the face, edge or vertex that is selected."""

@@ -135,7 +135,9 @@ class StudyWindow(QtGui.QDialog):
     def _fill(self):
         names = [entry.name for entry in (*self._design.parameters, *self._design.responses)]
         self.table.setColumnCount(len(names) + 3)
-        self.table.setHorizontalHeaderLabels([translate("FeatureMesh", "case"), translate("FeatureMesh", "state"), *names, translate("FeatureMesh", "message")])
+        titles = [*(entry.name for entry in self._design.parameters), *(entry.title for entry in self._design.responses)]
+        self.table.setHorizontalHeaderLabels([translate("FeatureMesh", "case"), translate("FeatureMesh", "state"), *titles, translate("FeatureMesh", "message")])
+        self.table.horizontalHeader().setStretchLastSection(True)
         self.table.verticalHeader().hide()
         self.table.setRowCount(len(self._cases))
         for row, case in enumerate(self._cases):
@@ -147,7 +149,9 @@ class StudyWindow(QtGui.QDialog):
 
     def _in_words(self, case):
         values = {**case.parameters, **case.responses}
-        words = ", ".join("%s %s" % (name, _shown(value)) for name, value in values.items())
+        units = {response.name: " " + response.unit if response.unit else "" for response in self._design.responses}
+        names = [entry.name for entry in (*self._design.parameters, *self._design.responses) if entry.name in values]
+        words = ", ".join("%s %s%s" % (name, _shown(values[name]), units.get(name, "")) for name in names)
         return translate("FeatureMesh", "Case %d: %s") % (case.id, case.message if case.state in ("failed", "infeasible") else words)
 
     def _open_selected(self):

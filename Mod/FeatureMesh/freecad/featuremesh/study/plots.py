@@ -8,9 +8,11 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 _MOST_DIGITS = 12
+_RESOLUTION = 0.02   # of the range between two numbers, to which both are written
+_SHADES = 200
 _ACROSS = 3   # tornado plots beside each other
 _BLUE, _ORANGE, _GREY = "#2b6cb0", "#dd6b20", "#a0aec0"
 
@@ -23,22 +25,25 @@ def scatter(figure, data, responses):
         for column, name in enumerate(data.names):
             plot, (low, high) = axes[row][column], data.limits[column]
             plot.scatter(low + (data.points[:, column] + 1) / 2 * (high - low), data.values(response.name), s=14, color=_BLUE, picker=5)
-            if row == len(responses) - 1:
-                plot.set_xlabel(name)
+            plot.set_xlabel(name)
             if column == 0:
-                plot.set_ylabel(_with_unit(response))
+                plot.set_ylabel(response.title)
 
 
 def parallel(figure, data, responses):
-    """A line for each case across all parameters and responses, coloured by the first response. The lines are pickable, in the order of the cases."""
+    """A line for each case across all parameters and responses, coloured by the first response, as its axis shows. The lines are pickable, in the order of the cases."""
     names = data.names + [response.name for response in responses]
     shares = np.column_stack([(data.points + 1) / 2, *(_shares(data.values(response.name)) for response in responses)])
     limits = data.limits + [(data.values(response.name).min(), data.values(response.name).max()) for response in responses]
     figure.set_size_inches(1.7 * len(names) + 1, 3.6)
     plot = figure.subplots()
+    coloured = len(data.names)
     for line in shares:
-        plot.plot(line, color=colormaps["viridis"](line[len(data.names)]), alpha=0.8, linewidth=1.1, picker=4)
-    for place, (name, (low, high)) in enumerate(zip(names, limits)):
+        plot.plot(line, color=colormaps["viridis"](line[coloured]), alpha=0.8, linewidth=1.1, picker=4)
+    scale = np.linspace(0, 1, _SHADES)
+    plot.scatter(np.full(_SHADES, coloured), scale, c=scale, cmap="viridis", marker="s", s=24, linewidths=0)   # what the colours mean
+    titles = data.names + [response.title for response in responses]
+    for place, (name, (low, high)) in enumerate(zip(titles, limits)):
         plot.axvline(place, color=_GREY, linewidth=0.8)
         ends = _told_apart(low, high)
         plot.text(place, -0.07, "%s\n%s" % (ends[0], name), ha="center", va="top", fontsize=8)
@@ -47,9 +52,9 @@ def parallel(figure, data, responses):
 
 
 def _told_apart(low, high):
-    """Both numbers as texts of four digits, or of as many as they differ by."""
+    """Both numbers as texts of four digits, or of as many as the range between them needs."""
     digits = 4
-    while digits < _MOST_DIGITS and "%.*g" % (digits, low) == "%.*g" % (digits, high):
+    while low < high and digits < _MOST_DIGITS and any(abs(float("%.*g" % (digits, end)) - end) > _RESOLUTION * (high - low) for end in (low, high)):
         digits += 1
     return "%.*g" % (digits, low), "%.*g" % (digits, high)
 
@@ -67,8 +72,9 @@ def tornado(figure, data, responses, all_effects):
         plot.barh([data.names[place] for place in order], found.main[order], color=[_BLUE if found.main[place] < 0 else _ORANGE for place in order])
         plot.axvline(0, color="black", linewidth=0.8)
         plot.xaxis.set_major_locator(MaxNLocator(3))
+        plot.xaxis.set_major_formatter(FuncFormatter(lambda value, _: "%.3g" % value))
         plot.tick_params(labelsize=8)
-        plot.set_xlabel("change of\n" + _with_unit(units[found.response]))
+        plot.set_xlabel("change of\n" + units[found.response].title)
 
 
 def pareto(figure, data, front, first, second):
@@ -77,13 +83,9 @@ def pareto(figure, data, front, first, second):
     plot = figure.subplots()
     plot.scatter(data.values(first.name), data.values(second.name), s=16, color=_GREY, label="cases")
     plot.plot([case.responses[first.name] for case in front], [case.responses[second.name] for case in front], "o-", color=_ORANGE, label="not beaten")
-    plot.set_xlabel(_with_unit(first))
-    plot.set_ylabel(_with_unit(second))
+    plot.set_xlabel(first.title)
+    plot.set_ylabel(second.title)
     plot.legend()
-
-
-def _with_unit(response):
-    return "%s, %s" % (response.name, response.unit) if response.unit else response.name
 
 
 def _shares(values):

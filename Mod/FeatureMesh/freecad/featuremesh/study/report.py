@@ -77,7 +77,7 @@ def _effects_table(data, all_effects):
     for found in all_effects:
         for place, name in enumerate(data.names):
             rows.append("<tr><td>%s<td>%s<td>%.4g<td>%.3f<td>%.3f<td>%s</tr>" % (
-                html.escape(found.response), html.escape(name), found.main[place], found.first[place], found.total[place],
+                html.escape(found.response), html.escape(name), found.main[place], _index(found.first[place]), _index(found.total[place]),
                 "%s, %.3g (%.1f %% of the spread)" % (found.surface.kind, found.surface.error, 100 * found.surface.relative_error) if not place else ""))
     return ("<table>%s%s</table><p class=note>The main effect is the response's mean change from a parameter's lowest to its highest value; the "
             "indices are Sobol's shares of the variance. All are of the response surface: they mean no more than its error allows, which is that "
@@ -101,7 +101,8 @@ def _pareto(data, pair):
 def _cases_table(folder, data):
     study, cases = data.study, folder.database.cases()
     names = [parameter.name for parameter in study.parameters] + [response.name for response in study.responses]
-    head = "<tr>%s</tr>" % "".join("<th>%s" % html.escape(name) for name in ("case", "state", *names, "seconds", "kept", "message"))
+    titles = [parameter.name for parameter in study.parameters] + [response.title for response in study.responses]
+    head = "<tr>%s</tr>" % "".join("<th>%s" % html.escape(title) for title in ("case", "state", *titles, "time, s", "nodes kept", "message"))
     rows = []
     for case in cases[:_MOST_ROWS]:
         values = {**case.parameters, **case.responses}
@@ -110,6 +111,11 @@ def _cases_table(folder, data):
         rows.append("<tr>%s</tr>" % "".join("<td>" + cell for cell in cells))
     more = "<p class=note>%d more are in the table that `study export` writes.</p>" % (len(cases) - _MOST_ROWS) if len(cases) > _MOST_ROWS else ""
     return "<table>%s%s</table>%s" % (head, "".join(rows), more)
+
+
+def _index(value):
+    """Without the sign of a zero: indices are sums over random points."""
+    return round(value, 3) + 0.0
 
 
 def _shown(value):

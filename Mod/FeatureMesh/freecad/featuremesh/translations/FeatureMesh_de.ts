@@ -1571,12 +1571,12 @@
       <translation>erste Eigenfrequenz</translation>
     </message>
     <message>
-      <source>for a curved surface (central composite)</source>
-      <translation>für eine gekrümmte Fläche (zentral zusammengesetzt)</translation>
+      <source>curved (central composite)</source>
+      <translation>gekrümmt (zentral zusammengesetzt)</translation>
     </message>
     <message>
-      <source>for a curved surface, no corners (Box-Behnken)</source>
-      <translation>für eine gekrümmte Fläche, ohne Ecken (Box-Behnken)</translation>
+      <source>curved, no corners (Box-Behnken)</source>
+      <translation>gekrümmt, ohne Ecken (Box-Behnken)</translation>
     </message>
     <message>
       <source>force on all supports</source>
@@ -1785,8 +1785,8 @@
       <translation>alte Flächen</translation>
     </message>
     <message>
-      <source>one dimension at a time</source>
-      <translation>ein Maß nach dem anderen</translation>
+      <source>one at a time</source>
+      <translation>eines nach dem anderen</translation>
     </message>
     <message>
       <source>other details are ignored</source>
@@ -1917,16 +1917,16 @@
       <translation>Lösen der Statik von %s</translation>
     </message>
     <message>
-      <source>spread at random, evenly (Latin hypercube)</source>
-      <translation>zufällig, gleichmäßig verteilt (Latin Hypercube)</translation>
+      <source>evenly, at random (Latin hypercube)</source>
+      <translation>gleichmäßig, zufällig (Latin Hypercube)</translation>
     </message>
     <message>
-      <source>spread evenly (Halton)</source>
-      <translation>gleichmäßig verteilt (Halton)</translation>
+      <source>evenly (Halton)</source>
+      <translation>gleichmäßig (Halton)</translation>
     </message>
     <message>
-      <source>spread evenly (Sobol)</source>
-      <translation>gleichmäßig verteilt (Sobol)</translation>
+      <source>evenly (Sobol)</source>
+      <translation>gleichmäßig (Sobol)</translation>
     </message>
     <message>
       <source>starting</source>
