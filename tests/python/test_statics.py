@@ -370,10 +370,13 @@ class InTheDocument(Case):
             reports = {}
             for setting in ("default", "spooles", "iterativescaling"):
                 self.document.Solver.MatrixSolverType = setting
+                self.assertEqual(calculix.solves_iteratively(self.document.Solver, calculix.as_arrays(analysis)), setting != "spooles")
                 reports[setting] = api.solve_analysis(analysis, "ccx")
                 self.assertEqual(self.document.Solver.MatrixSolverType, setting)
         finally:
             calculix._MANY = many
+        self.document.Solver.MatrixSolverType = "default"
+        self.assertFalse(calculix.solves_iteratively(self.document.Solver, calculix.as_arrays(analysis)))   # few unknowns
         self.assertEqual([report["matrix_solver"]["name"] for report in reports.values()], ["iterativecholesky", "spooles", "iterativescaling"])
         for report in reports.values():
             for name in ("max_mises_mpa", "strain_energy_mj"):

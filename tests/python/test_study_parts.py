@@ -259,6 +259,9 @@ class Keeping(unittest.TestCase):
         self.assertEqual(memory.jobs_that_fit(4, 3e9, 2e9), 0)
         for unknowns, measured in ((37_000, 0.19e9), (153_000, 1.04e9)):   # of CalculiX alone
             self.assertTrue(measured < memory.estimated_bytes(unknowns / 3, "ccx") < 3 * measured + 0.25e9)
+        facts = {"nodes": 70_000, "filled_by": "tets", "solver": "ccx", "iterative": True}
+        self.assertTrue(0.30e9 < memory.of_case(facts) < 3 * 0.30e9 + 0.25e9)
+        self.assertLess(2 * memory.of_case(facts), memory.of_case({**facts, "nodes": 140_000, "iterative": False}))
 
 
 if __name__ == "__main__":

@@ -110,11 +110,21 @@ def amend(path, solver, known):
     return chosen
 
 
+def solves_iteratively(solver, known):
+    """Will CalculiX be given an iterative solver, by the user or by us? It takes far less memory than a direct one. `known` as as_arrays gives it."""
+    setting = getattr(solver, "MatrixSolverType", "default")
+    return setting.startswith("iterative") or (setting == "default" and solver.AnalysisType == "static" and _unknowns(known) >= _MANY)
+
+
+def _unknowns(known):
+    return 3 * len(known.arrays["points"]) if known is not None else 0
+
+
 def _with_solver(text, solver, known):
     setting = getattr(solver, "MatrixSolverType", "default")
     if setting != "default":
         return text, {"name": setting, "why": "the solver object %s says so" % describe(solver)}
-    unknowns = 3 * len(known.arrays["points"]) if known is not None else 0
+    unknowns = _unknowns(known)
     if unknowns < _MANY:
         return text, {"name": "default", "why": "CalculiX's own choice" if known is None else "few unknowns (%d)" % unknowns}
     text, times = _STATIC.subn("*STATIC, SOLVER=ITERATIVE CHOLESKY", text, count=1)

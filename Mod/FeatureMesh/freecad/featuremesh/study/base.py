@@ -37,8 +37,9 @@ def make(plain_study, out):
     places.refuse_points_outside(arrays, study.responses)
     _refuse_mixed(document, study, part, arrays)
     kind, mids, _, _ = formats.filling_of(arrays)
-    return {"base_values": values, "integers": integers, "solver": solver, "nodes": len(arrays["points"]), "elements": len(arrays[kind]),
-            "filled_by": kind, "order": 2 if len(arrays[mids]) else 1, "part": part.Name, "mesh": mesh.Name, "engine": engine.about()["version"],
+    return {"base_values": values, "integers": integers, "solver": solver, "iterative": _is_iterative(document, study, solver),
+            "nodes": len(arrays["points"]), "elements": len(arrays[kind]), "filled_by": kind, "order": 2 if len(arrays[mids]) else 1,
+            "part": part.Name, "mesh": mesh.Name, "engine": engine.about()["version"],
             "freecad": ".".join(map(str, versions.version())), "bytes": os.path.getsize(out), "remarks": _remarks(document, study, solver, kind == "tets")}
 
 
@@ -107,6 +108,15 @@ def _solver(document, study, mesh):
         responses.refuse_unfit(study.responses, calculix.solver_of(analysis).AnalysisType, False)
         calculix.program()
     return chosen
+
+
+def _is_iterative(document, study, solver):
+    """Does CalculiX solve the base by an iterative solver?"""
+    if solver != "ccx":
+        return False
+    from .. import calculix   # FreeCAD's tools for CalculiX take a while to load
+    analysis = api.find_analysis(document, study.analysis)
+    return calculix.solves_iteratively(calculix.solver_of(analysis), calculix.as_arrays(analysis))
 
 
 def _live_can(analysis, mesh, study):
