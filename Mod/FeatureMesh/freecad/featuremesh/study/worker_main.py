@@ -14,7 +14,7 @@ import sys
 import time
 import traceback
 
-_LOOK_EVERY = 0.2       # s
+_LOOK_EVERY = 0.2       # s between two looks at the memory of a case
 _ASKED_TO_END = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGHUP)
 
 
@@ -79,14 +79,15 @@ def _wait(reader, copy, end, seconds_limit, memory_limit):
     """(what the copy said, why it was ended): one of the two, or neither when it ended by itself."""
     said = b""
     while True:
-        ready, _, _ = select.select([reader], [], [], _LOOK_EVERY)
+        left = max(0.0, end - time.monotonic())
+        ready, _, _ = select.select([reader], [], [], min(left, _LOOK_EVERY) if memory_limit else left)
         if ready:
             chunk = os.read(reader, 1 << 16)
             if not chunk:
                 os.close(reader)
                 return said, None
             said += chunk
-        elif time.monotonic() > end:
+        elif time.monotonic() >= end:
             os.close(reader)
             return b"", "it took longer than the limit of %g s; try `study resume --retry-failed` with a longer --time-limit" % seconds_limit
         elif memory_limit and memory_of_group(copy) > memory_limit:
