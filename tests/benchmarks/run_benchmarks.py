@@ -24,6 +24,7 @@ sys.path[:0] = [str(Path(__file__).parent), str(ROOT / "resources" / "launcher")
                 str(ROOT / "Mod" / "FeatureMesh")]
 
 import bench_statics  # noqa: E402
+import bench_study  # noqa: E402
 import cases  # noqa: E402
 from closed_pipe import run_until_unread  # noqa: E402
 from freecad.featuremesh.messages import english  # noqa: E402
@@ -35,6 +36,7 @@ from raw_files import read_raw  # noqa: E402
 from timing import seconds_of, shortest  # noqa: E402
 
 RESULTS = ROOT / "build" / "benchmarks.jsonl"
+OTHERS = {"statics": bench_statics, "study": bench_study}   # measured in ways of their own; by the key of their figures in the results
 OURS = ("full mesh", "update")
 TWO_THREADS = "on two threads"
 MESHING = ("surface", "volume", "optimise")   # the steps that make elements
@@ -46,15 +48,15 @@ HEADER = (f"  {'':14s} {'tets':>9s} {'seconds':>8s} {'spread':>13s} {'tets/s':>9
 def main():
     given = parse_arguments()
     if given.list:
-        for case in (*cases.CASES, *bench_statics.CASES):
+        for case in all_cases():
             print(f"{case.name:20s} {case.about}, size {case.size:g} mm")
         return 0
     if given.history:
         return show_history(given.case)
-    names = given.case or [case.name for case in (*cases.CASES, *bench_statics.CASES)]
-    statics = [case for case in map(bench_statics.named, names) if case]
+    names = given.case or [case.name for case in all_cases()]
+    others = [(kind, case) for kind, bench in OTHERS.items() for case in map(bench.named, names) if case]
     chosen = [case for case in map(cases.named, names) if case]
-    if len(statics) + len(chosen) < len(names):
+    if len(others) + len(chosen) < len(names):
         print("featuremesh bench: no such case; see featuremesh bench --list", file=sys.stderr)
         return 2
     failed, updates, cells, per_tet = 0, {}, {}, {}
@@ -64,9 +66,9 @@ def main():
         except Exception as error:
             failed += 1
             print(f"  {case.name} failed: {error}", file=sys.stderr, flush=True)
-    for case in statics:
+    for kind, case in others:
         try:
-            measure_statics(case)
+            measure_other(kind, case)
         except Exception as error:
             failed += 1
             print(f"  {case.name} failed: {error}", file=sys.stderr, flush=True)
@@ -76,8 +78,12 @@ def main():
         print(f"growth: the update with 64 bosses takes {updates['bosses-64'] / updates['bosses-1']:.2f} times that with 1")
     if "features-150" in cells and "features-600" in cells:
         print(f"growth: the cells of 600 features take {cells['features-600'] / cells['features-150']:.1f} times those of 150 (n log n: 5.1)")
-    print(f"{len(chosen) + len(statics) - failed} of {len(chosen) + len(statics)} cases measured; appended to {RESULTS}")
+    print(f"{len(chosen) + len(others) - failed} of {len(chosen) + len(others)} cases measured; appended to {RESULTS}")
     return 1 if failed else 0
+
+
+def all_cases():
+    return [case for bench in (cases, *OTHERS.values()) for case in bench.CASES]
 
 
 def parse_arguments():
@@ -121,10 +127,10 @@ def measure(case, given):
     return statistics.median(rows["update"]["seconds"]), summary["cells"], statistics.median(full["seconds"]) / full["tets"]
 
 
-def measure_statics(case):
-    found = bench_statics.measure(case)
+def measure_other(kind, case):
+    found = OTHERS[kind].measure(case)
     with open(RESULTS, "a", encoding="utf-8") as results:
-        results.write(json.dumps({"case": case.name, "size": case.size, "threads": 2, "machine": machine(), "statics": found}) + "\n")
+        results.write(json.dumps({"case": case.name, "size": case.size, "machine": machine(), kind: found}) + "\n")
 
 
 def prepare(case, folder):
