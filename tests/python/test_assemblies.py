@@ -10,6 +10,7 @@ import unittest
 import FreeCAD
 import numpy as np
 import ObjectsFem
+import Part
 from analyses import add_material, add_solver, quantity, solve
 from freecad.featuremesh import api, assembled, mesh_object, versions
 from freecad.featuremesh.errors import UserError
@@ -155,6 +156,26 @@ class Assembly(InADocument):
             self.assertLess((FreeCAD.Vector(*now[number]) - motion.multVec(FreeCAD.Vector(*before[number]))).Length, 1e-9)
         for number in parts[0] | parts[1]:
             self.assertTrue(np.array_equal(now[number], before[number]), number)
+
+    def test_a_link_is_meshed_and_loaded_where_it_is(self):
+        """FEM's writer looks for the nodes of a force on a face by their places."""
+        box = self.document.addObject("Part::Box", "Box")
+        box.Length = box.Width = SIDE
+        box.Height = HEIGHT
+        link = self.document.addObject("App::Link", "Link")
+        link.LinkedObject, link.Placement = box, placement(30, 40, 50, 30, (1, 2, 3))
+        self.document.recompute()
+        mesh = api.add_mesh(link, 3)
+        self.assertTrue(assembled.shows(versions.part_of(mesh), link))
+        self.assertIs(versions.part_of(api.add_mesh(link, 3, join_analysis=False)), versions.part_of(mesh))
+        self.document.recompute()
+        self.assertLess(max(link.Shape.distToShape(Part.Vertex(*point))[0] for point in points_of(mesh).values()), 1e-6)
+        shown = versions.part_of(mesh)
+        link.Placement.Base.x += 5
+        self.document.recompute()
+        self.assertEqual((mesh.Status, mesh.KeptTets), (mesh_object.UP_TO_DATE, 100))
+        (solid,) = shown.Shape.Solids
+        self.assertLess((solid.CenterOfMass - link.Shape.Solids[0].CenterOfMass).Length, 1e-9)
 
     def joined_tower(self):
         container = self.document.addObject("App::Part", "Machine")

@@ -235,7 +235,7 @@ class AfterTheMesh(unittest.TestCase):
         self.check(support, 4)
 
     def test_a_part_that_is_a_link(self):
-        """FreeCAD crashes when a constraint refers to a link, so that is never done."""
+        """FreeCAD crashes when a constraint refers to a link, so that is never done; an object that shows the link stands for it."""
         self.document.removeObject(self.mesh.Name)
         link = self.document.addObject("App::Link", "Link")
         link.LinkedObject = self.body
@@ -245,7 +245,7 @@ class AfterTheMesh(unittest.TestCase):
         self.mesh.Automatic = False
         support = self.support_on_hole(4)
         self.update()
-        self.assertEqual(names_of(support)[0][0], "Body")
+        self.assertEqual(names_of(support)[0][0], "AssembledParts")
         api.set_parameters(self.document, ["HoleSketch.Hole6Radius=5", "HoleSketch.Hole4Radius=6"])
         self.update()
         self.check(support, 4)

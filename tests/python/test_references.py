@@ -7,7 +7,7 @@ import unittest
 
 import FreeCAD
 import ObjectsFem
-from freecad.featuremesh import api, resolving
+from freecad.featuremesh import api, assembled, resolving
 from freecad.featuremesh.errors import UserError
 from parts import new_document, placement
 
@@ -96,6 +96,32 @@ class Resolving(unittest.TestCase):
         other = self.document.addObject("Part::Box", "Other")
         self.document.recompute()
         self.assertIsNone(self.names(other, "Face1"))
+
+    def test_of_several_links_the_one_on_the_path_is_meant(self):
+        container = self.document.addObject("App::Part", "Machine")
+        container.Placement = placement(7, 8, 9, 50)
+        for index, name in enumerate(("One", "Two", "Three")):
+            link = self.document.addObject("App::Link", name)
+            link.LinkedObject, link.Placement = self.body, placement(400 * index, 0, 0, 30 * index)
+            container.addObject(link)
+        self.document.recompute()
+        shown = assembled.of(container)
+        load = ObjectsFem.makeConstraintPressure(self.document, "Pressure")
+        load.References = [(self.fillet, "Face19")]
+        load.addProperty("App::PropertyStringList", resolving.CLICKED)
+        for path in ("One.Fillet.Face19", "Two.Fillet.Face19", "Machine.Three.Fillet.Face19", "Machine.Two.Face19"):
+            root, _, sub = path.partition(".")
+            wanted = self.document.getObject(root).getSubObject(sub)
+            if root != "Machine":
+                wanted.Placement = container.Placement.multiply(wanted.Placement)
+            (name,) = self.names(self.document.getObject(root), sub, shown)
+            self.assertLess((shown.Shape.getElement(name).CenterOfMass - wanted.CenterOfMass).Length, 1e-6, path)
+            setattr(load, resolving.CLICKED, [path])
+            found = resolving.Resolver(shown).of_object(load)
+            self.assertEqual(found, ([name], []) if "Fillet" in path else (["Face19"], []))   # of another click nothing is known
+        self.document.removeObject("Three")
+        setattr(load, resolving.CLICKED, ["Three.Fillet.Face19"])
+        self.assertEqual(resolving.pairs_of(load), [(self.fillet, "Face19")])
 
     def test_bodies_of_a_container_that_a_link_shows(self):
         container = self.document.addObject("App::Part", "Assembly")

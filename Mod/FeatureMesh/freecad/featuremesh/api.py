@@ -29,7 +29,7 @@ def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=
              join_analysis=True, active_analysis=None, dimension=FROM_SHAPE):
     """Adds a mesh object for `part` to its document; recompute it, or call update_mesh, to mesh.
 
-    Of a container (App::Part, group, assembly) all parts are meshed, each by itself, by way of an object that shows them (see assembled.py).
+    Of a container (App::Part, group, assembly) all parts are meshed, each by itself, by way of an object that shows them (see assembled.py); so is a link.
 
     `size` in mm, by default the part's diagonal over `elements`; `order` 2 for 10-node tetrahedra, 1 for 4-node ones, which are far too stiff
     in bending; `dimension` "Solids", "Faces" (triangles for shells), "Edges" (segments for beams), or by default what the shape has. It joins the
@@ -40,7 +40,9 @@ def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=
         raise UserError(translate("FeatureMesh", "the order is 1 (4-node) or 2 (10-node), not %s") % order)
     if dimension not in DIMENSIONS:
         raise UserError(translate("FeatureMesh", "the dimension is one of %s, not %s") % (", ".join(DIMENSIONS), dimension))
-    if assembled.is_container(part):
+    if assembled.is_to_be_shown(part):
+        if not assembled.is_container(part):
+            reading.refuse_unmeshable(part)
         part = assembled.of(part)
     reading.refuse_unmeshable(part)
     size = default_size(part, elements) if size is None else length_of(size)
@@ -400,9 +402,11 @@ def copy_analysis(analysis, name=None, mesh="shared"):
 
 
 def find_part(document, name=None):
-    """What is to be meshed: the object of that name, else the only solid that no other one uses; for a container the object that shows its parts. Throws UserError."""
+    """What is to be meshed: the object of that name, else the only solid that no other one uses; for a container the object that shows its parts, for a
+    link the one that shows that. Throws UserError."""
     named = reading.find_object(document, name) if name else None
-    return assembled.of(named) if named is not None and assembled.is_container(named) else reading.find_meshable(document, name)
+    part = named if named is not None and assembled.is_container(named) else reading.find_meshable(document, name)
+    return assembled.of(part) if assembled.is_to_be_shown(part) else part
 
 
 def find_mesh(document, part_name=None):

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Several parts as one shape that a mesh can be made of: the solids of a container (App::Part, group, assembly), each where it is.
+"""Several parts as one shape that a mesh can be made of: the solids of a container (App::Part, group, assembly), each where it is; or what a link shows.
 
 A container has no shape of its own that a mesh or a load could refer to. This document object has one: a compound of its parts in their order,
 whatever is hidden. Unless they are to be joined each part gets a mesh of its own, and an edit of one leaves those of the others.
+
+A link has a shape, but FreeCAD (0.20 to 1.1) crashes when a constraint refers to a link, and FEM looks for a load's face where the original is. So
+it is shown by such an object, too, to which loads and supports refer.
 """
 
 import FreeCAD
@@ -16,7 +19,7 @@ translate = FreeCAD.Qt.translate
 _CONTAINERS = ("App::Part", "App::DocumentObjectGroup")   # FreeCAD 1.x's assemblies are App::Parts, too
 # (type, name, group, default, read-only, tooltip)
 PROPERTIES = [
-    ("App::PropertyLink", "Container", "Parts", None, False, "The container whose parts these are"),
+    ("App::PropertyLink", "Container", "Parts", None, False, "The container whose parts these are, or the link that is shown"),
     ("App::PropertyLinkList", "Parts", "Parts", None, True, "The parts, in the order of the solids of the shape"),
     ("App::PropertyBool", "Join", "Parts", False, False, "Parts that lie on one another share faces, and the mesh its nodes there"),
     ("App::PropertyStringList", "Joints", "Parts", None, True, "The faces that joined parts share"),
@@ -99,6 +102,11 @@ def is_container(obj):
     return any(obj.isDerivedFrom(kind) for kind in _CONTAINERS)
 
 
+def is_to_be_shown(obj):
+    """Is this something that loads cannot refer to, a container or a link?"""
+    return is_container(obj) or obj.isDerivedFrom("App::Link")
+
+
 def is_assembled(obj):
     """Is this one of our objects?"""
     return isinstance(getattr(obj, "Proxy", None), AssembledParts)
@@ -110,12 +118,14 @@ def shows(obj, container):
 
 
 def parts_in(container):
-    """The objects with a solid in a container and in the containers in it that none of the others is made of, in order."""
+    """The objects with a solid in a container and in the containers in it that none of the others is made of, in order; a link itself."""
+    if not is_container(container):
+        return [container]
     return reading.final_solids_of([member for member in _members_of(container) if not is_assembled(member)])
 
 
 def of(container):
-    """The object with the shape of the container's parts, made where there is none yet. Throws UserError: no part with a solid."""
+    """The object with the shape of the container's parts, or of the link, made where there is none yet. Throws UserError: no part with a solid."""
     known = [obj for obj in container.Document.Objects if shows(obj, container)]
     if known:
         return known[0]
@@ -123,7 +133,7 @@ def of(container):
         raise UserError(translate("FeatureMesh", "%s has no part with a solid") % reading.describe(container))
     obj = container.Document.addObject("Part::FeaturePython", "AssembledParts")
     AssembledParts(obj)
-    obj.Label = translate("FeatureMesh", "Parts of %s") % container.Label
+    obj.Label = (translate("FeatureMesh", "Parts of %s") if is_container(container) else translate("FeatureMesh", "%s in its place")) % container.Label
     obj.Container = container
     obj.Proxy.assemble(obj)
     return obj

@@ -7,7 +7,7 @@ groups by which a solver finds the nodes of constraints are renewed when the ref
 
 import FreeCAD
 
-from . import analyses, results
+from . import analyses, references, results
 
 _WATCHED = ("References", "Group", "MeshGroupList", "MeshRegionList")
 _observer = None
@@ -65,6 +65,8 @@ class _Observer:
             return
         if name == "Group" and obj.isDerivedFrom("Fem::FemAnalysis"):
             results.note(obj)
+        if name == "References":
+            references.note_clicks(obj)
         for mesh in obj.Document.Objects:
             if not _is_ours(mesh):
                 continue

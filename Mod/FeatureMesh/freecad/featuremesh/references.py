@@ -11,11 +11,13 @@ import FreeCAD
 
 from . import versions
 from .messages import said
-from .resolving import LOST, pairs_of
+from .resolving import CLICKED, LOST, pairs_of
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 # Is a task panel of the object open? It keeps its own list of references, so nobody else may change them. Set by the window's side.
 is_in_edit = None
+# Gives the paths (resolving.CLICKED) of those references of an object that were clicked through a link. Set by the window's side.
+clicked_through = None
 # A property of objects that have nothing left to refer to: the names of what they have lost.
 MARK = "LostReferences"
 
@@ -52,6 +54,20 @@ def settle(objects, resolver):
         meant = [resolver.names(target, sub) for target, sub in pairs]
         if all(meant):
             obj.References = [(resolver.bearer, tuple(dict.fromkeys(name for names in meant for name in names)))]
+            if getattr(obj, CLICKED, None):
+                setattr(obj, CLICKED, [])
+
+
+def note_clicks(obj):
+    """To be called when an object was given other references: keeps beside what was chosen in its panel through which links that was clicked."""
+    if clicked_through is None or not is_in_edit(obj):
+        return
+    paths = clicked_through(obj)
+    if paths and CLICKED not in obj.PropertiesList:
+        obj.addProperty("App::PropertyStringList", CLICKED, "FeatureMesh", "What of its references was clicked through a link, with the path to it")
+        obj.setEditorMode(CLICKED, 2)
+    if CLICKED in obj.PropertiesList and getattr(obj, CLICKED) != paths:
+        setattr(obj, CLICKED, paths)
 
 
 def may_change(obj, resolver):

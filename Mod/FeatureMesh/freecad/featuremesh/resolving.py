@@ -4,14 +4,19 @@
 A click into the 3D view names the tip of a body (`Fillet:Face19`), not the body; a script names whatever it likes: the part, a feature
 before the tip, a path through links and containers (`Body.Fillet.Face19`). The tip has its body's faces, with the same numbers. Of any
 other feature of the part, those faces of the final shape are meant that lie on the feature's face: what was trimmed, or split, since.
+
+FEM's panels keep `Fillet:Face19` of a click on a link, too, which does not say of which copy; so what was clicked there is kept beside it, in a
+property of the object that refers to it (CLICKED).
 """
 
 import re
 
-from . import engine, reading
+from . import engine, reading, versions
 from .errors import UserError
 
 LOST = "?"   # in front of a sub-element that FreeCAD has lost, since 1.0
+CLICKED = "ClickedThrough"   # a property: "Link.Fillet.Face19" for each reference that was clicked through a link
+_MAPPED = ";"   # in front of an element's longer name, which selections have beside the plain one, since 1.0
 _ELEMENT = re.compile(r"(Face|Edge|Vertex|Solid)(\d+)$")
 _MEMBERS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
 
@@ -41,8 +46,11 @@ class Resolver:
             return [element] if element else self._all_solids()
         if not _ELEMENT.match(element):
             return None
-        if self.part in path and not self._alike[-1].isDerivedFrom("Part::Feature"):
-            return self._of_copy(obj, sub, path)
+        copy = self._copy_on(path)
+        if copy is not None and target in same_numbers(copy):
+            target = copy
+        elif copy is not None and not (copy is self.part and self._alike[-1].isDerivedFrom("Part::Feature")):
+            return self._of_copy(copy, _below(copy, obj, sub))
         return self._of_feature(target, element) if self._has_record(target) else None
 
     def of_object(self, member):
@@ -61,8 +69,15 @@ class Resolver:
 
     def _shows_another(self, path):
         """Does the path go through another copy of the meshed thing than the meshed one?"""
-        return self.part not in path and self.part.isDerivedFrom("App::Link") and \
-            any(step.isDerivedFrom("App::Link") and not self._has_record(step) for step in path)
+        return self.part not in path and any(step.isDerivedFrom("App::Link") and not self._has_record(step) for step in path) and self._shows_copies()
+
+    def _shows_copies(self):
+        """Is the part a link, or does it show what links show?"""
+        return self.part.isDerivedFrom("App::Link") or any(copy.isDerivedFrom("App::Link") for copy in getattr(self.part, "Parts", ()))
+
+    def _copy_on(self, path):
+        """The first link of a path that the part is or shows, and that shows the last object in a place of its own; or None."""
+        return next((step for step in path if step.isDerivedFrom("App::Link") and (step is self.part or self._has_record(step))), None)
 
     def _only_solid(self, target, element):
         """FreeCAD 1.0 loses solids when it recomputes, even the only one of a body."""
@@ -104,18 +119,20 @@ class Resolver:
             self._traced[name] = engine.load().trace_sub_elements(self._raw, name)
         return self._traced[name]
 
-    def _of_copy(self, obj, sub, path):
-        """Of something that the part, a link to a container, shows in its own place."""
-        place = self.part.getSubObject(_below(obj, sub, path, self.part))
+    def _of_copy(self, copy, sub):
+        """Of something that a link to a container, or one of several copies, shows in its own place."""
+        place = copy.getSubObject(sub)
         if place is None:
             return []
+        if copy is not self.part:
+            place.Placement = versions.frame_around(copy).multiply(place.Placement)
         kind = place.ShapeType
         return ["%s%d" % (kind, i + 1) for i, own in enumerate(getattr(self.part.Shape, _MEMBERS[kind])) if _same_place(own, place)][:1]
 
 
 def path_of(obj, sub):
     """The objects that a reference leads through, the last of which has the element; and the element's plain name."""
-    *names, element = sub.split(".")
+    *names, element = plain(sub).split(".")
     path = [obj]
     for depth in range(len(names)):
         step = obj.getSubObject(".".join(names[:depth + 1]) + ".", retType=1)
@@ -124,10 +141,31 @@ def path_of(obj, sub):
     return path, element
 
 
+def plain(sub):
+    """A path without the longer names of elements."""
+    return ".".join(name for name in sub.split(".") if not name.startswith(_MAPPED))
+
+
 def pairs_of(member, name="References"):
-    """(object, sub-element) for everything that a property of an FEM object refers to; the sub-element of a whole object is ""."""
+    """(object, sub-element) for everything that a property of an FEM object refers to, as it was clicked where that is known; the sub-element of a
+    whole object is ""."""
+    clicked = {(path[-1], element): through for through, path, element in _clicked_through(member)}
+    return [clicked.get(pair, pair) for pair in plain_pairs_of(member, name)]
+
+
+def plain_pairs_of(member, name="References"):
+    """The same as the property has it, without the paths of clicks."""
     value = getattr(member, name, None) or []
     return [(obj, sub) for obj, subs in value for sub in ((subs,) if isinstance(subs, str) else subs or ("",))]
+
+
+def _clicked_through(member):
+    """((object, sub-element), path, element) for each line of CLICKED whose objects are still there."""
+    for line in getattr(member, CLICKED, None) or ():
+        name, _, sub = line.partition(".")
+        root = member.Document.getObject(name)
+        if root is not None:
+            yield ((root, sub), *path_of(root, sub))
 
 
 def same_numbers(part):
@@ -160,10 +198,11 @@ def _same_counts(part, other):
         all(mine.countElement(kind) == others.countElement(kind) for kind in _MEMBERS)
 
 
-def _below(obj, sub, path, part):
-    """The rest of the path behind `part`."""
-    names = sub.split(".")
-    return sub if obj is part else ".".join(names[path.index(part):])
+def _below(step, obj, sub):
+    """The rest of the path (obj, sub) behind one of its objects."""
+    names = plain(sub).split(".")
+    depth = next(depth for depth in range(len(names)) if (obj.getSubObject(".".join(names[:depth]) + ".", retType=1) if depth else obj) is step)
+    return ".".join(names[depth:])
 
 
 def _same_place(one, other):

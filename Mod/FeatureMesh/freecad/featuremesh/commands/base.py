@@ -6,7 +6,7 @@ import contextlib
 import FreeCAD
 import FreeCADGui as Gui
 
-from .. import api, assembled, reading, versions
+from .. import api, assembled, reading, resolving, versions
 from ..gui.undo import undo_step
 from ..mesh_object import is_feature_mesh
 from ..view_provider import icon
@@ -61,9 +61,9 @@ def selected_mesh(document):
 
 
 def chosen(document, mesh):
-    """What is selected of solids, faces, edges and vertices, as (object, name) pairs; None when it is the mesh itself, so that they are to be chosen
-    in the panel that opens."""
-    entries = [entry for entry in Gui.Selection.getSelectionEx(document.Name) if entry.Object is not mesh]
+    """What is selected of solids, faces, edges and vertices, as (object, name) pairs that lead through links and containers; None when it is the mesh
+    itself, so that they are to be chosen in the panel that opens."""
+    entries = [entry for entry in _as_clicked(document) if entry.Object is not mesh]
     if not entries and mesh in Gui.Selection.getSelection(document.Name):
         return None
     return [(entry.Object, name) for entry in entries for name in entry.SubElementNames or ("",)]
@@ -77,8 +77,12 @@ def edit_in_fem(mesh, obj):
 
 
 def selected_part(document):
-    """What is to be meshed of the selection: a solid, the body of a selected feature or sketch, the part of a mesh; without a selection that
-    has to do with a solid, the only one of the document. Throws UserError."""
+    """What is to be meshed of the selection: a solid, the link by which it was clicked, the body of a selected feature or sketch, the part of a mesh;
+    without a selection that has to do with a solid, the only one of the document. Throws UserError."""
+    through = [step for entry in _as_clicked(document) for sub in entry.SubElementNames or ("",) for step in resolving.path_of(entry.Object, sub)[0]
+               if step.isDerivedFrom("App::Link")]
+    if through:
+        return through[0]
     selected = [obj for obj in Gui.Selection.getSelection(document.Name) if not _is_of_fem(obj)]
     return reading.find_meshable(document, _part_of(selected[0]).Name if selected else None)
 
@@ -87,6 +91,11 @@ def selected_container(document):
     """The selected App::Part, group or assembly, None where another thing is selected."""
     selected = [obj for obj in Gui.Selection.getSelection(document.Name) if not _is_of_fem(obj)]
     return selected[0] if selected and assembled.is_container(selected[0]) else None
+
+
+def _as_clicked(document):
+    """The selection with the paths that lead to it, such as Link.Body.Fillet.Face19."""
+    return Gui.Selection.getSelectionEx(document.Name, 0)
 
 
 def _is_of_fem(obj):

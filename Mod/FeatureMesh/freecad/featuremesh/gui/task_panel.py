@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import analyses, api, log, reading, versions
+from .. import analyses, api, assembled, log, reading, versions
 from ..mesh_object import is_cancelled
 from ..reports import remarks_of
 from ..mesh_properties import AUTOMATIC_SHARE, DIMENSIONS, NOT_MESHED, OPTION_OF, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
@@ -296,8 +296,10 @@ class MeshPanel:
         self._show_result()
 
     def _show_mesh(self):
-        """Mesh and part at the same place would flicker, so the part is hidden."""
-        versions.part_of(self.mesh).ViewObject.Visibility = False
+        """Mesh and part at the same place would flicker, so the part is hidden, and what it shows."""
+        part = versions.part_of(self.mesh)
+        for obj in [part, part.Container] if assembled.is_assembled(part) and part.Container is not None else [part]:
+            obj.ViewObject.Visibility = False
         self.mesh.ViewObject.Visibility = True
 
     def _set_running(self, running):

@@ -168,8 +168,8 @@
       <translation>Die Analyse, die für jeden Fall gelöst wird</translation>
     </message>
     <message>
-      <source>The container whose parts these are</source>
-      <translation>Der Container, dessen Teile dies sind</translation>
+      <source>The container whose parts these are, or the link that is shown</source>
+      <translation>Der Container, dessen Teile dies sind, oder die Verknüpfung, die gezeigt wird</translation>
     </message>
     <message>
       <source>The faces that joined parts share</source>
@@ -381,6 +381,10 @@
     <message>
       <source>%s has the mesh %s already.</source>
       <translation>%s hat schon das Netz %s.</translation>
+    </message>
+    <message>
+      <source>%s in its place</source>
+      <translation>%s an ihrem Ort</translation>
     </message>
     <message>
       <source>%s is %s; update it before solving</source>
