@@ -12,7 +12,7 @@ import FreeCADGui as Gui  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
 from PySide import QtGui  # noqa: E402
-from window import answer_with, click, click_in_panel, figures, panel, picture, spin, wait_for  # noqa: E402
+from window import answer_with, button_in_panel, click, click_in_panel, figures, is_whole, panel, picture, spin, wait_for  # noqa: E402
 
 
 def names(document):
@@ -27,6 +27,15 @@ def open_new(body_or_sketch):
     return panel("MeshPanel")
 
 
+def check_width(settings):
+    """FreeCAD's dock as it is at first has room for the panel and the buttons above it, with their whole texts."""
+    assert is_whole(settings.form), (settings.form.width(), settings.form.visibleRegion().boundingRect().width())
+    for name in ("Ok", "Cancel", "Apply"):
+        button = button_in_panel(name)
+        assert is_whole(button), (name, button.width(), button.visibleRegion().boundingRect().width())
+        assert button.width() > button.fontMetrics().boundingRect(button.text()).width(), name
+
+
 def check_cancel(document, sketch):
     """A sketch that was edited is still selected: its body is meant. Cancel leaves nothing behind, nor does an error."""
     before, steps = names(document), document.UndoCount
@@ -35,6 +44,7 @@ def check_cancel(document, sketch):
     assert settings.min_automatic.isChecked() and not settings.min_size.isVisible() and not settings.working.isVisible()
     assert settings.status.text() == "Status: not meshed yet", settings.status.text()
     picture("panel_new")
+    check_width(settings)
     click_in_panel("Cancel")
     assert names(document) == before and document.UndoCount == steps and not document.HasPendingTransaction
     assert not Gui.Control.activeDialog() and Gui.activeDocument().getInEdit() is None

@@ -11,7 +11,7 @@ import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import window  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
-from window import click, click_button_of, click_in_view, double_click, figures, panel, picture, send_key, send_mouse, spin, wait_for  # noqa: E402
+from window import click, click_button_of, click_in_view, double_click, figures, is_whole, panel, picture, send_key, send_mouse, spin, wait_for  # noqa: E402
 
 LONG = 900   # s, for what a busy machine does in its own time
 
@@ -63,6 +63,12 @@ def has_ended(study):
     return not study_runs.run_of(study).is_running()
 
 
+def check_width(shown, column):
+    """FreeCAD's dock as it is at first has room for the panel, and one column of the dimensions for its texts; the other has tool tips."""
+    assert is_whole(shown.form), shown.form.width()
+    assert shown.dimensions.sizeHintForColumn(column) <= shown.dimensions.columnWidth(column), (column, shown.dimensions.columnWidth(column))
+
+
 def check_five_clicks(document):
     """From the bracket to a plot: the command, two dimensions, Run, Results."""
     before = hashlib.sha256(Path(document.FileName).read_bytes()).hexdigest()
@@ -72,6 +78,7 @@ def check_five_clicks(document):
     study = shown.study
     assert study.Analysis is document.Analysis and study.Part.TypeId == "PartDesign::Body", (study.Analysis, study.Part)
     assert shown.status.text() == "not run yet" and not shown.results_button.isEnabled() and not shown.bar.isVisible()
+    check_width(shown, 0)
     for target in ("Boss.Length", "Fillet.Radius"):
         item = tick(shown, target)
         clicks += 1
@@ -79,6 +86,7 @@ def check_five_clicks(document):
     assert list(study.Parameters) == ["Boss.Length=27.0:33.0", "Fillet.Radius=2.7:3.3"], study.Parameters
     assert list(study.Responses) == ["mass", "max_mises", "max_displacement"]
     picture("study_panel")
+    check_width(shown, 1)
     click(shown.run_button)
     clicks += 1
     wait_for(lambda: shown.bar.isVisible() and shown.bar.maximum() == 16 and shown.bar.value() > 0, LONG)

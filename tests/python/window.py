@@ -59,6 +59,11 @@ def wait_for(condition, seconds=120):
         spin(0.05)
 
 
+def is_whole(widget):
+    """Is a widget seen in all its width?"""
+    return widget.visibleRegion().boundingRect().width() == widget.width()
+
+
 def click(widget):
     """The left button of the mouse, pressed and let go in the middle of a widget that can be seen; of a check box on the box."""
     assert widget.isVisible() and widget.isEnabled(), widget.text()
@@ -143,8 +148,12 @@ def click_in_view(point):
 
 def click_in_panel(name):
     """One of "Ok", "Apply", "Cancel" and "Close" over the open task panel."""
+    click(button_in_panel(name))
+
+
+def button_in_panel(name):
     box, = [box for box in Gui.getMainWindow().findChildren(QtGui.QDialogButtonBox) if box.isVisible()]
-    click(box.button(getattr(QtGui.QDialogButtonBox, name)))
+    return box.button(getattr(QtGui.QDialogButtonBox, name))
 
 
 def answer_with(text, seen):

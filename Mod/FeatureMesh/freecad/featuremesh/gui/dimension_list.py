@@ -33,7 +33,9 @@ class DimensionList(QtGui.QTreeWidget):
         self.setTextElideMode(QtCore.Qt.ElideMiddle)   # the end of a row is its value
         self.header().setStretchLastSection(False)
         self.header().setSectionResizeMode(_NAME, QtGui.QHeaderView.Stretch)
-        self.setColumnWidth(_RANGE, 68)
+        self.header().setSectionResizeMode(_RANGE, QtGui.QHeaderView.ResizeToContents)
+        self.setTextElideMode(QtCore.Qt.ElideMiddle)   # the value stays; a tool tip has the whole name
+        self._give_room()
         self.itemChanged.connect(self._took)
         self.itemDoubleClicked.connect(lambda item, column: self.editItem(item, column) if column == _RANGE else None)
 
@@ -62,6 +64,10 @@ class DimensionList(QtGui.QTreeWidget):
             group.setExpanded(True)
             self.scrollToItem(group, QtGui.QAbstractItemView.PositionAtTop)
 
+    def _give_room(self):
+        """The names get all the width as long as there is no range."""
+        self.setColumnHidden(_RANGE, not any(item.text(_RANGE) for item in self._items.values()))
+
     def _add(self, dimension, parameter):
         owner = dimension.owner
         if owner.Name not in self._groups:
@@ -83,6 +89,7 @@ class DimensionList(QtGui.QTreeWidget):
     @staticmethod
     def _show_range(item, bounds):
         item.setText(_RANGE, "%.6g : %.6g" % tuple(bounds))
+        item.setToolTip(_RANGE, item.text(_RANGE))
 
     def _took(self, item, column):
         if column == _NAME:
@@ -91,5 +98,10 @@ class DimensionList(QtGui.QTreeWidget):
                 item.setText(_RANGE, "")
             elif not item.text(_RANGE):
                 self._show_range(item, item.data(_NAME, QtCore.Qt.UserRole))
+            self.blockSignals(False)
+            self._give_room()
+        else:
+            self.blockSignals(True)
+            item.setToolTip(_RANGE, item.text(_RANGE))
             self.blockSignals(False)
         self._changed()

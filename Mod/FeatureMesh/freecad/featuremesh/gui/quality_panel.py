@@ -8,6 +8,7 @@ from PySide import QtCore, QtGui
 
 from .. import overlays
 from ..quality import MEASURES
+from . import narrow
 from .overlay_panel import OverlayPanel
 
 translate = FreeCAD.Qt.translate
@@ -35,6 +36,7 @@ class QualityPanel(OverlayPanel):
         self.measure = QtGui.QComboBox()
         for name in MEASURES:
             self.measure.addItem(translate("FeatureMesh", _TITLES[name]), name)
+        narrow.box(self.measure)
         self.bad, self.good = QtGui.QDoubleSpinBox(), QtGui.QDoubleSpinBox()
         self.histogram, self.summary, self.worst = Histogram(), QtGui.QLabel(), QtGui.QListWidget()
         self.summary.setWordWrap(True)

@@ -8,7 +8,7 @@ from PySide import QtCore, QtGui
 from .. import mesh_object, user_words, view_provider, versions
 from ..errors import UserError
 from ..study import design, response_words, study_object, window_run
-from . import errors, study_runs
+from . import errors, narrow, study_runs
 from .dimension_list import DimensionList
 
 translate = FreeCAD.Qt.translate
@@ -153,14 +153,13 @@ class StudyPanel:
         for name, title in _SAMPLINGS.items():
             self.sampling.addItem(translate("FeatureMesh", title), name)
         self.sampling.setCurrentIndex(list(_SAMPLINGS).index(study.Sampling))
-        for box in (self.at, self.sampling, self.solver):
-            box.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
-            box.setMinimumContentsLength(10)   # the panel may be narrow
         self.cases.setRange(1, 100000)
         self.cases.setValue(study.Cases)
         for name, title in (("automatic", translate("FeatureMesh", "automatic")), ("live", translate("FeatureMesh", "live")), ("ccx", "CalculiX")):
             self.solver.addItem(title, name)
         self.solver.setCurrentIndex(self.solver.findData(study.Solver))
+        for box in (self.at, self.sampling, self.solver):
+            narrow.box(box)
         self.jobs.setRange(0, 1024)
         self.jobs.setSpecialValueText(translate("FeatureMesh", "automatic"))
         self.jobs.setValue(study.Jobs)
@@ -173,6 +172,7 @@ class StudyPanel:
 
     def _lay_out(self):
         layout = QtGui.QVBoxLayout(self.form)
+        narrow.margins(layout)
         hint = QtGui.QLabel(translate("FeatureMesh", "Tick what is to vary. A click on a sketch, a feature or a face shows its dimensions."))
         hint.setWordWrap(True)
         for widget in (hint, self.dimensions, QtGui.QLabel(translate("FeatureMesh", "What each case is to tell:")), self.responses):

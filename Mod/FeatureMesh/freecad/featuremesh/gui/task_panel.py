@@ -15,6 +15,7 @@ from ..reports import remarks_of
 from ..mesh_properties import AUTOMATIC_SHARE, DIMENSIONS, NOT_MESHED, OPTION_OF, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
 from ..messages import of_error
 from ..view_provider import drawn_icon
+from . import narrow
 from .errors import select_named
 from ..user_words import in_words
 from .running import RunningJob, step_in_words
@@ -53,11 +54,13 @@ class MeshPanel:
         self._estimate_timer.timeout.connect(self._start_estimate)
         self._show_result()
         self._settings_changed()
+        QtCore.QTimer.singleShot(0, narrow.buttons)   # FreeCAD adds them when it shows the panel
 
     # Widgets
 
     def _build(self):
         layout = QtGui.QVBoxLayout(self.form)
+        narrow.margins(layout)
         settings = QtGui.QFormLayout()
         layout.addLayout(settings)
         part, holding = versions.part_of(self.mesh), analyses.holding(self.mesh)
@@ -87,17 +90,17 @@ class MeshPanel:
         self.automatic = QtGui.QCheckBox(translate("FeatureMesh", "Update automatically"))
         self.automatic.setChecked(self.mesh.Automatic)
         self.automatic.setToolTip(self._tooltip("Automatic"))
-        smallest = QtGui.QHBoxLayout()
-        smallest.addWidget(self.min_size, 1)
-        smallest.addWidget(self.min_automatic)
         for label, widget in ((translate("FeatureMesh", "Size"), self.size),
-                              (translate("FeatureMesh", "Smallest"), smallest),
+                              (translate("FeatureMesh", "Smallest"), self.min_automatic),
+                              ("", self.min_size),
                               (translate("FeatureMesh", "Mesh of"), self.dimension),
                               (translate("FeatureMesh", "Element"), self.order),
                               (translate("FeatureMesh", "Per circle"), self.per_circle),
                               (translate("FeatureMesh", "Across gaps"), self.across_gap),
                               (translate("FeatureMesh", "Growth"), self.growth)):
             settings.addRow(label, widget)
+        for chooser in (self.dimension, self.order):
+            narrow.box(chooser)
         layout.addWidget(self.automatic)
         self.estimate = QtGui.QLabel("")
         self.estimate.setWordWrap(True)
