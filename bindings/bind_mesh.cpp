@@ -88,6 +88,12 @@ std::vector<std::vector<std::string>> owners_of_each_face(const PartMesh& part) 
     return run_released({}, 1, [&](RunContext&) { return names_of_owners(part.part); });
 }
 
+std::vector<std::vector<std::string>> labels_of_owners_in_mesh(const PartMesh& part,
+                                                               const std::vector<std::string>& names) {
+    const std::vector<Entity> entities = entities_from(names);
+    return run_released({}, 1, [&](RunContext&) { return labels_of_owners(part.part, entities); });
+}
+
 py::list tets_of_each_feature(const PartMesh& part) {
     const auto groups = run_released({}, 1, [&](RunContext& context) { return tets_of_features(part, context); });
     py::list out;
@@ -213,6 +219,9 @@ void define_mesh(py::module_& module) {
         .def("wanted_sizes", &wanted_sizes, py::arg("points"),
              "(n,) mm: the edge length that the mesh was to have at each of the points, (n,3) mm.")
         .def("owners_of_faces", &owners_of_each_face, "By face of the final shape: names of the features that own it.")
+        .def(
+            "labels_of_owners", &labels_of_owners_in_mesh, py::arg("names"),
+            "Of faces and edges, by their names: the labels of the features that own it; none where that is not known.")
         .def("owners_of_tets", &tets_of_each_feature,
              "(feature name, numbers of the tets that have their middle in one of its volumes).");
 }

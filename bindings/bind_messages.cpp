@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bindings.h"
 #include "core/entity_names.h"
+#include "core/errors.h"
 #include "core/messages.h"
 
 namespace featuremesh {
@@ -30,6 +31,16 @@ py::list names_of_entities(const std::vector<Entity>& entities) {
     py::list names;
     for (const Entity entity : entities) names.append(name_of(entity));
     return names;
+}
+
+std::vector<Entity> entities_from(const std::vector<std::string>& names) {
+    std::vector<Entity> entities;
+    for (const std::string& name : names) {
+        const std::optional<Entity> entity = entity_named(name);
+        if (!entity) throw InputError(say<Code::no_entity>(name));
+        entities.push_back(*entity);
+    }
+    return entities;
 }
 
 py::object to_python(const Message& message) {

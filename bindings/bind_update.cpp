@@ -3,19 +3,14 @@
 #include <map>
 
 #include "bindings.h"
-#include "core/entity_names.h"
 #include "core/errors.h"
 #include "core/messages.h"
+#include "difference/face_owners.h"
 #include "update/field_transfer.h"
 
 namespace featuremesh {
 
 namespace {
-
-Entity entity_from_name(const std::string& name) {
-    if (const std::optional<Entity> entity = entity_named(name)) return *entity;
-    throw InputError(say<Code::no_entity>(name));
-}
 
 constexpr std::array<const char*, 4> names_of_dimensions{"from_shape", "edges", "faces", "solids"};
 
@@ -48,8 +43,7 @@ SizeZone zone_from(const py::dict& values) {
     const auto shape = required<std::string>(values, "shape");
     if (shape == "near") {
         NearZone near;
-        for (const auto& name : required<std::vector<std::string>>(values, "entities"))
-            near.entities.push_back(entity_from_name(name));
+        near.entities = entities_from(required<std::vector<std::string>>(values, "entities"));
         near.reach = required<double>(values, "reach");
         zone.shape = std::move(near);
         return zone;
@@ -92,7 +86,7 @@ const std::map<std::string, TakeOption>& known_options() {
         {"local",
          [](Asked& a, const py::handle& v) {
              for (const auto& [name, size] : v.cast<std::vector<std::pair<std::string, double>>>())
-                 a.options.sizing.local.push_back({entity_from_name(name), size});
+                 a.options.sizing.local.push_back({entities_from({name}).front(), size});
          }},
         {"zones",
          [](Asked& a, const py::handle& v) {
@@ -277,6 +271,16 @@ py::tuple transfer_values(const py::dict& old_arrays, const py::dict& new_arrays
                           py::array_t<double>(shape, field.errors.data()), sources);
 }
 
+std::vector<std::vector<std::string>> labels_of_owners_in_document(const py::dict& raw, const py::dict& options,
+                                                                   const std::vector<std::string>& names) {
+    const RawDocument document = raw_document_from(raw);
+    const Dimension dimension = asked_from(options).options.dimension;
+    const std::vector<Entity> entities = entities_from(names);
+    return run_released({}, 1, [&](RunContext& context) {
+        return labels_of_owners(read_part_to_mesh(document, context, nullptr, dimension), entities);
+    });
+}
+
 double estimate(const py::dict& raw, const py::dict& options) {
     const RawDocument document = raw_document_from(raw);
     const Asked asked = asked_from(options);
@@ -303,6 +307,8 @@ void define_update(py::module_& module) {
     module.def("transfer_field", &transfer_values, py::arg("old_arrays"), py::arg("new_arrays"), py::arg("values"),
                py::arg("same_place") = 0.0, py::arg("threads") = 1,
                "Nodal values carried from one mesh to another; (values, error estimates, sources).");
+    module.def("labels_of_owners", &labels_of_owners_in_document, py::arg("raw"), py::arg("options"), py::arg("names"),
+               "As of a PartMesh, of a part that has no mesh.");
     module.def("estimate_tets", &estimate, py::arg("raw"), py::arg("options"),
                "About how many elements the options ask for: tets, or triangles or segments where those are meshed.");
 }

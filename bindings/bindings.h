@@ -30,6 +30,8 @@ py::object to_python(const Message& message);
 py::list to_list(const std::vector<Message>& messages);
 /// ["Face12", ...]
 py::list names_of_entities(const std::vector<Entity>& entities);
+/// Throws InputError for what is no name of an entity.
+std::vector<Entity> entities_from(const std::vector<std::string>& names);
 py::dict arrays_of(const Mesh& mesh, const py::object& owner);
 Mesh mesh_from(const py::dict& arrays);
 /// The lengths that kept nodes were made for.

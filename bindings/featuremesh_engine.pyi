@@ -65,6 +65,8 @@ class PartMesh:
     def active_points(self) -> np.ndarray: """(k,3): inner nodes that survived as start positions only."""
     def wanted_sizes(self, points: np.ndarray) -> np.ndarray: """(n,) mm: the edge length that the mesh was to have at each of the points, (n,3) mm."""
     def owners_of_faces(self) -> list[list[str]]: """By face of the final shape: names of the features that own it."""
+    def labels_of_owners(self, names: list[str]) -> list[list[str]]:
+        """Of faces and edges ("Face12"), in their order: labels of the features that own it, an edge's being those of its faces; none where that is not known."""
     def owners_of_tets(self) -> list[tuple[str, np.ndarray]]: """(feature name, numbers of the tets that have their middle in one of its volumes)."""
 
 # Of reports "warnings" and the "refusal" of each of the "rounds" are messages, and so is "fallback" (None where all went as intended).
@@ -74,6 +76,7 @@ def update_part(old: PartMesh, raw: dict, options: dict, progress: Progress = No
 def adopt_part(raw: dict, options: dict, arrays: dict[str, np.ndarray], progress: Progress = None) -> tuple[PartMesh, dict[str, Any]]:
     """Makes another maker's mesh of the part ours. `arrays` as PartMesh.arrays gives them; of CAD entities they need to know nothing."""
 def restore_part(raw: dict, options: dict, arrays: dict[str, np.ndarray], progress: Progress = None) -> PartMesh: ...
+def labels_of_owners(raw: dict, options: dict, names: list[str]) -> list[list[str]]: """As of a PartMesh, of a part that has no mesh."""
 def transfer_field(old_arrays: dict[str, np.ndarray], new_arrays: dict[str, np.ndarray], values: np.ndarray, same_place: float = 0.0,
                    threads: int = 1) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Nodal values (n,) or (n,k) of the old mesh's nodes on the new one's: values, error estimates of the same shape, and by node where the value is from:

@@ -5,6 +5,22 @@
 
 namespace featuremesh {
 
+namespace {
+
+void add_once(std::vector<std::string>& words, const std::string& word) {
+    if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+}
+
+std::vector<FaceId> faces_at(const Brep& brep, Entity entity) {
+    const auto index = std::size_t(entity.index);
+    if (entity.dim == 2 && index < brep.face_count()) return {FaceId(index)};
+    if (entity.dim != 1 || index >= brep.edge_count()) return {};
+    const std::span<const FaceId> faces = brep.faces_of(EdgeId(index));
+    return {faces.begin(), faces.end()};
+}
+
+}  // namespace
+
 FaceOwners::FaceOwners(const PartState& state) : state_(state) {
     if (state.cells.owners_of_final_face.empty()) by_points_.emplace(state.tree);
 }
@@ -29,14 +45,23 @@ std::vector<std::vector<Owner>> owners_of_faces(const PartState& state) {
     return of_face;
 }
 
+std::vector<std::vector<std::string>> labels_of_owners(const PartState& state, std::span<const Entity> entities) {
+    const FaceOwners owners(state);
+    const std::vector<char> everybody(state.tree.features.size(), 1);
+    std::vector<std::vector<std::string>> of_entity;
+    for (const Entity entity : entities) {
+        std::vector<std::string>& labels = of_entity.emplace_back();
+        for (const FaceId face : faces_at(state.brep, entity))
+            for (const Owner& owner : owners.of(face, everybody)) add_once(labels, state.tree[owner.feature].label);
+    }
+    return of_entity;
+}
+
 std::vector<std::vector<std::string>> names_of_owners(const PartState& state) {
     std::vector<std::vector<std::string>> of_face;
     for (const std::vector<Owner>& owners : owners_of_faces(state)) {
         std::vector<std::string>& names = of_face.emplace_back();
-        for (const Owner& owner : owners) {
-            const std::string& name = state.tree[owner.feature].name;
-            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-        }
+        for (const Owner& owner : owners) add_once(names, state.tree[owner.feature].name);
     }
     return of_face;
 }

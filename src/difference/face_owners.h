@@ -29,6 +29,9 @@ class FaceOwners {
 
 /// Of all faces, by FaceId.
 std::vector<std::vector<Owner>> owners_of_faces(const PartState& state);
+/// In the order of the entities, faces and edges: the labels of the features that own it, each once. An edge has the
+/// owners of all its faces. None for other entities, and where no feature's volume has the face.
+std::vector<std::vector<std::string>> labels_of_owners(const PartState& state, std::span<const Entity> entities);
 /// Of all faces, by FaceId: the names of the features that own it, each once.
 std::vector<std::vector<std::string>> names_of_owners(const PartState& state);
 

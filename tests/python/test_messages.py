@@ -8,7 +8,8 @@ from pathlib import Path
 from unittest import mock
 
 import FreeCAD
-from freecad.featuremesh import engine, messages, user_words
+from freecad.featuremesh import engine, job, messages, reading, user_words
+from parts import new_document, plate_with_hole
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "resources" / "translations"))
@@ -87,6 +88,44 @@ class Messages(unittest.TestCase):
         self.assertEqual(messages.entities_in(CROSSING), ["Face2", "Edge7"])
         self.assertEqual(messages.entities_in(messages.said("{a:text}", a="Face3")), [])
         self.assertEqual(messages.entities_in("Face3 cannot be meshed"), [])
+
+    def test_names_the_features_of_faces_that_have_few(self):
+        asked = []
+
+        def labels_of(names):
+            asked.append(names)
+            return [{"Face2": ["Fillet"], "Edge7": ["Pad", "Fillet"], "Face9": ["A", "B", "C", "D"]}.get(name, []) for name in names]
+        faces = messages.said("thin: {faces:entities}", faces=["Face2", "Face9", "Face10", "Vertex1"])
+        report = messages.with_owners({"nodes": 3, "fallback": CROSSING, "warnings": [faces, "old"], "rounds": [{"refusal": None}]}, labels_of)
+        self.assertEqual(asked, [["Face2", "Edge7", "Face9", "Face10"]])
+        self.assertEqual(messages.in_english(report), {
+            "nodes": 3, "fallback": "full mesh: Face2 (Fillet) and Edge7 (Pad, Fillet); Face2 (Fillet) and itself",
+            "warnings": ["thin: Face2 (Fillet), Face9, Face10, Vertex1", "old"], "rounds": [{"refusal": None}]})
+        self.assertEqual(messages.entities_in(report["fallback"]), ["Face2", "Edge7"])
+        self.assertEqual(messages.with_owners(TOO_LARGE, labels_of), TOO_LARGE)
+        self.assertEqual(len(asked), 1)
+
+    def test_an_error_names_the_features_as_the_user_does(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        document.Hole.Label = "Bohrung"
+        hole = next("Face%d" % n for n, face in enumerate(body.Shape.Faces, 1) if type(face.Surface).__name__ == "Cylinder")
+
+        def refused(progress):
+            error = engine.load().MeshError("in short")
+            error.message = messages.said("{face:entities} cannot be meshed", face=[hole])
+            raise error
+        with self.assertRaisesRegex(engine.load().MeshError, r"^%s \(Bohrung\) cannot be meshed$" % hole) as caught:
+            job.run_engine(refused, reading.read_document(body), {"size": 5.0}, None)
+        self.assertEqual(messages.english(messages.of_error(caught.exception)), "%s (Bohrung) cannot be meshed" % hole)
+
+    def test_an_error_of_a_part_that_cannot_be_read_names_what_it_knows(self):
+        def refused(progress):
+            error = engine.load().InputError("in short")
+            error.message = messages.said("{face:entities} is open", face=["Face1"])
+            raise error
+        with self.assertRaisesRegex(engine.load().InputError, "^Face1 is open$"):
+            job.run_engine(refused, {"final_object": "", "records": [], "shapes": b""}, {"size": 5.0}, None)
 
     def test_names_six_faces_and_counts_the_rest(self):
         said = messages.said("{faces:entities}", faces=["Face%d" % n for n in range(1, 9)])

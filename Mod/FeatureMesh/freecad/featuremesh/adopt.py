@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Reads the mesh of another maker (Gmsh, Netgen, any FEM mesh object) so that the engine can make it ours."""
 
-import time
-
 import FreeCAD
 import numpy as np
 
@@ -23,10 +21,8 @@ class AdoptJob(MeshJob):
         super().__init__(raw, options, None, None, [])
         self.arrays = arrays
 
-    def run(self, progress=None):
-        start = time.perf_counter()
-        self.part_mesh, self.report = engine.load().adopt_part(self.raw, self.options, self.arrays, progress)
-        self.seconds["engine"] = time.perf_counter() - start
+    def _mesh(self, progress):
+        return engine.load().adopt_part(self.raw, self.options, self.arrays, progress)
 
 
 def part_of(obj):

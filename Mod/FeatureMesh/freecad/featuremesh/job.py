@@ -4,7 +4,7 @@
 import time
 
 from . import engine, log
-from .messages import of_error
+from .messages import english, of_error, with_owners
 from .worker import WorkerDied
 
 
@@ -32,13 +32,14 @@ class MeshJob:
         if self.saved is not None:
             self._restore(progress)
         start = time.perf_counter()
-        if self.old is None:
-            self.part_mesh, self.report = engine.load().mesh_part(
-                self.raw, self.options, progress=progress, next_numbers=self.next_numbers)
-        else:
-            self.part_mesh, self.report = engine.load().update_part(self.old, self.raw, self.options, progress)
+        self.part_mesh, self.report = run_engine(self._mesh, self.raw, self.options, progress)
         self.seconds["engine"] = time.perf_counter() - start
         log.write("%s %s in %.1f s", "meshed" if self.old is None else "updated", self.raw["final_object"], self.seconds["engine"])
+
+    def _mesh(self, progress):
+        if self.old is None:
+            return engine.load().mesh_part(self.raw, self.options, progress=progress, next_numbers=self.next_numbers)
+        return engine.load().update_part(self.old, self.raw, self.options, progress)
 
     def _restore(self, progress):
         """Makes the engine's mesh of the saved state, or leaves it to a mesh from scratch and says why."""
@@ -48,3 +49,22 @@ class MeshJob:
         except (engine.load().StateError, WorkerDied) as error:
             self.problem = of_error(error)
         self.seconds["restore"] = time.perf_counter() - start
+
+
+def run_engine(mesh, raw, options, progress):
+    """What `mesh(progress)` makes, (PartMesh, report), or raises; in either case what is said tells of faces and edges whose features' they are."""
+    try:
+        part_mesh, report = mesh(progress)
+    except (engine.load().MeshError, engine.load().InputError) as error:
+        error.message = with_owners(of_error(error), lambda names: _owners_in(raw, options, names))
+        error.args = (english(error.message),)
+        raise
+    said = {name: report[name] for name in ("warnings", "fallback", "rounds")}
+    return part_mesh, {**report, **with_owners(said, part_mesh.labels_of_owners)}
+
+
+def _owners_in(raw, options, names):
+    try:
+        return engine.load().labels_of_owners(raw, options, names)
+    except engine.load().Error:   # it was refused before anything of it was known
+        return [[] for _ in names]

@@ -2,12 +2,14 @@
 """What the engine and our documents have to say, and how it is put into words; user_words.py does so in the user's language. Needs no FreeCAD.
 
 A message is {"template": English words with {name:kind} where a parameter goes, "parameters": {name: value}}; the engine's have their "code", too
-(src/core/messages.def). So it is kept in documents. Older documents hold English sentences, which stay as they are.
+(src/core/messages.def), and "owners" where it is known which features own the faces and edges that it names: {"Face12": ["Fillet"]}, by their labels.
+So it is kept in documents. Older documents hold English sentences, which stay as they are.
 """
 
 import string
 
 _MOST_ENTITIES = 6   # are named
+_MOST_OWNERS = 3      # of one: what belongs to more features is not told by them
 AND_MORE, INSIDE = "%s and %d more", "the inside"
 
 
@@ -59,6 +61,35 @@ def entities_in(message):
     return list(dict.fromkeys(names))
 
 
+def with_owners(value, labels_of):
+    """The same message, or messages within lists and dicts, with the features that own the faces and edges named there.
+
+    `labels_of` gives the labels of the owners for each of the names it is asked for; it is asked once, and not where nothing is named.
+    """
+    names = [name for name in dict.fromkeys(_entities_within(value)) if name.startswith(("Face", "Edge"))]
+    if not names:
+        return value
+    owners = {name: labels for name, labels in zip(names, labels_of(names)) if 0 < len(labels) <= _MOST_OWNERS}
+    return _owned(value, owners)
+
+
+def _entities_within(value):
+    if is_message(value):
+        return entities_in(value)
+    inner = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+    return [name for entry in inner for name in _entities_within(entry)]
+
+
+def _owned(value, owners):
+    if isinstance(value, list):
+        return [_owned(entry, owners) for entry in value]
+    if not isinstance(value, dict):
+        return value
+    inner = {key: _owned(entry, owners) for key, entry in value.items()}
+    own = {name: owners[name] for name in entities_in(value) if name in owners}
+    return {**inner, "owners": own} if own else inner
+
+
 class Words(string.Formatter):
     """Puts messages into words; the kinds in a template are those of src/core/message.h."""
 
@@ -68,7 +99,8 @@ class Words(string.Formatter):
     def put(self, message):
         if not is_message(message):
             return self._with_units(message or "")
-        return self.vformat(self._translated(message["template"]), (), message["parameters"])
+        owners = message.get("owners", {})
+        return self.vformat(self._translated(message["template"]), (), {name: _owned_names(value, owners) for name, value in message["parameters"].items()})
 
     def format_field(self, value, kind):
         return getattr(self, "_" + kind)(value)
@@ -101,6 +133,13 @@ class Words(string.Formatter):
 
     def _messages(self, messages):
         return "; ".join(self.put(message) for message in _listed(messages))
+
+
+def _owned_names(value, owners):
+    """Of a parameter: "Face12 (Fillet)" for "Face12"."""
+    if not owners or not isinstance(value, list):
+        return value
+    return ["%s (%s)" % (name, ", ".join(owners[name])) if isinstance(name, str) and name in owners else name for name in value]
 
 
 def _listed(messages):

@@ -95,6 +95,7 @@ _PARAMETERS = {
     "compare": ("old", "new"),
     "read_tree": ("raw",),
     "estimate_tets": ("raw", "options"),
+    "labels_of_owners": ("raw", "options", "names"),
 }
 
 
@@ -121,6 +122,9 @@ class WorkerMesh:
 
     def owners_of_faces(self):
         return self._engine.call("PartMesh.owners_of_faces", self)
+
+    def labels_of_owners(self, names):
+        return self._engine.call("PartMesh.labels_of_owners", self, names)
 
     def owners_of_tets(self):
         return self._engine.call("PartMesh.owners_of_tets", self)
