@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "difference/made_faces.h"
 
-#include <BRepTools.hxx>
-#include <BRepTopAdaptor_FClass2d.hxx>
-#include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
@@ -11,11 +8,11 @@
 #include "brep/occt_geometry.h"
 #include "brep/solid_probe.h"
 #include "difference/feature_pieces.h"
+#include "difference/volume_faces.h"
 
 namespace featuremesh {
 
 namespace {
-constexpr int points_across = 6;
 constexpr double on_surface = 1e-4;  // mm: how closely a sketch element lies on the surface that was swept from it
 
 SketchElement moved(SketchElement element, const RigidMotion& motion) {
@@ -58,15 +55,7 @@ void add_once(std::vector<ElementName>& sorted, const ElementName& value) {
 
 std::vector<Vec3> points_over(const TopoDS_Face& face) {
     std::vector<Vec3> points;
-    double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
-    BRepTools::UVBounds(face, u1, u2, v1, v2);
-    const BRepAdaptor_Surface surface(face, false);
-    const BRepTopAdaptor_FClass2d trim(face, Precision::PConfusion());
-    for (int i = 0; i < points_across; ++i)
-        for (int j = 0; j < points_across; ++j) {
-            const double u = u1 + (u2 - u1) * (i + 0.5) / points_across, v = v1 + (v2 - v1) * (j + 0.5) / points_across;
-            if (trim.Perform({u, v}) == TopAbs_IN) points.push_back(to_vec3(surface.Value(u, v)));
-        }
+    for (const SurfacePoint& p : points_in_trim(face)) points.push_back(p.point);
     if (const auto sound = point_on(face); points.empty() && sound) points.push_back(sound->point);
     return points;
 }

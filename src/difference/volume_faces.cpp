@@ -17,22 +17,8 @@ namespace {
 
 constexpr int points_across = 6;
 
-struct SurfacePoint {
-    Vec3 point;
-    double u, v;
-};
-
 std::vector<SurfacePoint> points_on(const TopoDS_Face& face, SurfaceKind kind) {
-    std::vector<SurfacePoint> points;
-    double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
-    BRepTools::UVBounds(face, u1, u2, v1, v2);
-    const BRepAdaptor_Surface surface(face, false);
-    const BRepTopAdaptor_FClass2d trim(face, Precision::PConfusion());
-    for (int i = 0; i < points_across; ++i)
-        for (int j = 0; j < points_across; ++j) {
-            const double u = u1 + (u2 - u1) * (i + 0.5) / points_across, v = v1 + (v2 - v1) * (j + 0.5) / points_across;
-            if (trim.Perform({u, v}) == TopAbs_IN) points.push_back({to_vec3(surface.Value(u, v)), u, v});
-        }
+    std::vector<SurfacePoint> points = points_in_trim(face);
     const auto sound = kind == SurfaceKind::free_form ? std::nullopt : point_on(face);
     if (sound) points.push_back({sound->point, 0, 0});
     return points;
@@ -46,6 +32,20 @@ bool holds(const FaceProbe& face, SurfaceKind kind, const SurfacePoint& p) {
 }
 
 }  // namespace
+
+std::vector<SurfacePoint> points_in_trim(const TopoDS_Face& face) {
+    std::vector<SurfacePoint> points;
+    double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
+    BRepTools::UVBounds(face, u1, u2, v1, v2);
+    const BRepAdaptor_Surface surface(face, false);
+    const BRepTopAdaptor_FClass2d trim(face, Precision::PConfusion());
+    for (int i = 0; i < points_across; ++i)
+        for (int j = 0; j < points_across; ++j) {
+            const double u = u1 + (u2 - u1) * (i + 0.5) / points_across, v = v1 + (v2 - v1) * (j + 0.5) / points_across;
+            if (trim.Perform({u, v}) == TopAbs_IN) points.push_back({to_vec3(surface.Value(u, v)), u, v});
+        }
+    return points;
+}
 
 VolumeFaces::VolumeFaces(const FeatureTree& tree) {
     for (std::size_t f = 0; f < tree.features.size(); ++f)

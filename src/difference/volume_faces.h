@@ -12,6 +12,14 @@
 
 namespace featuremesh {
 
+/// A point of a face with its parameters there.
+struct SurfacePoint {
+    Vec3 point;
+    double u = 0, v = 0;
+};
+/// Those of 36 points, spread evenly over the parameters of a face, that lie in its trim.
+std::vector<SurfacePoint> points_in_trim(const TopoDS_Face& face);
+
 /// The faces of all volumes of all features. Not for concurrent use.
 class VolumeFaces {
   public:

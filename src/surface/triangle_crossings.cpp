@@ -7,8 +7,9 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <algorithm>
-#include <numeric>
 #include <unordered_set>
+
+#include "core/box_tree.h"
 
 namespace featuremesh {
 
@@ -27,70 +28,6 @@ Box box_of(const Mesh& mesh, const std::array<NodeId, 3>& t) {
     for (const NodeId n : t) box.add(mesh.point(n));
     return box;
 }
-
-bool overlap(const Box& a, const Box& b) {
-    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-           a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
-
-/// Boxes in a binary tree, split at the median of the longest extent.
-class BoxTree {
-  public:
-    explicit BoxTree(const std::vector<Box>& boxes) : boxes_(boxes), order_(boxes.size()) {
-        std::iota(order_.begin(), order_.end(), 0);
-        if (!order_.empty()) build(0, order_.size());
-    }
-
-    template <class Visit>
-    void visit_overlaps(const Box& box, const Visit& visit) const {
-        if (!nodes_.empty()) descend(0, box, visit);
-    }
-
-  private:
-    struct Node {
-        Box box;
-        std::size_t begin, end, right;  ///< right 0: a leaf; the left child follows its parent
-    };
-    static constexpr std::size_t leaf_size = 6;
-
-    std::size_t build(std::size_t begin, std::size_t end) {
-        const std::size_t index = nodes_.size();
-        nodes_.push_back({{}, begin, end, 0});
-        Box box;
-        for (std::size_t i = begin; i < end; ++i) box.add(boxes_[order_[i]]);
-        nodes_[index].box = box;
-        if (end - begin <= leaf_size) return index;
-        const Vec3 extent = box.high - box.low;
-        const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-        const auto middle = order_.begin() + static_cast<std::ptrdiff_t>((begin + end) / 2);
-        std::nth_element(order_.begin() + static_cast<std::ptrdiff_t>(begin), middle,
-                         order_.begin() + static_cast<std::ptrdiff_t>(end), [&](std::uint32_t a, std::uint32_t b) {
-                             const double ca = boxes_[a].low[axis] + boxes_[a].high[axis],
-                                          cb = boxes_[b].low[axis] + boxes_[b].high[axis];
-                             return ca != cb ? ca < cb : a < b;
-                         });
-        build(begin, (begin + end) / 2);
-        nodes_[index].right = build((begin + end) / 2, end);
-        return index;
-    }
-
-    template <class Visit>
-    void descend(std::size_t index, const Box& box, const Visit& visit) const {
-        const Node& node = nodes_[index];
-        if (!overlap(node.box, box)) return;
-        if (node.right > 0) {
-            descend(index + 1, box, visit);
-            descend(node.right, box, visit);
-            return;
-        }
-        for (std::size_t i = node.begin; i < node.end; ++i)
-            if (overlap(boxes_[order_[i]], box)) visit(order_[i]);
-    }
-
-    const std::vector<Box>& boxes_;
-    std::vector<std::uint32_t> order_;
-    std::vector<Node> nodes_;
-};
 
 class CrossingSearch {
   public:
@@ -127,7 +64,7 @@ class CrossingSearch {
         std::vector<char> is_near(mesh_.node_count(), 0);
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
             const Box box = box_of(mesh_, mesh_.triangles[t]);
-            if (t < first_new_ && !overlap(box, region)) continue;
+            if (t < first_new_ && !box.overlaps(region)) continue;
             triangles_.push_back(t);
             boxes_.push_back(box);
             for (const NodeId n : mesh_.triangles[t]) is_near[n.index()] = 1;
@@ -152,8 +89,8 @@ class CrossingSearch {
         std::size_t count = 0;
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
             const bool is_new = triangles_[i] >= first_new_;
-            const bool may_cross = overlap(boxes_[i], fresh_inexact) || (is_new && overlap(boxes_[i], inexact)) ||
-                                   (!is_exact_[i] && overlap(boxes_[i], fresh));
+            const bool may_cross = boxes_[i].overlaps(fresh_inexact) || (is_new && boxes_[i].overlaps(inexact)) ||
+                                   (!is_exact_[i] && boxes_[i].overlaps(fresh));
             if (!may_cross) continue;
             triangles_[count] = triangles_[i], boxes_[count] = boxes_[i], is_exact_[count++] = is_exact_[i];
         }
@@ -180,7 +117,10 @@ class CrossingSearch {
     }
 
     void find_with(const BoxTree& tree, std::size_t i, std::vector<std::array<TriangleId, 2>>& found) const {
-        tree.visit_overlaps(boxes_[i], [&](std::uint32_t j) {
+        const std::size_t before = found.size();
+        const auto meets = [&](const Box& box) { return box.overlaps(boxes_[i]); };
+        tree.visit_where(meets, [&](std::int32_t other) {
+            const auto j = std::size_t(other);
             if (j == i || (is_exact_[j] == is_exact_[i] && j < i) || (is_exact_[i] && !is_exact_[j])) return;
             const std::size_t a = triangles_[i], b = triangles_[j];
             if (std::max(a, b) < first_new_ || is_smooth_pair(a, b)) return;
@@ -188,6 +128,7 @@ class CrossingSearch {
             if (!do_cross(mesh_.triangles[a], mesh_.triangles[b])) return;
             found.push_back({TriangleId(std::max(a, b)), TriangleId(std::min(a, b))});
         });
+        std::sort(found.begin() + std::ptrdiff_t(before), found.end());
     }
 
     FaceId face_of(std::size_t t) const { return mesh_.triangle_faces[t]; }
