@@ -52,6 +52,7 @@ def add_test(subparsers):
     test.add_argument("--sanitize", choices=("address", "thread"), help="the tests of the engine's modules, built with the address and "
                       "undefined behaviour sanitizers, or with the thread sanitizer")
     test.add_argument("--tidy", metavar="COMMIT", help="clang-tidy on the source files that changed since the commit")
+    test.add_argument("--seconds", type=float, help="with --tidy: look at what changed last, as long as that takes no longer")
     test.add_argument("--packages", action="store_true", help="make the packages and install them in roots without anything to build with")
     test.add_argument("--python", action="append", default=[], metavar="PROGRAM", help=argparse.SUPPRESS)   # as for package
     test.add_argument("--only", metavar="PATTERN", help="run only tests whose name matches this regular expression")

@@ -141,7 +141,7 @@ def test(given):
     if given.sanitize:
         return sanitizers.run(given.sanitize, given.only)
     if given.tidy:
-        return tidy.run(given.tidy)
+        return tidy.run(given.tidy, given.seconds)
     extra = () if given.in_freecad else packages.STYLE_PACKAGES + packages.WINDOWS_PACKAGES + packages.SOLVER_PACKAGES + packages.CLUSTER_PACKAGES
     set_up(packages.PICTURE_PACKAGES + packages.PEER_PACKAGES + packages.READER_PACKAGES + packages.STUDY_PACKAGES + extra, IN_FREECAD if given.in_freecad else ALL)
     say("running the tests" + (" in FreeCAD" if given.in_freecad else ""))

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -25,6 +26,7 @@ import engine_build  # noqa: E402
 import freecad_roots  # noqa: E402
 import freecad_task  # noqa: E402
 import packages  # noqa: E402
+import tidy  # noqa: E402
 import wheels  # noqa: E402
 from layout import RELEASE, Failure, Unavailable, UserError  # noqa: E402
 
@@ -340,6 +342,53 @@ class SetUp(unittest.TestCase):
     def test_sources_of_the_engine_are_watched(self):
         watched = {path.relative_to(ROOT).as_posix() for path in engine_build.source_files()}
         self.assertLessEqual({"CMakeLists.txt", "src/core/errors.h", "bindings/CMakeLists.txt"}, watched)
+
+
+class Tidy(unittest.TestCase):
+    """In a repository of its own, with another program in clang-tidy's place."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = Path(folder.name)
+        (self.root / "src").mkdir()
+        for name in ("one.cpp", "two.cpp", "two.h", "three.cpp", "only.h"):
+            (self.root / "src" / name).write_text("first\n", encoding="utf-8")
+        self.git("init", "--quiet")
+        self.commit()
+        for patch in (mock.patch.object(tidy, "ROOT", self.root), mock.patch.object(tidy, "CLANG_TIDY", str(self.root / "clang-tidy"))):
+            patch.start()
+            self.addCleanup(patch.stop)
+
+    def git(self, *words):
+        subprocess.run(["git", "-c", "user.name=nobody", "-c", "user.email=nobody", *words], cwd=self.root, check=True)
+
+    def commit(self):
+        self.git("add", ".")
+        self.git("commit", "--quiet", "-m", "change")
+
+    def change(self, name):
+        (self.root / "src" / name).write_text("changed\n", encoding="utf-8")
+
+    def test_what_changed_last_is_looked_at_first(self):
+        for name in ("one.cpp", "two.h", "only.h"):
+            self.change(name)
+            self.commit()
+        self.change("three.cpp")
+        self.assertEqual([str(path) for path in tidy.sources_to_look_at(tidy.changed_since("HEAD~3"))], ["src/three.cpp", "src/two.cpp", "src/one.cpp"])
+        self.assertEqual([str(path) for path in tidy.sources_to_look_at(tidy.changed_since("HEAD"))], ["src/three.cpp"])
+        with self.assertRaisesRegex(Unavailable, "git knows no such commit"):
+            tidy.changed_since("HEAD~7")
+
+    def test_a_finding_is_told_and_time_that_is_over_is_none(self):
+        program = self.root / "clang-tidy"
+        program.write_text('#!/bin/sh\n[ "$4" = src/slow.cpp ] && exec sleep 60\n[ "$4" = src/one.cpp ] && echo "one is wrong" && exit 1\nexit 0\n', encoding="utf-8")
+        program.chmod(0o755)
+        soon, now = time.monotonic() + 60, time.monotonic()
+        self.assertEqual(tidy.complaints_about(Path("src/one.cpp"), self.root, soon), "one is wrong\n")
+        self.assertEqual(tidy.complaints_about(Path("src/two.cpp"), self.root, float("inf")), "")
+        self.assertIsNone(tidy.complaints_about(Path("src/slow.cpp"), self.root, now + 0.5))
+        self.assertIsNone(tidy.complaints_about(Path("src/slow.cpp"), self.root, now - 1))
 
 
 class Packages(unittest.TestCase):
