@@ -92,8 +92,8 @@ struct ChangedBoundary::Tree {
 
     static Vec3 centre(const Triangle& t) { return t[0] + t[1] + t[2]; }
 
-    /// The smaller of `best` and the squared distance.
-    double nearest(const Vec3& p, double best) const {
+    /// The smaller of `best` and the squared distance; of the places below `enough` any will do.
+    double nearest(const Vec3& p, double best, double enough) const {
         struct Waiting {
             std::int32_t node;
             double at_least;
@@ -102,6 +102,7 @@ struct ChangedBoundary::Tree {
         int depth = 0;
         if (!nodes.empty()) stack[depth++] = {0, squared_distance_to_box(p, nodes[0].box)};
         while (depth > 0) {
+            if (best < enough) return best;
             const auto [index, at_least] = stack[--depth];
             if (at_least >= best) continue;
             const Node& node = nodes[std::size_t(index)];
@@ -142,8 +143,13 @@ std::span<const std::array<Vec3, 3>> ChangedBoundary::triangles() const { return
 double ChangedBoundary::distance(const Vec3& p, double limit) const {
     if (tree_->domain) limit = std::min(limit, depth_in_box(p, *tree_->domain));
     if (!(limit > 0)) return 0;
-    const double best = tree_->nearest(p, limit * limit);
+    const double best = tree_->nearest(p, limit * limit, 0);
     return best < limit * limit ? std::sqrt(best) : limit;
+}
+
+bool ChangedBoundary::is_within(double reach, const Vec3& p) const {
+    if (tree_->domain && depth_in_box(p, *tree_->domain) < reach) return true;
+    return reach > 0 && tree_->nearest(p, reach * reach, reach * reach) < reach * reach;
 }
 
 Box ChangedBoundary::box() const {

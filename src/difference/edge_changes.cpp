@@ -26,11 +26,7 @@ EdgeShape shape_of(const Brep& brep, EdgeId id) {
 class EdgeVerdicts {
   public:
     EdgeVerdicts(const CarriedRegion& region, const Brep& old_shape, const Brep& new_shape)
-        : region_(region),
-          old_shape_(old_shape),
-          new_shape_(new_shape),
-          old_probe_(old_shape.shape()),
-          new_probe_(new_shape.shape()) {
+        : region_(region), old_shape_(old_shape), new_shape_(new_shape) {
         Box box = old_shape.box();
         box.add(new_shape.box());
         same_ = 10 * Tolerances{box.diagonal()}.same_geometry();
@@ -60,18 +56,11 @@ class EdgeVerdicts {
             change.new_edge = partner;
             change.new_length = is.length;
         }
-        if (!change.new_edge.is_valid()) change.inner = new_probe_.containment_of(was.middle) == Containment::inside;
         return change;
     }
 
     EdgeChange appeared(EdgeId e) const {
-        const EdgeShape is = shape_of(new_shape_, e);
-        return {BoundaryVerdict::appeared,
-                EdgeId(),
-                e,
-                0,
-                is.length,
-                old_probe_.containment_of(is.middle) == Containment::inside};
+        return {BoundaryVerdict::appeared, EdgeId(), e, 0, shape_of(new_shape_, e).length, false};
     }
 
     /// Of two edges that overlap on one curve. A closed one may begin elsewhere.
@@ -85,7 +74,6 @@ class EdgeVerdicts {
     const CarriedRegion& region_;
     const Brep& old_shape_;
     const Brep& new_shape_;
-    const SolidProbe old_probe_, new_probe_;
     double same_ = 0;  // mm; a vertex lies less exactly than an underlying surface
 };
 
@@ -94,6 +82,16 @@ class EdgeVerdicts {
 std::vector<EdgeChange> edge_changes(const FeatureDifference& difference, const Brep& old_shape,
                                      const Brep& new_shape) {
     return EdgeVerdicts(difference.regions.front(), old_shape, new_shape).run();
+}
+
+void tell_inner_edges(std::vector<EdgeChange>& edges, const Brep& old_shape, const Brep& new_shape) {
+    const SolidProbe in_old(old_shape.shape()), in_new(new_shape.shape());
+    for (EdgeChange& edge : edges) {
+        if (edge.verdict == BoundaryVerdict::vanished)
+            edge.inner = in_new.containment_of(shape_of(old_shape, edge.old_edge).middle) == Containment::inside;
+        if (edge.verdict == BoundaryVerdict::appeared)
+            edge.inner = in_old.containment_of(shape_of(new_shape, edge.new_edge).middle) == Containment::inside;
+    }
 }
 
 }  // namespace featuremesh

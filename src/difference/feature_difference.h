@@ -54,20 +54,22 @@ struct EdgeChange {
     BoundaryVerdict verdict = BoundaryVerdict::kept;
     EdgeId old_edge, new_edge;              ///< none where there is no partner
     double old_length = 0, new_length = 0;  ///< mm
-    bool inner = false;                     ///< vanished into the material, or appeared out of it
+    bool inner = false;                     ///< vanished into the material, or appeared out of it; see tell_inner_edges
 };
 
 /// How closely the changed boundary is looked at: the edge length of its triangles where a face is trimmed differently,
 /// mm.
 struct Resolution {
     Resolution(double everywhere) : finest(everywhere) {}
-    /// `wanted` is asked for points in the new state's place and changes by less than half of a way over that way.
-    Resolution(double finest_wanted, std::function<double(const Vec3&)> wanted)
-        : finest(finest_wanted), coarser(std::move(wanted)) {}
+    /// `wanted` is asked for points in the new state's place and changes by at most `slope`, below a half, times a way
+    /// over that way.
+    Resolution(double finest_wanted, std::function<double(const Vec3&)> wanted, double most_slope = 0.5)
+        : finest(finest_wanted), coarser(std::move(wanted)), slope(most_slope) {}
     double at(const Vec3& in_new_place) const { return coarser ? std::max(finest, coarser(in_new_place)) : finest; }
 
     double finest;
     std::function<double(const Vec3&)> coarser;  ///< none: the finest everywhere
+    double slope = 0;
 };
 
 /// The part of either boundary that the other does not have, as triangles, conservative: every point of the symmetric
@@ -84,6 +86,8 @@ class ChangedBoundary {
     std::span<const std::array<Vec3, 3>> triangles() const;
     /// Distance from p, mm; `limit` when it is not closer than that. Safe to call from several threads.
     double distance(const Vec3& p, double limit) const;
+    /// Whether it is closer to p than `reach`, mm: the same question without the number, which costs less.
+    bool is_within(double reach, const Vec3& p) const;
     /// Holds everything that is changed: all of space when there is a domain.
     Box box() const;
 
@@ -123,8 +127,11 @@ struct FeatureDifference {
 /// appeared ones did before (inner became boundary), by a point of each.
 void tell_inner_faces(std::vector<FaceChange>& faces, const Brep& old_shape, const Brep& new_shape);
 
-/// For reports: what became of every edge, from the partners in the difference's first region. Poles are left out.
+/// What became of every edge, from the partners in the difference's first region. Poles are left out.
 std::vector<EdgeChange> edge_changes(const FeatureDifference& difference, const Brep& old_shape, const Brep& new_shape);
+
+/// For reports: which of the vanished edges now lie inside the material, and which of the appeared ones did before.
+void tell_inner_edges(std::vector<EdgeChange>& edges, const Brep& old_shape, const Brep& new_shape);
 
 FeatureDifference compare(const PartState& old_state, const PartState& new_state, const Resolution& resolution,
                           RunContext& context);

@@ -3,6 +3,7 @@
 
 #include <Extrema_GenLocateExtPS.hxx>
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace featuremesh {
@@ -101,10 +102,40 @@ Uv SurfaceChart::nearest_start(const Vec3& p) const {
         ->first;
 }
 
+// Gauss and Newton's way, since the point is on the surface: no second derivatives. Parameters stay a little off the
+// surface's ends, for there the kernel evaluates without its cached polynomials.
+std::optional<Uv> SurfaceChart::descend(const gp_Pnt& own, Uv uv) const {
+    constexpr int most_steps = 12;
+    constexpr double off_ends = 1e-8, on_it = 1e-8, near_it = 1e-5;  // share of the range; mm
+    const double first[] = {evaluator_.FirstUParameter(), evaluator_.FirstVParameter()},
+                 last[] = {evaluator_.LastUParameter(), evaluator_.LastVParameter()};
+    double before = std::numeric_limits<double>::infinity();
+    for (int step = 0; step < most_steps; ++step) {
+        for (int k = 0; k < 2; ++k) {
+            const double slack = off_ends * (last[k] - first[k]);
+            uv[k] = std::clamp(uv[k], first[k] + slack, last[k] - slack);
+        }
+        gp_Pnt at;
+        gp_Vec du, dv;
+        evaluator_.D1(uv[0], uv[1], at, du, dv);
+        const gp_Vec rest(at, own);
+        const double away = rest.Magnitude();
+        if (away <= on_it || (away <= near_it && away > 0.5 * before)) return uv;
+        const double uu = du.Dot(du), u_v = du.Dot(dv), vv = dv.Dot(dv), determinant = uu * vv - u_v * u_v;
+        if (!(determinant > 1e-12 * uu * vv)) return std::nullopt;
+        const double ru = du.Dot(rest), rv = dv.Dot(rest);
+        uv[0] += (vv * ru - u_v * rv) / determinant;
+        uv[1] += (uu * rv - u_v * ru) / determinant;
+        before = away;
+    }
+    return std::nullopt;
+}
+
 // The kernel's search from nothing looks at a grid over all of the surface for every point: it is the last resort.
 std::optional<Uv> SurfaceChart::search(const Vec3& p, const Uv& start) const {
     constexpr double near_it = 1e-4;  // mm
     const gp_Pnt own = to_pnt(p).Transformed(to_own_);
+    if (const auto uv = descend(own, start)) return uv;
     Extrema_GenLocateExtPS local(evaluator_);
     local.Perform(own, start[0], start[1]);
     if (local.IsDone() && local.SquareDistance() <= near_it * near_it) {

@@ -51,6 +51,7 @@ class SurfaceChart {
     bool is_pole(const Uv& uv) const;
     Uv nearest_start(const Vec3& p) const;
     std::optional<Uv> search(const Vec3& p, const Uv& start) const;
+    std::optional<Uv> descend(const gp_Pnt& own, Uv uv) const;
 
     UnderlyingSurface underlying_;
     Handle(ShapeAnalysis_Surface) analysis_;

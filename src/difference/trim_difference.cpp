@@ -55,7 +55,7 @@ class TrimRaster {
         if (by_crossings_) sort_into_columns();
         std::vector<int> all(segments_.size());
         for (std::size_t i = 0; i < all.size(); ++i) all[i] = int(i);
-        visit(root_, all);
+        visit(root_, all, {});
     }
 
   private:
@@ -301,7 +301,21 @@ class TrimRaster {
         return from <= to;
     }
 
-    void visit(const UvBox& cell, const std::vector<int>& segments) {
+    /// Bounds of the resolution at a cell's middle, as far as a look at the middle of a cell around it tells. No cell
+    /// asks for its own where they suffice.
+    struct ResolutionBounds {
+        double least = 0, most = 1e300;
+        ResolutionBounds after(double change) const { return {least - change, most + change}; }
+    };
+
+    bool is_small(const UvBox& cell, double extent, ResolutionBounds& bounds) const {
+        if (extent <= leaf_) return true;
+        if (!resolution_.coarser || extent > bounds.most) return false;
+        if (extent > bounds.least) bounds.least = bounds.most = resolution_.at(chart_.point(cell.at(0.5, 0.5)));
+        return extent <= bounds.least;
+    }
+
+    void visit(const UvBox& cell, const std::vector<int>& segments, ResolutionBounds bounds) {
         const Uv scale = chart_.scale();
         const double width = cell.size(0) * scale[0], height = cell.size(1) * scale[1];
         if (outside_domain(cell, width, height)) return;
@@ -310,8 +324,8 @@ class TrimRaster {
             return;
         }
         const double extent = std::max(width, height);
-        if (extent <= leaf_ || (resolution_.coarser && extent <= resolution_.at(chart_.point(cell.at(0.5, 0.5)))))
-            return emit(cell);
+        if (is_small(cell, extent, bounds)) return emit(cell);
+        const ResolutionBounds of_halves = bounds.after(resolution_.slope * 0.25 * extent);
         const int k = width >= height ? 0 : 1;
         UvBox low = cell, high = cell;
         low.high[k] = high.low[k] = 0.5 * (cell.low[k] + cell.high[k]);
@@ -319,7 +333,7 @@ class TrimRaster {
             std::vector<int> entering;
             for (const int s : segments)
                 if (enters(segments_[std::size_t(s)], *half)) entering.push_back(s);
-            visit(*half, entering);
+            visit(*half, entering, of_halves);
         }
     }
 
@@ -458,20 +472,37 @@ class TrimRaster {
 
     void emit_free_form(const UvBox& cell) {
         const auto at = [&](double s, double t) { return chart_.point(cell.at(s, t)); };
-        emit_free_form(cell, {at(0, 0), at(1, 0), at(1, 1), at(0, 1)}, 0);
+        const Vec3 middle = at(0.5, 0.5);
+        emit_free_form(cell, {at(0, 0), at(1, 0), at(1, 1), at(0, 1)}, {middle, resolution_.at(middle)}, 0);
     }
 
-    // Quarters until the middles of a cell and of its borders are close to the two triangles.
-    void emit_free_form(const UvBox& cell, const Corners& corners, int depth) {
+    struct Look {
+        Vec3 place;
+        double resolution;
+    };
+
+    // Quarters until the middles of a cell and of its borders are close to the two triangles. The resolution is asked
+    // for where the last look at it, nearby, leaves that open.
+    void emit_free_form(const UvBox& cell, const Corners& corners, Look look, int depth) {
         const auto& [a, b, c, d] = corners;
         const auto at = [&](double s, double t) { return chart_.point(cell.at(s, t)); };
         const Vec3 ab = at(0.5, 0), bc = at(1, 0.5), cd = at(0.5, 1), da = at(0, 0.5), middle = at(0.5, 0.5);
-        const double resolution = resolution_.at(middle), sag = resolution / 8;
         const double strays = std::max({squared_distance_to_segment(ab, a, b), squared_distance_to_segment(bc, b, c),
                                         squared_distance_to_segment(cd, c, d), squared_distance_to_segment(da, d, a),
                                         squared_distance_to_segment(middle, a, c)});
-        const bool small = std::max(distance(a, c), distance(b, d)) <= std::max(2 * resolution, least_free_form_cell_);
-        if ((strays <= sag * sag && small) || depth >= 9) {
+        const double extent = std::max(distance(a, c), distance(b, d));
+        const auto suffices = [&](double resolution) {
+            const double sag = resolution / 8;
+            return strays <= sag * sag && extent <= std::max(2 * resolution, least_free_form_cell_);
+        };
+        const double change = resolution_.slope * distance(look.place, middle);
+        const bool may_suffice = suffices(look.resolution + change);
+        bool does_suffice = may_suffice && suffices(look.resolution - change);
+        if (may_suffice && !does_suffice) {
+            look = {middle, resolution_.at(middle)};
+            does_suffice = suffices(look.resolution);
+        }
+        if (does_suffice || depth >= 9) {
             add_triangle(a, b, c);
             add_triangle(a, c, d);
             return;
@@ -481,7 +512,7 @@ class TrimRaster {
             UvBox part;
             part.add(cell.at(0.5, 0.5));
             part.add(cell.at(quarter & 1, quarter >> 1));
-            emit_free_form(part, quarters[quarter], depth + 1);
+            emit_free_form(part, quarters[quarter], look, depth + 1);
         }
     }
 

@@ -2,6 +2,7 @@
 #include "update/keep.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "update/carried_nodes.h"
@@ -20,6 +21,13 @@ namespace {
 constexpr double size_change_that_releases = 1.2;
 constexpr double clearance_between_motions = 1.5;  // edge lengths
 constexpr double active_margin = 0.6;              // edge lengths
+constexpr double same_size = 1e-9;                 // relative
+
+/// Edge lengths that were asked for at a node under its motion, mm; 0 where nobody asked.
+struct AskedSizes {
+    double was = 0, wanted = 0;
+    bool is_carried = false;  ///< by another motion than the identity
+};
 
 class Keeper {
   public:
@@ -29,7 +37,8 @@ class Keeper {
           motions_(input.old_mesh.points.size(), 0),
           nodes_{input, motions_},
           entities_(nodes_),
-          is_resized_(motions_.size(), 0) {}
+          is_resized_(motions_.size(), 0),
+          asked_(motions_.size()) {}
 
     Kept run() {
         if (has_tets()) {
@@ -51,6 +60,7 @@ class Keeper {
                             untouched_solids_, is_resized_);
         Kept kept = assemble(nodes_, entities_, tets, shells ? &*shells : nullptr, context_);
         context_.check_cancelled();
+        remember_sizes(kept);
         collect_active(kept, tets);
         return kept;
     }
@@ -141,9 +151,12 @@ class Keeper {
         return shells;
     }
 
-    bool size_changed(std::size_t n, double wanted) const {
-        const SizedMesh old{in_.old_mesh, in_.old_sizing, in_.made_for};
-        const double was = old.made_for_at(NodeId(n));
+    double made_for(std::size_t n) const {
+        const std::optional<double> remembered = in_.made_for.of(NodeId(n));
+        return remembered ? *remembered : in_.old_sizing.at(in_.old_mesh.points[n]);
+    }
+
+    static bool size_changed(double was, double wanted) {
         return std::max(was / wanted, wanted / was) > size_change_that_releases;
     }
 
@@ -163,8 +176,9 @@ class Keeper {
                 const bool may_be_near = !reach[r].is_empty() && reach[r].contains(p);
                 if (!may_be_resized && !may_be_near) continue;
                 const double wanted = in_.new_sizing.at(p), limit = in_.margin * wanted;
-                const bool is_resized = may_be_resized && size_changed(n, wanted);
-                if (!is_resized && !(may_be_near && nodes_.regions()[r].changed.distance(p, limit) < limit)) continue;
+                asked_[n] = {may_be_resized ? made_for(n) : 0, wanted, r > 0};
+                const bool is_resized = may_be_resized && size_changed(asked_[n].was, wanted);
+                if (!is_resized && !(may_be_near && nodes_.regions()[r].changed.is_within(limit, p))) continue;
                 if (is_untouched(n) && (in_.same_sizes_asked || !is_resized))
                     near_change_[n] = 1;
                 else
@@ -249,15 +263,30 @@ class Keeper {
                 motions_[n] = dropped;
     }
 
+    // Beyond what changed a kept node is made for what is wanted there, unless it remembers something else.
+    void remember_sizes(Kept& kept) const {
+        for (std::size_t k = 0; k < kept.node_origin.size(); ++k) {
+            const auto n = std::size_t(kept.node_origin[k]);
+            const AskedSizes& asked = asked_[n];
+            const double was = asked.was > 0 ? asked.was : in_.made_for.of(NodeId(n)).value_or(0);
+            if (was == 0) continue;
+            const double wanted = asked.wanted > 0 ? asked.wanted : in_.new_sizing.at(nodes_.at(n));
+            if (std::abs(was - wanted) <= same_size * wanted) continue;
+            kept.made_for.nodes.emplace_back(k);
+            kept.made_for.sizes.push_back(was);
+        }
+    }
+
     void collect_active(Kept& kept, const KeptTets& tets) const {
         RoundWatch watch(context_);
         for (std::size_t n = 0; n < in_.old_mesh.corner_count; ++n) {
             watch();
             if (tets.has_kept_tet(n) || in_.old_mesh.entities[n].dim != 3) continue;
             const Vec3& p = in_.old_mesh.points[n];
-            const double wanted = in_.new_sizing.at(p);
-            if (!size_changed(n, wanted) &&
-                nodes_.regions()[0].changed.distance(p, active_margin * wanted) >= active_margin * wanted)
+            const AskedSizes asked = asked_[n].is_carried ? AskedSizes{} : asked_[n];
+            const double wanted = asked.wanted > 0 ? asked.wanted : in_.new_sizing.at(p);
+            if (!nodes_.regions()[0].changed.is_within(active_margin * wanted, p) &&
+                !size_changed(asked.was > 0 ? asked.was : made_for(n), wanted))
                 kept.active.push_back(p);
         }
     }
@@ -274,6 +303,7 @@ class Keeper {
     std::vector<std::int32_t> untouched_under_;
     std::vector<char> near_change_;  // likewise: and it stays for those tets only
     std::vector<char> is_resized_;   // by old node: it goes, since another size is wanted
+    std::vector<AskedSizes> asked_;  // by old node
 };
 
 }  // namespace

@@ -41,6 +41,7 @@ struct Kept {
     std::vector<TetId> rim_tets;  ///< kept tets with such a node, ascending
     std::vector<Vec3> active;     ///< inner nodes that only serve as start positions
     std::vector<KeptByMotion> by_motion;
+    MadeFor made_for;                              ///< of the kept nodes
     std::shared_ptr<const MergedEntities> merged;  ///< of the new shape; none where nobody has looked for them
 };
 

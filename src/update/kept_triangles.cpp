@@ -67,7 +67,7 @@ NearChanges find_near_changes(const KeepInput& input, RunContext& context) {
             for (std::size_t r = 0; is_asked[n] && r < regions.size(); ++r) {
                 const Vec3 p = regions[r].motion.apply(input.old_mesh.points[n]);
                 const double limit = input.margin * input.new_sizing.at(p);
-                is_near[r][n] = regions[r].changed.distance(p, limit) < limit;
+                is_near[r][n] = regions[r].changed.is_within(limit, p);
             }
     });
     return is_near;

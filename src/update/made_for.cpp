@@ -2,13 +2,8 @@
 #include "update/made_for.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace featuremesh {
-
-namespace {
-constexpr double same_size = 1e-9;  // relative
-}
 
 std::optional<double> MadeFor::of(NodeId node) const {
     const auto at = std::lower_bound(nodes.begin(), nodes.end(), node);
@@ -16,24 +11,16 @@ std::optional<double> MadeFor::of(NodeId node) const {
     return sizes[std::size_t(at - nodes.begin())];
 }
 
-MadeFor made_for(const Mesh& mesh, const SizingField& sizing, const SizedMesh& old,
-                 const std::vector<std::int32_t>& origin) {
-    const std::vector<Box> resized = where_different(old.sizing, sizing);
-    MadeFor sizes;
-    for (std::size_t n = 0; n < mesh.corner_count; ++n) {
-        if (origin[n] < 0) continue;
-        const NodeId before(origin[n]);
-        const Vec3& p = mesh.points[n];
-        const auto holds_p = [&](const Box& box) { return box.contains(p); };
-        const bool is_as_it_was = old.made_for.nodes.empty() && p == old.mesh.point(before) &&
-                                  std::none_of(resized.begin(), resized.end(), holds_p);
-        if (is_as_it_was) continue;
-        const double was = old.made_for_at(before), wanted = sizing.at(p);
-        if (std::abs(was - wanted) <= same_size * wanted) continue;
-        sizes.nodes.emplace_back(n);
-        sizes.sizes.push_back(was);
+MadeFor without(MadeFor made_for, std::vector<NodeId> nodes) {
+    if (nodes.empty()) return made_for;
+    std::sort(nodes.begin(), nodes.end());
+    MadeFor left;
+    for (std::size_t i = 0; i < made_for.nodes.size(); ++i) {
+        if (std::binary_search(nodes.begin(), nodes.end(), made_for.nodes[i])) continue;
+        left.nodes.push_back(made_for.nodes[i]);
+        left.sizes.push_back(made_for.sizes[i]);
     }
-    return sizes;
+    return left;
 }
 
 }  // namespace featuremesh

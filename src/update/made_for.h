@@ -6,8 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "mesh/mesh.h"
-#include "sizing/sizing_field.h"
+#include "core/ids.h"
 
 namespace featuremesh {
 
@@ -19,16 +18,6 @@ struct MadeFor {
     std::optional<double> of(NodeId node) const;
 };
 
-/// A mesh with the field it was wanted with, and the lengths its nodes were made for.
-struct SizedMesh {
-    const Mesh& mesh;
-    const SizingField& sizing;
-    const MadeFor& made_for;
-    double made_for_at(NodeId node) const { return made_for.of(node).value_or(sizing.at(mesh.point(node))); }
-};
-
-/// Of the corner nodes of a mesh that keeps some of an old one; `origin` by node as in PartMesh.
-MadeFor made_for(const Mesh& mesh, const SizingField& sizing, const SizedMesh& old,
-                 const std::vector<std::int32_t>& origin);
+MadeFor without(MadeFor made_for, std::vector<NodeId> nodes);
 
 }  // namespace featuremesh

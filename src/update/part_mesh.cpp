@@ -206,7 +206,8 @@ Resolution resolution(const SizingField& sizing, const MeshOptions& options) {
     const double finest =
         std::max(finest_resolution_needed * sizing.smallest(), coarsest_resolution_needed * options.sizing.size);
     if (sizing.is_uniform()) return finest;
-    return {finest, [&sizing](const Vec3& p) { return resolution_of_changes * sizing.at(p); }};
+    return {finest, [&sizing](const Vec3& p) { return resolution_of_changes * sizing.at(p); },
+            resolution_of_changes * (sizing.growth() - 1)};
 }
 
 /// Where sizes change along an interface, the tets that have to change with them need more room.
@@ -333,6 +334,7 @@ class Stages {
         if (filled_) return;
         if (!why_nothing_.empty()) report_.fallbacks.push_back(say<Code::full_mesh>(why_nothing_));
         node_origin_.clear(), tet_origin_.clear(), report_.kept.clear();
+        made_for_ = {};
         for (const bool refines : {true, false}) {
             const RunContext::Step step(context_, "surface");
             options_.sizing.refines_narrow_faces = refines;
@@ -364,7 +366,7 @@ class Stages {
         std::vector<std::int32_t> tet_origin =
             extended(without(tet_origin_, filled_->released), element_count(mesh, dimension()));
         MadeFor sizes;
-        if (before) sizes = made_for(mesh, *sizing_, {before->mesh, before->sizing, before->made_for}, node_origin);
+        if (before) sizes = without(std::move(made_for_), filled_->moved);
         auto now = std::make_shared<PartMesh>(PartMesh{std::move(*part_), std::move(document_), options_,
                                                        std::move(*sizing_), std::move(mesh), std::move(node_origin),
                                                        std::move(tet_origin), std::move(filled_->used_active),
@@ -414,6 +416,7 @@ class Stages {
                                 : dimension() == Dimension::faces ? kept_.triangle_origin
                                                                   : kept_.segment_origin);
         report_.kept = std::move(kept_.by_motion);
+        made_for_ = std::move(kept_.made_for);
         auto filled =
             fill_part(part_->brep, *sizing_, std::move(kept_), options, adopted_sizes_, report_.rounds, context_);
         if (auto* refusal = std::get_if<Message>(&filled)) return why = std::move(*refusal), false;
@@ -444,6 +447,7 @@ class Stages {
     Report report_;
     Kept kept_;
     std::vector<std::int32_t> node_origin_, tet_origin_;
+    MadeFor made_for_;
     Message why_nothing_;  ///< is kept; empty where nothing was to be kept
     std::optional<Filled> filled_;
 };

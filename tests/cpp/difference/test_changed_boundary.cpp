@@ -53,8 +53,25 @@ TEST_CASE("the distance agrees with sampling the triangles") {
     }
 }
 
+TEST_CASE("what is within reach is closer than it") {
+    std::mt19937 random(17);
+    const std::vector<Triangle> triangles = random_triangles(300, 4, random);
+    const ChangedBoundary everywhere(triangles), in_box(triangles, Box{{20, 20, 20}, {80, 80, 80}});
+    std::uniform_real_distribution<double> at(-10, 110), reach(0, 12);
+    int within = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 p{at(random), at(random), at(random)};
+        const double r = reach(random);
+        CHECK(everywhere.is_within(r, p) == (everywhere.distance(p, r) < r));
+        CHECK(in_box.is_within(r, p) == (in_box.distance(p, r) < r));
+        within += everywhere.is_within(r, p);
+    }
+    CHECK((within > 100 && within < 1900));
+}
+
 TEST_CASE("nothing changed is as far as the limit") {
     const ChangedBoundary nothing;
+    CHECK_FALSE(nothing.is_within(7.5, {1, 2, 3}));
     CHECK(nothing.is_empty());
     CHECK(nothing.box().is_empty());
     CHECK(nothing.distance({1, 2, 3}, 7.5) == 7.5);

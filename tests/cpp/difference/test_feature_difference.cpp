@@ -399,7 +399,8 @@ TEST_CASE("boundary that became inner, and inner that became boundary") {
 TEST_CASE("what became of every edge") {
     const auto edges = [](const std::vector<Primitive>& from, const std::vector<Primitive>& to) {
         const PartState was = part(from), is = part(to);
-        const std::vector<EdgeChange> changes = edge_changes(diff(was, is), was.brep, is.brep);
+        std::vector<EdgeChange> changes = edge_changes(diff(was, is), was.brep, is.brep);
+        tell_inner_edges(changes, was.brep, is.brep);
         std::map<BoundaryVerdict, std::pair<int, int>> counts;  // of which inner
         std::set<EdgeId> old_edges, new_edges;
         for (const EdgeChange& e : changes) {

@@ -3,21 +3,28 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <GeomAPI_PointsToBSplineSurface.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <cmath>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Trsf.hxx>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "catch.h"
+#include "difference/surface_chart.h"
 
 using namespace featuremesh;
 
@@ -128,4 +135,36 @@ TEST_CASE("lines and circles are the same whatever stretch and direction an edge
     };
     CHECK(same_underlying(arc(2, 0, 1), arc(2, 2, 5), {}));
     CHECK_FALSE(same_underlying(arc(2, 0, 1), arc(2.001, 0, 1), {}));
+}
+
+TEST_CASE("parameters of points on a spline surface are found inside and along its ends") {
+    TColgp_Array2OfPnt points(1, 9, 1, 7);
+    for (int i = 1; i <= 9; ++i)
+        for (int j = 1; j <= 7; ++j)
+            points(i, j) = gp_Pnt(10.0 * i, 8.0 * j, 6 * std::sin(0.9 * i) * std::cos(0.7 * j));
+    const Handle(Geom_BSplineSurface) surface = GeomAPI_PointsToBSplineSurface(points).Surface();
+    const gp_Trsf motion = turned_and_shifted();
+    const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, 1e-7).Face();
+    SurfaceChart chart(underlying_of(TopoDS::Face(face.Moved(TopLoc_Location(motion)))));
+    UvBox all;
+    double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+    surface->Bounds(u0, u1, v0, v1);
+    all.add({u0, v0}), all.add({u1, v1});
+    chart.start_searches_in(all);
+    const Uv corners[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.1, 0.2}};
+    std::optional<Uv> last;
+    for (int side = 0; side < 4; ++side)
+        for (int i = 0; i <= 20; ++i) {  // round the border, then across
+            const double t = i / 20.0;
+            const Uv &from = corners[side], &to = corners[side + 1];
+            const Uv uv = all.at(from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]));
+            const gp_Pnt p = surface->Value(uv[0], uv[1]).Transformed(motion);
+            const Vec3 point{p.X(), p.Y(), p.Z()};
+            last = chart.parameters(point, last);
+            REQUIRE(last);
+            CHECK(distance(chart.point(*last), point) < 1e-6);
+            CHECK(std::abs((*last)[0] - uv[0]) < 1e-6 * (u1 - u0));
+            CHECK(std::abs((*last)[1] - uv[1]) < 1e-6 * (v1 - v0));
+        }
+    CHECK_FALSE(chart.parameters({50, 30, 1000}, last));
 }
