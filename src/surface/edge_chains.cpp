@@ -129,11 +129,13 @@ std::vector<Vec3> stops_on(const std::vector<EdgeId>& edges, const Brep& brep, c
     return stops;
 }
 
-bool is_meshed(const Brep& brep, VertexId vertex) {
+bool is_meshed(const Brep& brep, const MergedEntities& merged, VertexId vertex) {
     const auto edges = brep.edges_of(vertex);
     const auto faces = brep.faces_at(entity_of(vertex));
-    return std::any_of(faces.begin(), faces.end(), [&](FaceId face) { return brep.is_meshed(face); }) ||
-           std::any_of(edges.begin(), edges.end(), [&](EdgeId edge) { return brep.is_meshed(edge); });
+    return std::any_of(faces.begin(), faces.end(),
+                       [&](FaceId face) { return brep.is_meshed(face) && !merged.is_flat[face.index()]; }) ||
+           std::any_of(edges.begin(), edges.end(),
+                       [&](EdgeId edge) { return brep.is_meshed(edge) && !merged.is_point[edge.index()]; });
 }
 
 /// The node of every used vertex, in the order of their numbers; but the two ends of an edge too short for a projection
@@ -157,7 +159,7 @@ class VertexNodes {
 
     void number(VertexId vertex) {
         if (is_asked_[vertex.index()]++ || shared(vertex).is_valid()) return;
-        if (!is_meshed(brep_, vertex)) return;
+        if (!is_meshed(brep_, merged_, vertex)) return;
         for (const EdgeId e : brep_.edges_of(vertex)) {
             const auto [first, last] = brep_.ends_of(e);
             if (last == vertex && first.is_valid() && first != last &&

@@ -59,7 +59,10 @@ class BoundaryBuilder {
             if (curve.IsNull()) fail(say<Code::edge_without_trace>(brep_.find(edge)));
             Use use;
             use.edge = brep_.find(edge);
-            if (chains_.is_point(use.edge)) continue;
+            if (chains_.is_point(use.edge)) {
+                points_.push_back(brep_.ends_of(use.edge)[0]);
+                continue;
+            }
             use.is_pole = brep_.is_degenerated(use.edge);
             use.is_inner = edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED;
             sample(use, *curve, first, last);
@@ -156,8 +159,11 @@ class BoundaryBuilder {
         }
     }
 
+    /// Those that no edge of the face with a chain has.
     void add_vertices_inside() {
-        for (const VertexId vertex : brep_.vertices_inside(face_)) {
+        const auto inside = brep_.vertices_inside(face_);
+        points_.insert(points_.begin(), inside.begin(), inside.end());
+        for (const VertexId vertex : points_) {
             const NodeId node = chains_.node_of(vertex);
             if (std::find(boundary_.nodes.begin(), boundary_.nodes.end(), node) != boundary_.nodes.end()) continue;
             const auto uv = Projector(brep_).nearest(face_, brep_.point_of(vertex)).uv;
@@ -173,6 +179,7 @@ class BoundaryBuilder {
     const EdgeChains& chains_;
     const Mesh& mesh_;
     std::vector<Use> uses_;
+    std::vector<VertexId> points_;  ///< at which an edge is that has no chain
     std::map<NodeId, std::vector<int>> corners_;
     FaceBoundary boundary_;
 };

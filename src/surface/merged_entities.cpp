@@ -2,11 +2,17 @@
 #include "surface/merged_entities.h"
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRepTools.hxx>
+#include <TopAbs_ShapeEnum.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 #include <algorithm>
 #include <array>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "core/messages.h"
 #include "core/numbers_in_words.h"
@@ -156,6 +162,88 @@ bool runs_along(const Brep& brep, const Projector& projector, EdgeId edge, EdgeI
     });
 }
 
+/// Faces that close round a place, or round an edge, within the tolerance, if some closed edges are points.
+class ClosedHoles {
+  public:
+    ClosedHoles(const Brep& brep, const Projector& projector, const std::vector<char>& is_point, double tolerance)
+        : brep_(brep), projector_(projector), is_point_(is_point), reach_(2 * tolerance) {
+        for (std::size_t e = 0; e < brep.edge_count(); ++e)
+            if (may_be_point(EdgeId(e))) is_point_[e] = 1, found_.emplace_back(e);
+    }
+
+    /// The closed edges that are points: all that no face needs.
+    std::vector<EdgeId> points() {
+        for (bool is_changed = true; std::exchange(is_changed, false);)
+            std::erase_if(found_, [&](EdgeId e) {
+                const auto faces = brep_.faces_of(e);
+                if (std::all_of(faces.begin(), faces.end(),
+                                [&](FaceId f) { return is_whole_without(f, e) || closes(f); }))
+                    return false;
+                is_point_[e.index()] = 0;
+                return is_changed = true;
+            });
+        return found_;
+    }
+
+    /// Of those faces that close, once points() has been asked.
+    std::vector<FaceId> closed_faces() const {
+        std::vector<FaceId> closed;
+        for (const EdgeId e : found_)
+            for (const FaceId f : brep_.faces_of(e))
+                if (closes(f)) closed.push_back(f);
+        return closed;
+    }
+
+  private:
+    bool may_be_point(EdgeId e) const {
+        const auto ends = brep_.ends_of(e);
+        return !brep_.is_degenerated(e) && !is_point_[e.index()] && ends[0].is_valid() && ends[0] == ends[1] &&
+               !brep_.faces_of(e).empty() && is_point(brep_, e, ends[0], 0.5 * reach_);
+    }
+
+    bool has_no_length(EdgeId e) const { return brep_.is_degenerated(e) || is_point_[e.index()]; }
+
+    /// Whether the edge is a border of its own of the face, which has another one.
+    bool is_whole_without(FaceId face, EdgeId edge) const {
+        bool is_alone = false, has_other = false;
+        for (TopExp_Explorer wire(brep_.face(face), TopAbs_WIRE); wire.More(); wire.Next()) {
+            std::vector<EdgeId> edges;
+            for (TopExp_Explorer it(wire.Current(), TopAbs_EDGE); it.More(); it.Next())
+                edges.push_back(brep_.find(TopoDS::Edge(it.Current())));
+            is_alone |= edges.size() == 1 && edges.front() == edge;
+            has_other |= std::any_of(edges.begin(), edges.end(), [&](EdgeId e) { return !has_no_length(e); });
+        }
+        return is_alone && has_other;
+    }
+
+    /// Whether all of the face is near its edges, of which those with a length are one, used twice.
+    bool closes(FaceId face) const {
+        std::vector<EdgeId> long_uses;
+        for (TopExp_Explorer it(brep_.face(face), TopAbs_EDGE); it.More(); it.Next())
+            if (const EdgeId e = brep_.find(TopoDS::Edge(it.Current())); !has_no_length(e)) long_uses.push_back(e);
+        if (!long_uses.empty() && (long_uses.size() != 2 || long_uses[0] != long_uses[1])) return false;
+        const Vec3 vertex = brep_.point_of(brep_.ends_of(brep_.edges_of(face).front())[0]);
+        constexpr int steps = 6;
+        double u_min, u_max, v_min, v_max;
+        BRepTools::UVBounds(brep_.face(face), u_min, u_max, v_min, v_max);
+        for (int i = 0; i <= steps; ++i)
+            for (int j = 0; j <= steps; ++j) {
+                const Vec3 p = projector_.on_face(
+                    face, {u_min + (u_max - u_min) * i / steps, v_min + (v_max - v_min) * j / steps});
+                const double off =
+                    long_uses.empty() ? distance(p, vertex) : projector_.nearest(long_uses[0], p).distance;
+                if (off > 2 * reach_) return false;
+            }
+        return true;
+    }
+
+    const Brep& brep_;
+    const Projector& projector_;
+    std::vector<char> is_point_;  ///< by edge, with those found
+    double reach_;
+    std::vector<EdgeId> found_;
+};
+
 }  // namespace
 
 MergedEntities::MergedEntities(const Brep& brep, double ignore_below)
@@ -168,7 +256,9 @@ MergedEntities::MergedEntities(const Brep& brep, double ignore_below)
     vertex_of = merge_vertices(brep, bodies, tolerance_);
     vertices_on = find_vertices_on(brep, bodies, vertex_of, projector, tolerance_);
     join_edges(brep, projector);
+    close_holes(brep, projector);
     find_flat_faces(brep);
+    leave_out_bare_edges(brep);
 }
 
 std::vector<VertexId> MergedEntities::sequence_of(const Brep& brep, EdgeId edge) const {
@@ -207,8 +297,15 @@ void MergedEntities::join_edges(const Brep& brep, const Projector& projector) {
     }
 }
 
+void MergedEntities::close_holes(const Brep& brep, const Projector& projector) {
+    ClosedHoles holes(brep, projector, is_point, tolerance_);
+    for (const EdgeId e : holes.points()) is_point[e.index()] = 1;
+    for (const FaceId f : holes.closed_faces()) is_flat[f.index()] = 1;
+}
+
 void MergedEntities::find_flat_faces(const Brep& brep) {
     for (std::size_t f = 0; f < brep.face_count(); ++f) {
+        if (is_flat[f]) continue;
         std::map<std::pair<EdgeId, std::ptrdiff_t>, int> uses;  // stretches of chains between vertices
         for (const EdgeId e : brep.edges_of(FaceId(f))) {
             if (brep.is_degenerated(e) || is_point[e.index()]) continue;
@@ -228,6 +325,18 @@ void MergedEntities::find_flat_faces(const Brep& brep) {
         is_flat[f] = !brep.edges_of(FaceId(f)).empty() &&
                      std::all_of(uses.begin(), uses.end(), [](const auto& use) { return use.second == 2; });
     }
+}
+
+/// Those that only faces without triangles have.
+void MergedEntities::leave_out_bare_edges(const Brep& brep) {
+    std::vector<char> has_triangles(brep.edge_count(), 0);  // by edge that has the chain: beside it, or no face is
+    for (std::size_t e = 0; e < brep.edge_count(); ++e) {
+        const auto faces = brep.faces_of(EdgeId(e));
+        has_triangles[edge_of[e].index()] |=
+            faces.empty() || std::any_of(faces.begin(), faces.end(), [&](FaceId f) { return !is_flat[f.index()]; });
+    }
+    for (std::size_t e = 0; e < brep.edge_count(); ++e)
+        if (!brep.is_degenerated(EdgeId(e)) && !has_triangles[edge_of[e].index()]) is_point[e] = 1;
 }
 
 bool MergedEntities::is_same_as(const MergedEntities& other) const {

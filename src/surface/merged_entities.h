@@ -14,7 +14,8 @@ namespace featuremesh {
 /// Vertices of one solid in the same place within Tolerances::negligible(), or as far as details are ignored, share a
 /// node, and an edge goes through the nodes of the vertices that lie on it. Then an edge may be a point, an edge may
 /// have its chain in common with another or a part of it (a solid that touches itself along an edge; the long edges of
-/// a sliver), and a face whose edges are so in pairs has no triangles.
+/// a sliver), and a face whose edges are so in pairs has no triangles. Nor has one that closes round such a place (a
+/// bore or a pin that thin), and its edges have no chain where no other face has them.
 struct MergedEntities {
     /// `ignore_below`: mm, details smaller than this are ignored; nodes are off the shape there by no more than it.
     explicit MergedEntities(const Brep& brep, double ignore_below = 0);
@@ -34,7 +35,9 @@ struct MergedEntities {
     /// The vertices along an edge that is not closed, its ends first and last.
     std::vector<VertexId> sequence_of(const Brep& brep, EdgeId edge) const;
     void join_edges(const Brep& brep, const Projector& projector);
+    void close_holes(const Brep& brep, const Projector& projector);
     void find_flat_faces(const Brep& brep);
+    void leave_out_bare_edges(const Brep& brep);
 
     double tolerance_;  ///< mm
     bool is_wide_;      ///< wider than what is negligible

@@ -10,6 +10,7 @@
 #include "mesh/second_order.h"
 #include "mesh/tets_at_nodes.h"
 #include "surface/turned_triangles.h"
+#include "update/ignored_details.h"
 #include "update/our_errors.h"
 #include "update/shell_division.h"
 #include "volume/curved/mid_side_nodes.h"
@@ -121,7 +122,9 @@ void fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult surf
                                  {kept.is_rim, kept.rim_tets, surface.kept.nodes});
     if (auto* obstacle = std::get_if<Obstacle>(&tried)) {
         attempt.refusal = std::move(obstacle->message);
-        attempt.request = {SizeReason::boundary, std::move(obstacle->place), std::move(obstacle->shorter)};
+        const bool is_thin = attempt.refusal.code() == Code::thin_elements_remain;
+        attempt.request = {is_thin ? SizeReason::thin : SizeReason::boundary, std::move(obstacle->place),
+                           std::move(obstacle->shorter)};
         return;
     }
     VolumeResult volume = std::get<VolumeResult>(std::move(tried));
@@ -282,6 +285,7 @@ class SizeLoop {
         const SizeRequest& request = attempt.request;
         const bool is_folded = request.reason == SizeReason::folded;
         if (request.is_empty() || (keeps_ && !is_folded)) return false;
+        if (request.reason == SizeReason::thin && !may_help_thin()) return false;
         first_of_last_ = shorter_.size();
         for (const SizeSource& source : request.lengths) shorter_.push_back(shorter_than_asked(field_, source));
         (is_folded ? folded_places_ : places_).insert(request.place);
@@ -290,10 +294,17 @@ class SizeLoop {
         note(attempt,
              is_folded                                ? "folded"
              : request.reason == SizeReason::boundary ? "boundary"
+             : request.reason == SizeReason::thin     ? "thin elements"
                                                       : "cannot follow",
              request.place, "shorter edges there");
         make_field();
         return true;
+    }
+
+    /// Shorter edges mend a few thin elements or none, and details that may be left out are better left out.
+    bool may_help_thin() {
+        constexpr int most_thin_rounds = 2;
+        return thin_rounds_++ < most_thin_rounds && ignorable_below(brep_, options_) == 0;
     }
 
     /// With the lengths of the last round it failed in another way.
@@ -350,7 +361,7 @@ class SizeLoop {
     std::set<std::vector<Entity>> places_, folded_places_;
     Message why_plain_;
     std::size_t first_of_last_ = 0;
-    int failures_ = 0, valid_ = 0;
+    int failures_ = 0, valid_ = 0, thin_rounds_ = 0;
     std::optional<Filled> best_;
     double best_jacobian_ = 0;
 };

@@ -23,6 +23,7 @@
 #include "update/adopted_sizes.h"
 #include "update/fill_part.h"
 #include "update/foreign_fit.h"
+#include "update/ignored_details.h"
 #include "update/keep.h"
 #include "update/our_errors.h"
 #include "update/thin_tets.h"
@@ -399,12 +400,8 @@ class Stages {
     /// Whether the part, refused as it is, may be filled without what is too small for elements of its own, and has
     /// anything so small.
     bool ignores_details(const Message& refusal) {
-        constexpr double share_of_size = 1e-3;
-        if (options_.ignore_below != 0) return false;
-        double smallest = options_.sizing.size;
-        for (const LocalSize& local : options_.sizing.local) smallest = std::min(smallest, local.size);
-        const double below = share_of_size * smallest;
-        if (MergedEntities(part_->brep, below).is_same_as(MergedEntities(part_->brep))) return false;
+        const double below = ignorable_below(part_->brep, options_);
+        if (below == 0) return false;
         options_.ignored_below = below;
         report_.rounds.push_back({"details", {}, "those below " + in_words(below, 3) + " mm are ignored", refusal});
         return true;

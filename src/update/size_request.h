@@ -17,6 +17,7 @@ enum class SizeReason {
     none,
     cannot_follow,  ///< elements are too long to follow the part
     boundary,       ///< tets cannot be made to meet the triangles there
+    thin,           ///< a few tets without a volume to speak of remain
     folded          ///< 10-node tets would be folded, or nearly so
 };
 
@@ -30,7 +31,8 @@ struct SizeRequest {
 
 /// Why all that is not kept was filled again, and with what.
 struct Round {
-    std::string reason;  ///< a word or two: narrow faces, cannot follow, boundary, folded, details, kept elements
+    std::string reason;  ///< a word or two: narrow faces, cannot follow, boundary, thin elements, folded, details,
+                         ///< kept elements
     std::vector<Entity> place;  ///< faces, or a solid; may be empty
     std::string change;         ///< what was done about it
     Message refusal;            ///< why there was no mesh; empty where one was only to get better

@@ -74,7 +74,8 @@ class Filling {
             const RunContext::Step step(context_, "optimise");
             optimise_all();
         }
-        for (std::size_t i = 0; i < cavities_.size(); ++i) require_thick(cavities_[i], regions_[i].complex);
+        for (std::size_t i = 0; i < cavities_.size(); ++i)
+            if (auto obstacle = if_thin(cavities_[i], regions_[i].complex)) return std::move(*obstacle);
         drop_released();
         for (const InterfaceRegion& region : regions_) move_nodes(region);
         const std::size_t kept_tets = result_.mesh.tets.size();
@@ -211,7 +212,8 @@ class Filling {
         const TetComplex& complex = regions_[i].complex;
         const std::size_t most = most_insertions(regions_[i]);
         if (most == std::numeric_limits<std::size_t>::max()) return;
-        if (count_thin(complex, angles_, context_) > most) require_thick(cavities_[i], complex);
+        if (count_thin(complex, angles_, context_) <= most) return;
+        if (const auto obstacle = if_thin(cavities_[i], complex)) throw MeshError(obstacle->message);
     }
 
     /// What the vertices inside can do.
@@ -291,19 +293,37 @@ class Filling {
         return std::min(brep_.tolerances().least_volume(), share_of_smallest * asked * asked * asked);
     }
 
-    void require_thick(const Cavity& cavity, const TetComplex& complex) const {
+    /// Shorter sides may help where these elements are few, and no edge forces them.
+    std::optional<Obstacle> if_thin(const Cavity& cavity, const TetComplex& complex) const {
         std::set<FaceId> near;
         std::vector<std::array<int, 4>> thin;
+        std::vector<SizeSource> shorter;
         for (const auto& tet : complex.tets) {
             if (tet[0] < 0) continue;
             if (!is_too_thin(complex, tet, least_volume(refused_share))) continue;
             thin.push_back(tet);
+            shorter.push_back(half_length_at(complex, tet));
             for (const FaceId face : nearest_faces(brep_, result_.mesh, cavity, tet)) near.insert(face);
         }
-        if (thin.empty()) return;
+        if (thin.empty()) return {};
+        const std::vector<Entity> place = as_parameter(near);
         const std::vector<Message> edges = short_edges_among(brep_, result_.mesh, cavity.nodes, thin);
-        if (edges.empty()) throw MeshError(say<Code::thin_elements_remain>(thin.size(), near));
-        throw MeshError(say<Code::thin_elements_remain_beside>(thin.size(), near, edges));
+        constexpr std::size_t few = 20;
+        if (thin.size() > few) shorter.clear();
+        if (edges.empty())
+            return Obstacle{say<Code::thin_elements_remain>(thin.size(), near), place, std::move(shorter)};
+        return Obstacle{say<Code::thin_elements_remain_beside>(thin.size(), near, edges), place};
+    }
+
+    /// Half of its longest side.
+    static SizeSource half_length_at(const TetComplex& complex, const std::array<int, 4>& tet) {
+        std::array<Vec3, 4> p;
+        std::transform(tet.begin(), tet.end(), p.begin(),
+                       [&](int v) { return complex.points[static_cast<std::size_t>(v)]; });
+        double longest = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t j = i + 1; j < 4; ++j) longest = std::max(longest, distance(p[i], p[j]));
+        return {0.25 * (p[0] + p[1] + p[2] + p[3]), 0.5 * longest};
     }
 
     void drop_released() {

@@ -10,6 +10,7 @@
 #include "core/messages.h"
 #include "mesh/second_order.h"
 #include "surface/projection.h"
+#include "volume/curved/bent_walls.h"
 #include "volume/curved/curved_tet_repair.h"
 #include "volume/curved/curved_tet_split.h"
 
@@ -112,6 +113,7 @@ struct Curved {
     Mesh mesh;
     std::vector<TetId> low, folded;  ///< below the target, and those of them that are no valid elements
     double smallest = 1;             ///< scaled Jacobian
+    BentWalls walls;                 ///< then no node was moved, since that would not help
 };
 
 /// Gives the mesh its mid-side nodes; which nodes are new.
@@ -125,8 +127,10 @@ std::vector<bool> place_mid_side_nodes(const Brep& brep, const Projector& projec
     return is_new;
 }
 
-/// Gives the mesh its mid-side nodes and moves nodes until every element reaches the target, if that can be.
-Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh* kept, RunContext& context) {
+/// Gives the mesh its mid-side nodes and moves nodes until every element reaches the target, if that can be. Where the
+/// tets from `first_at_walls` on have bent walls, no node is moved.
+Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh* kept, RunContext& context,
+             std::optional<std::size_t> first_at_walls) {
     // an element whose Jacobian varies more than this makes the solution worse
     constexpr double wanted_scaled_jacobian = 0.2;
     context.check_cancelled();
@@ -136,7 +140,9 @@ Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh
             is_movable[n] = mesh.node_numbers[n] >= kept->next_node_number;
     std::vector<bool> is_new = place_mid_side_nodes(brep, projector, mesh, kept, context);
     std::copy(is_movable.begin(), is_movable.end(), is_new.begin());
-    Curved result{std::move(mesh), {}, {}, 1};
+    Curved result{std::move(mesh), {}, {}, 1, {}};
+    if (first_at_walls) result.walls = find_bent_walls(brep, projector, result.mesh, *first_at_walls, context);
+    if (!result.walls.lengths.empty()) return result;
     result.low = unfold_tets(result.mesh, projector, is_new, {wanted_scaled_jacobian, brep.tolerances().least_volume()},
                              context);
     for (const TetId t : result.low) {
@@ -211,7 +217,10 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
     std::size_t trouble_at_first = 0;
     int last_gain = 0;
     for (int refinement = 0;; ++refinement) {
-        Curved curved = curve(brep, projector, mesh, kept, context);
+        Curved curved =
+            curve(brep, projector, mesh, kept, context, refinement == 0 ? std::optional(counts.tets) : std::nullopt);
+        if (!curved.walls.lengths.empty())
+            return {{}, std::move(curved.walls.lengths), place_of(curved.mesh, curved.walls.place), 0};
         if (refinement == 0)
             if (const std::vector<TetId> bent = too_coarse(brep, curved.mesh, counts.tets, context); !bent.empty())
                 return {{}, shorter_lengths(curved.mesh, bent), place_of(curved.mesh, bent.front()), 0};

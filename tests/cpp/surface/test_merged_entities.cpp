@@ -7,9 +7,12 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
+#include <gp.hxx>
+#include <gp_Ax2.hxx>
 
 #include "catch.h"
 #include "surface_checks.h"
@@ -54,6 +57,23 @@ TEST_CASE("a sliver of a face and the edges across it get no elements of their o
     CHECK(smallest_angle(mesh) > 25);
     CHECK(euler_characteristic(mesh) == 2);
     CHECK(area(mesh) == Approx(2 * (30 * 20 + 30 * 10 + 20 * 10)).epsilon(1e-5));
+}
+
+TEST_CASE(
+    "a bore thinner than the length below which details are ignored is closed, a ball behind a thin bore is not") {
+    const TopoDS_Shape block = prism({{0, 0}, {30, 0}, {30, 20}, {0, 20}}, 10);
+    const gp_Ax2 from_below(gp_Pnt(11, 7, 0), gp::DZ());
+    const TopoDS_Shape bore = BRepPrimAPI_MakeCylinder(from_below, 0.002, 4).Shape();
+    const Brep drilled(BRepAlgoAPI_Cut(block, bore).Shape());
+    const MergedEntities with(drilled), without(drilled, 0.003);
+    CHECK(std::count(with.is_flat.begin(), with.is_flat.end(), 1) == 0);
+    CHECK(std::count(without.is_flat.begin(), without.is_flat.end(), 1) == 2);
+    CHECK(std::count(without.is_point.begin(), without.is_point.end(), 1) == 3);
+
+    const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(11, 7, 5), 2).Shape();
+    const TopoDS_Shape with_ball = BRepAlgoAPI_Cut(BRepAlgoAPI_Cut(block, bore).Shape(), ball).Shape();
+    const MergedEntities open(Brep(with_ball), 0.003);
+    CHECK(std::count(open.is_flat.begin(), open.is_flat.end(), 1) == 0);
 }
 
 TEST_CASE(

@@ -82,6 +82,58 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("a bore or a pin that is thinner than what is ignored is closed, however deep it is") {
+    const auto drilled = [](double radius, double depth, double x) {
+        return PartDocument()
+            .box("Block", {0, 0, 0}, {60, 30, 8})
+            .cylinder("Bore", {x, 15, 8 - depth}, radius, depth)
+            .cut("Drilled", "Block", "Bore")
+            .cylinder("Pin", {15, 15, 7}, radius, 1 + depth)
+            .fuse("Part", "Drilled", "Pin")
+            .finish();
+    };
+    for (const int order : {1, 2}) {
+        MeshOptions options = options_of(4, order);
+        options.ignore_below = 0.002;
+        for (const double depth : {0.001, 3.0}) {
+            const PartMeshResult result = meshed(drilled(3e-4, depth, 45), options);
+            check_valid(*result.part_mesh);
+            CHECK(result.report.quality.min_dihedral > 15);
+            CHECK(result.report.rounds.empty());
+            const PartMeshResult moved = updated(*result.part_mesh, drilled(3e-4, depth, 47), options);
+            check_valid(*moved.part_mesh);
+            CHECK(moved.report.quality.min_dihedral > 10);
+        }
+    }
+}
+
+TEST_CASE("a bore that leaves a wall thinner than the sides of 10-node elements bend gets shorter ones there") {
+    const auto bored = [](double wall) {
+        return PartDocument()
+            .box("Block", {0, 0, 0}, {30, 20, 10})
+            .cylinder("Bore", {15, 4 + wall, -1}, 4, 12)
+            .cut("Part", "Block", "Bore")
+            .finish();
+    };
+    const PartMeshResult result = meshed(bored(0.01), options_of(3, 2));
+    check_valid(*result.part_mesh);
+    REQUIRE_FALSE(result.report.rounds.empty());
+    CHECK(result.report.rounds[0].reason == "folded");
+    CHECK(result.part_mesh->mesh.tets.size() < 40'000);
+    // a wall that leaves the curved sides room needs none
+    CHECK(meshed(bored(3), options_of(3, 2)).report.rounds.empty());
+}
+
+TEST_CASE("a few elements without a volume to speak of in a thin floor get shorter edges") {
+    // the floor is 0.006 thick
+    const RawDocument document = PartDocument()
+                                     .box("Block", {0, 0, 0}, {40, 30, 8})
+                                     .cylinder("Bore", {20, 15, 0.006}, 6, 20)
+                                     .cut("Part", "Block", "Bore")
+                                     .finish();
+    for (const double size : {2.0, 2.6, 3.3}) check_valid(*meshed(document, options_of(size)).part_mesh);
+}
+
 TEST_CASE(
     "where no detail is below the length, and automatically where "
     "nothing is refused, the bytes are the same") {
