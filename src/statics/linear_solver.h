@@ -26,6 +26,10 @@ class LinearSolver {
     /// way of the coarse level, that of 4-node tets has none.
     virtual void set_up(BlockMatrix matrix, std::span<const Vec3> points, std::optional<CoarseLevel> coarse) = 0;
 
+    /// Factors the matrix of the last set-up, for 10-node tets that of their coarse level, in place of its aggregation.
+    /// Returns false and changes nothing where that would take too long.
+    virtual bool factor() = 0;
+
     /// Takes another matrix and keeps the preconditioner: `origin` is by node the node at the last set-up, -1 for those
     /// that were not there or are held otherwise now. The new nodes' own block is factored.
     virtual void carry_over(BlockMatrix matrix, std::vector<std::int32_t> origin) = 0;

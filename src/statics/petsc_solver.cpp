@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The only file that knows PETSc, in a library of its own.
-#include <petscksp.h>
-
+// The solver by PETSc, in a library of its own.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -10,6 +8,8 @@
 #include "core/errors.h"
 #include "core/messages.h"
 #include "statics/linear_solver.h"
+#include "statics/petsc_factor.h"
+#include "statics/petsc_objects.h"
 
 namespace featuremesh {
 
@@ -17,38 +17,7 @@ namespace {
 
 constexpr const char* prefix = "featuremesh_";                      // of the options of the aggregation
 constexpr const char* quadratic_prefix = "featuremesh_quadratic_";  // and of the level above it
-
-void check(PetscErrorCode code) {
-    if (!code) return;
-    const char* text = nullptr;
-    PetscErrorMessage(code, &text, nullptr);
-    throw KernelError(say<Code::petsc_failed>(text ? text : "unknown error"));
-}
-
-/// An object of PETSc that is destroyed with this one.
-template <class Object, PetscErrorCode (*destroy)(Object*)>
-class Owned {
-  public:
-    Owned() = default;
-    Owned(const Owned&) = delete;
-    Owned& operator=(const Owned&) = delete;
-    ~Owned() { reset(); }
-    void reset() {
-        if (object_) destroy(&object_);
-        object_ = nullptr;
-    }
-    Object* fresh() {
-        reset();
-        return &object_;
-    }
-    operator Object() const { return object_; }
-
-  private:
-    Object object_ = nullptr;
-};
-using Matrix = Owned<Mat, MatDestroy>;
-using Vector = Owned<Vec, VecDestroy>;
-using Preconditioner = Owned<PC, PCDestroy>;
+constexpr double most_factor_work = 2e10;                           // multiplications, about 20 s
 
 /// MPI for this process alone: nothing is started beside it and nothing left on the disk. Neither the environment nor a
 /// file of the user changes how is solved, and signals stay FreeCAD's.
@@ -422,7 +391,9 @@ class PetscSolver final : public LinearSolver {
     void set_up(BlockMatrix matrix, std::span<const Vec3> points, std::optional<CoarseLevel> coarse) override {
         present_.take({});
         multigrid_.reset();
+        factor_.reset();
         is_carried_ = false;
+        has_coarse_ = coarse.has_value();
         earlier_.take(std::move(matrix));
         check(PCCreate(PETSC_COMM_SELF, multigrid_.fresh()));
         if (coarse) {
@@ -438,6 +409,20 @@ class PetscSolver final : public LinearSolver {
             use_aggregation(multigrid_, earlier_);
         }
         check(PCSetUp(multigrid_));
+    }
+
+    bool factor() override {
+        if (!factor_.set_up(has_coarse_ ? linear_.rounded : earlier_.rounded, most_factor_work)) return false;
+        if (!has_coarse_) {
+            factor_.serve(multigrid_);
+            return true;
+        }
+        KSP coarse = nullptr;
+        PC aggregation = nullptr;
+        check(PCMGGetCoarseSolve(multigrid_, &coarse));
+        check(KSPGetPC(coarse, &aggregation));
+        factor_.serve(aggregation);
+        return true;
     }
 
     void carry_over(BlockMatrix matrix, std::vector<std::int32_t> origin) override {
@@ -457,6 +442,7 @@ class PetscSolver final : public LinearSolver {
         precondition(r, z);
         PetscScalar product = 0;
         check(VecDot(r, z, &product));
+        if (!std::isfinite(double(product))) throw KernelError(say<Code::petsc_out_of_range>());
         return std::sqrt(std::max(0.0, double(product)));
     }
 
@@ -551,8 +537,9 @@ class PetscSolver final : public LinearSolver {
     System linear_;             // of 10-node tets' corners, at the last set-up
     Interpolation interpolation_;
     Preconditioner multigrid_;
+    Factor factor_;
     Carried carried_;
-    bool is_carried_ = false;
+    bool is_carried_ = false, has_coarse_ = false;
 };
 
 }  // namespace

@@ -15,6 +15,9 @@ namespace {
 constexpr double most_new_nodes = 0.08;
 /// A kept preconditioner may take this many times the iterations of its own matrix, and then some.
 constexpr int patience = 3, more_iterations = 10;
+/// Aggregation that takes more is given up for a factor, where that is to be had. That of 4-node tets costs more than
+/// hundreds of iterations; that of 10-node tets is of an eighth of the unknowns.
+constexpr int slow_linear = 350, slow_quadratic = 50;
 
 char held_bits(const StaticsModel& model, std::size_t node) {
     char bits = 0;
@@ -74,24 +77,10 @@ StaticsSolution StaticsSolver::solve(const StaticsModel& model, RunContext& cont
     {
         RunContext::Step step(context, "solve");
         solution.displacements = model.given;
-        std::vector<double> residual = residual_of(model, solution.displacements, around, context);
-        const double to_balance = norm(residual), whole = solver_->energy_norm(residual);
-        if (whole > 0) start_from_last(model, solution);
-        for (int round = 0; whole > 0; ++round) {
-            residual = residual_of(model, solution.displacements, around, context);
-            const double left = solver_->energy_norm(residual);
-            solution.residual = norm(residual) / to_balance;
-            solution.energy_error = left / whole;
-            if (solution.energy_error <= tolerance) break;
-            const bool is_last_try = !solution.kept_preconditioner;
-            const int most = is_last_try ? most_iterations : patience * setup_.iterations + more_iterations;
-            const int done =
-                round < 4 ? solver_->solve(residual, solution.displacements, tolerance / 2 * whole, most, context) : -1;
-            solution.iterations += done < 0 ? most : done;
-            if (done >= 0) continue;
-            if (is_last_try) throw KernelError(say<Code::not_converged>());
-            setup_ = {};
-            solution.kept_preconditioner = prepare(model, around, context);
+        const std::vector<double> unbalanced = residual_of(model, solution.displacements, around, context);
+        if (norm(unbalanced) > 0) {
+            start_from_last(model, solution);
+            balance(model, around, unbalanced, solution, context);
         }
     }
     RunContext::Step step(context, "stresses");
@@ -105,6 +94,41 @@ StaticsSolution StaticsSolver::solve(const StaticsModel& model, RunContext& cont
     solution.discretisation_error = discretisation_error(model, solution.displacements, solution.stresses, context);
     remember(model, solution);
     return solution;
+}
+
+/// Iterates, with better and better preconditioners, until what is left of the unbalanced forces is within the
+/// tolerance.
+void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around, std::span<const double> unbalanced,
+                            StaticsSolution& solution, RunContext& context) {
+    enum { carried, aggregated, final } by = solution.kept_preconditioner ? carried : aggregated;
+    for (int rounds_left = 4;;) {
+        const double whole = solver_->energy_norm(unbalanced);
+        if (!(whole > 0)) throw KernelError(say<Code::not_converged>());
+        const std::vector<double> residual = residual_of(model, solution.displacements, around, context);
+        solution.residual = norm(residual) / norm(unbalanced);
+        solution.energy_error = solver_->energy_norm(residual) / whole;
+        if (solution.energy_error <= tolerance) return;
+        const int most = by == carried      ? patience * setup_.iterations + more_iterations
+                         : by == aggregated ? (model.mesh.order == 1 ? slow_linear : slow_quadratic)
+                                            : most_iterations;
+        const int done = rounds_left-- > 0
+                             ? solver_->solve(residual, solution.displacements, tolerance / 2 * whole, most, context)
+                             : -1;
+        solution.iterations += done < 0 ? most : done;
+        if (by != carried) setup_.iterations = done < 0 ? most : done;
+        if (done >= 0) continue;
+        if (by == final) throw KernelError(say<Code::not_converged>());
+        rounds_left = 4;
+        if (by == carried) {
+            setup_ = {};
+            solution.kept_preconditioner = prepare(model, around, context);
+            by = aggregated;
+        } else {
+            RunContext::Step step(context, "setup");
+            solver_->factor();
+            by = final;
+        }
+    }
 }
 
 /// Gives the solver the model's matrix. Returns whether the earlier preconditioner serves it.
@@ -159,7 +183,6 @@ void StaticsSolver::start_from_last(const StaticsModel& model, StaticsSolution& 
 }
 
 void StaticsSolver::remember(const StaticsModel& model, const StaticsSolution& solution) {
-    if (!solution.kept_preconditioner) setup_.iterations = solution.iterations;
     last_.clear();
     for (std::size_t node = 0; node < model.mesh.node_count(); ++node) {
         const double* u = solution.displacements.data() + 3 * node;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,8 @@ class StaticsSolver {
 
     std::vector<std::int32_t> origins(const StaticsModel& model) const;
     bool prepare(const StaticsModel& model, const TetsOfNodes& around, RunContext& context);
+    void balance(const StaticsModel& model, const TetsOfNodes& around, std::span<const double> unbalanced,
+                 StaticsSolution& solution, RunContext& context);
     void start_from_last(const StaticsModel& model, StaticsSolution& solution) const;
     void remember(const StaticsModel& model, const StaticsSolution& solution);
 

@@ -320,7 +320,7 @@ class InTheDocument(Case):
             box.Length, box.Width, box.Height = sides
             box.Placement.Base = FreeCAD.Vector(base, base, base)
         self.document.recompute()
-        for part, end, size, order, most in ((rod, 200, 0.5, 2, 200), (hollow, 50, 3.0, 1, 200), (hollow, 50, 3.0, 2, 400)):
+        for part, end, size, order, most in ((rod, 200, 0.5, 2, 200), (hollow, 50, 3.0, 1, 200), (hollow, 50, 3.0, 2, 200)):
             analysis = self.analysis()
             self.fix(analysis, part, faces_at(part, 0, 0))
             self.force(analysis, part, faces_at(part, 0, end), 1.0)

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// PETSc's objects with owners, and its errors as ours. Only petsc_*.h and petsc_solver.cpp know PETSc.
+#pragma once
+
+#include <petscksp.h>
+
+#include "core/errors.h"
+#include "core/messages.h"
+
+namespace featuremesh {
+
+inline void check(PetscErrorCode code) {
+    if (!code) return;
+    const char* text = nullptr;
+    PetscErrorMessage(code, &text, nullptr);
+    throw KernelError(say<Code::petsc_failed>(text ? text : "unknown error"));
+}
+
+/// An object of PETSc that is destroyed with this one.
+template <class Object, PetscErrorCode (*destroy)(Object*)>
+class Owned {
+  public:
+    Owned() = default;
+    Owned(const Owned&) = delete;
+    Owned& operator=(const Owned&) = delete;
+    ~Owned() { reset(); }
+    void reset() {
+        if (object_) destroy(&object_);
+        object_ = nullptr;
+    }
+    Object* fresh() {
+        reset();
+        return &object_;
+    }
+    operator Object() const { return object_; }
+
+  private:
+    Object object_ = nullptr;
+};
+using Matrix = Owned<Mat, MatDestroy>;
+using Vector = Owned<Vec, VecDestroy>;
+using Preconditioner = Owned<PC, PCDestroy>;
+
+}  // namespace featuremesh
