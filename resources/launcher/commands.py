@@ -28,8 +28,8 @@ TABLE_LINE = re.compile(r"\d+: (?=\| )")
 
 def mesh(given):
     part = existing_file(given.part)
-    return finish(task(given, part=part, object=given.object, size=given.size, order=given.order, ignore_below=given.ignore_below,
-                       threads=given.threads, out=written_file(given.out), json=written_file(given.json)))
+    return finish(task(given, part=part, object=given.object, size=given.size, order=given.order, dimension=given.dimension,
+                       ignore_below=given.ignore_below, threads=given.threads, out=written_file(given.out), json=written_file(given.json)))
 
 
 def adopt(given):

@@ -12,7 +12,7 @@ import FreeCADGui as Gui  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
 from PySide import QtGui  # noqa: E402
-from window import answer_with, button_in_panel, click, click_in_panel, figures, is_whole, panel, picture, spin, wait_for  # noqa: E402
+from window import answer_with, button_in_panel, click, click_in_panel, figures, is_whole, panel, picture, spin, type_into, wait_for  # noqa: E402
 
 
 def names(document):
@@ -127,6 +127,36 @@ def check_apply_and_ok(document, body):
     assert mesh.Status == "up to date"
     mesh.Automatic = True
     return mesh
+
+
+def check_details(mesh):
+    """What is ignored: automatic, a length, off; each is the property's value, and Status says that it was changed."""
+    mesh.ViewObject.doubleClicked()
+    spin()
+    settings = panel("MeshPanel")
+    assert settings.details.currentText() == "automatic" and not settings.ignore_below.isVisible()
+    settings.details.setCurrentIndex(1)
+    spin()
+    assert settings.ignore_below.isVisible() and abs(settings.ignore_below.property("rawValue") - 0.06) < 1e-9, settings.ignore_below.property("rawValue")
+    assert settings.status.text() == "Status: settings changed, not meshed yet", settings.status.text()
+    type_into(settings.ignore_below, "0.05 mm")
+    picture("panel_details")
+    check_width(settings)
+    assert "Traceback" not in report_view(), report_view()
+    click_in_panel("Ok")
+    wait_for(lambda: not Gui.Control.activeDialog())
+    assert (mesh.IgnoreBelow.Value, mesh.Status) == (0.05, "up to date"), mesh.IgnoreBelow
+    for index, wanted in ((2, -1), (0, 0)):
+        mesh.ViewObject.doubleClicked()
+        spin()
+        settings = panel("MeshPanel")
+        assert settings.details.currentIndex() == {0.05: 1, -1: 2}[mesh.IgnoreBelow.Value]
+        settings.details.setCurrentIndex(index)
+        spin()
+        assert not settings.ignore_below.isVisible()
+        click_in_panel("Ok")
+        wait_for(lambda: not Gui.Control.activeDialog())
+        assert (mesh.IgnoreBelow.Value, mesh.Status) == (wanted, "up to date"), mesh.IgnoreBelow
 
 
 def check_units(mesh):
@@ -361,6 +391,7 @@ def drive():
     check_cancel(document, document.getObject("HoleSketch"))
     check_analyses(document, body)
     mesh = check_apply_and_ok(document, body)
+    check_details(mesh)
     check_units(mesh)
     check_question(document, body, mesh)
     check_errors(document, body)

@@ -28,6 +28,7 @@ import freecad_task  # noqa: E402
 import packages  # noqa: E402
 import tidy  # noqa: E402
 import wheels  # noqa: E402
+from arguments import parse  # noqa: E402
 from layout import RELEASE, Failure, Unavailable, UserError  # noqa: E402
 
 
@@ -56,6 +57,14 @@ class CommandLine(unittest.TestCase):
                 self.assertEqual(done.stdout, "")
                 self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
                 self.assertNotIn("Traceback", done.stderr)
+
+    def test_what_a_mesh_is_asked_for_reaches_its_task(self):
+        asked = {}
+        with mock.patch.object(commands, "set_up"), mock.patch.object(commands, "run_task", lambda task: asked.update(task) or {"exit_code": 0, "message": "", "data": {}}):
+            given = parse(["mesh", __file__, "--size", "3", "--order", "1", "--dimension", "faces", "--ignore-below", "0.05", "--object", "Plate"])
+            given.run(given)
+        wanted = {"size": 3, "order": 1, "dimension": "faces", "ignore_below": 0.05, "object": "Plate"}
+        self.assertEqual({name: asked.get(name) for name in wanted}, wanted)
 
     def test_a_reader_that_has_seen_enough_is_no_error_to_tell_of(self):
         for words in (("--help",), ("bench", "--list")):

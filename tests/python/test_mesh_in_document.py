@@ -230,6 +230,16 @@ class IgnoredDetails(unittest.TestCase):
         self.assertEqual(self.mesh.KeptNodes, 0)   # with other details than before, nothing of the old mesh is of use
         self.assertEqual(sum("Nearer to another vertex than 0.01 mm" in english(line) for line in report["warnings"]), 1)
 
+    def test_are_ignored_from_the_first_mesh_on_by_a_script(self):
+        self.mesh.IgnoreBelow = 0.01
+        api.update_mesh(self.mesh)
+        other = api.add_mesh(versions.part_of(self.mesh), 4, order=1, ignore_below="0.01 mm")
+        api.update_mesh(other)
+        self.assertEqual(points_of(other), points_of(self.mesh))
+        self.assertEqual(api.add_mesh(versions.part_of(self.mesh), 4, ignore_below=-1).IgnoreBelow.Value, -1)
+        with self.assertRaisesRegex(UserError, "little is no length"):
+            api.add_mesh(versions.part_of(self.mesh), 4, ignore_below="little")
+
     def test_stay_without_elements_in_a_reopened_document(self):
         self.mesh.IgnoreBelow = 0.01
         self.document.recompute()

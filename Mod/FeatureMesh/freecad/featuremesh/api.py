@@ -26,14 +26,16 @@ DEFAULT_ELEMENTS = 30
 
 
 def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=True, elements=DEFAULT_ELEMENTS,
-             join_analysis=True, active_analysis=None, dimension=FROM_SHAPE):
+             join_analysis=True, active_analysis=None, dimension=FROM_SHAPE, ignore_below=0.0):
     """Adds a mesh object for `part` to its document; recompute it, or call update_mesh, to mesh.
 
     Of a container (App::Part, group, assembly) all parts are meshed, each by itself, by way of an object that shows them (see assembled.py); so is a link.
 
     `size` in mm, by default the part's diagonal over `elements`; `order` 2 for 10-node tetrahedra, 1 for 4-node ones, which are far too stiff
-    in bending; `dimension` "Solids", "Faces" (triangles for shells), "Edges" (segments for beams), or by default what the shape has. It joins the
-    active analysis, where one is given, or the one that it is for, see analyses.for_new_mesh. Throws UserError for sizes that make no sense.
+    in bending; `dimension` "Solids", "Faces" (triangles for shells), "Edges" (segments for beams), or by default what the shape has. Details smaller
+    than `ignore_below` (mm) get no elements of their own; 0: those below a thousandth of the size where the part cannot be meshed with them, negative:
+    none. It joins the active analysis, where one is given, or the one that it is for, see analyses.for_new_mesh. Throws UserError for sizes that make
+    no sense.
     """
     reading.refuse_gone(part)
     if order not in (1, 2):
@@ -47,11 +49,12 @@ def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=
     reading.refuse_unmeshable(part)
     size = default_size(part, elements) if size is None else length_of(size)
     check_size(size, part)
+    ignore_below = length_of(ignore_below)
     mesh = part.Document.addObject(versions.mesh_object_type(), name)
     FeatureMesh(mesh)
     setattr(mesh, versions.part_property(mesh), part)
     mesh.Size, mesh.Order, mesh.Threads, mesh.Automatic = size, "2nd" if order == 2 else "1st", threads, automatic
-    mesh.Dimension = dimension
+    mesh.Dimension, mesh.IgnoreBelow = dimension, ignore_below
     if join_analysis:
         analysis, said = analyses.for_new_mesh(part, active_analysis)
         if analysis is not None:

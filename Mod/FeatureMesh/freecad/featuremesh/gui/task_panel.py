@@ -24,6 +24,8 @@ from .undo import undo_step
 translate = FreeCAD.Qt.translate
 _POLL_MS, _ESTIMATE_MS = 50, 400
 _REMARKS = 3   # shown in the panel
+_AUTOMATIC, _A_LENGTH, _OFF = range(3)   # rows of what details are ignored
+_IGNORED_SHARE = 0.01   # of Size, where a length is asked for first
 
 
 class MeshPanel:
@@ -90,6 +92,7 @@ class MeshPanel:
         self.automatic = QtGui.QCheckBox(translate("FeatureMesh", "Update automatically"))
         self.automatic.setChecked(self.mesh.Automatic)
         self.automatic.setToolTip(self._tooltip("Automatic"))
+        self._choose_details()
         for label, widget in ((translate("FeatureMesh", "Size"), self.size),
                               (translate("FeatureMesh", "Smallest"), self.min_automatic),
                               ("", self.min_size),
@@ -97,9 +100,11 @@ class MeshPanel:
                               (translate("FeatureMesh", "Element"), self.order),
                               (translate("FeatureMesh", "Per circle"), self.per_circle),
                               (translate("FeatureMesh", "Across gaps"), self.across_gap),
-                              (translate("FeatureMesh", "Growth"), self.growth)):
+                              (translate("FeatureMesh", "Growth"), self.growth),
+                              (translate("FeatureMesh", "Ignore below"), self.details),
+                              ("", self.ignore_below)):
             settings.addRow(label, widget)
-        for chooser in (self.dimension, self.order):
+        for chooser in (self.dimension, self.order, self.details):
             narrow.box(chooser)
         layout.addWidget(self.automatic)
         self.estimate = QtGui.QLabel("")
@@ -116,6 +121,21 @@ class MeshPanel:
             label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
             layout.addWidget(label)
         layout.addStretch()
+
+    def _choose_details(self):
+        """Which details get no elements of their own; a length has a field of its own below."""
+        self.details = QtGui.QComboBox()
+        self.details.addItems([translate("FeatureMesh", "automatic"), translate("FeatureMesh", "a length"), translate("FeatureMesh", "off")])
+        self.details.setToolTip(self._tooltip("IgnoreBelow"))
+        length = self.mesh.IgnoreBelow.Value
+        self.details.setCurrentIndex(_OFF if length < 0 else _A_LENGTH if length else _AUTOMATIC)
+        self.details.currentIndexChanged.connect(self._settings_changed)
+        self.ignore_below = self._length("IgnoreBelow", length if length > 0 else self.mesh.Size.Value * _IGNORED_SHARE)
+
+    def _ignored(self):
+        """IgnoreBelow as the panel has it."""
+        known = self.mesh.IgnoreBelow.Value
+        return {_AUTOMATIC: 0.0, _A_LENGTH: self._length_in(self.ignore_below), _OFF: known if known < 0 else -1.0}[self.details.currentIndex()]
 
     def _dimension_changed(self):
         self._name_orders()
@@ -149,11 +169,12 @@ class MeshPanel:
         """The property's description in the user's language, as the property editor shows it."""
         return translate("App::Property", self.mesh.getDocumentationOfProperty(name))
 
-    def _length(self, name):
+    def _length(self, name, length=None):
+        """The field of a property, with its value or that length in mm."""
         widget = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
         widget.setProperty("unit", "mm")
         widget.setProperty("minimum", 0.0)
-        self._write_length(widget, getattr(self.mesh, name).Value)
+        self._write_length(widget, getattr(self.mesh, name).Value if length is None else length)
         widget.setMinimumWidth(70)
         widget.setToolTip(self._tooltip(name))
         widget.valueChanged.connect(self._settings_changed)
@@ -232,7 +253,8 @@ class MeshPanel:
         return {"Size": self._length_in(self.size), "MinSize": 0.0 if self.min_automatic.isChecked() else self._length_in(self.min_size),
                 "ElementsPerCircle": self.per_circle.value(), "ElementsAcrossGap": self.across_gap.value(),
                 "Growth": self.growth.value(), "Order": "2nd" if self.order.currentIndex() else "1st",
-                "Dimension": DIMENSIONS[self.dimension.currentIndex()]}
+                "Dimension": DIMENSIONS[self.dimension.currentIndex()],
+                "IgnoreBelow": self._ignored()}
 
     def apply_settings(self):
         """The panel's values into the object's properties, those that differ, as one undo step."""
@@ -344,6 +366,7 @@ class MeshPanel:
 
     def _settings_changed(self, *_):
         self.min_size.setVisible(not self.min_automatic.isChecked())
+        self.ignore_below.setVisible(self.details.currentIndex() == _A_LENGTH)
         if self.min_automatic.isChecked():
             self.min_size.blockSignals(True)
             self._write_length(self.min_size, round(self._length_in(self.size) * AUTOMATIC_SHARE, 9))   # what it starts with when it is asked for

@@ -1415,6 +1415,18 @@
       <translation>und andere</translation>
     </message>
     <message>
+      <source>Ignore below</source>
+      <translation>Weglassen unter</translation>
+    </message>
+    <message>
+      <source>a length</source>
+      <translation>einer Länge</translation>
+    </message>
+    <message>
+      <source>off</source>
+      <translation>aus</translation>
+    </message>
+    <message>
       <source>appeared</source>
       <translation>neu</translation>
     </message>
