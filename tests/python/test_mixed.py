@@ -185,7 +185,7 @@ class MixedMeshes(unittest.TestCase):
         document.recompute()
         mesh = api.add_mesh(both, 3, 1)
         document.recompute()
-        self.assertTrue(any("Face7 in Solid1" in english(line) for line in json.loads(mesh.Report)["warnings"]), mesh.Report)
+        self.assertTrue(any("Face7 (Sheet) in Solid1" in english(line) for line in json.loads(mesh.Report)["warnings"]), mesh.Report)
 
 
 class MixedAnalyses(unittest.TestCase):
