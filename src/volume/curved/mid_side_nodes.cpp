@@ -113,7 +113,6 @@ struct Curved {
     Mesh mesh;
     std::vector<TetId> low, folded;  ///< below the target, and those of them that are no valid elements
     double smallest = 1;             ///< scaled Jacobian
-    BentWalls walls;                 ///< then no node was moved, since that would not help
 };
 
 /// Gives the mesh its mid-side nodes; which nodes are new.
@@ -127,10 +126,8 @@ std::vector<bool> place_mid_side_nodes(const Brep& brep, const Projector& projec
     return is_new;
 }
 
-/// Gives the mesh its mid-side nodes and moves nodes until every element reaches the target, if that can be. Where the
-/// tets from `first_at_walls` on have bent walls, no node is moved.
-Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh* kept, RunContext& context,
-             std::optional<std::size_t> first_at_walls) {
+/// Gives the mesh its mid-side nodes and moves nodes until every element reaches the target, if that can be.
+Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh* kept, RunContext& context) {
     // an element whose Jacobian varies more than this makes the solution worse
     constexpr double wanted_scaled_jacobian = 0.2;
     context.check_cancelled();
@@ -140,9 +137,7 @@ Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh
             is_movable[n] = mesh.node_numbers[n] >= kept->next_node_number;
     std::vector<bool> is_new = place_mid_side_nodes(brep, projector, mesh, kept, context);
     std::copy(is_movable.begin(), is_movable.end(), is_new.begin());
-    Curved result{std::move(mesh), {}, {}, 1, {}};
-    if (first_at_walls) result.walls = find_bent_walls(brep, projector, result.mesh, *first_at_walls, context);
-    if (!result.walls.lengths.empty()) return result;
+    Curved result{std::move(mesh), {}, {}, 1};
     result.low = unfold_tets(result.mesh, projector, is_new, {wanted_scaled_jacobian, brep.tolerances().least_volume()},
                              context);
     for (const TetId t : result.low) {
@@ -217,14 +212,18 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
     std::size_t trouble_at_first = 0;
     int last_gain = 0;
     for (int refinement = 0;; ++refinement) {
-        Curved curved =
-            curve(brep, projector, mesh, kept, context, refinement == 0 ? std::optional(counts.tets) : std::nullopt);
-        if (!curved.walls.lengths.empty())
-            return {{}, std::move(curved.walls.lengths), place_of(curved.mesh, curved.walls.place), 0};
+        Curved curved = curve(brep, projector, mesh, kept, context);
         if (refinement == 0)
             if (const std::vector<TetId> bent = too_coarse(brep, curved.mesh, counts.tets, context); !bent.empty())
                 return {{}, shorter_lengths(curved.mesh, bent), place_of(curved.mesh, bent.front()), 0};
         if (curved.low.empty()) return {std::move(curved.mesh), {}, {}, 1};
+        if (refinement == 0 && !curved.folded.empty()) {
+            Mesh placed = mesh;
+            place_mid_side_nodes(brep, projector, placed, kept, context);
+            if (BentWalls walls = find_bent_walls(brep, projector, placed, counts.tets, context);
+                !walls.lengths.empty())
+                return {{}, std::move(walls.lengths), place_of(placed, walls.place), 0};
+        }
         const std::vector<TetId> trouble = curved.folded.empty() ? curved.low : curved.folded;
         const std::vector<Entity> place = place_of(curved.mesh, trouble.front());
         if (refinement == 0) {
