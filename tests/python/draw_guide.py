@@ -15,6 +15,7 @@ import window  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
 from window import panel, spin, wait_for  # noqa: E402
 
+VIEW = (290, 130, 980, 610)   # the 3D view on the screen, (x, y, width, height)
 BRACKET = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples", "bracket.FCStd")
 
 
@@ -66,7 +67,8 @@ def draw():
     Gui.activateWorkbench("FeatureMeshWorkbench")
     spin()
     window.open_dialog().close()
-    document, path = opened_bracket(os.path.dirname(os.environ["FEATUREMESH_RESULT"]))
+    folder = os.path.dirname(os.environ["FEATUREMESH_RESULT"])
+    document, path = opened_bracket(folder)
     mesh, settings = meshed(document)
     save("panel")
     settings.reject()
@@ -77,8 +79,7 @@ def draw():
     shown.worst.setCurrentRow(0)
     save("quality_panel")
     shown.reject()
-    document.getObject("HoleSketch").setDatum("Hole6X", FreeCAD.Units.Quantity("105 mm"))
-    document.recompute()
+    move_hole(document, "105 mm")
     Gui.runCommand("FeatureMesh_ShowKept")
     spin()
     save("kept_panel")
@@ -87,7 +88,65 @@ def draw():
     draw_live(document, mesh)
     draw_difference(main, versions.part_of(mesh), mesh, compare.Command().show, path)
     draw_menu(main)
+    FreeCAD.closeDocument(document.Name)
+    draw_local_size(folder)
+    draw_adopted(folder)
+    draw_preferences()
     draw_shells()
+
+
+def draw_local_size(folder):
+    """The bracket with a finer bore."""
+    from freecad.featuremesh import api
+    document, _ = opened_bracket(folder)
+    mesh = api.add_mesh(api.find_part(document), 6)
+    bore = document.getObject("Bore")
+    radius = document.getObject("BoreSketch").Geometry[0].Radius
+    names = ["Face%d" % (index + 1) for index, face in enumerate(bore.Shape.Faces)
+             if isinstance(face.Surface, Part.Cylinder) and abs(face.Surface.Radius - radius) < 1e-6]
+    api.add_local_size(mesh, [(bore, name) for name in names], 1.5)
+    document.recompute()
+    save("local_size", VIEW)
+    FreeCAD.closeDocument(document.Name)
+
+
+def draw_adopted(folder):
+    """A mesh that FreeCAD's Gmsh object made, adopted, and what an edit kept of it."""
+    import ObjectsFem
+    from femmesh.gmshtools import GmshTools
+    from freecad.featuremesh import api
+    document, _ = opened_bracket(folder)
+    part = api.find_part(document)
+    foreign = ObjectsFem.makeMeshGmsh(document, "FEMMeshGmsh")
+    setattr(foreign, "Shape" if hasattr(foreign, "Shape") else "Part", part)
+    foreign.CharacteristicLengthMax = 5
+    GmshTools(foreign).create_mesh()
+    mesh, _ = api.adopt_mesh(foreign, part)
+    foreign.ViewObject.Visibility = part.ViewObject.Visibility = False
+    move_hole(document, "105 mm")
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(mesh)
+    Gui.runCommand("FeatureMesh_ShowKept")
+    save("adopted")
+    panel("KeptPanel").reject()
+    FreeCAD.closeDocument(document.Name)
+
+
+def draw_preferences():
+    """Our page of FreeCAD's preferences."""
+    def draw_and_close():
+        dialog = QtGui.QApplication.activeModalWidget()
+        place = dialog.frameGeometry()
+        save("preferences", (place.x(), place.y(), place.width(), place.height()))
+        dialog.reject()
+    QtCore.QTimer.singleShot(2000, draw_and_close)
+    Gui.showPreferences("FeatureMesh", 0)
+
+
+def move_hole(document, x):
+    document.getObject("HoleSketch").setDatum("Hole6X", FreeCAD.Units.Quantity(x))
+    document.recompute()
+    spin()
 
 
 def folded_sheet(document):
@@ -144,8 +203,7 @@ def draw_live(document, mesh):
     shown = panel("LivePanel")
     wait_for(lambda: shown.live.Status == live_result.UP_TO_DATE)
     save("live_result")
-    document.getObject("HoleSketch").setDatum("Hole6X", FreeCAD.Units.Quantity("102 mm"))
-    document.recompute()
+    move_hole(document, "102 mm")
     wait_for(lambda: shown.live.Status == live_result.UP_TO_DATE)
     shown.difference.setChecked(True)
     save("live_change")

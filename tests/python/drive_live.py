@@ -15,7 +15,7 @@ import numpy as np  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
 from PySide import QtGui  # noqa: E402
-from window import click, figures, panel, picture, pixels, spin, wait_for  # noqa: E402
+from window import click, figures, is_whole, panel, picture, pixels, spin, wait_for  # noqa: E402
 
 
 def add_analysis(document, part):
@@ -66,6 +66,7 @@ def check_command(document, live_panel, mesh):
     assert not mesh.ViewObject.Visibility
     seen = pixels()
     picture("live_mises")
+    assert is_whole(live_panel.form), (live_panel.form.width(), live_panel.form.visibleRegion().boundingRect().width())
     assert hues(seen) > 3000, hues(seen)
     return live
 

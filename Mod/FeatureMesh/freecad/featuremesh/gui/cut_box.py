@@ -6,6 +6,7 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from ..section import AXES, plane_across
+from . import narrow
 
 translate = FreeCAD.Qt.translate
 _STEPS = 400
@@ -28,9 +29,11 @@ class CutBox(QtGui.QGroupBox):
         self.place = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")   # in the user's units
         self.place.setProperty("unit", "mm")
         self.place.setProperty("keyboardTracking", False)
+        self.place.setMinimumWidth(60)   # the panel may be narrow
         self.above = QtGui.QCheckBox(translate("FeatureMesh", "keep the other side"))
         self.filled = QtGui.QCheckBox(translate("FeatureMesh", "cut through the elements"))
         layout = QtGui.QGridLayout(self)
+        narrow.margins(layout)
         layout.addWidget(self.axis, 0, 0)
         layout.addWidget(self.place, 0, 1)
         layout.addWidget(self.slider, 1, 0, 1, 2)

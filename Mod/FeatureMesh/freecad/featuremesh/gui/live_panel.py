@@ -12,7 +12,7 @@ from .. import api, live_overlay, live_result, live_view, messages, user_words, 
 from ..errors import UserError
 from ..mesh_properties import status_in_words
 from ..user_words import in_users_units
-from . import live_runner
+from . import live_runner, narrow
 from .cut_box import CutBox
 from .undo import undo_step
 
@@ -42,6 +42,7 @@ class LivePanel:
         self.cut = CutBox(self._take)
         self.cut.filled.hide()   # colours go from node to node
         layout = QtGui.QVBoxLayout(self.form)
+        narrow.margins(layout)
         layout.addWidget(self.status)
         layout.addWidget(self.bar)
         layout.addWidget(self.button)
@@ -100,6 +101,7 @@ class LivePanel:
         self.field, self.difference = QtGui.QComboBox(), QtGui.QCheckBox(translate("FeatureMesh", "change since the last result"))
         for name, title in _FIELDS.items():
             self.field.addItem(translate("FeatureMesh", title), name)
+        narrow.box(self.field)
         self.scale, self.top = QtGui.QDoubleSpinBox(), QtGui.QDoubleSpinBox()
         for box, largest in ((self.scale, 1e9), (self.top, 1e12)):
             box.setRange(0, largest)
