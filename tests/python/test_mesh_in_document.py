@@ -223,7 +223,7 @@ class IgnoredDetails(unittest.TestCase):
         self.document.recompute()
         self.assertLess(self.mesh.MinDihedral.Value, 5)   # automatically nothing is ignored that can be meshed
         details = next(english(line) for line in json.loads(self.mesh.Report)["warnings"] if line["code"] == "details_force_angles")
-        self.assertRegex(details, r"Edge\d+ \(Top\) \(0.004 mm long\)")
+        self.assertRegex(details, r"Edge\d+ \((Block, )?Top(, Block)?\) \(0.004 mm long\)")
         self.mesh.IgnoreBelow = 0.01
         report = api.update_mesh(self.mesh)
         self.assertGreater(self.mesh.MinDihedral.Value, 20)
