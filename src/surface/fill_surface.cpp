@@ -348,8 +348,8 @@ Message warning_of_contact(const Brep& brep, const Mesh& mesh, const TrianglePai
     std::set<std::pair<SolidId, SolidId>> solids;
     for (const auto& [t, u] : crossings) {
         const auto solid = [&](TriangleId triangle) {
-            const auto solids = brep.solids_beside(mesh.triangle_faces[triangle.index()]);
-            return solids[0].is_valid() ? solids[0] : solids[1];
+            const auto beside = brep.solids_beside(mesh.triangle_faces[triangle.index()]);
+            return beside[0].is_valid() ? beside[0] : beside[1];
         };
         solids.insert(std::minmax(solid(t), solid(u)));
     }
