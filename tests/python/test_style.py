@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How the code is written, as far as tools tell: clang-format (.clang-format) and flake8 (.flake8) have nothing to say. Runs in plain Python."""
+"""How the code is written, as far as tools tell: clang-format (.clang-format) and flake8 (.flake8) have nothing to say, and how long
+design notes are. Runs in plain Python."""
 import shutil
 import subprocess
 import unittest
@@ -29,6 +30,14 @@ class Style(unittest.TestCase):
         scripts = files(".py")
         self.assertGreater(len(scripts), 80)
         self.assertEqual(complaints("flake8", *scripts), "")
+
+    def test_design_notes_are_short(self):
+        notes = sorted((ROOT / "docs" / "design").glob("*.md"))
+        self.assertGreater(len(notes), 10)
+        for note in notes:
+            lines = note.read_text(encoding="utf-8").splitlines()
+            wide = [line for line in lines if len(line) > 120 and not line.startswith("|")]   # a row of a table cannot be broken
+            self.assertEqual((len(lines) <= 150, wide), (True, []), note.name)
 
 
 if __name__ == "__main__":
