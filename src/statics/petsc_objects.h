@@ -2,10 +2,9 @@
 // PETSc's objects with owners, and its errors as ours. Only petsc_*.h and petsc_solver.cpp know PETSc.
 #pragma once
 
-#include <petscksp.h>
-
 #include "core/errors.h"
 #include "core/messages.h"
+#include "statics/petsc_headers.h"
 
 namespace featuremesh {
 
