@@ -25,6 +25,27 @@ CellModel cells_of(const Part& part) {
     return build_cells(part.tree(), Brep(part.tree().final_shape), context);
 }
 
+/// A compound of two features with a solid each.
+FeatureTree compound_of(const TopoDS_Shape& a, const TopoDS_Shape& b) {
+    FeatureTree tree;
+    tree.object = "Compound";
+    TopoDS_Compound both;
+    BRep_Builder builder;
+    builder.MakeCompound(both);
+    for (const auto& [name, shape] : {std::pair{"A", a}, std::pair{"B", b}}) {
+        Feature& feature = tree.features.emplace_back();
+        feature.name = feature.label = name;
+        feature.volumes.push_back({shape, Effect::adds, 0, {}, Effect::adds});
+        builder.Add(both, shape);
+    }
+    Feature& compound = tree.features.emplace_back();
+    compound.name = "Compound";
+    compound.combination = Combination::fuse;
+    compound.operands = {FeatureId(0), FeatureId(1)};
+    tree.final_shape = both;
+    return tree;
+}
+
 /// Names of the owners of each cell with its volume, the one number that tells cells apart here.
 std::map<std::set<std::string>, std::vector<double>> by_owner(const Part& part, const CellModel& model) {
     std::map<std::set<std::string>, std::vector<double>> result;
@@ -337,25 +358,9 @@ TEST_CASE("the cells are the same for any number of threads") {
 }
 
 TEST_CASE("overlapping solids of the final shape are reported") {
-    FeatureTree tree;
-    tree.object = "Compound";
-    TopoDS_Compound both;
-    BRep_Builder builder;
-    builder.MakeCompound(both);
-    for (const auto& [name, shape] :
-         {std::pair{"A", box(0, 0, 0, 10, 10, 10)}, std::pair{"B", box(5, 5, 5, 10, 10, 10)}}) {
-        Feature& feature = tree.features.emplace_back();
-        feature.name = feature.label = name;
-        feature.volumes.push_back({shape, Effect::adds, 0, {}, Effect::adds});
-        builder.Add(both, shape);
-    }
-    Feature& compound = tree.features.emplace_back();
-    compound.name = "Compound";
-    compound.combination = Combination::fuse;
-    compound.operands = {FeatureId(0), FeatureId(1)};
-    tree.final_shape = both;
+    const FeatureTree tree = compound_of(box(0, 0, 0, 10, 10, 10), box(5, 5, 5, 10, 10, 10));
     RunContext context;
-    const CellModel model = build_cells(tree, Brep(both), context);
+    const CellModel model = build_cells(tree, Brep(tree.final_shape), context);
     CHECK(model.cells.size() == 3);
     CHECK(model.report.material_volume == Approx(1875));
     CHECK(model.report.fallbacks.empty());
@@ -384,25 +389,9 @@ TEST_CASE("a volume that crosses itself is replaced by what changed between befo
 }
 
 TEST_CASE("where two solids of the final shape touch, both faces have owners") {
-    FeatureTree tree;
-    tree.object = "Compound";
-    TopoDS_Compound both;
-    BRep_Builder builder;
-    builder.MakeCompound(both);
-    for (const auto& [name, shape] :
-         {std::pair{"A", box(0, 0, 0, 10, 10, 10)}, std::pair{"B", box(10, 2, 2, 5, 5, 5)}}) {
-        Feature& feature = tree.features.emplace_back();
-        feature.name = feature.label = name;
-        feature.volumes.push_back({shape, Effect::adds, 0, {}, Effect::adds});
-        builder.Add(both, shape);
-    }
-    Feature& compound = tree.features.emplace_back();
-    compound.name = "Compound";
-    compound.combination = Combination::fuse;
-    compound.operands = {FeatureId(0), FeatureId(1)};
-    tree.final_shape = both;
+    const FeatureTree tree = compound_of(box(0, 0, 0, 10, 10, 10), box(10, 2, 2, 5, 5, 5));
     RunContext context;
-    const CellModel model = build_cells(tree, Brep(both), context);
+    const CellModel model = build_cells(tree, Brep(tree.final_shape), context);
     CHECK(model.report.fallbacks.empty());
     REQUIRE(model.owners_of_final_face.size() == 12);
     for (const auto& owners : model.owners_of_final_face) CHECK_FALSE(owners.empty());

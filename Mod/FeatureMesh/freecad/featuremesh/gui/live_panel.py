@@ -13,6 +13,7 @@ from ..errors import UserError
 from ..mesh_properties import status_in_words
 from ..user_words import in_users_units
 from . import live_runner, narrow
+from .closes_with_object import ClosesWithObject
 from .cut_box import CutBox
 from .undo import undo_step
 
@@ -22,12 +23,11 @@ _FIELDS = {"von_mises": QT_TRANSLATE_NOOP("FeatureMesh", "von Mises stress"), "d
 _MARKS = 4   # of the legend
 
 
-class LivePanel:
+class LivePanel(ClosesWithObject):
     """Shows and changes what is seen of a live result; that stays in the view when the panel is closed."""
 
     def __init__(self, live):
         self.live = live
-        self._document = live.Document
         self.view = live.ViewObject.Proxy
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(live.Label)
@@ -59,7 +59,7 @@ class LivePanel:
         live.ViewObject.Visibility = True
         live_view.followers.append(self._follow)
         live_runner.followers.append(self._follow_run)
-        FreeCAD.addDocumentObserver(self)
+        self.watch(self.live)
         self.refresh()
 
     def refresh(self):
@@ -82,20 +82,10 @@ class LivePanel:
         return versions.number_of(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
-        self._end()
+        self.end()
         Gui.getDocument(self._document).resetEdit()
         Gui.Control.closeDialog()
         return True
-
-    # FreeCAD's document observer
-
-    def slotDeletedObject(self, obj):
-        if obj is self.live:
-            self._close_with_it()
-
-    def slotDeletedDocument(self, document):
-        if document is self._document:
-            self._close_with_it()
 
     def _make_fields(self):
         self.field, self.difference = QtGui.QComboBox(), QtGui.QCheckBox(translate("FeatureMesh", "change since the last result"))
@@ -193,16 +183,12 @@ class LivePanel:
         if live is self.live:
             self._show_run()
 
-    def _end(self):
+    def end(self):
         if self._follow in live_view.followers:
             live_view.followers.remove(self._follow)
             live_runner.followers.remove(self._follow_run)
-            FreeCAD.removeDocumentObserver(self)
+            self.unwatch()
             self._later.stop()
-
-    def _close_with_it(self):
-        self._end()
-        QtCore.QTimer.singleShot(0, Gui.Control.closeDialog)
 
 
 class Legend(QtGui.QWidget):

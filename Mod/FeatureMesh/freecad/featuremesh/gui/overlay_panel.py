@@ -9,12 +9,13 @@ from .. import mesh_object, view_provider, versions
 from ..errors import UserError
 from ..messages import of_error
 from ..user_words import in_words
+from .closes_with_object import ClosesWithObject
 from .cut_box import CutBox
 
 translate = FreeCAD.Qt.translate
 
 
-class OverlayPanel:
+class OverlayPanel(ClosesWithObject):
     """Colours the elements while it is open, and those of the new mesh after an edit."""
 
     def __init__(self, mesh, title, icon):
@@ -40,7 +41,7 @@ class OverlayPanel:
         self.mesh.ViewObject.Visibility = True
         self._show()
         view_provider.followers.append(self._follow)
-        FreeCAD.addDocumentObserver(self)
+        self.watch(self.mesh)
 
     def make_overlay(self):
         """The overlays.Overlay of the mesh as it is. Throws UserError when there is none."""
@@ -73,23 +74,12 @@ class OverlayPanel:
         return versions.number_of(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
-        self._end()
+        self.end()
         self.mesh.ViewObject.Proxy.show(self.mesh, None)
         Gui.Control.closeDialog()
         return True
 
-    # FreeCAD's document observer
-
-    def slotDeletedObject(self, obj):
-        if obj is self.mesh:
-            self._close_with_it()
-
-    def slotDeletedDocument(self, document):
-        if document is self._document:
-            self._close_with_it()
-
     def _show(self, said=""):
-        self._document = self.mesh.Document
         if not said and self.mesh.Status != mesh_object.UP_TO_DATE:
             said = translate("FeatureMesh", "These are the elements of the last mesh: %s") % mesh_object.status_in_words(self.mesh)
         self.note.setText(said)
@@ -103,12 +93,8 @@ class OverlayPanel:
         if mesh is self.mesh and name in ("FemMesh", "Status"):
             self._later.start(0)   # when all of the mesh is stored
 
-    def _end(self):
+    def end(self):
         if self._follow in view_provider.followers:
             view_provider.followers.remove(self._follow)
-            FreeCAD.removeDocumentObserver(self)
+            self.unwatch()
             self._later.stop()
-
-    def _close_with_it(self):
-        self._end()
-        QtCore.QTimer.singleShot(0, Gui.Control.closeDialog)

@@ -9,6 +9,7 @@ from .. import mesh_object, user_words, view_provider, versions
 from ..errors import UserError
 from ..study import design, response_words, study_object, window_run
 from . import errors, narrow, study_runs
+from .closes_with_object import ClosesWithObject
 from .dimension_list import DimensionList
 
 translate = FreeCAD.Qt.translate
@@ -42,12 +43,11 @@ _AT_A_PLACE = ("max_mises", "max_principal", "max_displacement")
 _LOOK_EVERY = 500   # ms
 
 
-class StudyPanel:
+class StudyPanel(ClosesWithObject):
     """Changes what a study asks for and runs it. What runs goes on when the panel is closed."""
 
     def __init__(self, study):
         self.study = study
-        self._document = study.Document
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(study.Label)
         self.form.setWindowIcon(view_provider.drawn_icon("FeatureMesh_Study"))
@@ -71,7 +71,7 @@ class StudyPanel:
         self._timer.timeout.connect(self.refresh)
         self._timer.start(_LOOK_EVERY)
         Gui.Selection.addObserver(self)
-        FreeCAD.addDocumentObserver(self)
+        self.watch(self.study)
         self.refresh()
 
     def refresh(self):
@@ -98,7 +98,7 @@ class StudyPanel:
         return versions.number_of(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
-        self._end()
+        self.end()
         Gui.getDocument(self._document).resetEdit()
         Gui.Control.closeDialog()
         return True
@@ -114,16 +114,6 @@ class StudyPanel:
 
     def clearSelection(self, _):
         self.at_button.setEnabled(False)
-
-    # FreeCAD's document observer
-
-    def slotDeletedObject(self, obj):
-        if obj is self.study:
-            self._close_with_it()
-
-    def slotDeletedDocument(self, document):
-        if document is self._document:
-            self._close_with_it()
 
     def _fill_responses(self):
         """Those that the analysis gives, and whatever else is asked for already."""
@@ -252,15 +242,11 @@ class StudyPanel:
             errors.show(error, self.study.Part)
         self.refresh()
 
-    def _end(self):
+    def end(self):
         if self._timer.isActive():
             self._timer.stop()
             Gui.Selection.removeObserver(self)
-            FreeCAD.removeDocumentObserver(self)
-
-    def _close_with_it(self):
-        self._end()
-        QtCore.QTimer.singleShot(0, Gui.Control.closeDialog)
+            self.unwatch()
 
 
 def _time_left(seconds):

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What task panels share that show an object and stay open."""
+
+import FreeCAD
+import FreeCADGui as Gui
+from PySide import QtCore
+
+
+class ClosesWithObject:
+    """A document observer that closes its task panel when the object that it shows is deleted, or the object's document is closed."""
+
+    def end(self):
+        """Leaves everything that the panel follows; may be called twice."""
+        raise NotImplementedError
+
+    def watch(self, obj):
+        self._watched, self._document = obj, obj.Document
+        FreeCAD.addDocumentObserver(self)
+
+    def unwatch(self):
+        FreeCAD.removeDocumentObserver(self)
+
+    # FreeCAD's side
+
+    def slotDeletedObject(self, obj):
+        if obj is self._watched:
+            self._close()
+
+    def slotDeletedDocument(self, document):
+        if document is self._document:
+            self._close()
+
+    def _close(self):
+        self.end()
+        QtCore.QTimer.singleShot(0, Gui.Control.closeDialog)
