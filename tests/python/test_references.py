@@ -4,11 +4,13 @@ import os
 import shutil
 import tempfile
 import unittest
+from unittest import mock
 
 import FreeCAD
 import ObjectsFem
-from freecad.featuremesh import api, assembled, resolving
+from freecad.featuremesh import api, assembled, mesh_object, resolving
 from freecad.featuremesh.errors import UserError
+from freecad.featuremesh.messages import english
 from parts import new_document, placement
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples")
@@ -214,6 +216,38 @@ class AsClicked(unittest.TestCase):
         material.References = [(self.fillet, "Solid1")]
         self.update()
         self.assertEqual(groups_of(self.mesh).get("Second_Volumes"), set(self.mesh.FemMesh.Volumes))
+
+    def test_what_is_clicked_on_another_copy_is_said(self):
+        one, two = (self.document.addObject("App::Link", name) for name in ("One", "Two"))
+        one.LinkedObject = two.LinkedObject = self.body
+        two.Placement.Base.x = 500
+        self.document.removeObject(self.mesh.Name)
+        self.document.recompute()
+        force, said = self.document.Force, "Force refers to Two:Fillet.Face19, which is not on the meshed part One and has no nodes in its mesh"
+        force.addProperty("App::PropertyStringList", resolving.CLICKED)
+        setattr(force, resolving.CLICKED, ["Two.Fillet.Face19"])
+        force.References = [(self.fillet, "Face19")]
+        self.document.Fixed.References = [(self.body, "Face4")]
+        self.mesh = api.add_mesh(one, 6)
+        self.mesh.Automatic = False
+        warnings = []
+        with mock.patch.object(mesh_object.FreeCAD, "Console", mock.Mock(wraps=FreeCAD.Console, PrintWarning=warnings.append)):
+            line, = [english(line) for line in self.update()["warnings"]]
+            self.assertEqual(line, said + "; choose faces, edges or vertices of One instead")
+            self.assertEqual([line in words for words in warnings], [True])
+            self.assertNotIn("Force_Nodes", groups_of(self.mesh))
+            setattr(force, resolving.CLICKED, ["One.Fillet.Face19"])
+            force.References = [(self.fillet, "Face19")]
+            self.assertEqual(groups_of(self.mesh)["Force_Nodes"], groups_of(self.mesh)["Face19_Nodes"])
+            self.assertEqual(self.update()["warnings"], [])
+            pressure = ObjectsFem.makeConstraintPressure(self.document, "Pressure")
+            pressure.addProperty("App::PropertyStringList", resolving.CLICKED)
+            setattr(pressure, resolving.CLICKED, ["Two.Fillet.Face3"])
+            pressure.References = [(self.fillet, "Face3")]
+            self.analysis.addObject(pressure)
+            self.assertIn("Pressure refers to Two:Fillet.Face3", warnings[-1])
+            self.assertEqual(len(self.update()["warnings"]), 1)
+        self.assertEqual(len(warnings), 2)   # each said once
 
     def test_a_reference_that_is_being_edited_is_not_rewritten(self):
         from freecad.featuremesh import references

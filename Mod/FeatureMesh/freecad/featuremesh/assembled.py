@@ -117,6 +117,11 @@ def shows(obj, container):
     return is_assembled(obj) and obj.Container is container
 
 
+def seen_as(obj):
+    """What a user clicks to mean the object: the container or the link that it shows, or itself."""
+    return obj.Container or obj if is_assembled(obj) else obj
+
+
 def parts_in(container):
     """The objects with a solid in a container and in the containers in it that none of the others is made of, in order; a link itself."""
     if not is_container(container):

@@ -157,7 +157,7 @@ class FeatureMesh:
         """Hands a job's mesh over to FreeCAD and saves its state. Returns the report."""
         start = time.perf_counter()
         report = self._report_with_references(mesh, job)
-        known = remarks_of(json.loads(mesh.Report or "{}"))
+        known = remarks_of(json.loads(mesh.Report or "{}")) + list(self._elsewhere.values())
         for line in remarks_of(report):
             if line not in known:   # what the last mesh said, too, has been read
                 FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, in_words(line)))
@@ -196,6 +196,7 @@ class FeatureMesh:
         moved = job.remarks + self._follow(mesh, self._dependents(mesh), job.raw, lambda: self._followed_faces(job))
         report["warnings"] = report.get("warnings", []) + moved
         self.settle(mesh, self._referring(mesh), job.raw)
+        report["warnings"] += self._what_is_elsewhere(mesh, self._dependents(mesh), job.raw).values()
         return report
 
     def fail(self, mesh, error):
@@ -275,6 +276,7 @@ class FeatureMesh:
         references.mend(obj)
         self.settle(mesh, [obj])
         self.note_references(mesh, [obj])
+        self._tell_what_is_elsewhere(mesh, [obj])
 
     def members_changed(self, mesh, after_undo=False):
         """To be called when other objects belong to the mesh or its analysis, or when an undo or redo may have changed what they refer to."""
@@ -286,6 +288,21 @@ class FeatureMesh:
         if new:
             self.settle(mesh, new)
             self.note_references(mesh, new)
+            self._tell_what_is_elsewhere(mesh, new)
+
+    def _tell_what_is_elsewhere(self, mesh, objects):
+        """Says once which of the objects refer to something else than the part; those in a task panel when it is closed."""
+        lines = self._what_is_elsewhere(mesh, objects, self._raw)
+        for name, line in lines.items():
+            if self._elsewhere.get(name) != line:
+                FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, in_words(line)))
+        names = [obj.Name for obj in objects]
+        self._elsewhere = {**{name: line for name, line in self._elsewhere.items() if name not in names}, **lines}
+
+    def _what_is_elsewhere(self, mesh, objects, raw):
+        """references.elsewhere of those objects that are no refinements, which are refused, and in no task panel."""
+        known = [obj for obj in objects if hasattr(obj, "References") and obj not in mesh.MeshRegionList and not references.is_being_edited(obj)]
+        return references.elsewhere(known, Resolver(versions.part_of(mesh), raw))
 
     def forget_references(self, mesh, name):
         """To be called when the object of that name was deleted: another one may get its name."""
@@ -447,6 +464,7 @@ class FeatureMesh:
         self._shape = None       # the part's shape then
         self._elements = None    # sketch elements of a saved state, with today's ids
         self._later = {}         # by name of an object: the part as it was when that was given other references, where that was after the last mesh
+        self._elsewhere = {}     # by name of an object: what was said of its references that are not on the part
         self._following = False  # references are being moved just now
         self._checksum = ""      # of the saved state that it belongs to
         self._shown = ""         # of the saved state that FemMesh was made from

@@ -9,9 +9,9 @@ references, for a load must never act on a face that nobody chose, and an object
 
 import FreeCAD
 
-from . import versions
+from . import assembled, versions
 from .messages import said
-from .resolving import CLICKED, LOST, pairs_of
+from .resolving import CLICKED, LOST, describe, pairs_of
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 # Is a task panel of the object open? It keeps its own list of references, so nobody else may change them. Set by the window's side.
@@ -21,6 +21,8 @@ clicked_through = None
 # A property of objects that have nothing left to refer to: the names of what they have lost.
 MARK = "LostReferences"
 
+_ELSEWHERE = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {where:entities}, which is not on the meshed part {part:text} and has no nodes in its mesh; choose "
+                               "faces, edges or vertices of {part:text} instead")
 _TAKEN_OUT = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {lost:entities}, which is gone; it was taken out of the references")
 _CHOOSE_ANOTHER = {
     "Face": QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {lost:entities}, which is gone; choose another face, the analysis cannot be solved without"),
@@ -60,7 +62,7 @@ def settle(objects, resolver):
 
 def note_clicks(obj):
     """To be called when an object was given other references: keeps beside what was chosen in its panel through which links that was clicked."""
-    if clicked_through is None or not is_in_edit(obj):
+    if clicked_through is None or not is_being_edited(obj):
         return
     paths = clicked_through(obj)
     if paths and CLICKED not in obj.PropertiesList:
@@ -70,9 +72,14 @@ def note_clicks(obj):
         setattr(obj, CLICKED, paths)
 
 
+def is_being_edited(obj):
+    """Is a task panel of the object open?"""
+    return is_in_edit is not None and is_in_edit(obj)
+
+
 def may_change(obj, resolver):
     """May the references of the object be written?"""
-    return not (is_in_edit is not None and is_in_edit(obj)) and resolver.bearer is not None
+    return not is_being_edited(obj) and resolver.bearer is not None
 
 
 def differs(obj, known, deleted):
@@ -103,6 +110,15 @@ def follow(obj, known, resolver, numbering):
         if lost and not now:
             _mark(obj, lost)
     return lines + _what_was_lost(obj, lost, now)
+
+
+def elsewhere(objects, resolver):
+    """{object name: a line} for each of the objects that refers to something that the meshed part does not have, a material excepted: that may refer to
+    the solids that the part is made of."""
+    foreign = {obj: resolver.of_object(obj)[1] for obj in objects if not obj.isDerivedFrom("App::MaterialObject")}
+    part = assembled.seen_as(resolver.part).Label
+    return {obj.Name: said(_ELSEWHERE, object=obj.Label, where=[describe(*pair) for pair in pairs], part=part)
+            for obj, pairs in foreign.items() if pairs}
 
 
 def unmended(analysis):

@@ -2373,6 +2373,10 @@
       <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; wählen Sie einen anderen Punkt, ohne lässt sich die Analyse nicht rechnen</translation>
     </message>
     <message>
+      <source>{object:text} refers to {where:entities}, which is not on the meshed part {part:text} and has no nodes in its mesh; choose faces, edges or vertices of {part:text} instead</source>
+      <translation>{object:text} bezieht sich auf {where:entities}, das nicht am vernetzten Teil {part:text} liegt und in dessen Netz keine Knoten hat; stattdessen Flächen, Kanten oder Punkte von {part:text} wählen</translation>
+    </message>
+    <message>
       <source>{object:text} refers to {lost:entities}, which is gone; it was taken out of the references</source>
       <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; es wurde aus den Referenzen genommen</translation>
     </message>
