@@ -47,7 +47,6 @@ class FaceCover {
 
     void run() {
         BRepTools::UVBounds(face_, u_[0], u_[1], v_[0], v_[1]);
-        trim_.emplace(face_, 1e-9);
         const int pieces_u = pieces(surface_.GetType(), surface_.IsUPeriodic() ? 8 : 2, true),
                   pieces_v = pieces(surface_.GetType(), surface_.IsVPeriodic() ? 8 : 2, false);
         for (int i = 0; i < pieces_u; ++i)
@@ -97,6 +96,7 @@ class FaceCover {
             cover(split_u ? Range{mu, u[1]} : u, split_u ? v : Range{mv, v[1]}, depth + 1);
             return;
         }
+        if (!trim_) trim_.emplace(face_, 1e-9);  // most faces ask for nothing
         if (std::none_of(uv.begin(), uv.end(),
                          [&](const auto& w) { return trim_->Perform(gp_Pnt2d(w[0], w[1])) != TopAbs_OUT; }))
             return;

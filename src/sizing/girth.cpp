@@ -118,22 +118,22 @@ std::optional<Girth> Girth::of(const Brep& brep, FaceId face, const BRepAdaptor_
     const GeomAbs_SurfaceType type = surface.GetType();
     if (type == GeomAbs_Plane) return {};
     const bool closes = has_seam(brep, face);
+    if (!closes && type != GeomAbs_Cylinder) return {};
     Range u, v;
     BRepTools::UVBounds(brep.face(face), u[0], u[1], v[0], v[1]);
     const double mu = at_share(u, 0.5), mv = at_share(v, 0.5);
     if (type == GeomAbs_Cylinder) {
-        if (!(closes ? goes_round(brep.face(face), surface, u, v, true) : is_half_of_rod(brep, face, surface)))
-            return {};
         const gp_Ax1 axis = surface.Cylinder().Axis();
         const Vec3 p = to_vec3(surface.Value(mu, mv)), base = to_vec3(axis.Location()),
                    along = to_vec3(gp_Vec(axis.Direction()));
         if (!is_round_material(brep, face, surface, mu, mv, base + dot(p - base, along) * along)) return {};
+        if (!(closes ? goes_round(brep.face(face), surface, u, v, true) : is_half_of_rod(brep, face, surface)))
+            return {};
         return Girth(2 * std::numbers::pi * surface.Cylinder().Radius());
     }
-    if (!closes) return {};
     if (type == GeomAbs_Sphere) {
-        if (!goes_round(brep.face(face), surface, u, v, true) ||
-            !is_round_material(brep, face, surface, mu, mv, to_vec3(surface.Sphere().Location())))
+        if (!is_round_material(brep, face, surface, mu, mv, to_vec3(surface.Sphere().Location())) ||
+            !goes_round(brep.face(face), surface, u, v, true))
             return {};
         return Girth(2 * std::numbers::pi * surface.Sphere().Radius());
     }

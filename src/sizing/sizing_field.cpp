@@ -260,7 +260,7 @@ Bounded bounded(const Box& box, const SizingField& sizing) {
 }  // namespace
 
 bool may_ask_for_more_tets(const Brep& brep, const SizingField& sizing, double most) {
-    constexpr int most_looks = 4096;
+    constexpr int most_looks = 1 << 16;
     std::priority_queue<Bounded> boxes;  // the worst is halved in all directions
     boxes.push(bounded(brep.box(), sizing));
     double sum = boxes.top().most_tets;

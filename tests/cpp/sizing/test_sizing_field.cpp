@@ -310,6 +310,15 @@ TEST_CASE("few looks tell that a field does not ask for too much") {
     CHECK(may_ask_for_more_tets(brep, sizing_of(brep, of_size(0.01)), 5e7));
 }
 
+TEST_CASE("few looks tell it of a part with many fine edges, too") {
+    const Brep brep = block();
+    SizingOptions options = of_size(4);
+    options.min_size = 1e-3;
+    for (std::size_t e = 0; e < brep.edge_count(); ++e) options.local.push_back({entity_of(EdgeId(e)), 0.2});
+    const SizingField graded = sizing_of(brep, options);
+    CHECK_FALSE(may_ask_for_more_tets(brep, graded, 5 * estimate_tets(brep, graded)));
+}
+
 TEST_CASE("two fields differ only where it is said") {
     const auto drilled = [](std::initializer_list<double> places) {
         TopoDS_Shape shape = BRepPrimAPI_MakeBox(60, 40, 20).Shape();
