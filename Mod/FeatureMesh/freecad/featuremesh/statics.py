@@ -4,14 +4,21 @@
 import os
 import time
 
+import FreeCAD
 import numpy as np
 
 from . import analyses, engine, statics_model, statics_supports
 from .errors import UserError
+from .messages import said
 from .reading import describe
 from .statics_model import NotUnderstood
 
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 TONNE = 1000.0   # kg
+_TOO_STIFF = QT_TRANSLATE_NOOP("FeatureMesh", "4-node tetrahedra are too stiff in bending and show too little stress; 10-node tetrahedra (Order: 2nd) are far closer on "
+                               "the same mesh")
+_TOO_STIFF_BY = QT_TRANSLATE_NOOP("FeatureMesh", "4-node tetrahedra are too stiff in bending and show too little stress (here the stresses are off by about "
+                                  "{percent:count} % in the mean of the energy); 10-node tetrahedra (Order: 2nd) are far closer on the same mesh")
 
 
 def mesh_of(analysis):
@@ -135,5 +142,4 @@ def remarks(arrays, error=None):
     """What the user should know of the figures; `error` is the estimate of what the mesh is off, where there is one."""
     if len(arrays["tet_mids"]):
         return []
-    off = "" if error is None else " (here the stresses are off by about %.0f %% in the mean of the energy)" % (100 * error)
-    return ["4-node tetrahedra are too stiff in bending and show too little stress%s; 10-node tetrahedra (Order: 2nd) are far closer on the same mesh" % off]
+    return [said(_TOO_STIFF) if error is None else said(_TOO_STIFF_BY, percent=round(100 * error))]

@@ -20,7 +20,7 @@ from .undo import undo_step
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 _FIELDS = {"von_mises": QT_TRANSLATE_NOOP("FeatureMesh", "von Mises stress"), "displacement": QT_TRANSLATE_NOOP("FeatureMesh", "displacement")}
-_MARKS = 4   # of the legend
+_MARKS, _GAP = 4, 6   # of the legend, and pixels between them at least
 
 
 class LivePanel(ClosesWithObject):
@@ -210,6 +210,17 @@ class Legend(QtGui.QWidget):
                 self.labels = [translate("FeatureMesh", "out of date")]
         self.update()
 
+    def _placed_labels(self):
+        """(x, label) from the largest down, without those for which there is no room beside it."""
+        placed, end = [], self.width() + _GAP
+        for index in reversed(range(len(self.labels))):
+            room = QtGui.QFontMetrics(self.font()).boundingRect(self.labels[index]).width() + 2
+            place = int((self.width() - room) * index / max(len(self.labels) - 1, 1))
+            if place + room + _GAP <= end:
+                placed.append((place, self.labels[index]))
+                end = place
+        return placed
+
     def paintEvent(self, event):
         painter = QtGui.QPainter(self)
         if len(self._table):
@@ -217,8 +228,6 @@ class Legend(QtGui.QWidget):
             for place, colour in zip(np.linspace(0, 1, len(self._table)), self._table):
                 colours.setColorAt(place, QtGui.QColor.fromRgbF(*colour))
             painter.fillRect(QtCore.QRectF(0, 2, self.width(), 18), colours)
-            for index, label in enumerate(self.labels):
-                room = QtGui.QFontMetrics(self.font()).boundingRect(label).width() + 2
-                place = (self.width() - room) * index / max(len(self.labels) - 1, 1)
-                painter.drawText(int(place), 38, label)
+            for place, label in self._placed_labels():
+                painter.drawText(place, 38, label)
         painter.end()

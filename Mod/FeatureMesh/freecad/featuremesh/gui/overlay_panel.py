@@ -9,6 +9,7 @@ from .. import mesh_object, view_provider, versions
 from ..errors import UserError
 from ..messages import of_error
 from ..user_words import in_words
+from . import narrow
 from .closes_with_object import ClosesWithObject
 from .cut_box import CutBox
 
@@ -25,6 +26,7 @@ class OverlayPanel(ClosesWithObject):
         self.form.setWindowTitle(title)
         self.form.setWindowIcon(view_provider.drawn_icon(icon))
         self.layout = QtGui.QVBoxLayout(self.form)
+        narrow.margins(self.layout)
         self.note = QtGui.QLabel()
         self.note.setWordWrap(True)
         self.cut = CutBox(self.draw)

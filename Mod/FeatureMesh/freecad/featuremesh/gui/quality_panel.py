@@ -39,7 +39,9 @@ class QualityPanel(OverlayPanel):
         narrow.box(self.measure)
         self.bad, self.good = QtGui.QDoubleSpinBox(), QtGui.QDoubleSpinBox()
         self.histogram, self.summary, self.worst = Histogram(), QtGui.QLabel(), QtGui.QListWidget()
-        self.summary.setWordWrap(True)
+        hint = QtGui.QLabel(translate("FeatureMesh", "The worst elements, click to see:"))
+        for label in (self.summary, hint):
+            label.setWordWrap(True)
         self.worst.setMaximumHeight(130)
         self.worst.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
         limits = QtGui.QFormLayout()
@@ -48,7 +50,7 @@ class QualityPanel(OverlayPanel):
         for name, box in zip(self._limit_names, (self.bad, self.good)):
             limits.addRow(name, box)
         self.layout.addLayout(limits)
-        for widget in (self.histogram, self.summary, QtGui.QLabel(translate("FeatureMesh", "The worst elements, click to see:")), self.worst):
+        for widget in (self.histogram, self.summary, hint, self.worst):
             self.layout.addWidget(widget)
         for box in (self.bad, self.good):
             box.setRange(-1e6, 1e6)

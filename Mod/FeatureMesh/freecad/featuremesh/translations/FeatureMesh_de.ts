@@ -448,27 +448,27 @@
     </message>
     <message>
       <source>10-node tetrahedra</source>
-      <translation>Tetraeder mit 10 Knoten</translation>
+      <translation>10-Knoten-Tetraeder</translation>
     </message>
     <message>
       <source>2-node segments</source>
-      <translation>Balkenelemente mit 2 Knoten</translation>
+      <translation>2-Knoten-Balkenelemente</translation>
     </message>
     <message>
       <source>3-node segments</source>
-      <translation>Balkenelemente mit 3 Knoten</translation>
+      <translation>3-Knoten-Balkenelemente</translation>
     </message>
     <message>
       <source>3-node triangles</source>
-      <translation>Dreiecke mit 3 Knoten</translation>
+      <translation>3-Knoten-Dreiecke</translation>
     </message>
     <message>
       <source>4-node tetrahedra</source>
-      <translation>Tetraeder mit 4 Knoten</translation>
+      <translation>4-Knoten-Tetraeder</translation>
     </message>
     <message>
       <source>6-node triangles</source>
-      <translation>Dreiecke mit 6 Knoten</translation>
+      <translation>6-Knoten-Dreiecke</translation>
     </message>
     <message>
       <source>: %s leaves nothing of it</source>
@@ -628,7 +628,7 @@
     </message>
     <message>
       <source>Element</source>
-      <translation>Tetraeder</translation>
+      <translation>Element</translation>
     </message>
     <message>
       <source>Elements along the diagonal</source>
@@ -1496,7 +1496,7 @@
     </message>
     <message>
       <source>change since the last result</source>
-      <translation>Änderung seit dem letzten Ergebnis</translation>
+      <translation>Änderung zum letzten Mal</translation>
     </message>
     <message>
       <source>checking the mesh</source>
@@ -1524,7 +1524,7 @@
     </message>
     <message>
       <source>cut through the elements</source>
-      <translation>durch die Elemente schneiden</translation>
+      <translation>Elemente durchschneiden</translation>
     </message>
     <message>
       <source>depends on</source>
@@ -1684,7 +1684,7 @@
     </message>
     <message>
       <source>largest von Mises stress</source>
-      <translation>größte Vergleichsspannung (von Mises)</translation>
+      <translation>größte Spannung (von Mises)</translation>
     </message>
     <message>
       <source>largest: %.4g %s on %s, node %d at (%.4g, %.4g, %.4g) mm; displacements drawn %g times</source>
@@ -2202,7 +2202,7 @@
     </message>
     <message>
       <source>von Mises stress</source>
-      <translation>Vergleichsspannung nach von Mises</translation>
+      <translation>Spannung (von Mises)</translation>
     </message>
     <message>
       <source>waiting</source>
@@ -2371,6 +2371,14 @@
     <message>
       <source>{object:text} refers to {lost:entities}, which is gone; choose another vertex, the analysis cannot be solved without</source>
       <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; wählen Sie einen anderen Punkt, ohne lässt sich die Analyse nicht rechnen</translation>
+    </message>
+    <message>
+      <source>4-node tetrahedra are too stiff in bending and show too little stress; 10-node tetrahedra (Order: 2nd) are far closer on the same mesh</source>
+      <translation>Tetraeder mit 4 Knoten sind bei Biegung zu steif und zeigen zu kleine Spannungen; Tetraeder mit 10 Knoten (Order: 2nd) sind auf demselben Netz weit genauer</translation>
+    </message>
+    <message>
+      <source>4-node tetrahedra are too stiff in bending and show too little stress (here the stresses are off by about {percent:count} % in the mean of the energy); 10-node tetrahedra (Order: 2nd) are far closer on the same mesh</source>
+      <translation>Tetraeder mit 4 Knoten sind bei Biegung zu steif und zeigen zu kleine Spannungen (hier liegen die Spannungen im Mittel der Energie um etwa {percent:count} % daneben); Tetraeder mit 10 Knoten (Order: 2nd) sind auf demselben Netz weit genauer</translation>
     </message>
     <message>
       <source>{object:text} refers to {where:entities}, which is not on the meshed part {part:text} and has no nodes in its mesh; choose faces, edges or vertices of {part:text} instead</source>
