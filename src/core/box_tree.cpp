@@ -31,10 +31,4 @@ std::int32_t BoxTree::build(std::int32_t begin, std::int32_t end) {
     return index;
 }
 
-double BoxTree::squared_distance_to(const Box& box, const Vec3& p) {
-    const auto beyond = [](double low, double high, double x) { return std::max({low - x, 0.0, x - high}); };
-    return squared_length(
-        {beyond(box.low.x, box.high.x, p.x), beyond(box.low.y, box.high.y, p.y), beyond(box.low.z, box.high.z, p.z)});
-}
-
 }  // namespace featuremesh

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/distances.h"
 #include "core/geometry.h"
 
 namespace featuremesh {
@@ -32,7 +33,7 @@ class BoxTree {
         std::int32_t best = -1;
         double least = std::numeric_limits<double>::infinity();
         descend(
-            0, [&](const Box& box) { return squared_distance_to(box, p) <= least; },
+            0, [&](const Box& box) { return squared_distance_to_box(p, box) <= least; },
             [&](std::int32_t i) {
                 const double d = squared_distance(i);
                 if (d < least || (d == least && i < best)) least = d, best = i;
@@ -46,7 +47,6 @@ class BoxTree {
         std::int32_t begin, end;  // of order_; a leaf where the children are none
         std::int32_t left = -1, right = -1;
     };
-    static double squared_distance_to(const Box& box, const Vec3& p);
     std::int32_t build(std::int32_t begin, std::int32_t end);
 
     template <class Enter, class Visit>

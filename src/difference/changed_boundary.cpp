@@ -5,20 +5,12 @@
 #include <optional>
 #include <vector>
 
+#include "core/distances.h"
 #include "difference/feature_difference.h"
-#include "difference/triangle_distance.h"
 
 namespace featuremesh {
 namespace {
 using Triangle = std::array<Vec3, 3>;
-
-double squared_distance_to_box(const Vec3& p, const Box& box) {
-    const auto outside = [](double x, double low, double high) {
-        return x < low ? low - x : x > high ? x - high : 0.0;
-    };
-    return squared_length({outside(p.x, box.low.x, box.high.x), outside(p.y, box.low.y, box.high.y),
-                           outside(p.z, box.low.z, box.high.z)});
-}
 
 double depth_in_box(const Vec3& p, const Box& box) {
     const Vec3 low = p - box.low, high = box.high - p;
@@ -106,8 +98,10 @@ struct ChangedBoundary::Tree {
             const auto [index, at_least] = stack[--depth];
             if (at_least >= best) continue;
             const Node& node = nodes[std::size_t(index)];
-            for (std::int32_t t = node.begin; t < node.begin + node.count; ++t)
-                best = std::min(best, squared_distance_to_triangle(p, triangles[std::size_t(t)]));
+            for (std::int32_t t = node.begin; t < node.begin + node.count; ++t) {
+                const auto& [a, b, c] = triangles[std::size_t(t)];
+                best = std::min(best, squared_distance_to_triangle(p, a, b, c));
+            }
             if (node.count > 0) continue;
             const Waiting left{index + 1, squared_distance_to_box(p, nodes[std::size_t(index) + 1].box)};
             const Waiting right{node.right, squared_distance_to_box(p, nodes[std::size_t(node.right)].box)};

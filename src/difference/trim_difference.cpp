@@ -4,8 +4,8 @@
 #include <BRepTools.hxx>
 #include <algorithm>
 
+#include "core/distances.h"
 #include "difference/surface_chart.h"
-#include "difference/triangle_distance.h"
 
 namespace featuremesh {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/box_tree.h"
+#include "core/distances.h"
 #include "core/errors.h"
 #include "core/messages.h"
 #include "mesh/second_order.h"
@@ -127,25 +128,6 @@ class Element {
     std::array<Vec3, 10> nodes_{};
     bool is_curved_ = false;
 };
-
-/// Barycentric coordinates of the triangle's point nearest to p (Ericson 2005, 5.1.5).
-std::array<double, 3> nearest_on_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
-    const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-    const double d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp),
-                 d6 = dot(ac, cp);
-    if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-    if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-    if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-    const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-        const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-        return {0, 1 - w, w};
-    }
-    const double sum = va + vb + vc;
-    return {va / sum, vb / sum, vc / sum};
-}
 
 Box box_of_element(const Mesh& mesh, std::size_t tet) {
     Box box;
@@ -342,15 +324,16 @@ class Transfer {
 
     void take_nearest(std::size_t n) {
         const Vec3& p = new_.points[n];
-        const auto foot_on = [&](std::int32_t t) {
+        const auto nearest_in = [&](std::int32_t t) {
             const auto [a, b, c] = points_of(outer_[std::size_t(t)]);
-            const auto l = nearest_on_triangle(a, b, c, p);
-            return std::pair(l, a * l[0] + b * l[1] + c * l[2]);
+            return nearest_in_triangle(p, a, b, c);
         };
         const std::int32_t nearest =
-            surface_.nearest(p, [&](std::int32_t t) { return squared_length(foot_on(t).second - p); });
+            surface_.nearest(p, [&](std::int32_t t) { return nearest_in(t).squared_distance; });
         const OuterTriangle& triangle = outer_[std::size_t(nearest)];
-        const auto [l, foot] = foot_on(nearest);
+        const auto [a, b, c] = points_of(triangle);
+        const std::array<double, 3> l = nearest_in(nearest).weights;
+        const Vec3 foot = a * l[0] + b * l[1] + c * l[2];
         Barycentric place{};
         for (std::size_t k = 0; k < 3; ++k) place[std::size_t(triangle.corners[k])] = l[k];
         const Element element(old_, triangle.tet);

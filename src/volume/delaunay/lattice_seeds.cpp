@@ -10,8 +10,8 @@
 #include <numeric>
 #include <unordered_set>
 
+#include "core/distances.h"
 #include "volume/delaunay/region_locator.h"
-#include "volume/tets/distance_to_triangle.h"
 
 namespace featuremesh {
 
@@ -261,14 +261,6 @@ class SeedOctree {
             octants &= (in_first ? low[axis] : 0) | (in_last ? ~low[axis] : 0);
         }
         return octants;
-    }
-
-    static double squared_distance_to_box(const Vec3& p, const Box& b) {
-        const auto off = [](double low, double at, double high) {
-            return std::max(std::max(low - at, at - high), 0.0);
-        };
-        return squared_length(
-            Vec3{off(b.low.x, p.x, b.high.x), off(b.low.y, p.y, b.high.y), off(b.low.z, p.z, b.high.z)});
     }
 
     static Cube octant(const Cube& cube, int k) {

@@ -6,13 +6,13 @@
 #include <tuple>
 
 #include "catch.h"
+#include "core/distances.h"
 #include "core/errors.h"
 #include "mesh/box_mesh.h"
 #include "volume/cavity.h"
 #include "volume/delaunay/lattice_seeds.h"
 #include "volume/delaunay/region_locator.h"
 #include "volume/delaunay/triangulation.h"
-#include "volume/tets/distance_to_triangle.h"
 
 using namespace featuremesh;
 
@@ -122,22 +122,6 @@ TEST_CASE(
     CHECK(space.with_room(above_corner, closer) == above_corner);
     CHECK(space.with_room(above_middle, closer).empty());
     CHECK(space.with_room(beyond, closer) == beyond);
-}
-
-TEST_CASE("distance to a triangle is that of brute force") {
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> unit(-1, 1);
-    const auto point = [&] { return Vec3{unit(random), unit(random), unit(random)}; };
-    for (int trial = 0; trial < 50; ++trial) {
-        const Vec3 a = point(), b = point(), c = point(), p = point();
-        double nearest = 1e300;
-        for (int i = 0; i <= 200; ++i)
-            for (int j = 0; i + j <= 200; ++j)
-                nearest = std::min(nearest, distance(p, a + (b - a) * (i / 200.0) + (c - a) * (j / 200.0)));
-        const double found = std::sqrt(squared_distance_to_triangle(p, a, b, c));
-        CHECK(found <= nearest + 1e-12);
-        CHECK(found > nearest - 0.02);
-    }
 }
 
 TEST_CASE("the region of a point is found, rays through edges and corners included") {
