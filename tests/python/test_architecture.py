@@ -107,6 +107,23 @@ class DesignNotes(unittest.TestCase):
         self.assertGreater(seen, 50)
 
 
+class Vocabulary(unittest.TestCase):
+    """The noun of a type's name is its last word, but for names such as MadeFor, Filled and CellsBefore."""
+    TYPE = re.compile(r"^(?:enum class|struct|class) (?:alignas\(\d+\) )?([A-Z]\w*)\b[^;{]*\{", re.MULTILINE)
+    NO_NOUN = {"for", "of", "by", "before", "filled", "owned", "mid", "delaunay"}
+
+    def test_has_the_nouns_of_all_headers(self):
+        rows = re.findall(r"^\| ([^|]+) \|", (ROOT / "docs" / "vocabulary.md").read_text(encoding="utf-8"), re.MULTILINE)
+        known = {singular(word) for row in rows for word in re.findall("[a-z]+", row.lower())} | self.NO_NOUN
+        types = {name for path in SOURCES.rglob("*.h") for name in self.TYPE.findall(path.read_text(encoding="utf-8"))}
+        self.assertGreater(len(types), 200)
+        self.assertEqual([name for name in sorted(types) if singular(re.findall("[A-Z][a-z]*", name)[-1].lower()) not in known], [])
+
+
+def singular(word):
+    return word[:-3] + "y" if word.endswith("ies") else word[:-1] if word.endswith("s") and not word.endswith("ss") else word
+
+
 class Workbench(unittest.TestCase):
     def test_the_model_side_imports_nothing_of_the_window(self):
         files = [path for path in WORKBENCH.rglob("*.py") if path.name not in WINDOW_FILES
