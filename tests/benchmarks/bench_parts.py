@@ -4,9 +4,14 @@ import FreeCAD as App
 
 
 def make(name):
-    """The document called plate_COUNT (holes in a square plate), bosses_COUNT (bosses on a plate of fixed size) or
-    features_COUNT (bosses and holes in a long plate)."""
+    """The document called plate_COUNT (holes in a square plate), bosses_COUNT (bosses on a plate of fixed size), features_COUNT (bosses and holes in a
+    long plate), walls_LENGTH (an open box) or rod_LENGTH."""
     kind, count = name.rsplit("_", 1)
+    if kind in ("walls", "rod"):
+        document = App.newDocument(name)
+        (make_walls if kind == "walls" else make_rod)(document, int(count))
+        document.recompute()
+        return document
     side = round(int(count) ** 0.5)
     document = App.newDocument(name)
     if kind == "plate":
@@ -77,3 +82,16 @@ def add_cylinder(document, name, radius, height, base):
     cylinder.Radius, cylinder.Height = radius, height
     cylinder.Placement.Base = App.Vector(*base)
     return cylinder
+
+
+def make_walls(document, length):
+    """A box of `length` in x, 0.8 of it in y and 0.6 in z, open above, with walls of 1 mm."""
+    width, height = round(0.8 * length), round(0.6 * length)
+    walls = document.addObject("Part::Cut", "Part")
+    walls.Base = add_block(document, length, width, height)
+    walls.Tool = add_box(document, "Inside", (length - 2, width - 2, height), (1, 1, 1))
+
+
+def make_rod(document, length):
+    """1 x 1 mm across, along x."""
+    add_box(document, "Part", (length, 1, 1), (0, 0, 0))

@@ -21,6 +21,7 @@ class Case:
     about: str
     is_in_document: bool = True
     calculix: tuple = SOLVERS
+    held_end: str = "z"   # where the solver alone is measured: along which axis the part is held at its lower end; its weight pulls along the next
 
 
 CASES = (
@@ -28,6 +29,11 @@ CASES = (
     Case("statics-bracket-10", "bracket", "Body", ("HoleSketch.Hole6X=105",), 2.5, 2, "10-node, one hole moved by 5 mm"),
     Case("statics-plate-625", "plate_625", "Plate", ("Hole312.Radius=3.5",), 1.46, 1, "4-node, one of 625 holes changed, the solver alone", False, ()),
     *(Case(f"statics-size-{size:g}", "bracket", "Body", (), size, 2, "10-node, the solver alone", False, ()) for size in (3.5, 2.5, 1.08)),
+    *(Case(f"statics-size-{size:g}-4", "bracket", "Body", (), size, 1, "4-node, the solver alone", False, ()) for size in (2.5, 1.5, 0.65)),
+    *(Case(f"statics-{part.replace('_', '-')}-{kind}", part, "Part", (), size, order, f"{kind}-node, {about}, the solver alone", False, (), "x")
+      for part, size, about in (("walls_50", 3, "open box 50 x 40 x 30, walls of 1"), ("walls_100", 3, "open box 100 x 80 x 60, walls of 1"),
+                                ("rod_200", 0.5, "rod 200 x 1 x 1"))
+      for order, kind in ((1, "4"), (2, "10"))),
 )
 
 

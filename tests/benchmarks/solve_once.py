@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Solves a part before and after its edit, in FreeCAD, live and with CalculiX, and measures it.
 
-FEATUREMESH_CASE is JSON: part, final, edit, size, order, calculix (its solvers to measure), is_in_document. In the document everything that a user waits for counts;
-else the engine alone is measured, without FreeCAD's mesh. Seconds are [by the clock, of the processors]. The result's data has the figures.
+FEATUREMESH_CASE is JSON: part, final, edit, size, order, calculix (its solvers to measure), is_in_document, held_end. In the document everything that a user waits for
+counts; else the engine alone is measured, without FreeCAD's mesh. Seconds are [by the clock, of the processors]. The result's data has the figures.
 """
 import json
 import os
@@ -81,22 +81,22 @@ def in_document(case):
 
 
 def of_arrays(case):
-    """The solver alone, on a part whose lowest face is held and whose weight pulls sideways."""
+    """The solver alone, on a part that is held at its lower end along the axis `held_end` and whose weight pulls along the next axis."""
     import numpy as np
     from freecad.featuremesh import api, engine, reading
     from prepare_case import open_part
     document = open_part(case["part"])
     options = {"size": case["size"], "order": case["order"], "threads": THREADS}
-    part = document.getObject(case["final"])
+    part, end = document.getObject(case["final"]), "xyz".index(case["held_end"])
     old, _ = engine.load().mesh_part(reading.read_document(part), options)
     found = {"nodes": len(old.arrays()["points"]), "tets": len(old.arrays()["tets"]), "gigabytes before": gigabytes(is_now=True)}
 
     def solve(mesh, keep):
         arrays = mesh.arrays()
         points, materials = arrays["points"], np.zeros(len(arrays["tets"]), dtype=np.int32)
-        held = np.repeat((points[:, 2] < points[:, 2].min() + 1e-9)[:, None], 3, axis=1)
+        held = np.repeat((points[:, end] < points[:, end].min() + 1e-9)[:, None], 3, axis=1)
         clock = Clock()
-        loads = engine.load().statics_weight(arrays, STEEL, materials, [9806.0, 0.0, 0.0])
+        loads = engine.load().statics_weight(arrays, STEEL, materials, np.roll([9806.0, 0.0, 0.0], end + 1).tolist())
         model = {"materials": np.array(STEEL), "tet_materials": materials, "loads": loads, "held": held, "given": np.zeros_like(points)}
         fields = engine.load().solve_statics(arrays, model, keep, THREADS)
         return {"seconds": clock.read(), "report": {
