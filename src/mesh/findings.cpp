@@ -1,40 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/findings.h"
 
+#include <algorithm>
+
 namespace featuremesh {
 
-Findings::Kind& Findings::kind(const std::string& name) {
-    for (Kind& known : kinds_)
-        if (known.name == name) return known;
-    kinds_.push_back({name, {}, 0});
-    return kinds_.back();
+namespace {
+constexpr std::size_t most_places = 5;
 }
 
-void Findings::add(const std::string& name, const std::string& detail) {
-    Kind& entry = kind(name);
-    ++entry.count;
-    if (entry.details.size() < most_details) entry.details.push_back(detail);
+void Findings::add(Code code, std::size_t count, const std::vector<Message>& places) {
+    auto kind = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& known) { return known.code == code; });
+    if (kind == kinds_.end()) kind = kinds_.insert(kind, {code, {}, 0});
+    kind->count += count;
+    const std::size_t room = most_places - kind->places.size(), taken = std::min(room, places.size());
+    kind->places.insert(kind->places.end(), places.begin(), places.begin() + static_cast<std::ptrdiff_t>(taken));
 }
 
 void Findings::add(const Findings& others) {
-    for (const Kind& other : others.kinds_) {
-        Kind& entry = kind(other.name);
-        entry.count += other.count;
-        for (const std::string& detail : other.details)
-            if (entry.details.size() < most_details) entry.details.push_back(detail);
-    }
+    for (const Kind& other : others.kinds_) add(other.code, other.count, other.places);
 }
 
-std::vector<std::string> Findings::messages() const {
-    std::vector<std::string> lines;
-    for (const Kind& entry : kinds_) {
-        std::string line = entry.name + ": ";
-        for (std::size_t i = 0; i < entry.details.size(); ++i) line += (i ? "; " : "") + entry.details[i];
-        if (entry.count > entry.details.size())
-            line += "; and " + std::to_string(entry.count - entry.details.size()) + " more";
-        lines.push_back(std::move(line));
+std::vector<Message> Findings::messages() const {
+    std::vector<Message> all;
+    for (const Kind& kind : kinds_) {
+        std::vector<Message> places = kind.places;
+        if (kind.count > places.size()) places.push_back(say<Code::and_more>(kind.count - places.size()));
+        all.push_back({kind.code, {std::move(places)}});
     }
-    return lines;
+    return all;
 }
 
 }  // namespace featuremesh

@@ -2,27 +2,33 @@
 // Messages about what is wrong, a few per kind: the first ones say what, the rest only how much.
 #pragma once
 
-#include <string>
+#include <array>
 #include <vector>
+
+#include "core/messages.h"
 
 namespace featuremesh {
 
 class Findings {
   public:
-    void add(const std::string& kind, const std::string& detail);
+    /// `kind` is the code of a message whose only parameter is {...:messages}: where it was found.
+    template <Code kind>
+    void add(Message place) {
+        static_assert(takes(template_of(kind).english, std::array{kind_of<std::vector<Message>>()}));
+        add(kind, 1, {std::move(place)});
+    }
     void add(const Findings& others);
     bool empty() const { return kinds_.empty(); }
-    /// One line per kind.
-    std::vector<std::string> messages() const;
+    /// One per kind, in the order in which they were found.
+    std::vector<Message> messages() const;
 
   private:
-    static constexpr std::size_t most_details = 5;
     struct Kind {
-        std::string name;
-        std::vector<std::string> details;
+        Code code;
+        std::vector<Message> places;
         std::size_t count = 0;
     };
-    Kind& kind(const std::string& name);
+    void add(Code code, std::size_t count, const std::vector<Message>& places);
     std::vector<Kind> kinds_;
 };
 

@@ -7,7 +7,6 @@
 #include <numeric>
 #include <span>
 
-#include "core/numbers_in_words.h"
 #include "mesh/findings.h"
 #include "mesh/second_order.h"
 #include "mesh/side_table.h"
@@ -19,34 +18,29 @@ namespace {
 
 constexpr std::size_t grain = 1 << 14;
 
-std::string describe(const Mesh& mesh, NodeId n) {
-    return "node " + std::to_string(mesh.node_numbers[n.index()]) + " at " + in_words(mesh.point(n));
+Message at_node(const Mesh& mesh, NodeId n) { return say<Code::at_node>(mesh.node_numbers[n.index()], mesh.point(n)); }
+Message at_tet(const Mesh& mesh, std::size_t t) {
+    return say<Code::at_tet>(mesh.tet_numbers[t], at_node(mesh, mesh.tets[t][0]));
 }
-std::string tet_name(const Mesh& mesh, std::size_t t) {
-    return "element " + std::to_string(mesh.tet_numbers[t]) + " with " + describe(mesh, mesh.tets[t][0]);
+Message at_triangle(const Mesh& mesh, std::size_t t) {
+    return say<Code::at_triangle>(mesh.triangle_numbers[t], mesh.triangle_faces[t],
+                                  at_node(mesh, mesh.triangles[t][0]));
 }
-std::string triangle_name(const Mesh& mesh, std::size_t t) {
-    return "triangle " + std::to_string(mesh.triangle_numbers[t]) + " on Face" +
-           std::to_string(mesh.triangle_faces[t].value + 1) + " with " + describe(mesh, mesh.triangles[t][0]);
+Message at_side(const Mesh& mesh, std::size_t t) { return say<Code::at_side>(at_triangle(mesh, t)); }
+Message at_segment(const Mesh& mesh, std::size_t s) {
+    return say<Code::at_segment>(mesh.segment_numbers[s], mesh.segment_edges[s], at_node(mesh, mesh.segments[s][0]));
 }
-std::string segment_name(const Mesh& mesh, std::size_t s) {
-    return "segment " + std::to_string(mesh.segment_numbers[s]) + " on Edge" +
-           std::to_string(mesh.segment_edges[s].value + 1) + " at " + describe(mesh, mesh.segments[s][0]);
-}
-std::string solid_name(SolidId s) { return s.is_valid() ? "Solid" + std::to_string(s.value + 1) : "the outside"; }
+Message solid_or_outside(SolidId s) { return s.is_valid() ? say<Code::of_solid>(s) : say<Code::outside>(); }
 
 void check_size(std::size_t have, std::size_t want, const char* array, Findings& findings) {
-    if (have != want)
-        findings.add("array of wrong length",
-                     std::string(array) + " has " + std::to_string(have) + " entries, not " + std::to_string(want));
+    if (have != want) findings.add<Code::array_length_wrong>(say<Code::array_length>(array, have, want));
 }
 
 void check_array_sizes(const Mesh& mesh, Findings& findings) {
     const bool second = mesh.order == 2;
-    if (mesh.order != 1 && !second) findings.add("order is neither 1 nor 2", std::to_string(mesh.order));
+    if (mesh.order != 1 && !second) findings.add<Code::order_wrong>(say<Code::just_number>(mesh.order));
     if (mesh.corner_count > mesh.points.size() || (!second && mesh.corner_count != mesh.points.size()))
-        findings.add("wrong count of corner nodes",
-                     std::to_string(mesh.corner_count) + " of " + std::to_string(mesh.points.size()) + " nodes");
+        findings.add<Code::corner_count_wrong>(say<Code::so_many_of>(mesh.corner_count, mesh.points.size()));
     check_size(mesh.entities.size(), mesh.points.size(), "entities", findings);
     check_size(mesh.parameters.size(), mesh.points.size(), "parameters", findings);
     check_size(mesh.node_numbers.size(), mesh.points.size(), "node_numbers", findings);
@@ -63,7 +57,7 @@ void check_array_sizes(const Mesh& mesh, Findings& findings) {
 
 template <std::size_t count>
 void check_nodes(const std::vector<std::array<NodeId, count>>& elements, std::size_t begin, std::size_t end,
-                 const char* kind, Findings& findings) {
+                 const char* array, Findings& findings) {
     const auto first = static_cast<std::uint32_t>(begin), places = static_cast<std::uint32_t>(end - begin);
     bool is_within = true;
     for (const auto& element : elements)
@@ -72,40 +66,39 @@ void check_nodes(const std::vector<std::array<NodeId, count>>& elements, std::si
     for (std::size_t i = 0; i < elements.size(); ++i)
         for (NodeId n : elements[i])
             if (n.value < 0 || n.index() < begin || n.index() >= end)
-                findings.add("node out of range", std::string(kind) + " at place " + std::to_string(i) +
-                                                      " names node place " + std::to_string(n.value));
+                findings.add<Code::node_out_of_range>(say<Code::array_entry>(array, n.value, i));
 }
 
 template <class Id>
-void check_owners(const std::vector<Id>& owners, std::size_t count, const char* kind, Findings& findings) {
+void check_owners(const std::vector<Id>& owners, std::size_t count, const char* array, Findings& findings) {
     for (std::size_t i = 0; i < owners.size(); ++i)
         if (owners[i].value < 0 || (count > 0 && owners[i].index() >= count))
-            findings.add("CAD entity out of range", std::string(kind) + " at place " + std::to_string(i) +
-                                                        " names entity " + std::to_string(owners[i].value));
+            findings.add<Code::entity_out_of_range>(say<Code::array_entry>(array, owners[i].value, i));
 }
 
 void check_ranges(const Mesh& mesh, const Expectation& expected, Findings& findings) {
     const std::size_t corners = mesh.corner_count, nodes = mesh.points.size();
-    check_nodes(mesh.segments, 0, corners, "segment", findings);
-    check_nodes(mesh.triangles, 0, corners, "triangle", findings);
-    check_nodes(mesh.tets, 0, corners, "tet", findings);
-    check_nodes(mesh.triangle_mids, corners, nodes, "triangle", findings);
-    check_nodes(mesh.tet_mids, corners, nodes, "tet", findings);
+    check_nodes(mesh.segments, 0, corners, "segments", findings);
+    check_nodes(mesh.triangles, 0, corners, "triangles", findings);
+    check_nodes(mesh.tets, 0, corners, "tets", findings);
+    check_nodes(mesh.triangle_mids, corners, nodes, "triangle_mids", findings);
+    check_nodes(mesh.tet_mids, corners, nodes, "tet_mids", findings);
     for (std::size_t i = 0; i < mesh.segment_mids.size(); ++i)
         if (mesh.segment_mids[i].value < 0 || mesh.segment_mids[i].index() < corners ||
             mesh.segment_mids[i].index() >= nodes)
-            findings.add("node out of range", "segment at place " + std::to_string(i));
-    check_owners(mesh.segment_edges, 0, "segment", findings);
-    check_owners(mesh.triangle_faces, expected.solids_beside_face.size(), "triangle", findings);
-    check_owners(mesh.tet_solids, expected.solid_volumes.size(), "tet", findings);
+            findings.add<Code::node_out_of_range>(
+                say<Code::array_entry>("segment_mids", mesh.segment_mids[i].value, i));
+    check_owners(mesh.segment_edges, 0, "segment_edges", findings);
+    check_owners(mesh.triangle_faces, expected.solids_beside_face.size(), "triangle_faces", findings);
+    check_owners(mesh.tet_solids, expected.solid_volumes.size(), "tet_solids", findings);
     for (std::size_t i = 0; i < nodes; ++i)
         if (!std::isfinite(mesh.points[i].x + mesh.points[i].y + mesh.points[i].z))
-            findings.add("coordinate is not a number", "node " + std::to_string(mesh.node_numbers[i]));
+            findings.add<Code::coordinate_not_finite>(say<Code::just_number>(mesh.node_numbers[i]));
 }
 
 /// Every number once, positive, and below the next one to be given.
-void check_numbers(std::initializer_list<std::span<const Number>> lists, Number next, const char* kind,
-                   Findings& findings) {
+template <Code twice, Code outside>
+void check_numbers(std::initializer_list<std::span<const Number>> lists, Number next, Findings& findings) {
     Number low = next, high = 0;
     std::size_t count = 0;
     for (const auto& list : lists) {
@@ -114,8 +107,7 @@ void check_numbers(std::initializer_list<std::span<const Number>> lists, Number 
     }
     if (count == 0) return;
     if (low < 1 || high >= next) {
-        findings.add(std::string(kind) + " number out of range",
-                     std::to_string(low) + " to " + std::to_string(high) + ", the next one is " + std::to_string(next));
+        findings.add<outside>(say<Code::number_range>(low, high, next));
         return;
     }
     constexpr Number sparse = 64;  // a bit for each number between takes less than the numbers themselves
@@ -125,8 +117,7 @@ void check_numbers(std::initializer_list<std::span<const Number>> lists, Number 
             for (const Number n : list) {
                 const auto place = static_cast<std::uint64_t>(n - low);
                 const std::uint64_t bit = std::uint64_t{1} << (place % 64);
-                if (is_taken[place / 64] & bit)
-                    findings.add(std::string(kind) + " number given twice", std::to_string(n));
+                if (is_taken[place / 64] & bit) findings.add<twice>(say<Code::just_number>(n));
                 is_taken[place / 64] |= bit;
             }
         return;
@@ -136,7 +127,7 @@ void check_numbers(std::initializer_list<std::span<const Number>> lists, Number 
     for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
     std::sort(all.begin(), all.end());
     for (std::size_t i = 1; i < count; ++i)
-        if (all[i] == all[i - 1]) findings.add(std::string(kind) + " number given twice", std::to_string(all[i]));
+        if (all[i] == all[i - 1]) findings.add<twice>(say<Code::just_number>(all[i]));
 }
 
 /// Whether all of the nodes are as they were in a valid mesh, with the same elements around them.
@@ -165,8 +156,8 @@ void check_volumes(const std::vector<double>& volumes, const Expectation& expect
     for (std::size_t s = 0; s < volumes.size(); ++s) {
         const double wanted = expected.solid_volumes[s];
         if (std::abs(volumes[s] - wanted) > expected.volume_tolerance * std::abs(wanted))
-            findings.add("volume is wrong", solid_name(SolidId(s)) + " has " + std::to_string(volumes[s]) +
-                                                " mm^3 of elements, not " + std::to_string(wanted));
+            findings.add<Code::volume_wrong>(
+                say<Code::volume_of_elements>(SolidId(s), Volume{volumes[s]}, Volume{wanted}));
     }
 }
 
@@ -178,7 +169,7 @@ void check_tets(const Mesh& mesh, const Expectation& expected, RunContext& conte
         for (std::size_t t = begin; t < end; ++t) {
             double six_volume = 0;
             if (is_flat(mesh, mesh.tets[t], six_volume))
-                parts[begin / grain].add("element without positive volume", tet_name(mesh, t));
+                parts[begin / grain].add<Code::tet_without_volume>(at_tet(mesh, t));
             if (solids > 0)
                 by_chunk[begin / grain * solids + mesh.tet_solids[t].index()] += volume_of(mesh, t, six_volume / 6);
         }
@@ -225,7 +216,7 @@ void check_unproven_tets(const Mesh& mesh, const Expectation& expected, std::spa
         double six_volume = 0;
         for (const TetId t : near.subspan(begin, end - begin))
             if (is_flat(mesh, mesh.tets[t.index()], six_volume))
-                parts[begin / grain].add("element without positive volume", tet_name(mesh, t.index()));
+                parts[begin / grain].add<Code::tet_without_volume>(at_tet(mesh, t.index()));
     });
     for (const Findings& part : parts) findings.add(part);
     if (expected.solid_volumes.empty() || expected.solids_beside_face.empty()) return;
@@ -248,10 +239,12 @@ void check_solids_beside(const Mesh& mesh, const Expectation& expected, std::spa
         solids[tet.is_forward() == triangle.is_forward() ? 0 : 1] = mesh.tet_solids[tet.element()];
     const auto& wanted = expected.solids_beside_face[mesh.triangle_faces[triangle.element()].index()];
     for (int i = 0; i < 2; ++i)
-        if (solids[i] != wanted[i])
-            findings.add("wrong solid at a triangle",
-                         triangle_name(mesh, triangle.element()) + " has " + solid_name(solids[i]) +
-                             (i == 0 ? " behind it, not " : " before it, not ") + solid_name(wanted[i]));
+        if (solids[i] != wanted[i]) {
+            const Message place = at_triangle(mesh, triangle.element()), is = solid_or_outside(solids[i]),
+                          should_be = solid_or_outside(wanted[i]);
+            findings.add<Code::solid_at_triangle_wrong>(i == 0 ? say<Code::solid_behind>(place, is, should_be)
+                                                               : say<Code::solid_before>(place, is, should_be));
+        }
 }
 
 bool is_free(const Expectation& expected, FaceId face) {
@@ -268,19 +261,19 @@ void check_triangle(const Mesh& mesh, const Expectation& expected, std::span<con
     const auto first_triangle =
         std::find_if(uses.begin(), uses.end(), [](const TriangleUse& use) { return !use.is_tet(); });
     const std::span<const TriangleUse> tets(uses.begin(), first_triangle), triangles(first_triangle, uses.end());
-    if (tets.size() > 2) findings.add("triangle shared by more than two elements", tet_name(mesh, tets[0].element()));
+    if (tets.size() > 2) findings.add<Code::triangle_of_more_than_two>(at_tet(mesh, tets[0].element()));
     if (tets.size() == 2 && tets[0].is_forward() == tets[1].is_forward())
-        findings.add("two elements overlap at a triangle",
-                     tet_name(mesh, tets[0].element()) + " and " + tet_name(mesh, tets[1].element()));
-    if (triangles.size() > 1) findings.add("the same triangle twice", triangle_name(mesh, triangles[0].element()));
+        findings.add<Code::tets_overlap>(
+            say<Code::both>(at_tet(mesh, tets[0].element()), at_tet(mesh, tets[1].element())));
+    if (triangles.size() > 1) findings.add<Code::triangle_twice>(at_triangle(mesh, triangles[0].element()));
     if (triangles.empty()) {
         if (tets.size() == 1)
-            findings.add("boundary of the elements without a triangle", tet_name(mesh, tets[0].element()));
+            findings.add<Code::boundary_without_triangle>(at_tet(mesh, tets[0].element()));
         else if (mesh.tet_solids[tets[0].element()] != mesh.tet_solids[tets[1].element()])
-            findings.add("border of two solids without a triangle", tet_name(mesh, tets[0].element()));
+            findings.add<Code::border_without_triangle>(at_tet(mesh, tets[0].element()));
     } else if (tets.empty()) {
         if (!is_free(expected, mesh.triangle_faces[triangles[0].element()]))
-            findings.add("triangle without an element", triangle_name(mesh, triangles[0].element()));
+            findings.add<Code::triangle_without_tet>(at_triangle(mesh, triangles[0].element()));
     } else if (!expected.solids_beside_face.empty() && tets.size() <= 2) {
         check_solids_beside(mesh, expected, tets, triangles[0], findings);
     }
@@ -325,8 +318,7 @@ void check_closed_surface(const Mesh& mesh, const Expectation& expected, Finding
                                                                   : (a < b) == (place == 0)           ? 1
                                                                                                       : -1);
                         else if (expected.solids_beside_face.empty() ? count < zero + 2 : count != zero)
-                            findings.add("open surface around " + solid_name(solid),
-                                         "at a side of " + triangle_name(mesh, t));
+                            findings.add<Code::surface_open>(say<Code::around_solid>(solid, at_side(mesh, t)));
                     }
                 }
     }
@@ -365,18 +357,17 @@ void check_faces(const Mesh& mesh, const Expectation& expected, Findings& findin
         for (next = i + 1; next < uses.size() && uses[next].is_beside(uses[i]);) ++next;
         const bool is_pair = next == i + 2 && uses[i].is_forward != uses[i + 1].is_forward;
         const bool is_free = next == i + 1;
-        if (!is_pair && !is_free)
-            findings.add("triangles of a face overlap", "at a side of " + triangle_name(mesh, uses[i].triangle));
+        if (!is_pair && !is_free) findings.add<Code::triangles_overlap>(at_side(mesh, uses[i].triangle));
         if (is_free && segments.find(NodeId(uses[i].low), NodeId(uses[i].high)) < 0)
-            findings.add("gap in a face", "at a side of " + triangle_name(mesh, uses[i].triangle));
+            findings.add<Code::gap_in_face>(at_side(mesh, uses[i].triangle));
     }
     for (const std::size_t t : shells) {
         const auto& [a, b, c] = mesh.triangles[t];
         const Vec3 u = mesh.point(b) - mesh.point(a), v = mesh.point(c) - mesh.point(a);
         if (!(squared_length(cross(u, v)) > 1e-24 * squared_length(u) * squared_length(v)))
-            findings.add("triangle without area", triangle_name(mesh, t));
+            findings.add<Code::triangle_without_area>(at_triangle(mesh, t));
         if (mesh.order == 2 && !(min_scaled_jacobian(triangle_nodes(mesh, TriangleId(t))) > 0))
-            findings.add("6-node triangle that is folded", triangle_name(mesh, t));
+            findings.add<Code::triangle_folded>(at_triangle(mesh, t));
     }
 }
 
@@ -393,12 +384,12 @@ void check_edges(const Mesh& mesh, const Expectation& expected, Findings& findin
     const auto is_of_beam = [&](const Entity& e) { return e.dim == 1 && is_free(expected, EdgeId(e.index)); };
     for (std::size_t n = 0; n < mesh.corner_count; ++n)
         if (is_of_beam(mesh.entities[n]) ? ends[n] != 2 : has_edges_only && ends[n] == 0)
-            findings.add("gap in an edge", describe(mesh, NodeId(n)));
-    if (has_edges_only && !mesh.triangles.empty()) findings.add("triangle in a mesh of edges", triangle_name(mesh, 0));
+            findings.add<Code::gap_in_edge>(at_node(mesh, NodeId(n)));
+    if (has_edges_only && !mesh.triangles.empty()) findings.add<Code::triangle_among_edges>(at_triangle(mesh, 0));
     for (const std::size_t s : beams) {
         const auto& [a, b] = mesh.segments[s];
         if (!(distance(mesh.point(a), mesh.point(b)) > 0))
-            findings.add("segment without length", segment_name(mesh, s));
+            findings.add<Code::segment_without_length>(at_segment(mesh, s));
     }
 }
 
@@ -407,7 +398,7 @@ void check_segments(const Mesh& mesh, const Expectation& expected, Findings& fin
     for (std::size_t i = 0; i < mesh.segments.size(); ++i) {
         if (are_proven(expected, mesh.segments[i])) continue;
         std::int32_t& seen = sides.value(mesh.segments[i][0], mesh.segments[i][1]);
-        if (seen >= 0) findings.add("the same segment twice", segment_name(mesh, i));
+        if (seen >= 0) findings.add<Code::segment_twice>(at_segment(mesh, i));
         seen = 0;
     }
     if (expected.dimension == Dimension::edges) return;
@@ -420,7 +411,7 @@ void check_segments(const Mesh& mesh, const Expectation& expected, Findings& fin
     for (std::size_t i = 0; i < mesh.segments.size(); ++i)
         if (!are_proven(expected, mesh.segments[i]) && !is_free(expected, mesh.segment_edges[i]) &&
             sides.find(mesh.segments[i][0], mesh.segments[i][1]) != 1)
-            findings.add("segment that is no triangle's side", segment_name(mesh, i));
+            findings.add<Code::segment_beside_triangles>(at_segment(mesh, i));
 }
 
 /// Of the elements with an unproven node: all tets at a side with such an end are among them.
@@ -433,12 +424,11 @@ void check_mid_side_nodes(const Mesh& mesh, const Expectation& expected, std::sp
         std::int32_t& known = sides.value(a, b);
         if (known == mid.value) return;
         if (known >= 0) {
-            findings.add("two mid-side nodes on one side",
-                         describe(mesh, mid) + " and " + describe(mesh, NodeId(known)));
+            findings.add<Code::two_mid_side_nodes>(say<Code::both>(at_node(mesh, mid), at_node(mesh, NodeId(known))));
             return;
         }
         known = mid.value;
-        if (is_taken[mid.index()]) findings.add("one mid-side node for two sides", describe(mesh, mid));
+        if (is_taken[mid.index()]) findings.add<Code::mid_side_node_of_two>(at_node(mesh, mid));
         is_taken[mid.index()] = true;
     };
     for (const TetId tet : near) {
@@ -466,7 +456,7 @@ void check_jacobians(const Mesh& mesh, std::span<const TetId> near, RunContext& 
             const auto coefficients = jacobian_coefficients(nodes);
             if (*std::min_element(coefficients.begin(), coefficients.end()) > 0) continue;
             if (!(min_scaled_jacobian(nodes) > 0))
-                parts[begin / grain].add("10-node tetrahedron with a non-positive Jacobian", tet_name(mesh, t.index()));
+                parts[begin / grain].add<Code::jacobian_not_positive>(at_tet(mesh, t.index()));
         }
     });
     for (const Findings& part : parts) findings.add(part);
@@ -474,14 +464,15 @@ void check_jacobians(const Mesh& mesh, std::span<const TetId> near, RunContext& 
 
 }  // namespace
 
-std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& expected, RunContext& context) {
+std::vector<Message> broken_invariants(const Mesh& mesh, const Expectation& expected, RunContext& context) {
     Findings findings;
     check_array_sizes(mesh, findings);
     if (findings.empty()) check_ranges(mesh, expected, findings);
     if (!findings.empty()) return findings.messages();
-    check_numbers({mesh.node_numbers}, mesh.next_node_number, "node", findings);
-    check_numbers({mesh.segment_numbers, mesh.triangle_numbers, mesh.tet_numbers}, mesh.next_element_number, "element",
-                  findings);
+    check_numbers<Code::node_number_twice, Code::node_number_out_of_range>({mesh.node_numbers}, mesh.next_node_number,
+                                                                           findings);
+    check_numbers<Code::element_number_twice, Code::element_number_out_of_range>(
+        {mesh.segment_numbers, mesh.triangle_numbers, mesh.tet_numbers}, mesh.next_element_number, findings);
     context.check_cancelled();
     std::vector<TetId> near = expected.unproven_tets;
     if (!expected.is_unproven.empty() && near.empty()) near = tets_at_nodes(mesh, expected.is_unproven);
@@ -507,7 +498,7 @@ std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& 
     return findings.messages();
 }
 
-std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& expected) {
+std::vector<Message> broken_invariants(const Mesh& mesh, const Expectation& expected) {
     RunContext context;
     return broken_invariants(mesh, expected, context);
 }

@@ -2,10 +2,10 @@
 // The named invariants of a mesh, used by the program at module exits and by the tests.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "core/dimension.h"
+#include "core/message.h"
 #include "core/run_context.h"
 #include "mesh/mesh.h"
 
@@ -28,14 +28,14 @@ struct Expectation {
     std::vector<TetId> unproven_tets;  ///< all with an unproven node, ascending; none: they are searched for
 };
 
-/// Every broken invariant, in words that name nodes, tets and faces; empty for a valid mesh. Checked: sizes of all
-/// arrays, ids in range, distinct numbers, positive tets, every triangle in the one or two tets that the solids
+/// Every broken invariant, one message a kind that names nodes, tets and faces; empty for a valid mesh. Checked: sizes
+/// of all arrays, ids in range, distinct numbers, positive tets, every triangle in the one or two tets that the solids
 /// beside its face say, no boundary of the tets without a triangle, closed boundary per solid, segments on triangles'
 /// sides, volumes per solid, mid-side nodes shared by all elements around a side, positive Jacobian of 10-node tets. A
 /// mesh of solids without tets is checked as a surface: closed around every solid. Of a mesh of faces, and on faces
 /// without solids, triangles have an area, leave no gap in their face but at its edges' segments, and are folded
 /// nowhere; a mesh of edges has no triangles, and an edge without faces no gap.
-std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& expected, RunContext& context);
-std::vector<std::string> broken_invariants(const Mesh& mesh, const Expectation& expected = {});
+std::vector<Message> broken_invariants(const Mesh& mesh, const Expectation& expected, RunContext& context);
+std::vector<Message> broken_invariants(const Mesh& mesh, const Expectation& expected = {});
 
 }  // namespace featuremesh

@@ -51,7 +51,7 @@ void validate(const Mesh& mesh, const Brep& brep, Kept kept, std::size_t first_n
     RunContext::Step step(context, "validate");
     Expectation expected = expectation_of(brep);
     mark_unproven(mesh, std::move(kept), first_new_tet, released, expected);
-    const std::vector<std::string> broken = broken_invariants(mesh, expected, context);
+    const std::vector<Message> broken = broken_invariants(mesh, expected, context);
     if (broken.size() == 1)
         if (const std::vector<SolidId> off = solids_off_volume(mesh, brep, expected.volume_tolerance); !off.empty())
             attempt.request = for_volume_of(mesh, brep, off.front());

@@ -522,7 +522,7 @@ std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOpt
                                              std::vector<SizeSource> adopted_sizes) {
     const MeshOptions options = with_pieces_round_rods(asked);
     PartState part = read_part_to_mesh(document, context, nullptr, options.dimension);
-    const std::vector<std::string> broken = broken_invariants(mesh, expectation_of(part.brep), context);
+    const std::vector<Message> broken = broken_invariants(mesh, expectation_of(part.brep), context);
     if (!broken.empty()) throw StateError(say<Code::saved_mesh_misfits>(broken.front()));
     const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
     const std::size_t nodes = mesh.node_count(), elements = element_count(mesh, part.brep.dimension());

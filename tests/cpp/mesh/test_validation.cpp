@@ -6,6 +6,7 @@
 
 #include "box_mesh.h"
 #include "catch.h"
+#include "core/messages.h"
 #include "mesh/second_order.h"
 #include "mesh/validation.h"
 
@@ -20,7 +21,7 @@ std::string messages_after(const std::function<void(Mesh&, Expectation&)>& harm,
     Expectation expected = box_expectation();
     harm(mesh, expected);
     std::string all;
-    for (const std::string& message : broken_invariants(mesh, expected)) all += message + "\n";
+    for (const Message& message : broken_invariants(mesh, expected)) all += message.in_english() + "\n";
     return all;
 }
 
@@ -28,6 +29,8 @@ bool has(const std::string& text, const std::string& part) {
     INFO(text);
     return text.find(part) != std::string::npos;
 }
+
+bool has(const Message& message, const std::string& part) { return has(message.in_english(), part); }
 
 void remove_tet(Mesh& mesh, std::size_t t) {
     const auto at = static_cast<std::ptrdiff_t>(t);
@@ -106,6 +109,19 @@ TEST_CASE("triangles: missing, twice, loose, before what they should be behind")
     CHECK(has(flipped, "the outside behind it, not Solid1"));
 }
 
+TEST_CASE("what is found is a message for each kind, whose parameter says where, five times at most") {
+    Mesh mesh = box_mesh(2);
+    for (int t = 0; t < 8; ++t) std::swap(mesh.tets[t][0], mesh.tets[t][1]);
+    const Message found = broken_invariants(mesh, box_expectation()).front();
+    CHECK(found.code() == Code::tet_without_volume);
+    const auto& places = std::get<std::vector<Message>>(found.parameters().at(0));
+    REQUIRE(places.size() == 6);
+    CHECK(places[0] ==
+          say<Code::at_tet>(mesh.tet_numbers[0], say<Code::at_node>(mesh.node_numbers[mesh.tets[0][0].index()],
+                                                                    mesh.point(mesh.tets[0][0]))));
+    CHECK(places[5] == say<Code::and_more>(3));
+}
+
 TEST_CASE("several solids: the wall between them has triangles with the right solids beside them") {
     Expectation expected;
     Mesh mesh = two_solids(expected);
@@ -128,9 +144,9 @@ TEST_CASE("numbers, arrays and ids") {
     CHECK(has(messages_after([](Mesh& m, Expectation&) { m.node_numbers[0] = 0; }), "node number out of range"));
     CHECK(has(messages_after([](Mesh& m, Expectation&) { m.entities.pop_back(); }), "array of wrong length: entities"));
     CHECK(has(messages_after([](Mesh& m, Expectation&) { m.tets[2][1] = NodeId(27); }),
-              "node out of range: tet at place 2"));
-    CHECK(
-        has(messages_after([](Mesh& m, Expectation&) { m.triangle_faces[2] = FaceId(6); }), "CAD entity out of range"));
+              "node out of range: tets has 27 at place 2"));
+    CHECK(has(messages_after([](Mesh& m, Expectation&) { m.triangle_faces[2] = FaceId(6); }),
+              "face, edge or solid out of range"));
     CHECK(
         has(messages_after([](Mesh& m, Expectation&) { m.points[5].y = std::nan(""); }), "coordinate is not a number"));
 }
@@ -239,8 +255,8 @@ TEST_CASE("around what was changed, a validation of the unproven finds wrong mid
     Expectation expected = box_expectation();
     expected.is_unproven.assign(good.node_count(), 0);
     CHECK(broken_invariants(good, expected).empty());
-    const auto says = [](const std::vector<std::string>& broken, const char* words) {
-        return std::any_of(broken.begin(), broken.end(), [&](const std::string& line) { return has(line, words); });
+    const auto says = [](const std::vector<Message>& broken, const char* words) {
+        return std::any_of(broken.begin(), broken.end(), [&](const Message& line) { return has(line, words); });
     };
     for (std::size_t t = 0; t < good.tets.size(); t += 7) {
         Expectation changed = expected;

@@ -5,6 +5,7 @@
 
 #include "catch.h"
 #include "core/errors.h"
+#include "core/messages.h"
 #include "mesh/validation.h"
 #include "part_documents.h"
 #include "update/part_mesh.h"
@@ -52,8 +53,7 @@ std::string findings(const PartMesh& part) {
     for (std::size_t s = 0; s < part.part.brep.solid_count(); ++s)
         expected.solid_volumes.push_back(part.part.brep.volume_of(SolidId(s)));
     expected.solids_beside_face = part.part.brep.solids_beside_faces();
-    const std::vector<std::string> broken = broken_invariants(part.mesh, expected);
-    return broken.empty() ? "" : broken.front();
+    return several(broken_invariants(part.mesh, expected)).in_english();
 }
 
 bool has(const std::vector<featuremesh::Message>& lines, std::size_t i, const std::string& text) {

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "core/errors.h"
+#include "core/messages.h"
 #include "mesh/validation.h"
 #include "part_documents.h"
 #include "part_meshes.h"
@@ -67,7 +68,7 @@ std::set<Number> unchanged(const Mesh& old_mesh, const Mesh& new_mesh,
 }
 
 void check_sound(const PartMesh& part) {
-    CHECK(broken_invariants(part.mesh, expectation_of(part.part.brep)) == std::vector<std::string>{});
+    CHECK(several(broken_invariants(part.mesh, expectation_of(part.part.brep))).in_english() == "");
 }
 
 }  // namespace
@@ -165,8 +166,8 @@ TEST_CASE("A triangle that is missing in a sheet beside a solid, or a segment in
     without_segment.segments.erase(without_segment.segments.begin() + std::ptrdiff_t(s));
     without_segment.segment_edges.erase(without_segment.segment_edges.begin() + std::ptrdiff_t(s));
     without_segment.segment_numbers.erase(without_segment.segment_numbers.begin() + std::ptrdiff_t(s));
-    CHECK(broken_invariants(without_triangle, expectation_of(brep)).front().find("gap in a face") != std::string::npos);
-    CHECK(broken_invariants(without_segment, expectation_of(brep)).front().find("gap in an edge") != std::string::npos);
+    CHECK(broken_invariants(without_triangle, expectation_of(brep)).front().code() == Code::gap_in_face);
+    CHECK(broken_invariants(without_segment, expectation_of(brep)).front().code() == Code::gap_in_edge);
 }
 
 TEST_CASE("Shells are divided where segments beside them were") {
@@ -200,8 +201,8 @@ TEST_CASE("Shells are divided where segments beside them were") {
     mesh.tets.clear(), mesh.tet_solids.clear(), mesh.tet_numbers.clear();
     Expectation sheet;
     for (std::size_t f = 0; f < brep.face_count(); ++f) sheet.is_free_face.push_back(brep.is_free(FaceId(f)));
-    for (const std::string& line : broken_invariants(mesh, sheet)) {
-        CHECK(line.find("gap in a face") == std::string::npos);
-        CHECK(line.find("overlap") == std::string::npos);
+    for (const Message& finding : broken_invariants(mesh, sheet)) {
+        CHECK(finding.code() != Code::gap_in_face);
+        CHECK(finding.code() != Code::triangles_overlap);
     }
 }

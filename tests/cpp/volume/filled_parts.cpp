@@ -162,9 +162,7 @@ Expectation expectation_of(const Brep& brep) {
 }
 
 std::string findings(const Brep& brep, const Mesh& mesh) {
-    std::string lines;
-    for (const std::string& line : broken_invariants(mesh, expectation_of(brep))) lines += line + "\n";
-    return lines;
+    return several(broken_invariants(mesh, expectation_of(brep))).in_english();
 }
 
 bool are_same_bytes(const Mesh& a, const Mesh& b) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catch.h"
 #include "core/errors.h"
+#include "core/messages.h"
 #include "core/tolerances.h"
 #include "filled_parts.h"
 #include "hard_shapes.h"
@@ -15,8 +16,7 @@ namespace {
 std::string hard_findings(const Brep& brep, const Mesh& mesh) {
     Expectation expected = expectation_of(brep);
     expected.volume_tolerance = 0.3;
-    std::string lines;
-    for (const std::string& line : broken_invariants(mesh, expected)) lines += line + "\n";
+    std::string lines = several(broken_invariants(mesh, expected)).in_english();
     int tiny = 0;
     for (const auto& t : mesh.tets)
         tiny += signed_volume(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3])) <

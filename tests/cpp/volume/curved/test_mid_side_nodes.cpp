@@ -14,6 +14,7 @@
 
 #include "catch.h"
 #include "core/errors.h"
+#include "core/messages.h"
 #include "mesh/quality.h"
 #include "mesh/second_order.h"
 #include "mesh/validation.h"
@@ -249,5 +250,5 @@ TEST_CASE("splits of tets that lie at each other keep the mesh conforming") {
     std::shuffle(all.begin(), all.end(), std::mt19937(seed));
     Mesh mesh = straight;
     CHECK(split_folded_tets(mesh, curved, all, {}) > all.size() / 4);
-    CHECK(broken_invariants(mesh, expectation_of(brep)) == std::vector<std::string>{});
+    CHECK(several(broken_invariants(mesh, expectation_of(brep))).in_english() == "");
 }

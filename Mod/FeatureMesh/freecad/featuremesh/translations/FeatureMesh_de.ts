@@ -451,6 +451,10 @@
       <translation>10-Knoten-Tetraeder</translation>
     </message>
     <message>
+      <source>10-node tetrahedron with a non-positive Jacobian: {elements:messages}</source>
+      <translation>10-Knoten-Tetraeder mit nicht positiver Jacobi-Determinante: {elements:messages}</translation>
+    </message>
+    <message>
       <source>2-node segments</source>
       <translation>2-Knoten-Balkenelemente</translation>
     </message>
@@ -465,6 +469,10 @@
     <message>
       <source>4-node tetrahedra</source>
       <translation>4-Knoten-Tetraeder</translation>
+    </message>
+    <message>
+      <source>6-node triangle that is folded: {triangles:messages}</source>
+      <translation>gefaltetes Dreieck mit 6 Knoten: {triangles:messages}</translation>
     </message>
     <message>
       <source>6-node triangles</source>
@@ -1067,12 +1075,12 @@
       <translation>Das Netz liegt in keiner Analyse: %s hat schon %s, und eine Analyse wird mit einem Netz gerechnet.</translation>
     </message>
     <message>
-      <source>The mesh is not valid: {finding:text} (and {more:count} more).</source>
-      <translation>Das Netz ist nicht gültig: {finding:text} (und {more:count} weitere).</translation>
+      <source>The mesh is not valid: {finding:messages} (and {more:count} more).</source>
+      <translation>Das Netz ist nicht gültig: {finding:messages} (und {more:count} weitere).</translation>
     </message>
     <message>
-      <source>The mesh is not valid: {finding:text}.</source>
-      <translation>Das Netz ist nicht gültig: {finding:text}.</translation>
+      <source>The mesh is not valid: {finding:messages}.</source>
+      <translation>Das Netz ist nicht gültig: {finding:messages}.</translation>
     </message>
     <message>
       <source>The mesh is not valid: {triangles:count} surface triangles are turned over, the first on {face:entities} at {place:point}. The face bends too much there for this size; ask for a smaller size on it.</source>
@@ -1191,8 +1199,8 @@
       <translation>Der Bericht ist %s</translation>
     </message>
     <message>
-      <source>The saved mesh does not fit the part: {finding:text}.</source>
-      <translation>Das gespeicherte Netz passt nicht zum Bauteil: {finding:text}.</translation>
+      <source>The saved mesh does not fit the part: {finding:messages}.</source>
+      <translation>Das gespeicherte Netz passt nicht zum Bauteil: {finding:messages}.</translation>
     </message>
     <message>
       <source>The shape has no edge. Mesh an object with edges.</source>
@@ -1421,6 +1429,78 @@
     <message>
       <source>a length</source>
       <translation>einer Länge</translation>
+    </message>
+    <message>
+      <source>and {more:count} more</source>
+      <translation>und {more:count} weitere</translation>
+    </message>
+    <message>
+      <source>around {solid:entities} {side:messages}</source>
+      <translation>um {solid:entities} {side:messages}</translation>
+    </message>
+    <message>
+      <source>array of wrong length: {arrays:messages}</source>
+      <translation>Feld falscher Länge: {arrays:messages}</translation>
+    </message>
+    <message>
+      <source>at a side of {triangle:messages}</source>
+      <translation>an einer Seite von {triangle:messages}</translation>
+    </message>
+    <message>
+      <source>border of two solids without a triangle: {elements:messages}</source>
+      <translation>Grenze zweier Festkörper ohne Dreieck: {elements:messages}</translation>
+    </message>
+    <message>
+      <source>boundary of the elements without a triangle: {elements:messages}</source>
+      <translation>Rand der Elemente ohne Dreieck: {elements:messages}</translation>
+    </message>
+    <message>
+      <source>coordinate is not a number, at node {nodes:messages}</source>
+      <translation>eine Koordinate ist keine Zahl, bei Knoten {nodes:messages}</translation>
+    </message>
+    <message>
+      <source>element number given twice: {numbers:messages}</source>
+      <translation>Elementnummer zweimal vergeben: {numbers:messages}</translation>
+    </message>
+    <message>
+      <source>element number out of range: {range:messages}</source>
+      <translation>Elementnummern außerhalb des Bereichs: {range:messages}</translation>
+    </message>
+    <message>
+      <source>element without positive volume: {elements:messages}</source>
+      <translation>Element ohne positives Volumen: {elements:messages}</translation>
+    </message>
+    <message>
+      <source>element {element:count} with {node:messages}</source>
+      <translation>Element {element:count} mit {node:messages}</translation>
+    </message>
+    <message>
+      <source>face, edge or solid out of range: {entries:messages}</source>
+      <translation>es gibt die Fläche, die Kante oder den Festkörper nicht: {entries:messages}</translation>
+    </message>
+    <message>
+      <source>gap in a face: {sides:messages}</source>
+      <translation>Lücke in einer Fläche: {sides:messages}</translation>
+    </message>
+    <message>
+      <source>gap in an edge: {nodes:messages}</source>
+      <translation>Lücke in einer Kante: {nodes:messages}</translation>
+    </message>
+    <message>
+      <source>node number given twice: {numbers:messages}</source>
+      <translation>Knotennummer zweimal vergeben: {numbers:messages}</translation>
+    </message>
+    <message>
+      <source>node number out of range: {range:messages}</source>
+      <translation>Knotennummern außerhalb des Bereichs: {range:messages}</translation>
+    </message>
+    <message>
+      <source>node out of range: {entries:messages}</source>
+      <translation>es gibt den Knoten nicht: {entries:messages}</translation>
+    </message>
+    <message>
+      <source>node {node:count} at {place:point}</source>
+      <translation>Knoten {node:count} bei {place:point}</translation>
     </message>
     <message>
       <source>off</source>
@@ -1805,6 +1885,18 @@
       <translation>eines nach dem anderen</translation>
     </message>
     <message>
+      <source>one mid-side node for two sides: {nodes:messages}</source>
+      <translation>ein Mittelknoten für zwei Seiten: {nodes:messages}</translation>
+    </message>
+    <message>
+      <source>open surface {sides:messages}</source>
+      <translation>offene Oberfläche {sides:messages}</translation>
+    </message>
+    <message>
+      <source>order is neither 1 nor 2: {order:messages}</source>
+      <translation>die Ordnung ist weder 1 noch 2: {order:messages}</translation>
+    </message>
+    <message>
       <source>other details are ignored</source>
       <translation>andere Einzelheiten werden übergangen</translation>
     </message>
@@ -1887,6 +1979,18 @@
     <message>
       <source>scaled Jacobian</source>
       <translation>skalierte Jacobi-Determinante</translation>
+    </message>
+    <message>
+      <source>segment that is no triangle's side: {segments:messages}</source>
+      <translation>Segment, das keine Seite eines Dreiecks ist: {segments:messages}</translation>
+    </message>
+    <message>
+      <source>segment without length: {segments:messages}</source>
+      <translation>Segment ohne Länge: {segments:messages}</translation>
+    </message>
+    <message>
+      <source>segment {segment:count} on {edge:entities} with {node:messages}</source>
+      <translation>Segment {segment:count} auf {edge:entities} mit {node:messages}</translation>
     </message>
     <message>
       <source>select faces, edges or vertices of %s</source>
@@ -2049,6 +2153,10 @@
       <translation>die Ordnung ist 1 (4 Knoten) oder 2 (10 Knoten), nicht %s</translation>
     </message>
     <message>
+      <source>the outside</source>
+      <translation>das Äußere</translation>
+    </message>
+    <message>
       <source>the picture could not be drawn: %s</source>
       <translation>das Bild konnte nicht gezeichnet werden: %s</translation>
     </message>
@@ -2075,6 +2183,14 @@
     <message>
       <source>the resolution of the difference must be a positive length, not {resolution:length}</source>
       <translation>die Auflösung des Vergleichs muss eine positive Länge sein, nicht {resolution:length}</translation>
+    </message>
+    <message>
+      <source>the same segment twice: {segments:messages}</source>
+      <translation>dasselbe Segment zweimal: {segments:messages}</translation>
+    </message>
+    <message>
+      <source>the same triangle twice: {triangles:messages}</source>
+      <translation>dasselbe Dreieck zweimal: {triangles:messages}</translation>
     </message>
     <message>
       <source>the saved mesh state belongs to {other:text}, not to {part:text}</source>
@@ -2149,6 +2265,30 @@
       <translation>als geändert behandelt: {why:messages}</translation>
     </message>
     <message>
+      <source>triangle in a mesh of edges: {triangles:messages}</source>
+      <translation>Dreieck in einem Netz aus Kanten: {triangles:messages}</translation>
+    </message>
+    <message>
+      <source>triangle shared by more than two elements: {elements:messages}</source>
+      <translation>Dreieck an mehr als zwei Elementen: {elements:messages}</translation>
+    </message>
+    <message>
+      <source>triangle without an element: {triangles:messages}</source>
+      <translation>Dreieck ohne Element: {triangles:messages}</translation>
+    </message>
+    <message>
+      <source>triangle without area: {triangles:messages}</source>
+      <translation>Dreieck ohne Fläche: {triangles:messages}</translation>
+    </message>
+    <message>
+      <source>triangle {triangle:count} on {face:entities} with {node:messages}</source>
+      <translation>Dreieck {triangle:count} auf {face:entities} mit {node:messages}</translation>
+    </message>
+    <message>
+      <source>triangles of a face overlap: {sides:messages}</source>
+      <translation>Dreiecke einer Fläche überlappen sich: {sides:messages}</translation>
+    </message>
+    <message>
       <source>triangles of {faces:entities} near {place:point} cut one another; the shape may touch or cut itself there: repair it, or mesh finer there</source>
       <translation>Dreiecke von {faces:entities} nahe {place:point} schneiden einander; die Form berührt oder schneidet sich dort vielleicht selbst: sie dort reparieren oder feiner vernetzen</translation>
     </message>
@@ -2165,8 +2305,16 @@
       <translation>gedreht um {angle:number} Grad um {axis:text} und verschoben um {shift:point}</translation>
     </message>
     <message>
+      <source>two elements overlap at a triangle: {elements:messages}</source>
+      <translation>zwei Elemente überlappen sich an einem Dreieck: {elements:messages}</translation>
+    </message>
+    <message>
       <source>two kept triangles overlap</source>
       <translation>zwei behaltene Dreiecke überlappen sich</translation>
+    </message>
+    <message>
+      <source>two mid-side nodes on one side: {nodes:messages}</source>
+      <translation>zwei Mittelknoten auf einer Seite: {nodes:messages}</translation>
     </message>
     <message>
       <source>two nodes lie in the same place, at {place:point}; heal the shape there or mesh it finer</source>
@@ -2191,6 +2339,10 @@
     <message>
       <source>volume</source>
       <translation>Volumen</translation>
+    </message>
+    <message>
+      <source>volume is wrong: {solids:messages}</source>
+      <translation>das Volumen ist falsch: {solids:messages}</translation>
     </message>
     <message>
       <source>volume {before:volume} -&gt; {after:volume}</source>
@@ -2237,12 +2389,32 @@
       <translation>Spannungen ausrechnen</translation>
     </message>
     <message>
+      <source>wrong count of corner nodes: {count:messages}</source>
+      <translation>falsche Anzahl an Eckknoten: {count:messages}</translation>
+    </message>
+    <message>
+      <source>wrong solid at a triangle: {triangles:messages}</source>
+      <translation>falscher Festkörper an einem Dreieck: {triangles:messages}</translation>
+    </message>
+    <message>
       <source>z88 has no 3-node triangles; mesh with 6-node triangles, or export it as inp, vtu, vtk, msh, unv or med</source>
       <translation>z88 kennt keine Dreiecke mit 3 Knoten; vernetzen Sie mit Dreiecken mit 6 Knoten oder exportieren Sie als inp, vtu, vtk, msh, unv oder med</translation>
     </message>
     <message>
       <source>{anew:count} of {all:count} elements do not fit the part and were made anew: {reasons:messages}</source>
       <translation>{anew:count} von {all:count} Elementen passen nicht zum Bauteil und wurden neu gemacht: {reasons:messages}</translation>
+    </message>
+    <message>
+      <source>{array:text} has {entries:count} entries, not {wanted:count}</source>
+      <translation>{array:text} hat {entries:count} Einträge, nicht {wanted:count}</translation>
+    </message>
+    <message>
+      <source>{array:text} has {value:count} at place {place:count}</source>
+      <translation>{array:text} hat {value:count} an Stelle {place:count}</translation>
+    </message>
+    <message>
+      <source>{count:count} of {all:count}</source>
+      <translation>{count:count} von {all:count}</translation>
     </message>
     <message>
       <source>{edge:entities} ({length:length} long)</source>
@@ -2327,6 +2499,10 @@
     <message>
       <source>{feature:text}: what it adds and removes could not be told from the shapes before and after it; it is taken as one piece with all before it</source>
       <translation>{feature:text}: was es hinzufügt und wegnimmt, war aus den Formen davor und danach nicht zu erkennen; es wird mit allem davor als ein Stück genommen</translation>
+    </message>
+    <message>
+      <source>{low:count} to {high:count}, the next one is {next:count}</source>
+      <translation>{low:count} bis {high:count}, die nächste ist {next:count}</translation>
     </message>
     <message>
       <source>{motions:count} different motions; only the first {carried:count} carry parts of the mesh</source>
@@ -2421,12 +2597,28 @@
       <translation>{one:entities} und {other:entities} nahe {place:point}</translation>
     </message>
     <message>
+      <source>{one:messages} and {other:messages}</source>
+      <translation>{one:messages} und {other:messages}</translation>
+    </message>
+    <message>
       <source>{sides:count} sides between faces follow no edge</source>
       <translation>{sides:count} Seiten zwischen Flächen folgen keiner Kante</translation>
     </message>
     <message>
       <source>{solid:entities} has no positive volume. Its faces point inwards or cross each other; check the feature that made it (Part: Check geometry).</source>
       <translation>{solid:entities} hat kein positives Volumen. Seine Flächen zeigen nach innen oder kreuzen einander; das Formelement prüfen, das ihn erzeugt hat (Part: Geometrie prüfen).</translation>
+    </message>
+    <message>
+      <source>{solid:entities} has {elements:volume} of elements, not {wanted:volume}</source>
+      <translation>{solid:entities} hat {elements:volume} an Elementen, nicht {wanted:volume}</translation>
+    </message>
+    <message>
+      <source>{triangle:messages} has {solid:messages} before it, not {wanted:messages}</source>
+      <translation>{triangle:messages} hat {solid:messages} vor sich, nicht {wanted:messages}</translation>
+    </message>
+    <message>
+      <source>{triangle:messages} has {solid:messages} behind it, not {wanted:messages}</source>
+      <translation>{triangle:messages} hat {solid:messages} hinter sich, nicht {wanted:messages}</translation>
     </message>
     <message>
       <source>{triangles:count} boundary triangles lie on no face</source>
