@@ -201,7 +201,7 @@ TEST_CASE("Shells are divided where segments beside them were") {
     mesh.tets.clear(), mesh.tet_solids.clear(), mesh.tet_numbers.clear();
     Expectation sheet;
     for (std::size_t f = 0; f < brep.face_count(); ++f) sheet.is_free_face.push_back(brep.is_free(FaceId(f)));
-    for (const Message& finding : broken_invariants(mesh, sheet)) {
+    for (const auto& finding : broken_invariants(mesh, sheet)) {
         CHECK(finding.code() != Code::gap_in_face);
         CHECK(finding.code() != Code::triangles_overlap);
     }

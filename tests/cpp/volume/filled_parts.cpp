@@ -18,6 +18,8 @@
 #include <gp_Ax2.hxx>
 #include <gp_Trsf.hxx>
 
+#include "core/messages.h"
+
 namespace featuremesh::testing {
 
 namespace {
