@@ -12,16 +12,19 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 PICTURES = os.environ.get("FEATUREMESH_PICTURES")
+_TURNS = 5   # of the window's loop, however slow the machine is
 VIEW = slice(240, 740), slice(300, 1180)   # rows and columns of the screen without panels and the navigation cube
 messages = []
 figures = []   # what was measured on the way, told with the result
 
 
 def spin(seconds=0.2):
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
+    """Lets the window work for that long, and in any case a few times: what is drawn is asked for in one turn and drawn in a later one."""
+    end, turns = time.monotonic() + seconds, 0
+    while time.monotonic() < end or turns < _TURNS:
         QtGui.QApplication.processEvents()
         time.sleep(0.01)
+        turns += 1
 
 
 def picture(name):
@@ -31,7 +34,9 @@ def picture(name):
 
 
 def pixels():
-    """The 3D view as it is on the screen, (height, width, 3) of bytes."""
+    """The 3D view as it is on the screen, (height, width, 3) of bytes; the report view, which FreeCAD 0.20 opens below it for an error, is closed first."""
+    for dock in Gui.getMainWindow().findChildren(QtGui.QDockWidget, "Report view"):
+        dock.hide()
     spin(0.3)
     image = QtGui.QGuiApplication.primaryScreen().grabWindow(0).toImage().convertToFormat(QtGui.QImage.Format_RGB32)
     buffer = image.constBits()
