@@ -6,6 +6,7 @@
 
 #include "core/errors.h"
 #include "core/messages.h"
+#include "surface/opposite_places.h"
 #include "surface/patch_improvement.h"
 #include "surface/seeds.h"
 
@@ -21,7 +22,8 @@ constexpr double wanted_angle = 35 * M_PI / 180;
 class FaceFiller {
   public:
     FaceFiller(const Brep& brep, FaceId face, const Chart& chart, const FaceBoundary& boundary, ChartDomain& domain,
-               const WantedLength& sizing, const Mesh& mesh, const Heartbeat& heart)
+               const WantedLength& sizing, const Mesh& mesh, std::span<const std::array<double, 2>> opposite,
+               const Heartbeat& heart)
         : brep_(brep),
           face_(face),
           chart_(chart),
@@ -30,6 +32,7 @@ class FaceFiller {
           domain_(domain),
           sizing_(sizing),
           mesh_(mesh),
+          opposite_(opposite),
           heart_(heart) {}
 
     FaceFilling fill() {
@@ -50,6 +53,7 @@ class FaceFiller {
         if (geometry_.is_flat()) seeds = even_seeds();
         is_lattice_ = !seeds.points.empty();
         if (!is_lattice_) seeds = front_seeds(boundary_, wanted_, domain_, chart_, sizing_, mesh_, heart_);
+        if (!opposite_.empty()) plant_opposite(seeds);
         domain_.insert(seeds.points, heart_);
         patch_ = domain_.patch();
         std::fill_n(patch_.is_fixed.begin() + static_cast<std::ptrdiff_t>(boundary_.points.size()), seeds.fixed_count,
@@ -64,6 +68,16 @@ class FaceFiller {
             else
                 patch_.places.push_back(is_boundary ? mesh_.point(boundary_.nodes[p]) : chart_.point(patch_.points[p]));
         }
+    }
+
+    void plant_opposite(Seeds& seeds) const {
+        std::vector<Vec2> places;
+        std::vector<double> wanted;
+        for (const auto& uv : opposite_) {
+            places.push_back(chart_.to_plane(chart_.in_trim_period(uv)));
+            wanted.push_back(sizing_.at(chart_.point(places.back())));
+        }
+        put_first(places, wanted, boundary_, domain_, seeds);
     }
 
     /// A lattice where the wanted length is nearly the same on the whole face; else nothing.
@@ -161,6 +175,7 @@ class FaceFiller {
     ChartDomain& domain_;
     const WantedLength& sizing_;
     const Mesh& mesh_;
+    std::span<const std::array<double, 2>> opposite_;
     const Heartbeat& heart_;
     TrianglePatch patch_;
     std::vector<double> wanted_;  ///< side length by point of the boundary
@@ -170,8 +185,9 @@ class FaceFiller {
 }  // namespace
 
 FaceFilling fill_face(const Brep& brep, FaceId face, const Chart& chart, const FaceBoundary& boundary,
-                      ChartDomain& domain, const WantedLength& sizing, const Mesh& mesh, const Heartbeat& heart) {
-    return FaceFiller(brep, face, chart, boundary, domain, sizing, mesh, heart).fill();
+                      ChartDomain& domain, const WantedLength& sizing, const Mesh& mesh,
+                      std::span<const std::array<double, 2>> opposite, const Heartbeat& heart) {
+    return FaceFiller(brep, face, chart, boundary, domain, sizing, mesh, opposite, heart).fill();
 }
 
 }  // namespace featuremesh

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "surface/chart_domain.h"
@@ -22,8 +23,9 @@ struct FaceFilling {
 };
 
 /// Fills the region with nearly equilateral triangles of the wanted size and checks that they cover it exactly once.
-/// Throws MeshError that names the face.
+/// `opposite`: parameters of places that get nodes where there is room for them. Throws MeshError that names the face.
 FaceFilling fill_face(const Brep& brep, FaceId face, const Chart& chart, const FaceBoundary& boundary,
-                      ChartDomain& domain, const WantedLength& sizing, const Mesh& mesh, const Heartbeat& heart);
+                      ChartDomain& domain, const WantedLength& sizing, const Mesh& mesh,
+                      std::span<const std::array<double, 2>> opposite, const Heartbeat& heart);
 
 }  // namespace featuremesh

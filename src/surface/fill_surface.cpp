@@ -20,6 +20,7 @@
 #include "surface/edge_chains.h"
 #include "surface/face_boundary.h"
 #include "surface/fill_face.h"
+#include "surface/opposite_places.h"
 #include "surface/triangle_crossings.h"
 
 namespace featuremesh {
@@ -66,8 +67,9 @@ class SurfaceFiller {
     /// What was kept, and more behind it.
     Mesh take_mesh() { return std::move(mesh_); }
 
-    SurfaceResult fill() {
-        fill_faces();
+    /// `opposite`: places that get nodes, or nothing.
+    SurfaceResult fill(const OppositePlaces* opposite) {
+        fill_faces(opposite);
         chains_.add_segments(mesh_);
         separate_faces();
         for (std::size_t f = 0; f < jobs_.size(); ++f) append(FaceId(f));
@@ -209,18 +211,21 @@ class SurfaceFiller {
         throw MeshError(say<Code::face_crosses_itself>(face));
     }
 
-    void fill_faces() {
+    void fill_faces(const OppositePlaces* opposite) {
         std::vector<FaceId> open;
         for (std::size_t f = 0; f < jobs_.size(); ++f)
             if (jobs_[f].domain) open.push_back(FaceId(f));
         Heartbeat heart(context_);
         heart.set_share(0.2);
         std::atomic<std::size_t> done{0};
+        const std::vector<std::array<double, 2>> none;
         parallel_for(context_, open.size(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const Activity activity(name_of(entity_of(open[i])));
                 FaceJob& job = jobs_[open[i].index()];
-                job.filling = fill_face(brep_, open[i], *job.chart, job.boundary, *job.domain, sizing_, mesh_, heart);
+                const auto& places = opposite ? opposite->on_faces[open[i].index()] : none;
+                job.filling =
+                    fill_face(brep_, open[i], *job.chart, job.boundary, *job.domain, sizing_, mesh_, places, heart);
                 job.domain.reset();
                 heart.set_share(0.2 + 0.7 * static_cast<double>(++done) / static_cast<double>(open.size()));
                 heart.beat();
@@ -283,6 +288,22 @@ void cut_back(Mesh& mesh, const MeshExtent& extent) {
     mesh.triangle_numbers.resize(extent.triangles);
     mesh.next_node_number = extent.next_node_number;
     mesh.next_element_number = extent.next_element_number;
+}
+
+bool has_places(const OppositePlaces& opposite) {
+    return std::any_of(opposite.on_faces.begin(), opposite.on_faces.end(), [](const auto& at) { return !at.empty(); });
+}
+
+/// Whether one of these was not known.
+bool add_beside(const MergedEntities& merged, const std::vector<std::array<EdgeId, 2>>& edges, EdgesBeside& beside) {
+    bool is_new = false;
+    for (const auto& [a, b] : edges) {
+        const EdgeId first = merged.edge_of[a.index()], second = merged.edge_of[b.index()];
+        if (first == second || beside.has(first, second)) continue;
+        beside.add(first, second);
+        is_new = true;
+    }
+    return is_new;
 }
 
 using TrianglePairs = std::vector<std::array<TriangleId, 2>>;
@@ -417,6 +438,7 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
     const MergedEntities& merged = options.known ? *options.known : *own;
     WantedLength wanted(sizing);
     EdgesBeside beside;
+    std::optional<OppositePlaces> opposite;  // across thin walls of the last mesh; none while its edges may change
     std::vector<std::vector<Message>> refined;
     for (int attempt = 1;; ++attempt) {
         std::optional<SurfaceFiller> filler;
@@ -429,11 +451,20 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
             kept = filler->take_mesh();
             cut_back(kept, before);
         }
-        SurfaceResult result = filler->fill();
+        SurfaceResult result = filler->fill(opposite ? &*opposite : nullptr);
         result.kept = before;
         result.report.has_opposite_nodes = !beside.is_empty();
         const Crossings found = crossing_triangles(brep, result.mesh, before.triangles, context);
         const TrianglePairs& crossings = found.within;
+        if (crossings.empty() && !opposite) {
+            opposite = find_opposite_places(brep, result.mesh, before.triangles, context);
+            if (known_beside && add_beside(merged, opposite->edges, beside)) opposite.reset();
+            if (!opposite || has_places(*opposite)) {
+                kept = taken_back(std::move(result));
+                --attempt;
+                continue;
+            }
+        }
         if (crossings.empty()) {
             std::vector<Message> notes = merged.warnings();
             if (!found.between.empty()) notes.push_back(warning_of_contact(brep, result.mesh, found.between));
@@ -461,6 +492,7 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
         const std::vector<Message> names = names_of(pairs);
         if (std::find(refined.begin(), refined.end(), names) == refined.end()) refined.push_back(names);
         ask_for_less(wanted, result.mesh, crossings);
+        opposite.reset();
         kept = std::move(result.mesh);
         cut_back(kept, before);
     }

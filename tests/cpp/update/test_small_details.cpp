@@ -134,6 +134,31 @@ TEST_CASE("a few elements without a volume to speak of in a thin floor get short
     for (const double size : {2.0, 2.6, 3.3}) check_valid(*meshed(document, options_of(size)).part_mesh);
 }
 
+TEST_CASE("a floor far thinner than its triangles are wide is meshed at once, also beside a bore through it") {
+    const auto drilled = [](double floor, double second_x) {
+        return PartDocument()
+            .box("Block", {0, 0, 0}, {60, 40, 8})
+            .cylinder("Through", {22, 20, -1}, 6, 20)
+            .cut("Bored", "Block", "Through")
+            .cylinder("Blind", {29, 22, floor}, 5, 20)
+            .cut("Part", "Bored", "Blind")
+            .cylinder("Other", {second_x, 30, -1}, 2, 20)
+            .cut("Final", "Part", "Other")
+            .finish();
+    };
+    for (const int order : {1, 2})
+        for (const double floor : {0.0003, 0.004}) {
+            const MeshOptions options = options_of(3.2, order);
+            const PartMeshResult result = meshed(drilled(floor, 50), options);
+            check_valid(*result.part_mesh);
+            CHECK(result.report.rounds.empty());
+            CHECK(result.report.fallbacks.empty());
+            const PartMeshResult moved = updated(*result.part_mesh, drilled(floor, 52), options);
+            check_valid(*moved.part_mesh);
+            CHECK(moved.report.kept_nodes_share > 0.5);
+        }
+}
+
 TEST_CASE(
     "where no detail is below the length, and automatically where "
     "nothing is refused, the bytes are the same") {
