@@ -38,10 +38,10 @@ double norm(std::span<const double> values) {
 }
 
 /// Forces out of balance, zero on held components.
-std::vector<double> residual_of(const StaticsModel& model, std::span<const double> displacements,
-                                const TetsOfNodes& around, RunContext& context) {
-    std::vector<double> residual = resisting_forces(model, displacements, around, context);
-    for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = model.is_held[i] ? 0 : model.loads[i] - residual[i];
+std::vector<double> residual_of(const StaticsModel& model, std::span<const double> resisting) {
+    std::vector<double> residual(resisting.size());
+    for (std::size_t i = 0; i < residual.size(); ++i)
+        residual[i] = model.is_held[i] ? 0 : model.loads[i] - resisting[i];
     return residual;
 }
 
@@ -74,17 +74,20 @@ StaticsSolution StaticsSolver::solve(const StaticsModel& model, RunContext& cont
     const TetsOfNodes around = tets_of_nodes(model.mesh);
     StaticsSolution solution;
     solution.kept_preconditioner = prepare(model, around, context);
+    std::vector<double> resisting;
     {
         RunContext::Step step(context, "solve");
         solution.displacements = model.given;
-        const std::vector<double> unbalanced = residual_of(model, solution.displacements, around, context);
+        resisting = resisting_forces(model, solution.displacements, around, context);
+        const std::vector<double> unbalanced = residual_of(model, resisting);
         if (norm(unbalanced) > 0) {
             start_from_last(model, solution);
-            balance(model, around, unbalanced, solution, context);
+            if (solution.kept_start_share > 0)
+                resisting = resisting_forces(model, solution.displacements, around, context);
+            balance(model, around, unbalanced, solution, resisting, context);
         }
     }
     RunContext::Step step(context, "stresses");
-    const auto resisting = resisting_forces(model, solution.displacements, around, context);
     solution.reactions.assign(resisting.size(), 0.0);
     for (std::size_t i = 0; i < resisting.size(); ++i) {
         if (model.is_held[i]) solution.reactions[i] = resisting[i] - model.loads[i];
@@ -97,14 +100,13 @@ StaticsSolution StaticsSolver::solve(const StaticsModel& model, RunContext& cont
 }
 
 /// Iterates, with better and better preconditioners, until what is left of the unbalanced forces is within the
-/// tolerance.
+/// tolerance. `resisting` is what the displacements resist with, before and after.
 void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around, std::span<const double> unbalanced,
-                            StaticsSolution& solution, RunContext& context) {
+                            StaticsSolution& solution, std::vector<double>& resisting, RunContext& context) {
     enum { carried, aggregated, final } by = solution.kept_preconditioner ? carried : aggregated;
+    double whole = whole_energy_norm(unbalanced);
     for (int rounds_left = 4;;) {
-        const double whole = solver_->energy_norm(unbalanced);
-        if (!(whole > 0)) throw KernelError(say<Code::not_converged>());
-        const std::vector<double> residual = residual_of(model, solution.displacements, around, context);
+        const std::vector<double> residual = residual_of(model, resisting);
         solution.residual = norm(residual) / norm(unbalanced);
         solution.energy_error = solver_->energy_norm(residual) / whole;
         if (solution.energy_error <= tolerance) return;
@@ -114,6 +116,7 @@ void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around
         const int done = rounds_left-- > 0
                              ? solver_->solve(residual, solution.displacements, tolerance / 2 * whole, most, context)
                              : -1;
+        resisting = resisting_forces(model, solution.displacements, around, context);
         solution.iterations += done < 0 ? most : done;
         if (by != carried) setup_.iterations = done < 0 ? most : done;
         if (done >= 0) continue;
@@ -128,7 +131,14 @@ void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around
             solver_->factor();
             by = final;
         }
+        whole = whole_energy_norm(unbalanced);
     }
+}
+
+double StaticsSolver::whole_energy_norm(std::span<const double> unbalanced) {
+    const double whole = solver_->energy_norm(unbalanced);
+    if (!(whole > 0)) throw KernelError(say<Code::not_converged>());
+    return whole;
 }
 
 /// Gives the solver the model's matrix. Returns whether the earlier preconditioner serves it.

@@ -59,7 +59,8 @@ class StaticsSolver {
     std::vector<std::int32_t> origins(const StaticsModel& model) const;
     bool prepare(const StaticsModel& model, const TetsOfNodes& around, RunContext& context);
     void balance(const StaticsModel& model, const TetsOfNodes& around, std::span<const double> unbalanced,
-                 StaticsSolution& solution, RunContext& context);
+                 StaticsSolution& solution, std::vector<double>& resisting, RunContext& context);
+    double whole_energy_norm(std::span<const double> unbalanced);
     void start_from_last(const StaticsModel& model, StaticsSolution& solution) const;
     void remember(const StaticsModel& model, const StaticsSolution& solution);
 
