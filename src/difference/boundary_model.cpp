@@ -4,22 +4,29 @@
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Precision.hxx>
+#include <cmath>
+#include <numbers>
 
 namespace featuremesh {
 
 namespace {
-// Of a circle or an ellipse the whole, though the edge may be an arc.
+// An arc reaches furthest at its ends or where the whole circle or ellipse does.
 Box box_of_edge(const BoundaryEdge& edge, const TopoDS_Edge& shape) {
-    if (edge.curve.kind == CurveKind::free_form) return box_of(shape);
+    const UnderlyingCurve& curve = edge.curve;
+    if (curve.kind == CurveKind::free_form) return box_of(shape);
     Box box;
-    if (edge.curve.kind == CurveKind::line) {
-        box.add(edge.first), box.add(edge.last);
-        return box;
+    box.add(edge.first), box.add(edge.last);
+    if (curve.kind == CurveKind::line) return box;
+    const double across = curve.kind == CurveKind::ellipse ? curve.second : curve.radius;
+    for (int axis = 1; axis <= 3; ++axis) {
+        const double furthest = std::atan2(across * curve.position.YDirection().Coord(axis),
+                                           curve.radius * curve.position.XDirection().Coord(axis));
+        for (const double parameter : {furthest, furthest + std::numbers::pi}) {
+            const double turn = 2 * std::numbers::pi;
+            const double in_range = parameter + turn * std::ceil((curve.first - parameter) / turn);
+            if (in_range < curve.last) box.add(point_at(curve, in_range));
+        }
     }
-    const Vec3 axis = to_vec3(gp_Vec(edge.curve.position.Direction()));
-    const auto reach = [&](double cosine) { return edge.curve.radius * std::sqrt(std::max(0.0, 1 - cosine * cosine)); };
-    const Vec3 half{reach(axis.x), reach(axis.y), reach(axis.z)}, centre = to_vec3(edge.curve.position.Location());
-    box.add(centre - half), box.add(centre + half);
     return box;
 }
 }  // namespace

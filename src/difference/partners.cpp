@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -13,7 +14,11 @@ namespace featuremesh {
 namespace {
 class PartnerFinder {
   public:
-    PartnerFinder(const BoundaryPair& pair, const BoundaryMatch& match) : pair_(pair), match_(match) {}
+    PartnerFinder(const BoundaryPair& pair, const BoundaryMatch& match)
+        : pair_(pair),
+          match_(match),
+          old_borders_(pair.old_model.faces().size()),
+          new_borders_(pair.new_model.faces().size()) {}
 
     /// Edges of solids that touch may lie on one another: those beside the same faces come first, then those that have
     /// most in common and least besides.
@@ -85,7 +90,7 @@ class PartnerFinder {
 
     /// Every edge of the old face is an edge of the new one, and no other.
     bool same_trim(FaceId old_face, FaceId new_face) const {
-        const std::vector<Border> old_border = border(old_face, false), new_border = border(new_face, true);
+        const std::vector<Border>&old_border = border(old_face, false), &new_border = border(new_face, true);
         return old_border.size() == new_border.size() &&
                std::equal(old_border.begin(), old_border.end(), new_border.begin(),
                           [&](const Border& a, const Border& b) {
@@ -141,7 +146,13 @@ class PartnerFinder {
         return period_of(c) > 0 ? share * c.radius : share;
     }
 
-    std::vector<Border> border(FaceId id, bool is_new) const {
+    const std::vector<Border>& border(FaceId id, bool is_new) const {
+        std::optional<std::vector<Border>>& known = (is_new ? new_borders_ : old_borders_)[id.index()];
+        if (!known) known = border_of(id, is_new);
+        return *known;
+    }
+
+    std::vector<Border> border_of(FaceId id, bool is_new) const {
         const BoundaryFace& face = (is_new ? pair_.new_model : pair_.old_model).faces()[id.index()];
         const bool as_group = (is_new ? match_.new_normal_as_group : match_.old_normal_as_group)[id.index()] != 0;
         std::vector<Border> result;
@@ -163,7 +174,7 @@ class PartnerFinder {
     /// they are apart.
     double overlap(FaceId old_face, FaceId new_face) const {
         if (!boxes_meet(old_face, new_face)) return 0;
-        const std::vector<Border> was = border(old_face, false), is = border(new_face, true);
+        const std::vector<Border>&was = border(old_face, false), &is = border(new_face, true);
         double share = 0;
         for (const Border& a : was)
             for (auto b = std::lower_bound(is.begin(), is.end(), Border{a.curve, a.left, -1e300, 0});
@@ -194,12 +205,15 @@ class PartnerFinder {
         const BoundaryFace& target = other_model.faces()[other.index()];
         if (target.underlying.kind == SurfaceKind::free_form) return true;
         const RigidMotion motion = is_new ? pair_.motion.inverse() : pair_.motion;
+        const Box near_target = target.box.grown(pair_.sameness.length);
         for (const EdgeUse& use : model.faces()[id.index()].uses) {
+            const BoundaryEdge& edge = model.edges()[use.edge.index()];
+            if (!moved(edge.box, motion).grown(pair_.sameness.length).overlaps(near_target)) continue;
             if (runs_along_border(use.edge, is_new, target)) continue;
-            const UnderlyingCurve& curve = model.edges()[use.edge.index()].curve;
+            const UnderlyingCurve& curve = edge.curve;
             for (int i = 0; i < 8; ++i) {
                 const Vec3 p = motion.apply(point_at(curve, curve.first + (curve.last - curve.first) * i / 8));
-                if (target.box.grown(pair_.sameness.length).contains(p) &&
+                if (near_target.contains(p) &&
                     other_model.classify(other, parameters_of(target.underlying, p)) == Containment::inside)
                     return true;
             }
@@ -209,6 +223,7 @@ class PartnerFinder {
 
     const BoundaryPair& pair_;
     const BoundaryMatch& match_;
+    mutable std::vector<std::optional<std::vector<Border>>> old_borders_, new_borders_;  // those asked for
 };
 
 }  // namespace

@@ -60,22 +60,24 @@ std::vector<Owner> VolumeFaces::owners_on(const TopoDS_Face& final_face, const B
                                           std::span<const char> is_wanted) const {
     const UnderlyingSurface underlying = underlying_of(final_face);
     const Sameness sameness{boolean_tolerance, box.center(), 0.5 * box.diagonal()};
-    std::vector<const OwnedFace*>
-        candidates;  // underlying surfaces first: only of those on the same one are the boxes made
-    bool is_any_wanted = false;
+    const auto is_asked_for = [&](const OwnedFace& face) { return is_wanted[face.owner.feature.index()] != 0; };
+    // underlying surfaces first: only of those on the same one are the boxes made
+    const auto is_candidate = [&](const OwnedFace& face) {
+        return same_underlying(face.underlying, underlying, sameness) && face.probe.box().overlaps(box);
+    };
+    if (std::none_of(faces_.begin(), faces_.end(),
+                     [&](const OwnedFace& face) { return is_asked_for(face) && is_candidate(face); }))
+        return {};
+    std::vector<const OwnedFace*> candidates;
     for (const OwnedFace& face : faces_)
-        if (same_underlying(face.underlying, underlying, sameness) && face.probe.box().overlaps(box)) {
-            candidates.push_back(&face);
-            is_any_wanted |= is_wanted[face.owner.feature.index()] != 0;
-        }
-    if (!is_any_wanted) return {};
+        if (is_candidate(face)) candidates.push_back(&face);
     if (std::all_of(candidates.begin(), candidates.end(),
                     [&](const OwnedFace* face) { return face->owner == candidates.front()->owner; }))
         return {candidates.front()->owner};  // nobody else can have made the face
     const std::vector<SurfacePoint> points = points_on(final_face, underlying.kind);
     std::vector<Owner> owners;
     for (const OwnedFace* face : candidates)
-        if (is_wanted[face->owner.feature.index()] && (owners.empty() || owners.back() != face->owner) &&
+        if (is_asked_for(*face) && (owners.empty() || owners.back() != face->owner) &&
             std::any_of(points.begin(), points.end(),
                         [&](const SurfacePoint& p) { return holds(face->probe, underlying.kind, p); }))
             owners.push_back(face->owner);

@@ -11,6 +11,7 @@
 
 #include "brep/brep.h"
 #include "catch.h"
+#include "difference/volume_faces.h"
 
 using namespace featuremesh;
 
@@ -35,6 +36,31 @@ std::size_t count_unchanged(const BoundaryMatch& match) {
 }
 
 }  // namespace
+
+TEST_CASE("the boxes of arcs hold them and reach no further") {
+    const gp_Ax2 tilted(gp_Pnt(1, 2, 3), gp_Dir(1, 2, 3), gp_Dir(3, 0, -1));
+    for (const gp_Ax2& place : {gp_Ax2(), tilted})
+        for (const double turn : {0.3, 1.7, 3.1, 4.4, 6.2}) {
+            const BoundaryModel model{Brep(BRepPrimAPI_MakeCylinder(place, 5, 8, turn).Shape())};
+            int arcs = 0;
+            for (std::size_t e = 0; e < model.edges().size(); ++e) {
+                const BoundaryEdge& edge = model.edges()[e];
+                if (edge.curve.kind != CurveKind::circle) continue;
+                ++arcs;
+                Box sampled;
+                for (int i = 0; i <= 2000; ++i)
+                    sampled.add(
+                        point_at(edge.curve, edge.curve.first + (edge.curve.last - edge.curve.first) * i / 2000));
+                const Box held = edge.box.grown(1e-12);
+                CHECK((held.contains(sampled.low) && held.contains(sampled.high)));
+                CHECK(length(edge.box.size() - sampled.size()) < 1e-4);
+            }
+            CHECK(arcs == 2);
+            for (std::size_t f = 0; f < model.faces().size(); ++f)
+                for (const SurfacePoint& p : points_in_trim(model.brep().face(FaceId(f))))
+                    CHECK(model.faces()[f].box.grown(1e-12).contains(p.point));
+        }
+}
 
 TEST_CASE("nothing changed between equal boundaries, in place or moved") {
     const BoundaryMatch same = matched(drilled(2), drilled(2));
