@@ -245,6 +245,8 @@ def compare_rows(rows):
     summary["difference"] = statistics.median(rows["update"]["all_steps"]["difference"])
     summary["first_over_meshing"] = statistics.median(rows["full mesh"]["first_over_meshing"])
     summary["surface_triangles_per_second"] = rows["full mesh"]["new_triangles"] / statistics.median(rows["full mesh"]["all_steps"]["surface"])
+    if TWO_THREADS in rows:
+        summary["two_threads_over_one"] = statistics.median(a / b for a, b in zip(full, rows[TWO_THREADS]["seconds"]))
     for peer in ALGORITHMS:
         if peer in rows:
             seconds = rows[peer]["seconds"]
@@ -268,6 +270,8 @@ def summary_in_words(summary):
     words = [f"kept {summary['kept_nodes']:.1%} of the nodes", f"update / full mesh {summary['update_over_full']:.1%}",
              f"mean radius ratio less by {summary['mean_radius_ratio_less']:.4f}, smallest angle by {summary['min_dihedral_less']:.2f} deg"]
     lines = ["; ".join(words + ([f"fallback: {summary['fallback']}"] if summary["fallback"] else []))]
+    if "two_threads_over_one" in summary:
+        lines.append(f"full mesh {TWO_THREADS}: {summary['two_threads_over_one']:.2f} times as fast")
     for peer in ALGORITHMS:
         if f"update_over_{peer}" in summary:
             speeds = [f"{summary[name]:.2f} {threads}" for name, threads in ((f"full_speed_over_{peer}", "times"), (f"speed_of_two_threads_over_{peer}", "on two threads"))
