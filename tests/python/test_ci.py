@@ -10,7 +10,7 @@ from pathlib import Path
 
 RUN = Path(__file__).resolve().parents[2] / ".ci" / "run"
 # Ends with the first number when this machine's FreeCAD is tested, with the second in the root of 1.1, with the third for packages, with the fourth in the
-# root of 1.0, with the fifth for the sanitizers; "slow" takes longer than any limit.
+# root of 1.0, with the fifth for the sanitizers, with the sixth for clang-tidy; "slow" takes longer than any limit.
 STAND_IN = """#!/usr/bin/env bash
 case "$*" in
     "test") exit %s ;;
@@ -18,19 +18,20 @@ case "$*" in
     "test --packages --freecad 0.20") exit %s ;;
     "test --freecad 1.0 --in-freecad --only ^python_("*")$") exit %s ;;
     "test --sanitize address") echo said by the sanitizers; exit %s ;;
+    "test --tidy "*" --seconds "*) echo looks since "$3"; echo its time is over after 2 of 7 files; exit %s ;;
     *) exit 99 ;;
 esac
 """
 
 
 class Decisions(unittest.TestCase):
-    def run_with(self, here, in_root, packages=0, few=0, sanitizers=0, **variables):
+    def run_with(self, here, in_root, packages=0, few=0, sanitizers=0, tidy=0, **variables):
         """(exit code, what was said)."""
         with tempfile.TemporaryDirectory() as folder:
             os.mkdir(os.path.join(folder, ".ci"))
             shutil.copy(RUN, os.path.join(folder, ".ci"))
             launcher = Path(folder, "featuremesh")
-            launcher.write_text(STAND_IN % (here, in_root, in_root, packages, few, sanitizers), encoding="utf-8")
+            launcher.write_text(STAND_IN % (here, in_root, in_root, packages, few, sanitizers, tidy), encoding="utf-8")
             launcher.chmod(0o755)
             done = subprocess.run([os.path.join(folder, ".ci", "run")], env={**os.environ, **variables}, stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT, text=True)
@@ -43,6 +44,8 @@ class Decisions(unittest.TestCase):
         self.assertIn("FreeCAD 1.0 passes, too", said)
         self.assertIn("the engine with sanitizers passes, too", said)
         self.assertNotIn("said by the sanitizers", said)
+        self.assertIn("clang-tidy passes, too\nits time is over after 2 of 7 files\n", said)
+        self.assertNotIn("looks since", said)
         self.assertIn("installing the packages passes, too", said)
 
     def test_a_failure_of_any_is_one(self):
@@ -61,6 +64,9 @@ class Decisions(unittest.TestCase):
         code, said = self.run_with(0, 0, sanitizers=1)
         self.assertEqual(code, 1)
         self.assertIn("the engine with sanitizers fails\nsaid by the sanitizers", said)
+        code, said = self.run_with(0, 0, tidy=1)
+        self.assertEqual(code, 1)
+        self.assertIn("clang-tidy fails\nlooks since HEAD", said)
 
     def test_the_few_tests_are_there(self):
         wanted = re.search(r"^few='\^python_\((.*)\)\$'$", RUN.read_text(encoding="utf-8"), re.MULTILINE).group(1).split("|")
