@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/box_tree.h"
+#include "core/distances.h"
 #include "surface/projection.h"
 
 namespace featuremesh {
@@ -196,20 +197,19 @@ class Finder {
     OppositePlaces found_{std::vector<std::vector<std::array<double, 2>>>(patches_.size()), {}};
 };
 
+Vec3 in_space(Vec2 p) { return {p.x, p.y, 0}; }
+
 /// Distance in the chart from the boundary.
 double clearance(Vec2 p, const FaceBoundary& boundary) {
-    const auto point = [&](int i) { return boundary.points[static_cast<std::size_t>(i)]; };
+    const auto point = [&](int i) { return in_space(boundary.points[static_cast<std::size_t>(i)]); };
     double least = std::numeric_limits<double>::infinity();
     const auto look_at = [&](const BoundarySegment& s) {
-        const Vec2 along = point(s.b) - point(s.a);
-        const double square = dot(along, along);
-        const double share = square > 0 ? std::clamp(dot(p - point(s.a), along) / square, 0.0, 1.0) : 0;
-        least = std::min(least, distance(p, point(s.a) + share * along));
+        least = std::min(least, squared_distance_to_segment(in_space(p), point(s.a), point(s.b)));
     };
     std::for_each(boundary.segments.begin(), boundary.segments.end(), look_at);
     std::for_each(boundary.inner.begin(), boundary.inner.end(), look_at);
-    for (const int lone : boundary.lone_points) least = std::min(least, distance(p, point(lone)));
-    return least;
+    for (const int lone : boundary.lone_points) least = std::min(least, squared_length(in_space(p) - point(lone)));
+    return std::sqrt(least);
 }
 
 bool is_in_any(const BoxTree& tree, const Vec3& p) {
@@ -228,23 +228,22 @@ void put_first(std::span<const Vec2> places, std::span<const double> wanted, con
                const ChartDomain& domain, Seeds& seeds) {
     Seeds all;
     std::vector<Box> around;
-    const auto own = [&](std::size_t i) { return Vec3{seeds.points[i].x, seeds.points[i].y, 0}; };
     const auto take = [&](Vec2 p, double length, double keep_off) {
         all.points.push_back(p), all.wanted.push_back(length);
-        around.push_back(Box{{p.x, p.y, 0}, {p.x, p.y, 0}}.grown(keep_off * length));
+        around.push_back(Box{in_space(p), in_space(p)}.grown(keep_off * length));
     };
     for (std::size_t i = 0; i < seeds.fixed_count; ++i) take(seeds.points[i], seeds.wanted[i], boundary_spacing);
     const BoxTree fixed(around);
     void* hint = nullptr;
     for (std::size_t i = 0; i < places.size(); ++i)
         if (domain.contains(places[i], hint) && clearance(places[i], boundary) > boundary_spacing * wanted[i] &&
-            !is_in_any(fixed, {places[i].x, places[i].y, 0}))
+            !is_in_any(fixed, in_space(places[i])))
             take(places[i], wanted[i], spacing);
     all.fixed_count = all.points.size();
     around.erase(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(seeds.fixed_count));
     const BoxTree opposite(std::move(around));
     for (std::size_t i = seeds.fixed_count; i < seeds.points.size(); ++i) {
-        if (is_in_any(opposite, own(i))) continue;
+        if (is_in_any(opposite, in_space(seeds.points[i]))) continue;
         all.points.push_back(seeds.points[i]), all.wanted.push_back(seeds.wanted[i]);
     }
     seeds = std::move(all);
