@@ -8,7 +8,7 @@ from unittest import mock
 
 import FreeCAD
 import ObjectsFem
-from freecad.featuremesh import api, assembled, mesh_object, resolving
+from freecad.featuremesh import api, assembled, mesh_object, resolving, solve_guard
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
 from parts import new_document, placement
@@ -236,10 +236,12 @@ class AsClicked(unittest.TestCase):
             self.assertEqual(line, said + "; choose faces, edges or vertices of One instead")
             self.assertEqual([line in words for words in warnings], [True])
             self.assertNotIn("Force_Nodes", groups_of(self.mesh))
+            self.assertIn(said, solve_guard.reason(self.analysis))   # FreeCAD would load the copy that lies where the original is
             setattr(force, resolving.CLICKED, ["One.Fillet.Face19"])
             force.References = [(self.fillet, "Face19")]
             self.assertEqual(groups_of(self.mesh)["Force_Nodes"], groups_of(self.mesh)["Face19_Nodes"])
             self.assertEqual(self.update()["warnings"], [])
+            self.assertEqual(solve_guard.reason(self.analysis), "")
             pressure = ObjectsFem.makeConstraintPressure(self.document, "Pressure")
             pressure.addProperty("App::PropertyStringList", resolving.CLICKED)
             setattr(pressure, resolving.CLICKED, ["Two.Fillet.Face3"])

@@ -20,7 +20,7 @@ from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, OP
 from .numbering import Numbering
 from .reading import describe, elements_of_today, read_document, shape_of_record, with_elements
 from .reports import add_fallback, plain, remarks_of
-from .resolving import Resolver
+from .resolving import CLICKED, Resolver
 from .user_words import in_words
 
 translate = FreeCAD.Qt.translate
@@ -211,6 +211,12 @@ class FeatureMesh:
             return translate("FeatureMesh", "%s is not that of the part as it is, its last update failed: %s") % (
                 describe(mesh), in_words(failure_of(mesh)))
         return translate("FeatureMesh", "%s is %s; update it before solving") % (describe(mesh), status_in_words(mesh))
+
+    def clicked_elsewhere(self, mesh, members):
+        """Which member of an analysis was clicked on another copy than the meshed one, as a sentence; "" when none was. FreeCAD's writer of CalculiX input
+        goes by the original's place and would load whichever copy lies there."""
+        clicked = [obj for obj in members if getattr(obj, CLICKED, None)]
+        return next((in_words(line) for line in self._what_is_elsewhere(mesh, clicked, self._raw).values()), "") if clicked else ""
 
     def state_of_mesh(self, mesh):
         """What tells the mesh from others, whether or not it is that of its part; "" where there is none."""

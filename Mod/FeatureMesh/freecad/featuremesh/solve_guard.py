@@ -25,10 +25,15 @@ def reason(analysis):
         return translate("FeatureMesh", "%s has no mesh; let it share %s (api.share_mesh), or give it one of its own") % (
             analysis.Label, _ours_in(analysis.Document)[0].Label)
     for mesh in analyses.meshes_of(analysis) if analysis is not None else ():
-        problem = mesh.Proxy.why_not_to_solve(mesh) if analyses.is_ours(mesh) else ""
+        problem = mesh.Proxy.why_not_to_solve(mesh) or _clicked_elsewhere(analysis, mesh) if analyses.is_ours(mesh) else ""
         if problem:
             return problem
     return next((sentence for _, sentence in references.unmended(analysis)), "") if analysis is not None else ""
+
+
+def _clicked_elsewhere(analysis, mesh):
+    source = analyses.source_of(mesh)
+    return source.Proxy.clicked_elsewhere(source, analysis.Group) if source is not None else ""
 
 
 def _ours_in(document):
