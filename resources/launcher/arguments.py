@@ -186,6 +186,9 @@ def add_bench(subparsers):
     bench.add_argument("--threads", type=int, default=1, metavar="N", help="threads of each mesher (default: %(default)s)")
     bench.add_argument("--netgen", action="store_true", help="measure Netgen, too, once for each case")
     bench.add_argument("--ours", action="store_true", help="measure the full mesh and the update only, without Gmsh")
+    bench.add_argument("--documents", metavar="FOLDER", help="in place of the cases: every document of a folder and edits of its dimensions, with percentiles")
+    bench.add_argument("--divisor", type=float, default=40, metavar="N", help="with --documents: the size is the part's diagonal over this (default: %(default)g)")
+    bench.add_argument("--edits", type=int, default=3, metavar="N", help="with --documents: edits of each document (default: %(default)s)")
     bench.add_argument("--list", action="store_true", help="list the cases and stop")
     bench.add_argument("--history", action="store_true", help="what was measured before on this machine, and stop")
 

@@ -204,6 +204,8 @@ def bench(given):
     options += ["--history"] if given.history else []
     options += ["--netgen"] if given.netgen else []
     options += ["--ours"] if given.ours else []
+    if given.documents:
+        options += ["--documents", existing_folder(given.documents), "--divisor", str(given.divisor), "--edits", str(given.edits)]
     for case in given.case or []:
         options += ["--case", case]
     if not (given.list or given.history):
@@ -286,6 +288,13 @@ def existing_file(name):
     path = Path(name).expanduser()
     if not path.is_file():
         raise UserError(f"{name}: no such file")
+    return str(path.resolve())
+
+
+def existing_folder(name):
+    path = Path(name).expanduser()
+    if not path.is_dir():
+        raise UserError(f"{name}: no such folder")
     return str(path.resolve())
 
 

@@ -2,8 +2,11 @@
 // Boxes in a tree, for finding those around a point or along a ray and the things nearest to a point.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/distances.h"
@@ -32,14 +35,26 @@ class BoxTree {
     std::int32_t nearest(const Vec3& p, Distance squared_distance) const {
         std::int32_t best = -1;
         double least = std::numeric_limits<double>::infinity();
-        descend(
-            0, [&](const Box& box) { return squared_distance_to_box(p, box) <= least; },
+        approach(
+            p, [&](double of_box) { return of_box <= least; },
             [&](std::int32_t i) {
                 const double d = squared_distance(i);
                 if (d < least || (d == least && i < best)) least = d, best = i;
             });
         return best;
     }
+    /// The smallest squared_distance(index) that is below `most`, else `most`; one that is below `enough` may be any of
+    /// those.
+    template <class Distance>
+    double least_distance(const Vec3& p, double most, double enough, Distance squared_distance) const {
+        double least = most;
+        approach(
+            p, [&](double of_box) { return of_box < least && least >= enough; },
+            [&](std::int32_t i) { least = std::min(least, squared_distance(i)); });
+        return least;
+    }
+    /// Around all boxes.
+    Box box() const { return nodes_.empty() ? Box{} : nodes_[0].box; }
 
   private:
     struct Node {
@@ -47,7 +62,36 @@ class BoxTree {
         std::int32_t begin, end;  // of order_; a leaf where the children are none
         std::int32_t left = -1, right = -1;
     };
+    static constexpr std::size_t most_deep = 64;  // halves of what an index can count
     std::int32_t build(std::int32_t begin, std::int32_t end);
+
+    /// Calls visit(index) for the boxes whose squared distance from p is of use, of two halves the nearer one first.
+    template <class IsOfUse, class Visit>
+    void approach(const Vec3& p, const IsOfUse& is_of_use, const Visit& visit) const {
+        struct Waiting {
+            std::int32_t node;
+            double distance;
+        };
+        const auto with_distance = [&](std::int32_t node) {
+            return Waiting{node, squared_distance_to_box(p, nodes_[std::size_t(node)].box)};
+        };
+        std::array<Waiting, most_deep> waiting;
+        std::size_t count = 0;
+        if (!nodes_.empty()) waiting[count++] = with_distance(0);
+        while (count > 0) {
+            const auto [at, distance] = waiting[--count];
+            if (!is_of_use(distance)) continue;
+            const Node& node = nodes_[std::size_t(at)];
+            if (node.left < 0) {
+                for (std::int32_t i = node.begin; i < node.end; ++i) visit(order_[std::size_t(i)]);
+                continue;
+            }
+            Waiting near = with_distance(node.left), far = with_distance(node.right);
+            if (far.distance < near.distance) std::swap(near, far);
+            waiting[count++] = far;
+            waiting[count++] = near;
+        }
+    }
 
     template <class Enter, class Visit>
     void descend(std::int32_t at, const Enter& enter, const Visit& visit) const {

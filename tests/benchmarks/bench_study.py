@@ -45,8 +45,8 @@ _BLOCK = {"part": "block_and_cylinder", "parameters": ("Cylinder.Radius=6:9", "C
 CASES = (
     Case("study-bracket", "10-node, two parameters, CalculiX, beside Gmsh", "peer", cases=(4, 4), solver="ccx", **_BRACKET),
     Case("study-bracket-live", "10-node, two parameters, live, beside Gmsh and CalculiX", "peer", cases=(12, 3), solver="live", **_BRACKET),
-    Case("study-growth", "a small part without a solution, 100 and 400 cases", "growth", cases=(100, 400), **_BLOCK),
-    Case("study-jobs", "a small part without a solution, by one process and by two", "jobs", cases=(100,), **_BLOCK),
+    Case("study-growth", "a small part without a solution, 100 and 1000 cases", "growth", cases=(100, 1000), **_BLOCK),
+    Case("study-jobs", "a small part without a solution, by one process and by two", "jobs", cases=(1000,), **_BLOCK),
 )
 
 

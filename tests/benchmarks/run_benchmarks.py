@@ -23,6 +23,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(Path(__file__).parent), str(ROOT / "resources" / "launcher"), str(ROOT / "build" / "release" / "bindings"),
                 str(ROOT / "Mod" / "FeatureMesh")]
 
+import bench_documents  # noqa: E402
 import bench_statics  # noqa: E402
 import bench_study  # noqa: E402
 import cases  # noqa: E402
@@ -39,7 +40,6 @@ RESULTS = ROOT / "build" / "benchmarks.jsonl"
 OTHERS = {"statics": bench_statics, "study": bench_study}   # measured in ways of their own; by the key of their figures in the results
 OURS = ("full mesh", "update")
 TWO_THREADS = "on two threads"
-MESHING = ("surface", "volume", "optimise")   # the steps that make elements
 SLOW_PEER = 20  # seconds; a peer that takes longer is measured in one round only
 HEADER = (f"  {'':14s} {'tets':>9s} {'seconds':>8s} {'spread':>13s} {'tets/s':>9s} {'min deg':>8s} {'max deg':>8s} {'ratio':>6s} {'<25 deg':>8s} "
           f"{'GB/Mtets':>8s}")
@@ -53,6 +53,8 @@ def main():
         return 0
     if given.history:
         return show_history(given.case)
+    if given.documents:
+        return measure_documents(given)
     names = given.case or [case.name for case in all_cases()]
     others = [(kind, case) for kind, bench in OTHERS.items() for case in map(bench.named, names) if case]
     chosen = [case for case in map(cases.named, names) if case]
@@ -82,6 +84,16 @@ def main():
     return 1 if failed else 0
 
 
+def measure_documents(given):
+    try:
+        found = bench_documents.measure(given.documents, given.divisor, given.edits, not given.ours)
+    except RuntimeError as error:
+        print(f"featuremesh bench: {error}", file=sys.stderr)
+        return 2
+    append_to_results({"case": "documents", "divisor": given.divisor, "machine": machine(), "documents": found})
+    return 0
+
+
 def all_cases():
     return [case for bench in (cases, *OTHERS.values()) for case in bench.CASES]
 
@@ -93,6 +105,9 @@ def parse_arguments():
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--netgen", action="store_true", help="Netgen, too, in one round")
     parser.add_argument("--ours", action="store_true", help="without Gmsh")
+    parser.add_argument("--documents")
+    parser.add_argument("--divisor", type=float, default=40)
+    parser.add_argument("--edits", type=int, default=3)
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--history", action="store_true", help="what was measured before, by case and commit")
     return parser.parse_args()
@@ -121,16 +136,18 @@ def measure(case, given):
           f"FreeCAD's recompute ({reading['recompute']:.3f} s); after the edit + {reading['interpret_again']:.4f} s, {reading['share_again']:.1%}\n", flush=True)
     record = {"case": case.name, "size": case.size, "threads": given.threads, "machine": machine(), "rows": rows, "summary": summary,
               "reading": reading}
-    with open(RESULTS, "a", encoding="utf-8") as results:
-        results.write(json.dumps(record) + "\n")
+    append_to_results(record)
     full = rows["full mesh"]
     return statistics.median(rows["update"]["seconds"]), summary["cells"], statistics.median(full["seconds"]) / full["tets"]
 
 
 def measure_other(kind, case):
-    found = OTHERS[kind].measure(case)
+    append_to_results({"case": case.name, "size": case.size, "machine": machine(), kind: OTHERS[kind].measure(case)})
+
+
+def append_to_results(record):
     with open(RESULTS, "a", encoding="utf-8") as results:
-        results.write(json.dumps({"case": case.name, "size": case.size, "machine": machine(), kind: found}) + "\n")
+        results.write(json.dumps(record) + "\n")
 
 
 def prepare(case, folder):
@@ -222,7 +239,7 @@ def add_round(rows, who, seconds, figures):
     for step, value in figures.get("steps", {}).items():
         row.setdefault("all_steps", {}).setdefault(step, []).append(value)
     if "steps" in figures:
-        row.setdefault("first_over_meshing", []).append(seconds / sum(figures["steps"][step] for step in MESHING))
+        row.setdefault("first_over_meshing", []).append(seconds / sum(figures["steps"][step] for step in bench_documents.MESHING))
     row.update(figures)
 
 

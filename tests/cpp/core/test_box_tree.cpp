@@ -34,10 +34,35 @@ TEST_CASE("a tree of boxes finds what going over all of them finds") {
     }
 }
 
+TEST_CASE("a tree of boxes finds what is nearest, and of equals the first") {
+    std::mt19937 random(12);
+    std::uniform_real_distribution<double> place(0, 100);
+    std::vector<Vec3> points;
+    for (int i = 0; i < 300; ++i) points.push_back({place(random), place(random), place(random)});
+    points.insert(points.end(), points.begin(), points.begin() + 100);  // a hundred are there twice
+    std::vector<Box> boxes(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) boxes[i].add(points[i]);
+    const BoxTree tree(boxes);
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 p{place(random), place(random), place(random)};
+        const auto distance = [&](std::int32_t b) { return squared_length(points[std::size_t(b)] - p); };
+        std::int32_t nearest = 0;
+        for (std::int32_t b = 0; b < std::int32_t(points.size()); ++b)
+            if (distance(b) < distance(nearest)) nearest = b;
+        CHECK(tree.nearest(p, distance) == nearest);
+        const double least = distance(nearest);
+        CHECK(tree.least_distance(p, 1e9, 0, distance) == least);
+        CHECK(tree.least_distance(p, 0.5 * least, 0, distance) == 0.5 * least);
+        const double enough = 2 * least, found = tree.least_distance(p, 1e9, enough, distance);
+        CHECK((found >= least && found < enough));
+    }
+}
+
 TEST_CASE("a tree without boxes finds nothing") {
     const BoxTree tree({});
     int found = 0;
     tree.visit_around({0, 0, 0}, [&](std::int32_t) { ++found; });
     CHECK(found == 0);
     CHECK(tree.nearest({0, 0, 0}, [](std::int32_t) { return 0.0; }) == -1);
+    CHECK(tree.least_distance({0, 0, 0}, 3, 0, [](std::int32_t) { return 0.0; }) == 3);
 }

@@ -256,7 +256,7 @@ def show_kept(mesh, cut=None):
     `cut` opens the mesh: "z=5" (whole elements below z = 5 mm stay), "z>5" (those above). Throws UserError when there was no update
     since the document was opened.
     """
-    return _shown(mesh, overlays.kept(mesh), cut)
+    return overlays.show(mesh, overlays.kept(mesh), plane_of(cut))
 
 
 def show_quality(mesh, measure="dihedral_angle", limits=None, cut=None):
@@ -264,7 +264,7 @@ def show_quality(mesh, measure="dihedral_angle", limits=None, cut=None):
 
     `limits` are what is bad and what is good, by default the measure's own; `cut` as for show_kept. Throws UserError.
     """
-    return _shown(mesh, overlays.quality(mesh, measure, limits), cut)
+    return overlays.show(mesh, overlays.quality(mesh, measure, limits), plane_of(cut))
 
 
 def draw_quality(mesh, path, measure="dihedral_angle", limits=None, cut=None, filled=False):
@@ -274,8 +274,7 @@ def draw_quality(mesh, path, measure="dihedral_angle", limits=None, cut=None, fi
 
 def show_plain(mesh):
     """Takes colours away again."""
-    if mesh.ViewObject is not None:
-        mesh.ViewObject.Proxy.show(mesh, None)
+    overlays.hide(mesh)
 
 
 def export_mesh(mesh, path, file_format=None):
@@ -481,14 +480,6 @@ def _refined_names(mesh, references):
 
 def _references(mesh, names):
     return [(versions.part_of(mesh), name) for name in names]
-
-
-def _shown(mesh, overlay, cut):
-    plane = plane_of(cut)
-    if mesh.ViewObject is not None:
-        mesh.ViewObject.Proxy.show(mesh, overlay, plane)
-        mesh.ViewObject.Visibility = True
-    return overlay
 
 
 def check_size(size, part):

@@ -41,6 +41,20 @@ class Overlay:
         return np.flatnonzero(np.isin(self.numbers, numbers))
 
 
+def show(mesh, overlay, plane=None):
+    """Draws it in place of the mesh in the window, if there is one, cut open by a section.Plane. Returns the overlay."""
+    if mesh.ViewObject is not None:
+        mesh.ViewObject.Proxy.show(mesh, overlay, plane)
+        mesh.ViewObject.Visibility = True
+    return overlay
+
+
+def hide(mesh):
+    """Draws the mesh as usual again."""
+    if mesh.ViewObject is not None:
+        mesh.ViewObject.Proxy.show(mesh, None)
+
+
 def kept(mesh):
     """The elements that the last update kept, and new ones. Throws UserError when there was no update since the document was opened."""
     part_mesh = mesh.Proxy.last_part_mesh(mesh)

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads the part of any document, and the same part after edits of single dimensions, in FreeCAD.
+
+FEATUREMESH_DOCUMENT is JSON: path, edits (how many), folder. Writes 0.json (the raw document as opened), 1.json ... (after each edit, made on the
+document opened anew) and part.brep there. The result holds the part's diagonal in mm and the edits that were made.
+"""
+import json
+import os
+import signal
+import sys
+import traceback
+from pathlib import Path
+
+import FreeCAD as App
+import freecad
+
+ROOT = Path(__file__).resolve().parents[2]
+freecad.__path__.append(str(ROOT / "Mod" / "FeatureMesh" / "freecad"))
+sys.path.insert(0, str(Path(__file__).parent))
+
+from raw_files import write_raw  # noqa: E402
+
+SHARE = 0.05                # by which a dimension is changed
+TRIED_FOR_EACH_EDIT = 3     # dimensions, where FreeCAD cannot recompute with some, or they change nothing
+LIMIT_SECONDS = 300         # then FreeCAD ends by a signal, whatever it is in
+
+
+def read(task):
+    from freecad.featuremesh import api, reading
+    from freecad.featuremesh.study import dimensions
+    folder = Path(task["folder"])
+    document, part = open_part(task["path"], api)
+    name, volume = part.Name, part.Shape.Volume
+    write_raw(folder / "0.json", reading.read_document(part))
+    part.Shape.exportBrep(str(folder / "part.brep"))
+    found = {"diagonal": part.Shape.BoundBox.DiagonalLength, "edits": []}
+    for edit in spread([edit_of(one) for one in dimensions.of_part(part)], TRIED_FOR_EACH_EDIT * task["edits"]):
+        if len(found["edits"]) == task["edits"]:
+            break
+        App.closeDocument(document.Name)
+        document = App.openDocument(task["path"])
+        part = document.getObject(name)
+        if is_made(document, part, edit, volume, api):
+            found["edits"].append(edit)
+            write_raw(folder / f"{len(found['edits'])}.json", reading.read_document(part))
+    return found
+
+
+def open_part(path, api):
+    document = App.openDocument(path)
+    return document, api.find_part(document)
+
+
+def edit_of(dimension):
+    """As `--set` takes it."""
+    value = dimension.value
+    return f"{dimension.target}={value + 1 if isinstance(value, int) else value * (1 + SHARE):.9g}"
+
+
+def spread(everything, count):
+    """At most so many, evenly over the list."""
+    count = min(count, len(everything))
+    return [everything[(2 * i + 1) * len(everything) // (2 * count)] for i in range(count)]
+
+
+def is_made(document, part, edit, volume, api):
+    """Whether FreeCAD makes the edit, and the part is another valid one by it."""
+    try:
+        api.set_parameters(document, [edit])
+        api.recompute(document)
+    except Exception as error:   # whatever FreeCAD says of other people's parts: the next dimension is tried
+        print(f"{edit}: {error}")
+        return False
+    return part.Shape.isValid() and bool(part.Shape.Solids) and abs(part.Shape.Volume - volume) > 1e-9 * volume
+
+
+def main():
+    signal.alarm(LIMIT_SECONDS)
+    try:
+        result = {"exit_code": 0, "message": "", "data": read(json.loads(os.environ["FEATUREMESH_DOCUMENT"]))}
+    except Exception as error:
+        traceback.print_exc()
+        result = {"exit_code": 1, "message": str(error), "data": {}}
+    Path(os.environ["FEATUREMESH_RESULT"]).write_text(json.dumps(result), encoding="utf-8")
+
+
+if __name__ == "read_document":
+    main()

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`./featuremesh bench --documents` on a folder with parts and a file that is no document."""
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+BENCH = ROOT / "tests" / "benchmarks" / "run_benchmarks.py"
+EXAMPLES = ROOT / "resources" / "examples"
+
+
+class Documents(unittest.TestCase):
+    def measured(self, folder):
+        return subprocess.run([sys.executable, str(BENCH), "--documents", str(folder), "--divisor", "12", "--edits", "1", "--ours"], stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True)
+
+    def test_every_part_has_a_line_and_all_have_a_table(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            for example in ("block_and_cylinder", "csg_flange"):
+                shutil.copy(EXAMPLES / f"{example}.FCStd", folder)
+            (folder / "torn.FCStd").write_bytes((EXAMPLES / "bracket.FCStd").read_bytes()[:2000])
+            done = self.measured(folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        lines = done.stdout.splitlines()
+        for line, part in zip(lines, ("block_and_cylinder", "csg_flange")):
+            self.assertRegex(line, rf"^{part}\.FCStd: [\d,]+ tets in \d+\.\d\d s, smallest angle \d+\.\d deg; \S+=\S+ \d+\.\d\d of a full mesh, \d+% kept")
+        self.assertTrue(lines[2].startswith("torn.FCStd: not measured: "), lines[2])
+        self.assertEqual(lines[3], "2 documents, 0 refused; 2 edits, 0 refused, 0 by a fallback")
+        rows = {row.group(1): [float(value) for value in row.group(2).split()] for row in map(re.compile(r"^(\D+?)\s\s+([\d. ]+)$").match, lines[5:8]) if row}
+        self.assertEqual(list(rows), ["update / full mesh", "kept nodes", "first mesh / meshing alone"])
+        for name, values in rows.items():
+            self.assertEqual(values, sorted(values), name)
+            self.assertEqual(len(values), 6, name)
+        self.assertGreaterEqual(rows["first mesh / meshing alone"][0], 1)
+
+    def test_a_folder_without_documents_is_the_users_error(self):
+        with tempfile.TemporaryDirectory() as name:
+            done = self.measured(name)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("no document (*.FCStd)", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
