@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the part of any document, and the same part after edits of single dimensions, in FreeCAD.
+"""Reads the largest part of any document, and the same part after edits of single dimensions, in FreeCAD.
 
 FEATUREMESH_DOCUMENT is JSON: path, edits (how many), folder. Writes 0.json (the raw document as opened), 1.json ... (after each edit, made on the
 document opened anew) and part.brep there. The result holds the part's diagonal in mm and the edits that were made.
@@ -29,7 +29,8 @@ def read(task):
     from freecad.featuremesh import api, reading
     from freecad.featuremesh.study import dimensions
     folder = Path(task["folder"])
-    document, part = open_part(task["path"], api)
+    document = App.openDocument(task["path"])
+    part = largest_part(document, reading)
     name, volume = part.Name, part.Shape.Volume
     write_raw(folder / "0.json", reading.read_document(part))
     part.Shape.exportBrep(str(folder / "part.brep"))
@@ -46,9 +47,11 @@ def read(task):
     return found
 
 
-def open_part(path, api):
-    document = App.openDocument(path)
-    return document, api.find_part(document)
+def largest_part(document, reading):
+    parts = reading.final_parts(document)
+    if not parts:
+        raise RuntimeError("there is no solid to mesh")
+    return max(parts, key=lambda part: part.Shape.Volume)
 
 
 def edit_of(dimension):

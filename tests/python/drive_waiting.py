@@ -25,17 +25,17 @@ class Pulse:
     """Turns of the window's loop; a thread looks what runs while none comes."""
 
     def __init__(self):
-        self.last = time.monotonic()
-        self.longest, self.where = 0.0, ""
+        self.last, self.processor = time.monotonic(), time.process_time()
+        self.longest, self.of_processor, self.where = 0.0, 0.0, ""
         self.timer = QtCore.QTimer()
         self.timer.timeout.connect(self.beat)
         self.timer.start(20)
         threading.Thread(target=self.look, daemon=True).start()
 
     def beat(self):
-        now = time.monotonic()
-        self.longest = max(self.longest, now - self.last)
-        self.last = now
+        now, processor = time.monotonic(), time.process_time()
+        self.longest, self.of_processor = max(self.longest, now - self.last), max(self.of_processor, processor - self.processor)
+        self.last, self.processor = now, processor
 
     def look(self):
         main = threading.main_thread().ident
@@ -46,10 +46,10 @@ class Pulse:
                 self.longest, self.where = waited, where_is(sys._current_frames()[main])
 
     def take(self):
-        """(seconds, what ran) of the longest time since it was asked last."""
+        """(seconds, of the processor, what ran) of the longest time since it was asked last."""
         self.beat()
-        found = self.longest, self.where
-        self.longest, self.where = 0.0, ""
+        found = self.longest, self.of_processor, self.where
+        self.longest, self.of_processor, self.where = 0.0, 0.0, ""
         return found
 
 
@@ -70,9 +70,9 @@ def step(pulse, name, work, is_done=lambda: True):
     work()
     wait_for(is_done, HOURS)
     spin(0.3)
-    seconds, where = pulse.take()
-    figures.append("%-12s %7.2f s (of the processor %.2f), at most %.2f s without an answer%s"
-                   % (name, time.monotonic() - start, time.process_time() - processor, seconds, " in " + where if where else ""))
+    seconds, of_processor, where = pulse.take()
+    figures.append("%-5s %.2f s (%.2f s of the processor), without an answer at most %.2f s (%.2f)%s"
+                   % (name, time.monotonic() - start, time.process_time() - processor, seconds, of_processor, " in " + where if where else ""))
 
 
 def start_mesh(mesh):

@@ -204,7 +204,7 @@ bool BoundaryRecovery::refuse_open_surface(Gap& gap) {
 }
 
 bool BoundaryRecovery::halve_crossing(Gap& gap) {
-    const std::vector<int> crossing = crossing_facets(gap.cavity);
+    const std::vector<int> crossing = crossing_facets(gap.cavity, gap.fill.places.missing);
     if (crossing.empty()) return false;
     log("triangles that cross others", crossing.size());
     return halve(gap, crossing, cut_one_another(mesh_, gap.cavity, crossing));

@@ -15,6 +15,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/box_tree.h"
 #include "core/errors.h"
 #include "core/isolated_run.h"
 #include "volume/recovery/stray_pieces.h"
@@ -314,6 +315,22 @@ class Bytes {
     std::size_t next_ = 0;
 };
 
+/// Of these facets, ascending, those that cut or overlap others of them, or have no area.
+std::vector<int> crossing_among(const Cavity& cavity, std::span<const int> facets) {
+    std::vector<Point> points;
+    append_converted(cavity.points, points);
+    std::vector<Facet> chosen;
+    for (const int facet : facets) chosen.push_back(cavity.facets[facet]);
+    const auto triangles = corners_of(chosen);
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    CGAL::Polygon_mesh_processing::triangle_soup_self_intersections(points, triangles, std::back_inserter(pairs));
+    std::vector<int> crossing;
+    for (const auto& [a, b] : pairs) crossing.push_back(facets[a]), crossing.push_back(facets[b]);
+    std::sort(crossing.begin(), crossing.end());
+    crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+    return crossing;
+}
+
 }  // namespace
 
 ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<const Vec3> seeds, std::size_t missing,
@@ -338,16 +355,29 @@ ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<co
 }
 
 std::vector<int> crossing_facets(const Cavity& cavity) {
-    std::vector<Point> points;
-    append_converted(cavity.points, points);
-    const auto triangles = corners_of(cavity.facets);
-    std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    CGAL::Polygon_mesh_processing::triangle_soup_self_intersections(points, triangles, std::back_inserter(pairs));
-    std::vector<int> crossing;
-    for (const auto& [a, b] : pairs) crossing.push_back(static_cast<int>(a)), crossing.push_back(static_cast<int>(b));
-    std::sort(crossing.begin(), crossing.end());
-    crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
-    return crossing;
+    std::vector<int> all(cavity.facets.size());
+    std::iota(all.begin(), all.end(), 0);
+    return crossing_among(cavity, all);
+}
+
+std::vector<int> crossing_facets(const Cavity& cavity, std::span<const int> missing) {
+    const auto box_of = [&](int facet) {
+        Box box;
+        for (const int c : cavity.facets[facet].corners) box.add(cavity.points[c]);
+        return box;
+    };
+    std::vector<Box> boxes;
+    for (const int facet : missing) boxes.push_back(box_of(facet));
+    const BoxTree around_missing(std::move(boxes));
+    std::vector<int> near;
+    for (int facet = 0; facet < static_cast<int>(cavity.facets.size()); ++facet) {
+        const Box box = box_of(facet);
+        bool is_near = false;
+        around_missing.visit_where([&](const Box& other) { return !is_near && box.overlaps(other); },
+                                   [&](int) { is_near = true; });
+        if (is_near) near.push_back(facet);
+    }
+    return crossing_among(cavity, near);
 }
 
 }  // namespace featuremesh

@@ -183,6 +183,8 @@ TEST_CASE("facets that cross others are found, and those that only meet are not"
     CHECK(crossing_facets(cavity).empty());
     cavity.facets.push_back({{4, 5, 6}, {0, -1}});
     CHECK(crossing_facets(cavity) == std::vector<int>{0, 1, 2});
+    CHECK(crossing_facets(cavity, std::vector<int>{2}) == std::vector<int>{0, 1, 2});
+    CHECK(crossing_facets(cavity, std::vector<int>{}).empty());
 }
 
 TEST_CASE("halving cuts every facet around an edge and keeps area and turn") {
