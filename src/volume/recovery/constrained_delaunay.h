@@ -27,7 +27,8 @@ ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<co
 
 /// Facets that cut or overlap others, or have no area; ascending.
 std::vector<int> crossing_facets(const Cavity& cavity);
-/// The same where a triangulation of the points has all facets but `missing`: those that it has do not cross each other.
+/// The same where a triangulation of the points has all facets but `missing`: those that it has do not cross each
+/// other.
 std::vector<int> crossing_facets(const Cavity& cavity, std::span<const int> missing);
 
 }  // namespace featuremesh
