@@ -338,30 +338,25 @@ class FlipRecovery {
     /// False where there are too few or too many tets.
     bool find_ring(int tet, const Side& edge, Ring& ring) const {
         ring = {edge[0], edge[1], false, {}, {}};
-        // back to the hull, or once round
-        int first = tet, back = -1;
-        while ((back = complex_.neighbours[first][second_corner(first, edge)]) >= 0 && back != tet) first = back;
-        ring.is_open = back < 0;
-        if (!ring.is_open) first = tet;
-        int current = first, next = first;
+        RingWalk back = walk_round(tet, {edge[1], edge[0]});  // to the hull, or once round
+        while (!ring.is_open) {
+            ring.is_open = !back.step();
+            if (back.tet() == tet) break;
+        }
+        const int first = back.tet();
+        RingWalk walk = walk_round(first, edge);
+        bool is_left = true;
         do {
-            current = next;
-            const int leave = first_corner(current, edge);
-            ring.vertices.push_back(complex_.tets[current][leave]);
-            ring.tets.push_back(current);
-            next = complex_.neighbours[current][leave];
-        } while (next >= 0 && next != first);
-        if (ring.is_open) ring.vertices.push_back(complex_.tets[current][second_corner(current, edge)]);
+            ring.vertices.push_back(walk.vertex());
+            ring.tets.push_back(walk.tet());
+            is_left = walk.step();
+        } while (is_left && walk.tet() != first);
+        if (ring.is_open) ring.vertices.push_back(walk.next_vertex());
         return ring.size() >= 3 && ring.size() <= Ring::most;
     }
-    /// Corners so that (edge, first, second) is an even permutation.
-    int first_corner(int tet, const Side& edge) const {
-        const Tet& t = complex_.tets[tet];
-        return opposite_edge[corner_of(t, edge[0])][corner_of(t, edge[1])][0];
-    }
-    int second_corner(int tet, const Side& edge) const {
-        const Tet& t = complex_.tets[tet];
-        return opposite_edge[corner_of(t, edge[0])][corner_of(t, edge[1])][1];
+    RingWalk walk_round(int tet, const Side& edge) const {
+        const Tet& corners = complex_.tets[tet];
+        return {complex_, tet, corner_of(corners, edge[0]), corner_of(corners, edge[1])};
     }
 
     /// Whether the hull bends so little at the edge that what is cut off or added there has no volume to speak of.

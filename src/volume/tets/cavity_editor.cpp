@@ -7,25 +7,35 @@
 
 namespace featuremesh {
 
+RingWalk::RingWalk(const TetComplex& complex, int tet, int from_corner, int to_corner)
+    : complex_(complex),
+      tet_(tet),
+      from_(complex.tets[tet][from_corner]),
+      to_(complex.tets[tet][to_corner]),
+      behind_(opposite_edge[from_corner][to_corner][0]),
+      ahead_(opposite_edge[from_corner][to_corner][1]) {}
+
+bool RingWalk::step() {
+    const int hinge = next_vertex(), next = complex_.neighbours[tet_][behind_];
+    if (next < 0) return false;
+    const Tet& corners = complex_.tets[next];
+    behind_ = corner_of(corners, hinge);
+    ahead_ = 6 - behind_ - corner_of(corners, from_) - corner_of(corners, to_);
+    tet_ = next;
+    return true;
+}
+
 bool find_ring(const TetComplex& complex, int tet, int from_corner, int to_corner, EdgeRing& ring) {
-    const Tet& start = complex.tets[tet];
-    ring.from = start[from_corner];
-    ring.to = start[to_corner];
+    ring.from = complex.tets[tet][from_corner];
+    ring.to = complex.tets[tet][to_corner];
     ring.size = 0;
-    int leave = opposite_edge[from_corner][to_corner][0], ahead = opposite_edge[from_corner][to_corner][1];
-    int current = tet;
+    RingWalk walk(complex, tet, from_corner, to_corner);
     do {
         if (ring.size == EdgeRing::max_size) return false;
-        ring.vertices[ring.size] = complex.tets[current][leave];
-        ring.tets[ring.size++] = current;
-        const int hinge = complex.tets[current][ahead];
-        const int next = complex.neighbours[current][leave];
-        if (next < 0) return false;
-        const Tet& corners = complex.tets[next];
-        leave = corner_of(corners, hinge);
-        ahead = 6 - leave - corner_of(corners, ring.from) - corner_of(corners, ring.to);
-        current = next;
-    } while (current != tet);
+        ring.vertices[ring.size] = walk.vertex();
+        ring.tets[ring.size++] = walk.tet();
+        if (!walk.step()) return false;
+    } while (walk.tet() != tet);
     return ring.size >= 3;
 }
 

@@ -21,6 +21,22 @@ struct EdgeRing {
     std::span<const int> all_tets() const { return {tets.data(), static_cast<std::size_t>(size)}; }
 };
 
+/// A walk round an edge, from tet to tet: `vertex` is the corner that is left behind, so that (from, to, vertex, the
+/// next vertex) is an even permutation.
+class RingWalk {
+  public:
+    RingWalk(const TetComplex& complex, int tet, int from_corner, int to_corner);
+    int tet() const { return tet_; }
+    int vertex() const { return complex_.tets[tet_][behind_]; }
+    int next_vertex() const { return complex_.tets[tet_][ahead_]; }
+    /// False at the boundary, where it stays.
+    bool step();
+
+  private:
+    const TetComplex& complex_;
+    int tet_, from_, to_, behind_, ahead_;
+};
+
 /// False where the edge (two corners of the tet) is on the boundary or has more than max_size tets.
 bool find_ring(const TetComplex& complex, int tet, int from_corner, int to_corner, EdgeRing& ring);
 
