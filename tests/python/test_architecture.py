@@ -3,6 +3,8 @@
 side never touches a window. Runs in plain Python."""
 import ast
 import re
+import shutil
+import subprocess
 import unittest
 from pathlib import Path
 
@@ -140,6 +142,18 @@ class Workbench(unittest.TestCase):
                 text = path.read_text(encoding="utf-8")
                 for words in ("FreeCAD.Version(", "version() <", "version() >", "hasattr(Gui", "hasattr(FreeCAD"):
                     self.assertNotIn(words, text, f"{path.relative_to(ROOT)}: versions.py should tell")
+
+
+class TopLevel(unittest.TestCase):
+    NAMES = {".ci", ".clang-format", ".clang-tidy", ".flake8", ".github", ".gitignore", "CHANGELOG.md", "CMakeLists.txt", "CMakePresets.json", "LICENSE", "Mod", "README.md", "bindings",
+             "docs", "featuremesh", "pyproject.toml", "resources", "src", "tests"}
+
+    @unittest.skipUnless(shutil.which("git") and (ROOT / ".git").exists(), "needs a clone")
+    def test_nothing_was_committed_there_by_mistake(self):
+        done = subprocess.run(["git", "-C", str(ROOT), "ls-files"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        if done.returncode:
+            self.skipTest(done.stderr)   # a clone of somebody else's
+        self.assertEqual({name.split("/")[0] for name in done.stdout.splitlines()}, self.NAMES)
 
 
 class Style(unittest.TestCase):
