@@ -145,8 +145,8 @@ class Workbench(unittest.TestCase):
 
 
 class TopLevel(unittest.TestCase):
-    NAMES = {".ci", ".clang-format", ".clang-tidy", ".flake8", ".github", ".gitignore", "CHANGELOG.md", "CMakeLists.txt", "CMakePresets.json", "LICENSE", "Mod", "README.md", "bindings",
-             "docs", "featuremesh", "pyproject.toml", "resources", "src", "tests"}
+    NAMES = {".ci", ".clang-format", ".clang-tidy", ".flake8", ".github", ".gitignore", "CHANGELOG.md", "CMakeLists.txt", "CMakePresets.json", "LICENSE", "Mod", "README.md",
+             "bindings", "docs", "featuremesh", "pyproject.toml", "resources", "src", "tests"}
 
     @unittest.skipUnless(shutil.which("git") and (ROOT / ".git").exists(), "needs a clone")
     def test_nothing_was_committed_there_by_mistake(self):
