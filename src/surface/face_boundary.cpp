@@ -10,7 +10,9 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 
@@ -30,6 +32,7 @@ struct Use {
     std::vector<NodeId> nodes;
     std::vector<std::size_t> pieces;
     bool is_pole = false, is_inner = false;
+    bool is_closed_slit = false;           ///< inner, since the face has it on both sides
     int start_point = -1, end_point = -1;  ///< index in the boundary, once the uses are joined
 };
 
@@ -43,6 +46,7 @@ class BoundaryBuilder {
 
     FaceBoundary from_loops() {
         collect_uses();
+        close_slits();
         join_uses();
         for (const Use& use : uses_) add_segments(use);
         add_vertices_inside();
@@ -98,6 +102,48 @@ class BoundaryBuilder {
         for (std::size_t i = 0; i < chain.piece_count(); ++i) use.pieces.push_back(i);
     }
 
+    /// Pieces that two edges have in common, there and back, are no border: a spike or a slit too narrow for elements
+    /// of its own. Where the face is on both sides they are inside.
+    void close_slits() {
+        const auto follows = [&](const Use& use) { return chains_.owner_of({use.edge, 0}).edge != use.edge; };
+        if (std::none_of(uses_.begin(), uses_.end(), follows)) return;
+        std::map<EdgeChains::Piece, std::vector<EdgeId>> edges_with;
+        for (const Use& use : uses_)
+            for (const std::size_t piece : use.pieces)
+                if (!use.is_pole && !use.is_inner) edges_with[chains_.owner_of({use.edge, piece})].push_back(use.edge);
+        std::erase_if(edges_with, [](const auto& with) {
+            return with.second.size() != 2 || with.second.front() == with.second.back();
+        });
+        if (edges_with.empty()) return;
+        std::vector<Use> whole = std::exchange(uses_, {});
+        for (const Use& use : whole) {
+            const auto first_of_two = [&](std::size_t piece) {
+                const auto with = edges_with.find(chains_.owner_of({use.edge, piece}));
+                const bool is_border = use.is_pole || use.is_inner || with == edges_with.end();
+                return is_border ? EdgeId() : with->second.front();
+            };
+            for (std::size_t begin = 0, end; begin < use.pieces.size(); begin = end) {
+                const EdgeId first = first_of_two(use.pieces[begin]);
+                end = begin + 1;
+                while (end < use.pieces.size() && first_of_two(use.pieces[end]) == first) ++end;
+                if (first.is_valid() && first != use.edge) continue;
+                uses_.push_back(part_of(use, begin, end));
+                if (first.is_valid()) uses_.back().is_inner = uses_.back().is_closed_slit = true;
+            }
+        }
+    }
+
+    static Use part_of(const Use& use, std::size_t begin, std::size_t end) {
+        const auto slice = [&](const auto& all, std::size_t past) {
+            return std::decay_t<decltype(all)>(all.begin() + std::ptrdiff_t(begin), all.begin() + std::ptrdiff_t(past));
+        };
+        Use part = use;
+        part.points = slice(use.points, end + 1), part.nodes = slice(use.nodes, end + 1);
+        part.pieces = slice(use.pieces, end);
+        part.start = part.nodes.front(), part.end = part.nodes.back();
+        return part;
+    }
+
     /// Joins the end of each use to the start of another at the same vertex, the nearest pairs in the chart first.
     void join_uses() {
         struct Pair {
@@ -121,8 +167,10 @@ class BoundaryBuilder {
                            shortest_piece(uses_[pair.from], uses_[pair.to]));
         for (Use& use : uses_) {
             if (use.is_inner) {
-                use.start_point = corner(use.start, use.points.front(), 1e-3 * distance(use.points[0], use.points[1]));
-                use.end_point = corner(use.end, use.points.back(), 1e-3 * distance(use.points[0], use.points[1]));
+                const double near = use.is_closed_slit ? std::numeric_limits<double>::infinity()
+                                                       : 1e-3 * distance(use.points[0], use.points[1]);
+                use.start_point = corner(use.start, use.points.front(), near);
+                use.end_point = corner(use.end, use.points.back(), near);
             }
             if (use.start_point < 0 || use.end_point < 0) fail(say<Code::boundary_not_closed>(use.edge));
         }
@@ -133,11 +181,13 @@ class BoundaryBuilder {
                std::min(distance(a.points[a.points.size() - 2], a.points.back()), distance(b.points[0], b.points[1]));
     }
 
-    /// The point of a vertex: one that is there already when it is as near as two wires that touch are.
+    /// The point of a vertex: the nearest that is there already when it is as near as two wires that touch are.
     int corner(NodeId node, Vec2 p, double near) {
         auto& known = corners_[node];
-        for (const int c : known)
-            if (distance(boundary_.points[static_cast<std::size_t>(c)], p) <= near) return c;
+        const auto off = [&](int c) { return distance(boundary_.points[static_cast<std::size_t>(c)], p); };
+        const auto nearest =
+            std::min_element(known.begin(), known.end(), [&](int a, int b) { return off(a) < off(b); });
+        if (nearest != known.end() && off(*nearest) <= near) return *nearest;
         known.push_back(add_point(p, node));
         return known.back();
     }
@@ -405,6 +455,9 @@ class KeptCutter {
         std::vector<std::pair<int, std::uint64_t>> rest;
         for (const auto& [key, order] : sides_) rest.emplace_back(order, key);
         std::sort(rest.begin(), rest.end());
+        std::erase_if(boundary_.inner, [&](const BoundarySegment& s) {  // kept on one side
+            return sides_.contains(side_key(s.a, s.b)) || sides_.contains(side_key(s.b, s.a));
+        });
         for (const auto& [order, key] : rest)
             open.push_back({static_cast<int>(key & 0xffffffffu), static_cast<int>(key >> 32), EdgeId(), 0, false});
         boundary_.segments = std::move(open);

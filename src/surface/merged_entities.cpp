@@ -2,6 +2,7 @@
 #include "surface/merged_entities.h"
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepTools.hxx>
 #include <TopAbs_ShapeEnum.hxx>
 #include <TopExp_Explorer.hxx>
@@ -162,6 +163,62 @@ bool runs_along(const Brep& brep, const Projector& projector, EdgeId edge, EdgeI
     });
 }
 
+/// Whether two faces with one border lie on one another, or have nothing but a slit of their solid between them: what
+/// is thin has elements.
+class LyingFaces {
+  public:
+    LyingFaces(const Brep& brep, const Projector& projector, double tolerance)
+        : brep_(brep), projector_(projector), reach_(2 * tolerance) {}
+
+    bool lie_on_one_another(FaceId face, FaceId other) const {
+        const SolidId solid = common_solid(face, other);
+        if (!solid.is_valid()) return false;
+        const bool are_planes = is_plane(face) && is_plane(other);
+        const double outward = brep_.solids_beside(face)[0] == solid ? 1 : -1;
+        const auto lies_on_other = [&](std::array<double, 2> uv) {
+            const Vec3 p = projector_.on_face(face, uv);
+            const OnFace at = projector_.nearest(other, p);
+            return at.distance <= reach_ && (are_planes || projector_.is_inside_trim(other, at.uv)) &&
+                   outward * dot(at.point - p, projector_.normal(face, uv)) >= -brep_.tolerances().same_geometry();
+        };
+        const auto places = are_planes ? places_on_border(face) : places_inside(face);
+        return !places.empty() && std::all_of(places.begin(), places.end(), lies_on_other);
+    }
+
+  private:
+    SolidId common_solid(FaceId face, FaceId other) const {
+        const auto b = brep_.solids_beside(other);
+        for (const SolidId s : brep_.solids_beside(face))
+            if (s.is_valid() && (s == b[0] || s == b[1])) return s;
+        return {};
+    }
+    bool is_plane(FaceId face) const { return BRepAdaptor_Surface(brep_.face(face), false).GetType() == GeomAbs_Plane; }
+    std::vector<std::array<double, 2>> places_on_border(FaceId face) const {
+        std::vector<std::array<double, 2>> places;
+        for (const EdgeId e : brep_.edges_of(face)) {
+            const auto [first, last] = projector_.range(e);
+            places.push_back(projector_.nearest(face, projector_.on_edge(e, 0.5 * (first + last))).uv);
+        }
+        return places;
+    }
+    std::vector<std::array<double, 2>> places_inside(FaceId face) const {
+        constexpr int steps = 7;
+        double u_min, u_max, v_min, v_max;
+        BRepTools::UVBounds(brep_.face(face), u_min, u_max, v_min, v_max);
+        std::vector<std::array<double, 2>> places;
+        for (int i = 0; i < steps; ++i)
+            for (int j = 0; j < steps; ++j)
+                places.push_back(
+                    {u_min + (u_max - u_min) * (i + 0.5) / steps, v_min + (v_max - v_min) * (j + 0.5) / steps});
+        std::erase_if(places, [&](const auto& uv) { return !projector_.is_inside_trim(face, uv); });
+        return places;
+    }
+
+    const Brep& brep_;
+    const Projector& projector_;
+    double reach_;
+};
+
 /// Faces that close round a place, or round an edge, within the tolerance, if some closed edges are points.
 class ClosedHoles {
   public:
@@ -249,6 +306,7 @@ class ClosedHoles {
 MergedEntities::MergedEntities(const Brep& brep, double ignore_below)
     : is_point(brep.edge_count(), 0),
       is_flat(brep.face_count(), 0),
+      is_joined_(brep.face_count(), 0),
       tolerance_(std::max(brep.tolerances().negligible(), ignore_below)),
       is_wide_(ignore_below > brep.tolerances().negligible()) {
     const std::vector<std::vector<BodyId>> bodies = bodies_of_vertices(brep);
@@ -258,6 +316,7 @@ MergedEntities::MergedEntities(const Brep& brep, double ignore_below)
     join_edges(brep, projector);
     close_holes(brep, projector);
     find_flat_faces(brep);
+    join_faces(brep, projector);
     leave_out_bare_edges(brep);
 }
 
@@ -303,28 +362,50 @@ void MergedEntities::close_holes(const Brep& brep, const Projector& projector) {
     for (const FaceId f : holes.closed_faces()) is_flat[f.index()] = 1;
 }
 
+MergedEntities::Stretches MergedEntities::border_of(const Brep& brep, FaceId face) const {
+    Stretches uses;
+    for (const EdgeId e : brep.edges_of(face)) {
+        if (brep.is_degenerated(e) || is_point[e.index()]) continue;
+        const EdgeId owner = edge_of[e.index()];
+        const auto ends = brep.ends_of(e);
+        if (!ends[0].is_valid() || !ends[1].is_valid() || ends[0] == ends[1]) {
+            ++uses[{owner, 0}];
+            continue;
+        }
+        const std::vector<VertexId> sequence = sequence_of(brep, owner);
+        const auto place = [&](VertexId v) {
+            return std::find(sequence.begin(), sequence.end(), vertex_of[v.index()]) - sequence.begin();
+        };
+        const auto [first, last] = std::minmax({place(ends[0]), place(ends[1])});
+        for (std::ptrdiff_t i = first; i < last; ++i) ++uses[{owner, i}];
+    }
+    return uses;
+}
+
 void MergedEntities::find_flat_faces(const Brep& brep) {
     for (std::size_t f = 0; f < brep.face_count(); ++f) {
-        if (is_flat[f]) continue;
-        std::map<std::pair<EdgeId, std::ptrdiff_t>, int> uses;  // stretches of chains between vertices
-        for (const EdgeId e : brep.edges_of(FaceId(f))) {
-            if (brep.is_degenerated(e) || is_point[e.index()]) continue;
-            const EdgeId owner = edge_of[e.index()];
-            const auto ends = brep.ends_of(e);
-            if (!ends[0].is_valid() || !ends[1].is_valid() || ends[0] == ends[1]) {
-                ++uses[{owner, 0}];
-                continue;
-            }
-            const std::vector<VertexId> sequence = sequence_of(brep, owner);
-            const auto place = [&](VertexId v) {
-                return std::find(sequence.begin(), sequence.end(), vertex_of[v.index()]) - sequence.begin();
-            };
-            const auto [first, last] = std::minmax({place(ends[0]), place(ends[1])});
-            for (std::ptrdiff_t i = first; i < last; ++i) ++uses[{owner, i}];
-        }
-        is_flat[f] = !brep.edges_of(FaceId(f)).empty() &&
-                     std::all_of(uses.begin(), uses.end(), [](const auto& use) { return use.second == 2; });
+        if (is_flat[f] || brep.edges_of(FaceId(f)).empty()) continue;
+        const Stretches border = border_of(brep, FaceId(f));
+        is_flat[f] = std::all_of(border.begin(), border.end(), [](const auto& use) { return use.second == 2; });
     }
+}
+
+/// Those between the same chains: nothing is between them.
+void MergedEntities::join_faces(const Brep& brep, const Projector& projector) {
+    std::map<Stretches, std::vector<FaceId>> within;
+    for (std::size_t f = 0; f < brep.face_count(); ++f) {
+        if (is_flat[f] || brep.is_free(FaceId(f)) || !brep.is_meshed(FaceId(f))) continue;
+        Stretches border = border_of(brep, FaceId(f));
+        std::erase_if(border, [](const auto& use) { return use.second == 2; });
+        if (!border.empty()) within[std::move(border)].emplace_back(f);
+    }
+    const LyingFaces lying(brep, projector, tolerance_);
+    for (const auto& [border, faces] : within)
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            for (std::size_t j = i + 1; j < faces.size() && !is_flat[faces[i].index()]; ++j) {
+                if (is_flat[faces[j].index()] || !lying.lie_on_one_another(faces[i], faces[j])) continue;
+                for (const FaceId face : {faces[i], faces[j]}) is_flat[face.index()] = is_joined_[face.index()] = 1;
+            }
 }
 
 /// Those that only faces without triangles have.
@@ -345,19 +426,20 @@ bool MergedEntities::is_same_as(const MergedEntities& other) const {
 }
 
 std::vector<Message> MergedEntities::warnings() const {
-    std::vector<Entity> vertices, edges, faces;
+    std::vector<Entity> vertices, edges, faces, joined;
     for (std::size_t v = 0; v < vertex_of.size(); ++v)
         if (vertex_of[v] != VertexId(v)) vertices.push_back(entity_of(VertexId(v)));
     for (std::size_t e = 0; e < edge_of.size(); ++e)
         if (is_point[e]) edges.push_back(entity_of(EdgeId(e)));
     for (std::size_t f = 0; f < is_flat.size(); ++f)
-        if (is_flat[f]) faces.push_back(entity_of(FaceId(f)));
+        if (is_flat[f]) (is_joined_[f] ? joined : faces).push_back(entity_of(FaceId(f)));
     std::vector<Message> lines;
     if (!vertices.empty())
         lines.push_back(is_wide_ ? say<Code::vertices_nearer_than>(Length{rounded(tolerance_, 3)}, vertices)
                                  : say<Code::vertices_in_one_place>(vertices));
     if (!edges.empty()) lines.push_back(say<Code::edges_too_short>(edges));
     if (!faces.empty()) lines.push_back(say<Code::faces_too_narrow>(faces));
+    if (!joined.empty()) lines.push_back(say<Code::faces_joined>(joined));
     return lines;
 }
 

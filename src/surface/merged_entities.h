@@ -2,6 +2,8 @@
 // CAD vertices, edges and faces that are too near one another for any mesh to tell them apart.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -15,7 +17,8 @@ namespace featuremesh {
 /// node, and an edge goes through the nodes of the vertices that lie on it. Then an edge may be a point, an edge may
 /// have its chain in common with another or a part of it (a solid that touches itself along an edge; the long edges of
 /// a sliver), and a face whose edges are so in pairs has no triangles. Nor has one that closes round such a place (a
-/// bore or a pin that thin), and its edges have no chain where no other face has them.
+/// bore or a pin that thin), nor have two of one solid that lie on one another (blocks that were not fused where they
+/// touch) or have only a slit as narrow between them; and their edges have no chain where no other face has them.
 struct MergedEntities {
     /// `ignore_below`: mm, details smaller than this are ignored; nodes are off the shape there by no more than it.
     explicit MergedEntities(const Brep& brep, double ignore_below = 0);
@@ -32,15 +35,20 @@ struct MergedEntities {
     std::vector<Message> warnings() const;
 
   private:
+    /// By the edge that has the chain and the number of a stretch of it between vertices: how often a border has it.
+    using Stretches = std::map<std::pair<EdgeId, std::ptrdiff_t>, int>;
     /// The vertices along an edge that is not closed, its ends first and last.
     std::vector<VertexId> sequence_of(const Brep& brep, EdgeId edge) const;
     void join_edges(const Brep& brep, const Projector& projector);
     void close_holes(const Brep& brep, const Projector& projector);
+    Stretches border_of(const Brep& brep, FaceId face) const;
     void find_flat_faces(const Brep& brep);
+    void join_faces(const Brep& brep, const Projector& projector);
     void leave_out_bare_edges(const Brep& brep);
 
-    double tolerance_;  ///< mm
-    bool is_wide_;      ///< wider than what is negligible
+    std::vector<char> is_joined_;  ///< by face: it has no triangles since another lies on it
+    double tolerance_;             ///< mm
+    bool is_wide_;                 ///< wider than what is negligible
 };
 
 }  // namespace featuremesh

@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/merged_entities.h"
 
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <gp.hxx>
 #include <gp_Ax2.hxx>
 
 #include "catch.h"
+#include "core/messages.h"
 #include "surface_checks.h"
 
 using namespace featuremesh;
@@ -35,6 +42,19 @@ TopoDS_Shape block_with_sliver() { return prism({{0, 0}, {30, 0}, {30, 20 - 1e-5
 /// Two columns that touch along an edge, as one solid with two edges in that place.
 TopoDS_Shape touching_columns() {
     return prism({{0, 0}, {10, 0}, {10, 10}, {20, 10}, {20, 20}, {10, 20}, {10, 10}, {0, 10}}, 15);
+}
+
+/// One solid of all their faces, as careless fusing leaves it: where they touch both have a face.
+TopoDS_Shape unfused(const std::vector<TopoDS_Shape>& parts) {
+    const BRep_Builder builder;
+    TopoDS_Shell shell;
+    TopoDS_Solid solid;
+    builder.MakeShell(shell);
+    builder.MakeSolid(solid);
+    for (const TopoDS_Shape& part : parts)
+        for (TopExp_Explorer it(part, TopAbs_FACE); it.More(); it.Next()) builder.Add(shell, it.Current());
+    builder.Add(solid, shell);
+    return solid;
 }
 
 /// A step as low as nobody sees, with a slot that ends at it: the slot's corners split only the lower long edge of the
@@ -106,6 +126,34 @@ TEST_CASE(
     CHECK(MergedEntities(coarse, 0.01).is_same_as(MergedEntities(coarse)));
 }
 
+TEST_CASE("faces of one solid that lie on one another have no triangles, and the mesh is joined there") {
+    const TopoDS_Shape block = prism({{0, 0}, {30, 0}, {30, 20}, {0, 20}}, 10);
+    const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 10, 10), gp::DX()), 4, 30).Shape();
+    const TopoDS_Shape half = BRepAlgoAPI_Common(block, rod).Shape(), rest = BRepAlgoAPI_Cut(block, rod).Shape();
+    const TopoDS_Shape other = prism({{30, 0}, {45, 0}, {45, 20}, {30, 20}}, 10);
+    const auto check = [](const TopoDS_Shape& shape, double length) {
+        const Brep brep(shape);
+        const MergedEntities merged(brep);
+        CHECK(std::count(merged.is_flat.begin(), merged.is_flat.end(), 1) == 2);
+        const auto warnings = merged.warnings();
+        CHECK(std::any_of(warnings.begin(), warnings.end(),
+                          [](const auto& line) { return line.code() == Code::faces_joined; }));
+        const Mesh mesh = mesh_surface(brep, 3).mesh;
+        CHECK(smallest_angle(mesh) > 25);
+        CHECK(euler_characteristic(mesh) == 2);
+        CHECK(area(mesh) == Approx(2 * (length * 20 + length * 10 + 20 * 10)).epsilon(2e-3));
+    };
+    check(unfused({block, other}), 45);
+    check(unfused({rest, half}), 30);
+}
+
+TEST_CASE("faces with one border are not joined where they are apart, however little of them is") {
+    const TopoDS_Shape lens = BRepAlgoAPI_Common(BRepPrimAPI_MakeSphere(gp_Pnt(0, 0, 0), 10).Shape(),
+                                                 BRepPrimAPI_MakeSphere(gp_Pnt(0, 0, 19), 10).Shape())
+                                  .Shape();
+    CHECK(MergedEntities(Brep(lens), 0.1).warnings().empty());
+}
+
 TEST_CASE("edges of one solid in the same place are one chain") {
     const Brep brep(touching_columns());
     const MergedEntities merged(brep);
@@ -136,6 +184,26 @@ TEST_CASE("an edge goes through the vertices that lie on it, and slivers beside 
     const Mesh mesh = mesh_surface(brep, 3).mesh;
     CHECK(smallest_angle(mesh) > 25);
     CHECK(euler_characteristic(mesh) == 2);
+}
+
+TEST_CASE("a border that goes there and back again is none: a slit is closed, a spike has no triangles") {
+    const TopoDS_Shape slit = prism({{0, 0}, {30, 0}, {30, 20}, {15, 20}, {15, 8}, {15, 20}, {0, 20}}, 10);
+    const Mesh closed = mesh_surface(Brep(slit), 3).mesh;
+    CHECK(smallest_angle(closed) > 25);
+    CHECK(euler_characteristic(closed) == 2);
+    CHECK(area(closed) == Approx(2 * (30 * 20 + 30 * 10 + 20 * 10)));
+
+    // the sides of a low pad that closes half of a bore, where they are no higher than nobody sees
+    const TopoDS_Shape block = prism({{0, 0}, {30, 0}, {30, 20}, {0, 20}}, 10);
+    const gp_Ax2 from_below(gp_Pnt(15, 10, 0), gp::DZ());
+    const TopoDS_Shape bored = BRepAlgoAPI_Cut(block, BRepPrimAPI_MakeCylinder(from_below, 4, 10).Shape()).Shape();
+    const TopoDS_Shape pad = BRepPrimAPI_MakeBox(gp_Pnt(15, 3, 7), gp_Pnt(24, 17, 10 + 1e-5)).Shape();
+    const Brep brep(BRepAlgoAPI_Fuse(bored, pad).Shape());
+    const MergedEntities merged(brep);
+    CHECK(std::count(merged.is_flat.begin(), merged.is_flat.end(), 1) > 0);
+    const Mesh mesh = mesh_surface(brep, 3).mesh;
+    CHECK(smallest_angle(mesh) > 15);
+    CHECK(euler_characteristic(mesh) == 0);
 }
 
 TEST_CASE("nothing is merged in a plain shape, with seams and closed edges") {

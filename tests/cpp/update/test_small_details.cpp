@@ -5,6 +5,7 @@
 
 #include "catch.h"
 #include "core/errors.h"
+#include "core/messages.h"
 #include "mesh/validation.h"
 #include "part_documents.h"
 #include "part_meshes.h"
@@ -105,6 +106,59 @@ TEST_CASE("a bore or a pin that is thinner than what is ignored is closed, howev
             CHECK(moved.report.quality.min_dihedral > 10);
         }
     }
+}
+
+TEST_CASE("a slit narrower than what is ignored is closed in the mesh, which is said once") {
+    const auto slit = [](double width, double hole_x) {
+        return PartDocument()
+            .box("Block", {0, 0, 0}, {60, 30, 8})
+            .box("Slit", {30, -1, 3}, {width, 40, 10})
+            .cut("Slitted", "Block", "Slit")
+            .cylinder("Hole", {hole_x, 15, -1}, 4, 20)
+            .cut("Part", "Slitted", "Hole")
+            .finish();
+    };
+    for (const int order : {1, 2}) {
+        MeshOptions options = options_of(4, order);
+        options.ignore_below = 0.01;
+        const auto closed = [](const PartMeshResult& result) {
+            return std::count_if(result.report.warnings.begin(), result.report.warnings.end(),
+                                 [](const auto& line) { return line.code() == Code::faces_joined; });
+        };
+        const PartMeshResult result = meshed(slit(0.002, 45), options);
+        check_valid(*result.part_mesh);
+        CHECK(closed(result) == 1);
+        CHECK(result.report.quality.min_dihedral > 20);
+        CHECK(result.report.rounds.empty());
+        const PartMeshResult moved = updated(*result.part_mesh, slit(0.002, 47), options);
+        check_valid(*moved.part_mesh);
+        CHECK(closed(moved) == 1);
+        CHECK(moved.report.fallbacks.empty());
+        CHECK(moved.report.kept_nodes_share > 0.5);
+        const PartMeshResult wide = updated(*moved.part_mesh, slit(1, 47), options);
+        check_valid(*wide.part_mesh);
+        CHECK(closed(wide) == 0);
+        CHECK(wide.report.kept_nodes_share > 0.2);
+        const PartMeshResult narrow = updated(*wide.part_mesh, slit(0.002, 47), options);
+        check_valid(*narrow.part_mesh);
+        CHECK(closed(narrow) == 1);
+    }
+}
+
+TEST_CASE("a fin or a plate thinner than what is ignored has elements: only what is between material is closed") {
+    MeshOptions options = options_of(4);
+    options.ignore_below = 0.01;
+    const PartMeshResult plate = meshed(PartDocument().box("Plate", {0, 0, 0}, {60, 30, 0.005}).finish(), options);
+    check_valid(*plate.part_mesh);
+    const RawDocument with_fin = PartDocument()
+                                     .box("Block", {0, 0, 0}, {60, 30, 8})
+                                     .box("Fin", {20, 0, 8}, {0.004, 30, 10})
+                                     .fuse("Part", "Block", "Fin")
+                                     .finish();
+    const PartMeshResult fin = meshed(with_fin, options);
+    check_valid(*fin.part_mesh);
+    const auto& points = fin.part_mesh->mesh.points;
+    CHECK(std::any_of(points.begin(), points.end(), [](const Vec3& p) { return p.z > 17; }));
 }
 
 TEST_CASE("a bore that leaves a wall thinner than the sides of 10-node elements bend gets shorter ones there") {

@@ -1079,6 +1079,10 @@
       <translation>Das Netz ist nicht gültig: {finding:messages} (und {more:count} weitere).</translation>
     </message>
     <message>
+      <source>The mesh is joined where these faces of one solid lie on one another: {faces:entities}.</source>
+      <translation>Das Netz ist verbunden, wo diese Flächen eines Körpers aufeinanderliegen: {faces:entities}.</translation>
+    </message>
+    <message>
       <source>The mesh is not valid: {finding:messages}.</source>
       <translation>Das Netz ist nicht gültig: {finding:messages}.</translation>
     </message>
