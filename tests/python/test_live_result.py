@@ -1,17 +1,56 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The live result as a script sees it: what of the analysis it follows, when it is out of date, and what of it FreeCAD takes."""
+import ast
 import json
 import os
+import sys
 import tempfile
 import unittest
+from pathlib import Path
+from unittest import mock
 
 import Fem
 import FreeCAD
 import numpy as np
 import ObjectsFem
 from analyses import quantity
-from freecad.featuremesh import api, live_result, results, statics
-from statics_cases import HAS_SOLVER, STEEL, Case, faces_at
+from freecad.featuremesh import api, live_result, mesh_properties, messages, results, statics, user_words
+from freecad.featuremesh.errors import UserError
+from statics_cases import HAS_SOLVER, STEEL, Case, edges_along, faces_at
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "resources" / "translations"))
+sys.dont_write_bytecode = True
+import update_translations  # noqa: E402
+
+_ERRORS = ("UserError", "NotUnderstood", "CanMove")
+
+
+def in_german():
+    """Qt's translate as in a German window."""
+    known = update_translations.read(update_translations.FOLDER / "FeatureMesh_de.ts")
+    return mock.patch.object(FreeCAD.Qt, "translate", side_effect=lambda *words: known.get(words, words[1]))
+
+
+def errors_raised_in(name):
+    """The arguments of the errors that a module of the workbench raises, as syntax."""
+    tree = ast.parse((update_translations.WORKBENCH / name).read_text(encoding="utf-8"))
+    return [node.exc.args[0] for node in ast.walk(tree)
+            if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call) and getattr(node.exc.func, "id", "") in _ERRORS]
+
+
+class ErrorsInTheUsersLanguage(unittest.TestCase):
+    def test_all_that_the_live_solver_and_calculix_refuse_is_a_message_with_parameters(self):
+        for name in ("statics.py", "statics_model.py", "calculix.py"):
+            raised = errors_raised_in(name)
+            self.assertGreater(len(raised), 3)
+            for argument in raised:
+                self.assertTrue(isinstance(argument, ast.Call) and argument.func.id == "said", "%s, line %d" % (name, argument.lineno))
+
+    def test_a_text_and_a_message(self):
+        self.assertEqual(messages.of_error(UserError("add %s")), "add %s")
+        said = messages.said("{load:text} loads nothing", load="Force")
+        self.assertIs(messages.of_error(UserError(said)), said)
+        self.assertEqual(str(UserError(said)), "Force loads nothing")
 
 
 @unittest.skipUnless(HAS_SOLVER, "PETSc is not installed")
@@ -98,6 +137,23 @@ class Live(Case):
         analysis.addObject(self.document.Fixed)
         self.document.recompute()
         self.check_is_fresh(analysis, live)
+
+    def test_why_it_failed_is_in_the_users_language(self):
+        part, analysis, live = self.cantilever()
+        for refer, english, german in (
+                (edges_along(part, 1)[:1], "the part can still turn about y: add a support", "das Bauteil kann sich noch um y drehen: ein Lager hinzufügen"),
+                ([], "Fixed refers to nothing: choose faces, edges or vertices for it", "Fixed bezieht sich auf nichts: Flächen, Kanten oder Ecken dafür wählen")):
+            self.document.Fixed.References = [(part, refer)] if refer else []
+            with in_german():
+                self.document.recompute()
+                self.assertEqual(mesh_properties.status_in_words(live), "fehlgeschlagen: " + german)
+            self.assertEqual(live.Status, "failed: " + english)
+        analysis.removeObject(self.document.Fixed)
+        with self.assertRaises(UserError) as caught, in_german():
+            statics.solve(analysis)
+        with in_german():
+            self.assertEqual(user_words.in_words(messages.of_error(caught.exception)),
+                             "das Bauteil kann sich noch entlang x, y und z verschieben und um x, y und z drehen: ein Lager hinzufügen")
 
     def test_mesh_that_is_out_of_date_is_not_solved(self):
         part, analysis, live = self.cantilever()

@@ -286,7 +286,7 @@ class InTheDocument(Case):
         if shutil.which("ccx"):
             report = api.solve_analysis(analysis)
             self.assertEqual(report["solver"], "CalculiX")
-            self.assertIn("does not know Plane", " ".join(report["warnings"]))
+            self.assertIn("does not know Plane", " ".join(map(english, report["warnings"])))
 
     def test_wrong_units_and_nothing_loaded(self):
         part, analysis = self.cantilever(8.0)

@@ -12,8 +12,8 @@ import ObjectsFem
 
 from . import requirements
 requirements.check()   # before what cannot be imported otherwise
-from . import (adopt, analyses, assembled, difference_drawing, documents, edits, engine, export, load_cases, mesh_drawing, overlays, reading, resolving,
-               section, size_zone, solve_guard, solving, statics, statics_result, transfer, versions)
+from . import (adopt, analyses, assembled, difference_drawing, documents, edits, engine, export, load_cases, mesh_drawing, messages, overlays, reading,
+               resolving, section, size_zone, solve_guard, solving, statics, statics_result, transfer, versions)
 from . import live_result as live_results
 from .about import facts
 from .errors import StateError, UserError
@@ -22,6 +22,7 @@ from .mesh_properties import DIMENSIONS, FROM_SHAPE
 from .reports import plain
 
 translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 DEFAULT_ELEMENTS = 30
 
 
@@ -325,7 +326,7 @@ def solve_analysis(analysis, which=None, threads=0, keep="", progress=None):
         if which == "live":
             raise
         report = calculix.solve(analysis)
-        report["warnings"].append("solved with CalculiX: %s" % error)
+        report["warnings"].append(messages.said(QT_TRANSLATE_NOOP("FeatureMesh", "solved with CalculiX: {why:messages}"), why=messages.of_error(error)))
         return report
     start = time.perf_counter()
     result = statics_result.show(analysis, statics.arrays_of(analysis), fields)

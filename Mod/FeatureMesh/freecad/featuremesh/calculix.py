@@ -19,9 +19,13 @@ from femtools import ccxtools
 
 from . import frd, statics, statics_model, statics_result
 from .errors import UserError
+from .messages import said
 from .reading import describe
 
 _TOTAL = re.compile(r"total force \(fx,fy,fz\) for set (\S+) and time\s+\S+\s+(\S+)\s+(\S+)\s+(\S+)")
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+_NO_SOLVER = QT_TRANSLATE_NOOP("FeatureMesh", "the analysis {analysis:text} has no solver: add a CalculiX solver")
+_SEVERAL_SOLVERS = QT_TRANSLATE_NOOP("FeatureMesh", "the analysis {analysis:text} has several solvers: leave one CalculiX solver in it")
 _ENERGY = re.compile(r"total internal energy for set \S+ and time\s+\S+\s+(\S+)")
 _MASS = re.compile(r"total mass for set \S+ and time\s+\S+\s+(\S+)")
 _ALL = re.compile(r"^\*ELSET,\s*ELSET=(Eall|Evolumes)\s*$", re.MULTILINE | re.IGNORECASE)
@@ -41,7 +45,7 @@ def solve(analysis):
         matrix_solver = amend(tools.inp_file_name, solver, known)
         written = time.perf_counter()
         if tools.ccx_run():
-            raise UserError("CalculiX failed: " + " ".join(tools.ccx_stdout[-_SHOWN:].split()))
+            raise UserError(said(QT_TRANSLATE_NOOP("FeatureMesh", "CalculiX failed: {why:text}"), why=" ".join(tools.ccx_stdout[-_SHOWN:].split())))
         solved = time.perf_counter()
         base = tools.inp_file_name[:-len("inp")]
         read = _read_arrays(analysis, known, base + "frd") if known is not None else None
@@ -54,7 +58,7 @@ def solve(analysis):
         with open(base + "dat", encoding="utf-8") as stream:
             printed = stream.read()
     if result is None:
-        raise UserError("CalculiX gave no result for %s" % describe(analysis))
+        raise UserError(said(QT_TRANSLATE_NOOP("FeatureMesh", "CalculiX gave no result for {analysis:text}"), analysis=describe(analysis)))
     return {"solver": "CalculiX", "matrix_solver": matrix_solver, "result": result.Name,
             "responses": {**_responses(analysis, result, read is not None), "reactions_n": read[1] if read is not None else printed_reactions(printed, analysis),
                           "mass_kg": statics.mass(known) if known is not None and known.has_density else _figure(_MASS, printed, statics.TONNE),
@@ -69,8 +73,8 @@ def remarks(is_solid, solver):
     """What the stresses of shells and beams do not say."""
     if is_solid or getattr(solver, "BeamShellResultOutput3D", False):
         return []
-    return ["the stresses of shells and beams are those in the middle of the thickness, where bending makes none; switch BeamShellResultOutput3D of %s on "
-            "for those on the outside" % describe(solver)]
+    return [said(QT_TRANSLATE_NOOP("FeatureMesh", "the stresses of shells and beams are those in the middle of the thickness, where bending makes none; switch "
+                                   "BeamShellResultOutput3D of {solver:text} on for those on the outside"), solver=describe(solver))]
 
 
 def as_arrays(analysis):
@@ -87,11 +91,12 @@ def write_input(tools, folder, analysis):
     tools.update_objects()
     problem = tools.check_prerequisites()
     if problem:
-        raise UserError("CalculiX cannot solve %s: %s" % (describe(analysis), " ".join(problem.split())))
+        raise UserError(said(QT_TRANSLATE_NOOP("FeatureMesh", "CalculiX cannot solve {analysis:text}: {why:text}"), analysis=describe(analysis), why=" ".join(problem.split())))
     tools.purge_results()
     tools.write_inp_file()
     if not tools.inp_file_name or not os.path.isfile(tools.inp_file_name):
-        raise UserError("FreeCAD could not write CalculiX's input for %s; its report view says why" % describe(analysis))
+        raise UserError(said(QT_TRANSLATE_NOOP("FeatureMesh", "FreeCAD could not write CalculiX's input for {analysis:text}; its report view says why"),
+                             analysis=describe(analysis)))
 
 
 def amend(path, solver, known):
@@ -159,7 +164,7 @@ def solver_of(analysis):
     """Its only CalculiX solver. Throws UserError."""
     solvers = [member for member in statics_model.members_of(analysis) if hasattr(member, "AnalysisType")]
     if len(solvers) != 1:
-        raise UserError("the analysis %s has %s: add a CalculiX solver" % (describe(analysis), "several solvers" if solvers else "no solver"))
+        raise UserError(said(_SEVERAL_SOLVERS if solvers else _NO_SOLVER, analysis=describe(analysis)))
     return solvers[0]
 
 
@@ -168,7 +173,7 @@ def program():
     chosen = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Fem/Ccx").GetString("ccxBinaryPath", "")
     found = chosen or shutil.which("ccx")
     if not found:
-        raise UserError("CalculiX (ccx) is not installed; on Debian its package is calculix-ccx")
+        raise UserError(said(QT_TRANSLATE_NOOP("FeatureMesh", "CalculiX (ccx) is not installed; on Debian its package is calculix-ccx")))
     return found
 
 

@@ -3,11 +3,16 @@
 
 import sys
 
-from .messages import english
+from .messages import english, is_message
 
 
 class UserError(ValueError):
-    """What was asked cannot be done; the message says what, where and what to try."""
+    """What was asked cannot be done; it says what, where and what to try: a text, or a message with parameters as the engine's errors have."""
+
+    def __init__(self, said=""):
+        super().__init__(english(said))
+        if is_message(said):
+            self.message = said
 
 
 class _NamedAsTheMesh(type):

@@ -6,7 +6,7 @@ import threading
 
 import FreeCAD
 
-from . import analyses, engine, mesh_object, results, solve_guard, state, statics, statics_model, statics_result
+from . import analyses, engine, mesh_object, messages, results, solve_guard, state, statics, statics_model, statics_result, user_words
 from .errors import StateError, UserError
 from .mesh_properties import failed
 from .reading import describe
@@ -76,7 +76,7 @@ class LiveResult:
         try:
             self.solve(live)
         except (UserError, RuntimeError) as error:
-            FreeCAD.Console.PrintWarning("%s: %s\n" % (live.Label, mesh_object.one_line(error)))
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (live.Label, user_words.in_words(messages.of_error(error))))
 
     def onDocumentRestored(self, live):
         self._forget()

@@ -20,13 +20,16 @@ _TOO_STIFF = QT_TRANSLATE_NOOP("FeatureMesh", "4-node tetrahedra are too stiff i
 _TOO_STIFF_BY = QT_TRANSLATE_NOOP("FeatureMesh", "4-node tetrahedra are too stiff in bending and show too little stress (here the stresses are off by about "
                                   "{percent:count} % in the mean of the energy); 10-node tetrahedra (Order: 2nd) are far closer on the same mesh")
 
+_CAN_MOVE = QT_TRANSLATE_NOOP("FeatureMesh", "the part can still {how:messages}: add a support")
+_PIECE_CAN_MOVE = QT_TRANSLATE_NOOP("FeatureMesh", "a piece of the part that hangs on it by an edge, a vertex or not at all can still {how:messages}: add a support")
+
 
 def mesh_of(analysis):
     """The mesh object of an analysis. Throws NotUnderstood where it is not ours, or not one."""
     meshes = [member for member in statics_model.members_of(analysis)
               if member.isDerivedFrom("Fem::FemMeshObject") and not member.Name.startswith("ResultMesh")]
     if len(meshes) != 1 or analyses.source_of(meshes[0]) is None:
-        raise NotUnderstood("the live solver needs one mesh of FeatureMesh in the analysis %s" % describe(analysis))
+        raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "the live solver needs one mesh of FeatureMesh in the analysis {analysis:text}"), analysis=describe(analysis)))
     return analyses.source_of(meshes[0])
 
 
@@ -51,8 +54,8 @@ def solve(analysis, keep="", threads=0, progress=None):
 class CanMove(UserError):
     """The supports leave a rigid motion free; `motion` is (n,3) a displacement of the nodes by it, of about the part's size."""
 
-    def __init__(self, text, motion):
-        super().__init__(text)
+    def __init__(self, message, motion):
+        super().__init__(message)
         self.motion = motion
 
 
@@ -74,8 +77,8 @@ class SolveJob:
         start, statics = time.perf_counter(), self.statics
         missing = engine.load().statics_missing()
         if missing:
-            raise NotUnderstood("the live solver needs PETSc: install Debian's package libpetsc-real-dev, then any command of ./featuremesh in a clone "
-                            "builds the solver with it")
+            raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "the live solver needs PETSc: install Debian's package libpetsc-real-dev, then any command of "
+                                                       "./featuremesh in a clone builds the solver with it")))
         statics.add_up()
         refuse_free_motions(statics)
         read = self._read + time.perf_counter() - start
@@ -94,11 +97,10 @@ def refuse_free_motions(statics):
     """Throws CanMove when the part can move as a rigid body."""
     motions, centre, scale = statics_supports.free_motions(statics.arrays, statics.held)
     if motions is None:
-        raise NotUnderstood("the mesh falls into more pieces than the live solver looks at")
-    words = statics_supports.in_words(motions)
-    if words:
-        whose = "the part" if len(motions) == 1 else "a piece of the part that hangs on it by an edge, a vertex or not at all"
-        raise CanMove("%s can still %s: add a support" % (whose, words), statics_supports.moved(statics.arrays, motions, centre, scale))
+        raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "the mesh falls into more pieces than the live solver looks at")))
+    how = statics_supports.in_words(motions)
+    if how:
+        raise CanMove(said(_CAN_MOVE if len(motions) == 1 else _PIECE_CAN_MOVE, how=how), statics_supports.moved(statics.arrays, motions, centre, scale))
 
 
 def responses(statics, fields):

@@ -5,10 +5,16 @@ A linear elastic body resists everything but rigid motions, so the null space of
 six for each body, that are nothing at held components and the same where bodies share a node.
 """
 
+import FreeCAD
 import numpy as np
 
 from . import engine
+from .messages import said
 
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+_MOVE = QT_TRANSLATE_NOOP("FeatureMesh", "move along {directions:messages}")
+_TURN = QT_TRANSLATE_NOOP("FeatureMesh", "turn about {axes:messages}")
+_BOTH = QT_TRANSLATE_NOOP("FeatureMesh", "{first:messages} and {last:messages}")
 _AXES = "xyz"
 _FREE = 1e-12          # of the largest eigenvalue: what is below is no resistance
 _MOST_BODIES = 300     # beyond, a dense matrix of all their motions is too large
@@ -57,19 +63,19 @@ def moved(arrays, motions, centre, scale):
 
 
 def in_words(motions):
-    """What is free as a sentence's part: "move along x and turn about z"; None when nothing is."""
+    """What is free as a message, a sentence's part: "move along x and turn about z"; None when nothing is."""
     if motions is None or motions.shape[2] == 0:
         return None
     moving = max(range(len(motions)), key=lambda body: np.linalg.norm(motions[body]))
     own = motions[moving]
     shifts = own @ _null_space(own[3:])          # those without a turn
     turns = own[3:] if own[3:].size else np.zeros((3, 0))
-    said = []
+    free = []
     if np.linalg.norm(shifts) > _STRAIGHT:
-        said.append("move along %s" % _directions(shifts[:3]))
+        free.append(said(_MOVE, directions=_directions(shifts[:3])))
     if np.linalg.norm(turns) > _STRAIGHT:
-        said.append("turn about %s" % _directions(turns))
-    return " and ".join(said) or None
+        free.append(said(_TURN, axes=_directions(turns)))
+    return _both(*free) if free else None
 
 
 def _row(points, centre, scale, axis):
@@ -96,11 +102,15 @@ def _null_space(matrix):
     return rows[(values > _STRAIGHT).sum():].T
 
 
+def _both(first, last=None):
+    return first if last is None else said(_BOTH, first=first, last=last)
+
+
 def _directions(vectors):
     """The space of some vectors by its axes, "x and z", or by directions where it holds no axes."""
     left, values, _ = np.linalg.svd(vectors)
     space = left[:, :(values > _STRAIGHT).sum()]
     axes = [letter for letter, axis in zip(_AXES, np.eye(3)) if np.linalg.norm(space.T @ axis) > 1 - _STRAIGHT]
     if len(axes) == space.shape[1]:
-        return " and ".join(filter(None, [", ".join(axes[:-1]), axes[-1]]))
+        return _both(*filter(None, (", ".join(axes[:-1]), axes[-1])))
     return ", ".join("(%s)" % ", ".join("%.3g" % (value if abs(value) > _STRAIGHT else 0.0) for value in column) for column in space.T)

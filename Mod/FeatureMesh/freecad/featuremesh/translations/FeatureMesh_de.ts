@@ -208,6 +208,10 @@
       <translation>Was von jedem Fall gefragt ist, etwa max_mises@Face3</translation>
     </message>
     <message>
+      <source>What is meshed: solids with tetrahedra, faces with triangles (shells), edges with segments (beams); From shape: solids and what is beside them, else faces, else edges</source>
+      <translation>Was vernetzt wird: Solids: Körper mit Tetraedern; Faces: Flächen mit Dreiecken (Schalen); Edges: Kanten mit Balkenelementen; From shape: Körper und was neben ihnen ist, sonst Flächen, sonst Kanten</translation>
+    </message>
+    <message>
       <source>What is varied, such as Fillet.Radius=2:6</source>
       <translation>Was verändert wird, etwa Fillet.Radius=2:6</translation>
     </message>
@@ -254,10 +258,6 @@
     <message>
       <source>Width of the box, along its y axis</source>
       <translation>Breite des Quaders, entlang seiner y-Achse</translation>
-    </message>
-    <message>
-      <source>What is meshed: solids with tetrahedra, faces with triangles (shells), edges with segments (beams); From shape: solids and what is beside them, else faces, else edges</source>
-      <translation>Was vernetzt wird: Solids: Körper mit Tetraedern; Faces: Flächen mit Dreiecken (Schalen); Edges: Kanten mit Balkenelementen; From shape: Körper und was neben ihnen ist, sonst Flächen, sonst Kanten</translation>
     </message>
   </context>
   <context>
@@ -419,12 +419,24 @@
       <translation>%s ist nicht das Netz des Bauteils, wie es jetzt ist; die letzte Aktualisierung ist fehlgeschlagen: %s</translation>
     </message>
     <message>
+      <source>%s presses on a shell beside a solid, which FreeCAD cannot write for CalculiX; use a force there</source>
+      <translation>%s drückt auf eine Schale neben einem Körper, was FreeCAD für CalculiX nicht schreiben kann; verwenden Sie dort eine Kraft</translation>
+    </message>
+    <message>
       <source>%s shows a mesh that was deleted; delete it, too, and give the analysis another mesh</source>
       <translation>%s zeigt ein Netz, das gelöscht wurde; löschen Sie es auch und geben Sie der Analyse ein anderes Netz</translation>
     </message>
     <message>
       <source>%s was not updated since the document was opened, all its elements are as they were</source>
       <translation>%s wurde seit dem Öffnen des Dokuments nicht aktualisiert, alle Elemente sind, wie sie waren</translation>
+    </message>
+    <message>
+      <source>%s would lose the beams of this mesh; export it as inp, vtu, vtk, msh, unv or med</source>
+      <translation>%s würde die Balken dieses Netzes verlieren; exportieren Sie als inp, vtu, vtk, msh, unv oder med</translation>
+    </message>
+    <message>
+      <source>%s would lose the shells of this mesh; export it as inp, vtu, vtk, msh, unv or med</source>
+      <translation>%s würde die Schalen dieses Netzes verlieren; exportieren Sie als inp, vtu, vtk, msh, unv oder med</translation>
     </message>
     <message>
       <source>%s: %d features in %d pieces, volume %.10g mm^3 (FreeCAD: %.10g mm^3)</source>
@@ -469,6 +481,14 @@
     <message>
       <source>4-node tetrahedra</source>
       <translation>4-Knoten-Tetraeder</translation>
+    </message>
+    <message>
+      <source>4-node tetrahedra are too stiff in bending and show too little stress (here the stresses are off by about {percent:count} % in the mean of the energy); 10-node tetrahedra (Order: 2nd) are far closer on the same mesh</source>
+      <translation>Tetraeder mit 4 Knoten sind bei Biegung zu steif und zeigen zu kleine Spannungen (hier liegen die Spannungen im Mittel der Energie um etwa {percent:count} % daneben); Tetraeder mit 10 Knoten (Order: 2nd) sind auf demselben Netz weit genauer</translation>
+    </message>
+    <message>
+      <source>4-node tetrahedra are too stiff in bending and show too little stress; 10-node tetrahedra (Order: 2nd) are far closer on the same mesh</source>
+      <translation>Tetraeder mit 4 Knoten sind bei Biegung zu steif und zeigen zu kleine Spannungen; Tetraeder mit 10 Knoten (Order: 2nd) sind auf demselben Netz weit genauer</translation>
     </message>
     <message>
       <source>6-node triangle that is folded: {triangles:messages}</source>
@@ -563,12 +583,28 @@
       <translation>CalculiX (ccx) ist nicht installiert</translation>
     </message>
     <message>
+      <source>CalculiX (ccx) is not installed; on Debian its package is calculix-ccx</source>
+      <translation>CalculiX (ccx) ist nicht installiert; in Debian heißt sein Paket calculix-ccx</translation>
+    </message>
+    <message>
+      <source>CalculiX cannot solve {analysis:text}: {why:text}</source>
+      <translation>CalculiX kann {analysis:text} nicht lösen: {why:text}</translation>
+    </message>
+    <message>
       <source>CalculiX could not solve %s: %s</source>
       <translation>CalculiX konnte %s nicht lösen: %s</translation>
     </message>
     <message>
+      <source>CalculiX failed: {why:text}</source>
+      <translation>CalculiX ist gescheitert: {why:text}</translation>
+    </message>
+    <message>
       <source>CalculiX gave no result for %s</source>
       <translation>CalculiX ergab kein Ergebnis für %s</translation>
+    </message>
+    <message>
+      <source>CalculiX gave no result for {analysis:text}</source>
+      <translation>CalculiX ergab kein Ergebnis für {analysis:text}</translation>
     </message>
     <message>
       <source>Cancel</source>
@@ -707,6 +743,10 @@
       <translation>FreeCAD konnte %s nicht berechnen: %s</translation>
     </message>
     <message>
+      <source>FreeCAD could not write CalculiX's input for {analysis:text}; its report view says why</source>
+      <translation>FreeCAD konnte die Eingabe von CalculiX für {analysis:text} nicht schreiben; sein Ausgabefenster sagt, warum</translation>
+    </message>
+    <message>
       <source>FreeCAD's program freecadcmd was not found; set FREECADCMD to it</source>
       <translation>FreeCADs Programm freecadcmd wurde nicht gefunden; setzen Sie FREECADCMD darauf</translation>
     </message>
@@ -741,6 +781,10 @@
     <message>
       <source>How many elements have which value of the measure</source>
       <translation>Wie viele Elemente welchen Wert des Maßes haben</translation>
+    </message>
+    <message>
+      <source>Ignore below</source>
+      <translation>Weglassen unter</translation>
     </message>
     <message>
       <source>In the place of another vertex within a millionth of the part, with which they share a node: {vertices:entities}.</source>
@@ -1123,12 +1167,20 @@
       <translation>Das Bauteil konnte nicht gefüllt werden: {why:text}. Eine andere Größe versuchen, oder die Form prüfen (Part: Geometrie prüfen).</translation>
     </message>
     <message>
+      <source>The part has faces or edges beside its solids, and only meshes of solids can be adopted. Mesh the part anew, or adopt the mesh for the solids alone (Dimension: Solids).</source>
+      <translation>Das Teil hat Flächen oder Kanten neben seinen Körpern, und nur Netze von Körpern können übernommen werden. Vernetzen Sie das Teil neu, oder übernehmen Sie das Netz nur für die Körper (Dimension: Solids).</translation>
+    </message>
+    <message>
       <source>The part is only {part:extent}, and points nearer than 1e-7 mm are one to FreeCAD's geometry: nodes could not be placed on its surface. Was it imported in another unit? Scale it up.</source>
       <translation>Das Teil misst nur {part:extent}, und Punkte, die näher als 1e-7 mm beieinander liegen, sind für FreeCADs Geometrie einer: Knoten ließen sich nicht auf seine Oberfläche legen. Wurde es in einer anderen Einheit importiert? Dann vergrößern.</translation>
     </message>
     <message>
       <source>The part is {thickness:length} thick at {faces:entities}: elements are smaller there than asked, so that {pieces:number} go round it.</source>
       <translation>Das Teil ist {thickness:length} dick an {faces:entities}: Die Elemente sind dort kleiner als verlangt, damit {pieces:number} herumpassen.</translation>
+    </message>
+    <message>
+      <source>The refinement at {entity:entities} with a size of {size:length} would make about {millions:count} million elements; at most {most:count} million are made. Choose a larger size there.</source>
+      <translation>Die Verfeinerung an {entity:entities} mit einer Größe von {size:length} ergäbe etwa {millions:count} Millionen Elemente; höchstens {most:count} Millionen werden gemacht. Wählen Sie dort eine größere Größe.</translation>
     </message>
     <message>
       <source>The refinement {zone:text} changes nothing: its inner size of {inner:length} is not below the mesh size of {size:length}.</source>
@@ -1197,6 +1249,10 @@
     <message>
       <source>The refinement {zone:text} refers to nothing and is left out. Choose faces, edges or vertices for it, or suppress it.</source>
       <translation>Die Verfeinerung {zone:text} verweist auf nichts und wird weggelassen. Wählen Sie Flächen, Kanten oder Ecken für sie, oder unterdrücken Sie sie.</translation>
+    </message>
+    <message>
+      <source>The refinement {zone:text} with a size of {size:length} would make about {millions:count} million elements; at most {most:count} million are made. Choose a larger size there.</source>
+      <translation>Die Verfeinerung {zone:text} mit einer Größe von {size:length} ergäbe etwa {millions:count} Millionen Elemente; höchstens {most:count} Millionen werden gemacht. Wählen Sie dort eine größere Größe.</translation>
     </message>
     <message>
       <source>The report is %s</source>
@@ -1287,6 +1343,10 @@
       <translation>Diese Flächen berühren oder schneiden sich, ohne Kanten zu teilen: {pairs:messages}. Jede Schale hat ein eigenes Netz, und zwischen ihnen wird keine Last übertragen. Ist das nicht gemeint, verbinden Sie sie (Part: Boolesche Fragmente).</translation>
     </message>
     <message>
+      <source>These shells and beams lie inside a solid and share no nodes with it there: {places:messages}. No load passes between them. Divide the solid along them (Part: Boolean Fragments).</source>
+      <translation>Diese Schalen und Balken liegen in einem Körper und haben dort keine Knoten mit ihm gemeinsam: {places:messages}. Zwischen ihnen wird keine Last übertragen. Teilen Sie den Körper an ihnen (Part: Boolesche Fragmente).</translation>
+    </message>
+    <message>
       <source>These solids touch or overlap without sharing faces: {solids:messages} ({faces:messages}). Each has a mesh of its own: no load passes between them but by ties and contacts, and where they overlap the material counts twice. If that is not meant, fuse them or join them (Part: Boolean Fragments).</source>
       <translation>Diese Körper berühren oder überlappen sich, ohne Flächen zu teilen: {solids:messages} ({faces:messages}). Jeder hat ein eigenes Netz: Zwischen ihnen geht außer durch Verbindungen (Tie) und Kontakte keine Last über, und wo sie sich überlappen, zählt das Material doppelt. Wenn das nicht gemeint ist, vereinigen oder verbinden (Part: Boolesche Fragmente).</translation>
     </message>
@@ -1347,6 +1407,10 @@
       <translation>Arbeitsweise</translation>
     </message>
     <message>
+      <source>Young's modulus of the material {material:text} is {young:number} MPa: check its unit</source>
+      <translation>Der Elastizitätsmodul des Werkstoffs {material:text} ist {young:number} MPa: seine Einheit prüfen</translation>
+    </message>
+    <message>
       <source>a MED file keeps its mesh under the file's own name, which may have %d characters at most; choose a shorter one than %s</source>
       <translation>eine MED-Datei führt ihr Netz unter dem Namen der Datei, der höchstens %d Zeichen haben darf; wählen Sie einen kürzeren als %s</translation>
     </message>
@@ -1363,8 +1427,16 @@
       <translation>ein behaltenes Dreieck liegt verkehrt herum in ihr</translation>
     </message>
     <message>
+      <source>a length</source>
+      <translation>einer Länge</translation>
+    </message>
+    <message>
       <source>a local size is for faces, edges or vertices; the size of a whole part is the mesh's own</source>
       <translation>eine lokale Größe ist für Flächen, Kanten oder Punkte; die Größe für das ganze Bauteil ist die des Netzes</translation>
+    </message>
+    <message>
+      <source>a piece of the part that hangs on it by an edge, a vertex or not at all can still {how:messages}: add a support</source>
+      <translation>ein Stück des Bauteils, das nur mit einer Kante, einer Ecke oder gar nicht an ihm hängt, kann sich noch {how:messages}: ein Lager hinzufügen</translation>
     </message>
     <message>
       <source>a refinement zone is one of %s, not %s</source>
@@ -1427,92 +1499,16 @@
       <translation>und andere</translation>
     </message>
     <message>
-      <source>Ignore below</source>
-      <translation>Weglassen unter</translation>
-    </message>
-    <message>
-      <source>a length</source>
-      <translation>einer Länge</translation>
-    </message>
-    <message>
       <source>and {more:count} more</source>
       <translation>und {more:count} weitere</translation>
     </message>
     <message>
-      <source>around {solid:entities} {side:messages}</source>
-      <translation>um {solid:entities} {side:messages}</translation>
-    </message>
-    <message>
-      <source>array of wrong length: {arrays:messages}</source>
-      <translation>Feld falscher Länge: {arrays:messages}</translation>
-    </message>
-    <message>
-      <source>at a side of {triangle:messages}</source>
-      <translation>an einer Seite von {triangle:messages}</translation>
-    </message>
-    <message>
-      <source>border of two solids without a triangle: {elements:messages}</source>
-      <translation>Grenze zweier Festkörper ohne Dreieck: {elements:messages}</translation>
-    </message>
-    <message>
-      <source>boundary of the elements without a triangle: {elements:messages}</source>
-      <translation>Rand der Elemente ohne Dreieck: {elements:messages}</translation>
-    </message>
-    <message>
-      <source>coordinate is not a number, at node {nodes:messages}</source>
-      <translation>eine Koordinate ist keine Zahl, bei Knoten {nodes:messages}</translation>
-    </message>
-    <message>
-      <source>element number given twice: {numbers:messages}</source>
-      <translation>Elementnummer zweimal vergeben: {numbers:messages}</translation>
-    </message>
-    <message>
-      <source>element number out of range: {range:messages}</source>
-      <translation>Elementnummern außerhalb des Bereichs: {range:messages}</translation>
-    </message>
-    <message>
-      <source>element without positive volume: {elements:messages}</source>
-      <translation>Element ohne positives Volumen: {elements:messages}</translation>
-    </message>
-    <message>
-      <source>element {element:count} with {node:messages}</source>
-      <translation>Element {element:count} mit {node:messages}</translation>
-    </message>
-    <message>
-      <source>face, edge or solid out of range: {entries:messages}</source>
-      <translation>es gibt die Fläche, die Kante oder den Festkörper nicht: {entries:messages}</translation>
-    </message>
-    <message>
-      <source>gap in a face: {sides:messages}</source>
-      <translation>Lücke in einer Fläche: {sides:messages}</translation>
-    </message>
-    <message>
-      <source>gap in an edge: {nodes:messages}</source>
-      <translation>Lücke in einer Kante: {nodes:messages}</translation>
-    </message>
-    <message>
-      <source>node number given twice: {numbers:messages}</source>
-      <translation>Knotennummer zweimal vergeben: {numbers:messages}</translation>
-    </message>
-    <message>
-      <source>node number out of range: {range:messages}</source>
-      <translation>Knotennummern außerhalb des Bereichs: {range:messages}</translation>
-    </message>
-    <message>
-      <source>node out of range: {entries:messages}</source>
-      <translation>es gibt den Knoten nicht: {entries:messages}</translation>
-    </message>
-    <message>
-      <source>node {node:count} at {place:point}</source>
-      <translation>Knoten {node:count} bei {place:point}</translation>
-    </message>
-    <message>
-      <source>off</source>
-      <translation>aus</translation>
-    </message>
-    <message>
       <source>appeared</source>
       <translation>neu</translation>
+    </message>
+    <message>
+      <source>area</source>
+      <translation>Fläche</translation>
     </message>
     <message>
       <source>area %s mm^2</source>
@@ -1523,12 +1519,24 @@
       <translation>um eine Fläche oder Kante werden höchstens %d Millionen gemacht</translation>
     </message>
     <message>
+      <source>around {solid:entities} {side:messages}</source>
+      <translation>um {solid:entities} {side:messages}</translation>
+    </message>
+    <message>
+      <source>array of wrong length: {arrays:messages}</source>
+      <translation>Feld falscher Länge: {arrays:messages}</translation>
+    </message>
+    <message>
       <source>aspect ratio</source>
       <translation>Seitenverhältnis</translation>
     </message>
     <message>
       <source>assembling the stiffness matrix</source>
       <translation>Steifigkeitsmatrix aufstellen</translation>
+    </message>
+    <message>
+      <source>at a side of {triangle:messages}</source>
+      <translation>an einer Seite von {triangle:messages}</translation>
     </message>
     <message>
       <source>at most %d million are made</source>
@@ -1549,6 +1557,14 @@
     <message>
       <source>became inner</source>
       <translation>jetzt im Inneren</translation>
+    </message>
+    <message>
+      <source>border of two solids without a triangle: {elements:messages}</source>
+      <translation>Grenze zweier Festkörper ohne Dreieck: {elements:messages}</translation>
+    </message>
+    <message>
+      <source>boundary of the elements without a triangle: {elements:messages}</source>
+      <translation>Rand der Elemente ohne Dreieck: {elements:messages}</translation>
     </message>
     <message>
       <source>by how much</source>
@@ -1599,8 +1615,20 @@
       <translation>Vergleichen mit dem alten Bauteil</translation>
     </message>
     <message>
+      <source>coordinate is not a number, at node {nodes:messages}</source>
+      <translation>eine Koordinate ist keine Zahl, bei Knoten {nodes:messages}</translation>
+    </message>
+    <message>
       <source>crashed (%s)</source>
       <translation>ist abgestürzt (%s)</translation>
+    </message>
+    <message>
+      <source>curved (central composite)</source>
+      <translation>gekrümmt (zentral zusammengesetzt)</translation>
+    </message>
+    <message>
+      <source>curved, no corners (Box-Behnken)</source>
+      <translation>gekrümmt, ohne Ecken (Box-Behnken)</translation>
     </message>
     <message>
       <source>cut differently</source>
@@ -1631,6 +1659,22 @@
       <translation>Kantenlänge zu gewünschter Länge</translation>
     </message>
     <message>
+      <source>element number given twice: {numbers:messages}</source>
+      <translation>Elementnummer zweimal vergeben: {numbers:messages}</translation>
+    </message>
+    <message>
+      <source>element number out of range: {range:messages}</source>
+      <translation>Elementnummern außerhalb des Bereichs: {range:messages}</translation>
+    </message>
+    <message>
+      <source>element without positive volume: {elements:messages}</source>
+      <translation>Element ohne positives Volumen: {elements:messages}</translation>
+    </message>
+    <message>
+      <source>element {element:count} with {node:messages}</source>
+      <translation>Element {element:count} mit {node:messages}</translation>
+    </message>
+    <message>
       <source>elements may not span thin walls any more</source>
       <translation>Elemente dürfen dünne Wände nicht mehr überspannen</translation>
     </message>
@@ -1643,8 +1687,24 @@
       <translation>Schätzen des Netzes von %s</translation>
     </message>
     <message>
+      <source>evenly (Halton)</source>
+      <translation>gleichmäßig (Halton)</translation>
+    </message>
+    <message>
+      <source>evenly (Sobol)</source>
+      <translation>gleichmäßig (Sobol)</translation>
+    </message>
+    <message>
+      <source>evenly, at random (Latin hypercube)</source>
+      <translation>gleichmäßig, zufällig (Latin Hypercube)</translation>
+    </message>
+    <message>
       <source>every combination (grid of 3)</source>
       <translation>jede Kombination (Gitter mit 3)</translation>
+    </message>
+    <message>
+      <source>face, edge or solid out of range: {entries:messages}</source>
+      <translation>es gibt die Fläche, die Kante oder den Festkörper nicht: {entries:messages}</translation>
     </message>
     <message>
       <source>failed</source>
@@ -1671,14 +1731,6 @@
       <translation>erste Eigenfrequenz</translation>
     </message>
     <message>
-      <source>curved (central composite)</source>
-      <translation>gekrümmt (zentral zusammengesetzt)</translation>
-    </message>
-    <message>
-      <source>curved, no corners (Box-Behnken)</source>
-      <translation>gekrümmt, ohne Ecken (Box-Behnken)</translation>
-    </message>
-    <message>
       <source>force on all supports</source>
       <translation>Kraft auf alle Lager</translation>
     </message>
@@ -1689,6 +1741,14 @@
     <message>
       <source>full mesh: {why:messages}</source>
       <translation>ganz neu vernetzt: {why:messages}</translation>
+    </message>
+    <message>
+      <source>gap in a face: {sides:messages}</source>
+      <translation>Lücke in einer Fläche: {sides:messages}</translation>
+    </message>
+    <message>
+      <source>gap in an edge: {nodes:messages}</source>
+      <translation>Lücke in einer Kante: {nodes:messages}</translation>
     </message>
     <message>
       <source>good</source>
@@ -1817,6 +1877,10 @@
       <translation>mehr als eine Billion</translation>
     </message>
     <message>
+      <source>move along {directions:messages}</source>
+      <translation>entlang {directions:messages} verschieben</translation>
+    </message>
+    <message>
       <source>moved</source>
       <translation>verschoben</translation>
     </message>
@@ -1839,6 +1903,22 @@
     <message>
       <source>no longer suppressed</source>
       <translation>nicht mehr unterdrückt</translation>
+    </message>
+    <message>
+      <source>node number given twice: {numbers:messages}</source>
+      <translation>Knotennummer zweimal vergeben: {numbers:messages}</translation>
+    </message>
+    <message>
+      <source>node number out of range: {range:messages}</source>
+      <translation>Knotennummern außerhalb des Bereichs: {range:messages}</translation>
+    </message>
+    <message>
+      <source>node out of range: {entries:messages}</source>
+      <translation>es gibt den Knoten nicht: {entries:messages}</translation>
+    </message>
+    <message>
+      <source>node {node:count} at {place:point}</source>
+      <translation>Knoten {node:count} bei {place:point}</translation>
     </message>
     <message>
       <source>none</source>
@@ -1879,6 +1959,10 @@
     <message>
       <source>nothing yet: select faces, edges or vertices</source>
       <translation>noch nichts: wählen Sie Flächen, Kanten oder Ecken aus</translation>
+    </message>
+    <message>
+      <source>off</source>
+      <translation>aus</translation>
     </message>
     <message>
       <source>old faces</source>
@@ -2033,24 +2117,16 @@
       <translation>Volumenkörper, Flächen oder Kanten werden vernetzt, die es vorher nicht wurden</translation>
     </message>
     <message>
+      <source>solved with CalculiX: {why:messages}</source>
+      <translation>mit CalculiX gelöst: {why:messages}</translation>
+    </message>
+    <message>
       <source>solving</source>
       <translation>lösen</translation>
     </message>
     <message>
       <source>solving the statics of %s</source>
       <translation>Lösen der Statik von %s</translation>
-    </message>
-    <message>
-      <source>evenly, at random (Latin hypercube)</source>
-      <translation>gleichmäßig, zufällig (Latin Hypercube)</translation>
-    </message>
-    <message>
-      <source>evenly (Halton)</source>
-      <translation>gleichmäßig (Halton)</translation>
-    </message>
-    <message>
-      <source>evenly (Sobol)</source>
-      <translation>gleichmäßig (Sobol)</translation>
     </message>
     <message>
       <source>starting</source>
@@ -2079,6 +2155,18 @@
     <message>
       <source>taken from</source>
       <translation>entnommen aus</translation>
+    </message>
+    <message>
+      <source>the analysis has no material: add one</source>
+      <translation>die Analyse hat keinen Werkstoff: einen hinzufügen</translation>
+    </message>
+    <message>
+      <source>the analysis {analysis:text} has no solver: add a CalculiX solver</source>
+      <translation>die Analyse {analysis:text} hat keinen Löser: einen CalculiX-Löser hinzufügen</translation>
+    </message>
+    <message>
+      <source>the analysis {analysis:text} has several solvers: leave one CalculiX solver in it</source>
+      <translation>die Analyse {analysis:text} hat mehrere Löser: nur einen CalculiX-Löser darin lassen</translation>
     </message>
     <message>
       <source>the dimension is one of %s, not %s</source>
@@ -2133,6 +2221,62 @@
       <translation>die behaltenen Elemente überlappen sich bei Knoten {node:count}; das Teil von Grund auf vernetzen</translation>
     </message>
     <message>
+      <source>the live solver cannot tell which solid has which of the {materials:count} materials</source>
+      <translation>der Live-Löser kann nicht erkennen, welcher Volumenkörper welchen der {materials:count} Werkstoffe hat</translation>
+    </message>
+    <message>
+      <source>the live solver does not know the amplitude of {member:text}</source>
+      <translation>der Live-Löser kennt die Amplitude von {member:text} nicht</translation>
+    </message>
+    <message>
+      <source>the live solver does not know the formula of {member:text}</source>
+      <translation>der Live-Löser kennt die Formel von {member:text} nicht</translation>
+    </message>
+    <message>
+      <source>the live solver does not know {member:text} ({kind:text})</source>
+      <translation>der Live-Löser kennt {member:text} ({kind:text}) nicht</translation>
+    </message>
+    <message>
+      <source>the live solver knows forces on faces, on edges or on vertices, not {force:text}</source>
+      <translation>der Live-Löser kennt Kräfte auf Flächen, auf Kanten oder auf Ecken, nicht {force:text}</translation>
+    </message>
+    <message>
+      <source>the live solver knows linear statics only, and {solver:text} asks for {setting:text} = {value:text}</source>
+      <translation>der Live-Löser kennt nur lineare Statik, und {solver:text} verlangt {setting:text} = {value:text}</translation>
+    </message>
+    <message>
+      <source>the live solver knows pressure on faces only, not {pressure:text}</source>
+      <translation>der Live-Löser kennt Druck nur auf Flächen, nicht {pressure:text}</translation>
+    </message>
+    <message>
+      <source>the live solver knows solids only, not the fluid {material:text}</source>
+      <translation>der Live-Löser kennt nur Festkörper, nicht die Flüssigkeit {material:text}</translation>
+    </message>
+    <message>
+      <source>the live solver knows solids only; {mesh:text} is of shells or beams, which CalculiX solves</source>
+      <translation>der Live-Löser kennt nur Volumenkörper; {mesh:text} ist aus Schalen oder Balken, die CalculiX löst</translation>
+    </message>
+    <message>
+      <source>the live solver needs PETSc: install Debian's package libpetsc-real-dev, then any command of ./featuremesh in a clone builds the solver with it</source>
+      <translation>der Live-Löser braucht PETSc: Debians Paket libpetsc-real-dev installieren, dann baut jeder Befehl von ./featuremesh in einem Klon den Löser damit</translation>
+    </message>
+    <message>
+      <source>the live solver needs one mesh of FeatureMesh in the analysis {analysis:text}</source>
+      <translation>der Live-Löser braucht genau ein Netz von FeatureMesh in der Analyse {analysis:text}</translation>
+    </message>
+    <message>
+      <source>the material {material:text} has no readable Young's modulus or Poisson's ratio ({why:text})</source>
+      <translation>der Werkstoff {material:text} hat keinen lesbaren Elastizitätsmodul oder keine lesbare Querkontraktionszahl ({why:text})</translation>
+    </message>
+    <message>
+      <source>the material {material:text} is nearly incompressible (Poisson's ratio {poisson:number}), for which these elements are too stiff</source>
+      <translation>der Werkstoff {material:text} ist fast inkompressibel (Querkontraktionszahl {poisson:number}), wofür diese Elemente zu steif sind</translation>
+    </message>
+    <message>
+      <source>the mesh falls into more pieces than the live solver looks at</source>
+      <translation>das Netz zerfällt in mehr Stücke, als der Live-Löser betrachtet</translation>
+    </message>
+    <message>
       <source>the mesh of a copy is one of %s, not %s</source>
       <translation>das Netz einer Kopie ist eines von %s, nicht %s</translation>
     </message>
@@ -2159,6 +2303,10 @@
     <message>
       <source>the outside</source>
       <translation>das Äußere</translation>
+    </message>
+    <message>
+      <source>the part can still {how:messages}: add a support</source>
+      <translation>das Bauteil kann sich noch {how:messages}: ein Lager hinzufügen</translation>
     </message>
     <message>
       <source>the picture could not be drawn: %s</source>
@@ -2227,6 +2375,10 @@
     <message>
       <source>the solids of the final shape overlap by {overlap:volume}; fuse them or mesh them one by one</source>
       <translation>Die Körper der endgültigen Form überlappen sich um {overlap:volume}; vereinigen oder einzeln vernetzen</translation>
+    </message>
+    <message>
+      <source>the stresses of shells and beams are those in the middle of the thickness, where bending makes none; switch BeamShellResultOutput3D of {solver:text} on for those on the outside</source>
+      <translation>die Spannungen von Schalen und Balken sind die in der Mitte der Dicke, wo Biegung keine macht; für die außen BeamShellResultOutput3D von {solver:text} einschalten</translation>
     </message>
     <message>
       <source>the study's process ended; see %s</source>
@@ -2299,6 +2451,10 @@
     <message>
       <source>trimmed differently</source>
       <translation>anders beschnitten</translation>
+    </message>
+    <message>
+      <source>turn about {axes:messages}</source>
+      <translation>um {axes:messages} drehen</translation>
     </message>
     <message>
       <source>turned by {angle:number} deg about {axis:text}</source>
@@ -2505,8 +2661,28 @@
       <translation>{feature:text}: was es hinzufügt und wegnimmt, war aus den Formen davor und danach nicht zu erkennen; es wird mit allem davor als ein Stück genommen</translation>
     </message>
     <message>
+      <source>{first:messages} and {last:messages}</source>
+      <translation>{first:messages} und {last:messages}</translation>
+    </message>
+    <message>
+      <source>{load:text} loads nothing</source>
+      <translation>{load:text} belastet nichts</translation>
+    </message>
+    <message>
       <source>{low:count} to {high:count}, the next one is {next:count}</source>
       <translation>{low:count} bis {high:count}, die nächste ist {next:count}</translation>
+    </message>
+    <message>
+      <source>{member:text} refers to another object than the meshed part {part:text}</source>
+      <translation>{member:text} bezieht sich auf ein anderes Objekt als das vernetzte Bauteil {part:text}</translation>
+    </message>
+    <message>
+      <source>{member:text} refers to nothing: choose faces, edges or vertices for it</source>
+      <translation>{member:text} bezieht sich auf nichts: Flächen, Kanten oder Ecken dafür wählen</translation>
+    </message>
+    <message>
+      <source>{member:text} refers to {face:entities}, which has no nodes in the mesh: update the mesh, or choose another face</source>
+      <translation>{member:text} bezieht sich auf {face:entities}, wo das Netz keine Knoten hat: das Netz aktualisieren oder eine andere Fläche wählen</translation>
     </message>
     <message>
       <source>{motions:count} different motions; only the first {carried:count} carry parts of the mesh</source>
@@ -2553,20 +2729,12 @@
       <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; wählen Sie einen anderen Punkt, ohne lässt sich die Analyse nicht rechnen</translation>
     </message>
     <message>
-      <source>4-node tetrahedra are too stiff in bending and show too little stress; 10-node tetrahedra (Order: 2nd) are far closer on the same mesh</source>
-      <translation>Tetraeder mit 4 Knoten sind bei Biegung zu steif und zeigen zu kleine Spannungen; Tetraeder mit 10 Knoten (Order: 2nd) sind auf demselben Netz weit genauer</translation>
-    </message>
-    <message>
-      <source>4-node tetrahedra are too stiff in bending and show too little stress (here the stresses are off by about {percent:count} % in the mean of the energy); 10-node tetrahedra (Order: 2nd) are far closer on the same mesh</source>
-      <translation>Tetraeder mit 4 Knoten sind bei Biegung zu steif und zeigen zu kleine Spannungen (hier liegen die Spannungen im Mittel der Energie um etwa {percent:count} % daneben); Tetraeder mit 10 Knoten (Order: 2nd) sind auf demselben Netz weit genauer</translation>
+      <source>{object:text} refers to {lost:entities}, which is gone; it was taken out of the references</source>
+      <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; es wurde aus den Referenzen genommen</translation>
     </message>
     <message>
       <source>{object:text} refers to {where:entities}, which is not on the meshed part {part:text} and has no nodes in its mesh; choose faces, edges or vertices of {part:text} instead</source>
       <translation>{object:text} bezieht sich auf {where:entities}, das nicht am vernetzten Teil {part:text} liegt und in dessen Netz keine Knoten hat; stattdessen Flächen, Kanten oder Punkte von {part:text} wählen</translation>
-    </message>
-    <message>
-      <source>{object:text} refers to {lost:entities}, which is gone; it was taken out of the references</source>
-      <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; es wurde aus den Referenzen genommen</translation>
     </message>
     <message>
       <source>{object:text}: {before:entities} is now {now:entities}, its reference was changed</source>
@@ -2601,8 +2769,16 @@
       <translation>{one:entities} und {other:entities} nahe {place:point}</translation>
     </message>
     <message>
+      <source>{one:entities} in {other:entities}</source>
+      <translation>{one:entities} in {other:entities}</translation>
+    </message>
+    <message>
       <source>{one:messages} and {other:messages}</source>
       <translation>{one:messages} und {other:messages}</translation>
+    </message>
+    <message>
+      <source>{pressure:text} presses on {face:entities}, which lies between two solids</source>
+      <translation>{pressure:text} drückt auf {face:entities}, die zwischen zwei Volumenkörpern liegt</translation>
     </message>
     <message>
       <source>{sides:count} sides between faces follow no edge</source>
@@ -2615,6 +2791,10 @@
     <message>
       <source>{solid:entities} has {elements:volume} of elements, not {wanted:volume}</source>
       <translation>{solid:entities} hat {elements:volume} an Elementen, nicht {wanted:volume}</translation>
+    </message>
+    <message>
+      <source>{support:text} gives nodes another displacement than a support before it</source>
+      <translation>{support:text} gibt Knoten eine andere Verschiebung als ein Lager davor</translation>
     </message>
     <message>
       <source>{triangle:messages} has {solid:messages} before it, not {wanted:messages}</source>
@@ -2637,40 +2817,12 @@
       <translation>{values:count} Werte passen nicht zu den {nodes:count} Knoten des alten Netzes.</translation>
     </message>
     <message>
-      <source>%s presses on a shell beside a solid, which FreeCAD cannot write for CalculiX; use a force there</source>
-      <translation>%s drückt auf eine Schale neben einem Körper, was FreeCAD für CalculiX nicht schreiben kann; verwenden Sie dort eine Kraft</translation>
+      <source>{weight:text} has no direction</source>
+      <translation>{weight:text} hat keine Richtung</translation>
     </message>
     <message>
-      <source>%s would lose the beams of this mesh; export it as inp, vtu, vtk, msh, unv or med</source>
-      <translation>%s würde die Balken dieses Netzes verlieren; exportieren Sie als inp, vtu, vtk, msh, unv oder med</translation>
-    </message>
-    <message>
-      <source>%s would lose the shells of this mesh; export it as inp, vtu, vtk, msh, unv or med</source>
-      <translation>%s würde die Schalen dieses Netzes verlieren; exportieren Sie als inp, vtu, vtk, msh, unv oder med</translation>
-    </message>
-    <message>
-      <source>The part has faces or edges beside its solids, and only meshes of solids can be adopted. Mesh the part anew, or adopt the mesh for the solids alone (Dimension: Solids).</source>
-      <translation>Das Teil hat Flächen oder Kanten neben seinen Körpern, und nur Netze von Körpern können übernommen werden. Vernetzen Sie das Teil neu, oder übernehmen Sie das Netz nur für die Körper (Dimension: Solids).</translation>
-    </message>
-    <message>
-      <source>The refinement {zone:text} with a size of {size:length} would make about {millions:count} million elements; at most {most:count} million are made. Choose a larger size there.</source>
-      <translation>Die Verfeinerung {zone:text} mit einer Größe von {size:length} ergäbe etwa {millions:count} Millionen Elemente; höchstens {most:count} Millionen werden gemacht. Wählen Sie dort eine größere Größe.</translation>
-    </message>
-    <message>
-      <source>The refinement at {entity:entities} with a size of {size:length} would make about {millions:count} million elements; at most {most:count} million are made. Choose a larger size there.</source>
-      <translation>Die Verfeinerung an {entity:entities} mit einer Größe von {size:length} ergäbe etwa {millions:count} Millionen Elemente; höchstens {most:count} Millionen werden gemacht. Wählen Sie dort eine größere Größe.</translation>
-    </message>
-    <message>
-      <source>These shells and beams lie inside a solid and share no nodes with it there: {places:messages}. No load passes between them. Divide the solid along them (Part: Boolean Fragments).</source>
-      <translation>Diese Schalen und Balken liegen in einem Körper und haben dort keine Knoten mit ihm gemeinsam: {places:messages}. Zwischen ihnen wird keine Last übertragen. Teilen Sie den Körper an ihnen (Part: Boolesche Fragmente).</translation>
-    </message>
-    <message>
-      <source>{one:entities} in {other:entities}</source>
-      <translation>{one:entities} in {other:entities}</translation>
-    </message>
-    <message>
-      <source>area</source>
-      <translation>Fläche</translation>
+      <source>{weight:text} needs the density of every material</source>
+      <translation>{weight:text} braucht die Dichte jedes Werkstoffs</translation>
     </message>
   </context>
   <context>
