@@ -2,6 +2,8 @@
 // PETSc's objects with owners, and its errors as ours. Only petsc_*.h and petsc_solver.cpp know PETSc.
 #pragma once
 
+#include <utility>
+
 #include "core/errors.h"
 #include "core/messages.h"
 #include "statics/petsc_headers.h"
@@ -32,6 +34,7 @@ class Owned {
         return &object_;
     }
     operator Object() const { return object_; }
+    friend void swap(Owned& a, Owned& b) { std::swap(a.object_, b.object_); }
 
   private:
     Object object_ = nullptr;

@@ -10,6 +10,7 @@
 #include "statics/linear_solver.h"
 #include "statics/petsc_factor.h"
 #include "statics/petsc_objects.h"
+#include "statics/petsc_products.h"
 
 namespace featuremesh {
 
@@ -99,6 +100,7 @@ struct System {
         check(PetscContainerSetPointer(self, this));
         check(PetscObjectCompose((PetscObject)(Mat)rounded, owner, (PetscObject)(PetscContainer)self));
         check(MatSetOperation(rounded, MATOP_MULT, (void (*)(void)) & System::multiply_entries));
+        products_.serve(rounded);
     }
 
   private:
@@ -180,6 +182,7 @@ struct System {
 
     std::vector<float> rounded_values_;
     std::vector<PetscInt> starts_, columns_;
+    ProductsByBlocks products_{blocks, threads};
 };
 
 void name_rigid_motions(const System& system, std::span<const Vec3> points) {
@@ -391,6 +394,7 @@ class PetscSolver final : public LinearSolver {
     void set_up(BlockMatrix matrix, std::span<const Vec3> points, std::optional<CoarseLevel> coarse) override {
         present_.take({});
         multigrid_.reset();
+        forget_known();
         factor_.reset();
         is_carried_ = false;
         has_coarse_ = coarse.has_value();
@@ -412,6 +416,7 @@ class PetscSolver final : public LinearSolver {
     }
 
     bool factor() override {
+        forget_known();
         if (!factor_.set_up(has_coarse_ ? linear_.rounded : earlier_.rounded, most_factor_work)) return false;
         if (!has_coarse_) {
             factor_.serve(multigrid_);
@@ -427,6 +432,7 @@ class PetscSolver final : public LinearSolver {
 
     void carry_over(BlockMatrix matrix, std::vector<std::int32_t> origin) override {
         present_.take(std::move(matrix));
+        forget_known();
         carried_.set_up(present_, std::move(origin), earlier_.size());
         is_carried_ = true;
     }
@@ -440,8 +446,9 @@ class PetscSolver final : public LinearSolver {
         fill(r, residual);
         check(VecDuplicate(r, z.fresh()));
         precondition(r, z);
+        swap(known_in_, r), swap(known_out_, z);
         PetscScalar product = 0;
-        check(VecDot(r, z, &product));
+        check(VecDot(known_in_, known_out_, &product));
         if (!std::isfinite(double(product))) throw KernelError(say<Code::petsc_out_of_range>());
         return std::sqrt(std::max(0.0, double(product)));
     }
@@ -503,11 +510,22 @@ class PetscSolver final : public LinearSolver {
     const System& system() const { return is_carried_ ? present_ : earlier_; }
 
     void precondition(Vec in, Vec out) {
-        if (is_carried_)
+        if (is_known(in))
+            check(VecCopy(known_out_, out));
+        else if (is_carried_)
             carried_.apply(multigrid_, in, out);
         else
             check(PCApply(multigrid_, in, out));
     }
+
+    /// Conjugate gradients begin with the residual whose norm was asked for last.
+    bool is_known(Vec in) const {
+        PetscBool is_same = PETSC_FALSE;
+        if (known_in_) check(VecEqual(known_in_, in, &is_same));
+        return is_same;
+    }
+
+    void forget_known() { known_in_.reset(), known_out_.reset(); }
 
     void make_shell(Preconditioner& shell) {
         check(PCCreate(PETSC_COMM_SELF, shell.fresh()));
@@ -539,6 +557,7 @@ class PetscSolver final : public LinearSolver {
     Preconditioner multigrid_;
     Factor factor_;
     Carried carried_;
+    Vector known_in_, known_out_;  // what was preconditioned for its norm, and what came out
     bool is_carried_ = false, has_coarse_ = false;
 };
 

@@ -21,14 +21,13 @@ void for_each_node(const Mesh& mesh, std::size_t tet, Visit visit) {
 
 void gather_neighbours(const Mesh& mesh, const TetsOfNodes& around, std::size_t node,
                        std::vector<std::int32_t>& found) {
-    const std::size_t first = found.size();
+    const auto first = std::ptrdiff_t(found.size());
+    found.push_back(std::int32_t(node));  // even where no tet has it
     for (auto t = around.starts[node]; t < around.starts[node + 1]; ++t)
-        for_each_node(mesh, std::size_t(around.tets[std::size_t(t)]),
-                      [&](NodeId other) { found.push_back(other.value); });
-    if (found.size() == first) found.push_back(std::int32_t(node));  // no tet has it; its row is still there
-    const auto begin = found.begin() + std::ptrdiff_t(first);
-    std::sort(begin, found.end());
-    found.erase(std::unique(begin, found.end()), found.end());
+        for_each_node(mesh, std::size_t(around.tets[std::size_t(t)]), [&](NodeId other) {
+            if (std::find(found.begin() + first, found.end(), other.value) == found.end()) found.push_back(other.value);
+        });
+    std::sort(found.begin() + first, found.end());
 }
 
 BlockMatrix pattern_of(const Mesh& mesh, const TetsOfNodes& around, RunContext& context) {
