@@ -53,13 +53,14 @@ double plane_area(const Mesh& mesh, NodeId a, NodeId b, NodeId c) {
 void add_weight(const Mesh& mesh, std::span<const Material> materials, std::span<const std::int32_t> tet_materials,
                 const Vec3& gravity, std::vector<double>& loads) {
     for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet) {
-        const Element element = element_at(mesh, tet);
         const Vec3 per_volume = gravity * materials[std::size_t(tet_materials[tet])].density;
-        for (int p = 0; p < element.point_count; ++p) {
-            const auto values = shape_values(element.node_count, p);
-            for (std::size_t i = 0; i < std::size_t(element.node_count); ++i)
-                add(loads, element.nodes[i], per_volume * (values[i] * element.points[std::size_t(p)].volume));
-        }
+        with_element(mesh, tet, [&](const auto& element) {
+            for (std::size_t p = 0; p < element.points.size(); ++p) {
+                const auto values = shape_values(int(element.nodes.size()), int(p));
+                for (std::size_t i = 0; i < element.nodes.size(); ++i)
+                    add(loads, element.nodes[i], per_volume * (values[i] * element.points[p].volume));
+            }
+        });
     }
 }
 

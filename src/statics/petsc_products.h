@@ -2,11 +2,14 @@
 // The products of an aggregation's set-up by blocks in place of PETSc's own, which go number by number on one thread.
 #pragma once
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/run_context.h"
 #include "statics/aggregate_products.h"
 #include "statics/petsc_objects.h"
+#include "statics/rounded_blocks.h"
 #include "statics/stiffness.h"
 
 namespace featuremesh {
@@ -60,6 +63,16 @@ class PetscBlocks {
     BlockPattern pattern_;
 };
 
+inline PetscErrorCode multiply_by(const RoundedBlocks& matrix, Vec in, Vec out, RunContext& threads) {
+    const PetscScalar* x = nullptr;
+    PetscScalar* y = nullptr;
+    PetscCall(VecGetArrayRead(in, &x));
+    PetscCall(VecGetArrayWrite(out, &y));
+    matrix.multiply(x, y, threads);
+    PetscCall(VecRestoreArrayRead(in, &x));
+    return VecRestoreArrayWrite(out, &y);
+}
+
 /// Lets PETSc make the products of a stiffness matrix, and of those that come of them, by blocks.
 class ProductsByBlocks {
   public:
@@ -68,18 +81,16 @@ class ProductsByBlocks {
     /// `of` has the matrix's entries and lives no longer than this.
     void serve(Mat of) {
         finest_ = of;
+        levels_.clear();
         take_over(of);
     }
 
   private:
     using Operation = PetscErrorCode (*)(Mat);
-    static constexpr const char* name = "featuremesh_products";
+    static constexpr const char *owner_name = "featuremesh_products", *level_name = "featuremesh_level";
 
     void take_over(Mat of) {
-        Owned<PetscContainer, PetscContainerDestroy> self;
-        check(PetscContainerCreate(PETSC_COMM_SELF, self.fresh()));
-        check(PetscContainerSetPointer(self, this));
-        check(PetscObjectCompose((PetscObject)of, name, (PetscObject)(PetscContainer)self));
+        attach(of, owner_name, this);
         void (*otherwise)(void) = nullptr;
         check(MatGetOperation(of, MATOP_PRODUCTSETFROMOPTIONS, &otherwise));
         if (otherwise) otherwise_ = (Operation)otherwise;
@@ -94,13 +105,9 @@ class ProductsByBlocks {
         ProductsByBlocks* self = nullptr;
 
         explicit Asked(Mat product) {
-            PetscObject found = nullptr;
-            void* pointer = nullptr;
             check(MatProductGetType(product, &type));
             check(MatProductGetMats(product, &of, &by, nullptr));
-            check(PetscObjectQuery((PetscObject)of, name, &found));
-            check(PetscContainerGetPointer((PetscContainer)found, &pointer));
-            self = static_cast<ProductsByBlocks*>(pointer);
+            check(find(of, owner_name, self));
         }
         std::size_t height() const { return of == self->finest_ ? 3 : 6; }
     };
@@ -162,6 +169,49 @@ class ProductsByBlocks {
         shape(product, condensed, motions.width());
         fill(product, [&](double* values) { level.condense(once, has, condensed, values); });
         take_over(product);
+        round_products(product, condensed);
+    }
+
+    /// What the multigrid multiplies a level by, in single precision, as on the finest.
+    struct Level {
+        BlockPattern pattern;
+        RoundedBlocks rounded;
+        RunContext& threads;
+    };
+
+    void round_products(Mat of, BlockPattern pattern) {
+        levels_.push_back(std::unique_ptr<Level>(new Level{std::move(pattern), {}, threads_}));
+        Level& level = *levels_.back();
+        const PetscScalar* values = nullptr;
+        check(MatSeqAIJGetArrayRead(of, &values));
+        level.rounded = {6, level.pattern.starts, level.pattern.columns, values, threads_};
+        check(MatSeqAIJRestoreArrayRead(of, &values));
+        attach(of, level_name, &level);
+        check(MatSetOperation(of, MATOP_MULT, (void (*)(void))multiply));
+    }
+
+    static PetscErrorCode multiply(Mat of, Vec in, Vec out) {
+        Level* level = nullptr;
+        PetscCall(find(of, level_name, level));
+        return multiply_by(level->rounded, in, out, level->threads);
+    }
+
+    /// Something of ours that a matrix of PETSc's is to find again.
+    static void attach(Mat of, const char* name, void* what) {
+        Owned<PetscContainer, PetscContainerDestroy> container;
+        check(PetscContainerCreate(PETSC_COMM_SELF, container.fresh()));
+        check(PetscContainerSetPointer(container, what));
+        check(PetscObjectCompose((PetscObject)of, name, (PetscObject)(PetscContainer)container));
+    }
+
+    template <class What>
+    static PetscErrorCode find(Mat of, const char* name, What*& what) {
+        PetscObject found = nullptr;
+        void* pointer = nullptr;
+        PetscCall(PetscObjectQuery((PetscObject)of, name, &found));
+        PetscCall(PetscContainerGetPointer((PetscContainer)found, &pointer));
+        what = static_cast<What*>(pointer);
+        return PetscErrorCode(0);
     }
 
     /// Makes `product` a matrix of such blocks.
@@ -193,6 +243,7 @@ class ProductsByBlocks {
 
     const BlockMatrix& matrix_;
     RunContext& threads_;
+    std::vector<std::unique_ptr<Level>> levels_;
     Mat finest_ = nullptr;
     Operation otherwise_ = nullptr;
 };

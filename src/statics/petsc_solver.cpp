@@ -106,7 +106,7 @@ struct System {
   private:
     using Product = PetscErrorCode (*)(Mat, Vec, Vec);
 
-    void round() { rounded_values_.assign(blocks.values.begin(), blocks.values.end()); }
+    void round() { rounded_ = {3, blocks.starts, blocks.neighbours, blocks.values.data(), threads}; }
 
     void make_shell(Matrix& shell, Product product) {
         check(MatCreateShell(PETSC_COMM_SELF, size(), size(), size(), size(), this, shell.fresh()));
@@ -118,13 +118,13 @@ struct System {
     static PetscErrorCode multiply_exactly(Mat of, Vec in, Vec out) {
         System* self = nullptr;
         PetscCall(MatShellGetContext(of, &self));
-        return self->multiply(self->blocks.values, in, out);
+        return self->multiply(in, out);
     }
 
     static PetscErrorCode multiply_rounded(Mat of, Vec in, Vec out) {
         System* self = nullptr;
         PetscCall(MatShellGetContext(of, &self));
-        return self->multiply(self->rounded_values_, in, out);
+        return multiply_by(self->rounded_, in, out, self->threads);
     }
 
     static PetscErrorCode multiply_entries(Mat of, Vec in, Vec out) {
@@ -132,7 +132,7 @@ struct System {
         void* self = nullptr;
         PetscCall(PetscObjectQuery((PetscObject)of, owner, &found));
         PetscCall(PetscContainerGetPointer((PetscContainer)found, &self));
-        return static_cast<System*>(self)->multiply(static_cast<System*>(self)->rounded_values_, in, out);
+        return multiply_by(static_cast<System*>(self)->rounded_, in, out, static_cast<System*>(self)->threads);
     }
 
     static PetscErrorCode get_diagonal(Mat of, Vec out) {
@@ -153,8 +153,7 @@ struct System {
         return PetscErrorCode(0);
     }
 
-    template <class Value>
-    PetscErrorCode multiply(const std::vector<Value>& values, Vec in, Vec out) {
+    PetscErrorCode multiply(Vec in, Vec out) {
         const PetscScalar* x = nullptr;
         PetscScalar* y = nullptr;
         PetscCall(VecGetArrayRead(in, &x));
@@ -163,7 +162,7 @@ struct System {
             for (std::size_t node = begin; node < end; ++node) {
                 const auto first = std::size_t(blocks.starts[node]), last = std::size_t(blocks.starts[node + 1]);
                 const std::size_t width = 3 * (last - first);
-                const Value* row = values.data() + 9 * first;
+                const double* row = blocks.values.data() + 9 * first;
                 double sums[3] = {0, 0, 0};
                 for (std::size_t k = first; k < last; ++k, row += 3) {
                     const double* u = x + 3 * std::size_t(blocks.neighbours[k]);
@@ -180,7 +179,7 @@ struct System {
 
     static constexpr const char* owner = "featuremesh_system";
 
-    std::vector<float> rounded_values_;
+    RoundedBlocks rounded_;
     std::vector<PetscInt> starts_, columns_;
     ProductsByBlocks products_{blocks, threads};
 };

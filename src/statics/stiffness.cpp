@@ -63,7 +63,7 @@ class Rows {
     /// Adds the block of the row's shape function and another one's at one point: the part of div(stress) that
     /// depends on it. `first` and `shear` are Lame's constants times the point's volume.
     void add(NodeId other, const Vec3& ga, const Vec3& gb, double first, double shear) {
-        const auto at = std::lower_bound(neighbours_.begin(), neighbours_.end(), other.value) - neighbours_.begin();
+        const auto at = std::find(neighbours_.begin(), neighbours_.end(), other.value) - neighbours_.begin();
         const double along = shear * dot(ga, gb);
         for (int r = 0; r < 3; ++r) {
             double* row = this->row(r) + 3 * at;
@@ -90,20 +90,30 @@ class Rows {
     double* values_;
 };
 
-void fill_rows(const StaticsModel& model, const TetsOfNodes& around, std::size_t node, BlockMatrix& matrix) {
+/// Lame's constants.
+struct Lame {
+    double first, shear;
+};
+
+template <class ElementType>
+void add_element(const ElementType& element, const Lame& lame, std::size_t node, Rows& rows) {
+    const auto own =
+        std::size_t(std::find(element.nodes.begin(), element.nodes.end(), NodeId(node)) - element.nodes.begin());
+    for (const auto& point : element.points) {
+        const double first = lame.first * point.volume, shear = lame.shear * point.volume;
+        for (std::size_t b = 0; b < element.nodes.size(); ++b)
+            rows.add(element.nodes[b], point.gradients[own], point.gradients[b], first, shear);
+    }
+}
+
+void fill_rows(const StaticsModel& model, const std::vector<Lame>& lame, const TetsOfNodes& around, std::size_t node,
+               BlockMatrix& matrix) {
     Rows rows(matrix, node);
     for (auto t = around.starts[node]; t < around.starts[node + 1]; ++t) {
         const auto tet = std::size_t(around.tets[std::size_t(t)]);
-        const Element element = element_at(model.mesh, tet);
-        const Material& material = model.material(tet);
-        const auto own =
-            std::size_t(std::find(element.nodes.begin(), element.nodes.end(), NodeId(node)) - element.nodes.begin());
-        for (int p = 0; p < element.point_count; ++p) {
-            const IntegrationPoint& point = element.points[std::size_t(p)];
-            const double first = material.lame_first() * point.volume, shear = material.shear_modulus() * point.volume;
-            for (std::size_t b = 0; b < std::size_t(element.node_count); ++b)
-                rows.add(element.nodes[b], point.gradients[own], point.gradients[b], first, shear);
-        }
+        with_element(model.mesh, tet, [&](const auto& element) {
+            add_element(element, lame[std::size_t(model.tet_materials[tet])], node, rows);
+        });
     }
     rows.hold(node, model.is_held);
 }
@@ -127,8 +137,10 @@ TetsOfNodes tets_of_nodes(const Mesh& mesh) {
 BlockMatrix assemble_stiffness(const StaticsModel& model, const TetsOfNodes& around, RunContext& context) {
     BlockMatrix matrix = pattern_of(model.mesh, around, context);
     matrix.values.assign(9 * matrix.neighbours.size(), 0.0);
+    std::vector<Lame> lame;
+    for (const Material& material : model.materials) lame.push_back({material.lame_first(), material.shear_modulus()});
     parallel_for(context, model.mesh.node_count(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t node = begin; node < end; ++node) fill_rows(model, around, node, matrix);
+        for (std::size_t node = begin; node < end; ++node) fill_rows(model, lame, around, node, matrix);
     });
     return matrix;
 }

@@ -13,10 +13,12 @@ namespace {
 
 constexpr std::size_t grain = 1024;
 
-Stress stress_at(const Element& element, const IntegrationPoint& point, const Material& material,
+template <class ElementType>
+Stress stress_at(const ElementType& element, std::size_t p, const Material& material,
                  std::span<const double> displacements) {
+    const auto& point = element.points[p];
     Vec3 along[3];  // the displacement's derivatives by x, y and z
-    for (std::size_t i = 0; i < std::size_t(element.node_count); ++i) {
+    for (std::size_t i = 0; i < element.nodes.size(); ++i) {
         const double* u = displacements.data() + 3 * element.nodes[i].index();
         const Vec3 moved{u[0], u[1], u[2]};
         along[0] += moved * point.gradients[i].x;
@@ -34,23 +36,32 @@ Vec3 times(const Stress& s, const Vec3& g) {
             s[5] * g.x + s[4] * g.y + s[2] * g.z};
 }
 
-/// Stresses of a tet continued to its corners.
-std::array<Stress, 4> corner_stresses(const StaticsModel& model, std::span<const double> displacements,
-                                      std::size_t tet) {
-    static const CornerWeights weights = corner_weights();
-    const Element element = element_at(model.mesh, tet);
-    std::array<Stress, 4> inside{}, corners{};
-    for (std::size_t p = 0; p < std::size_t(element.point_count); ++p)
-        inside[p] = stress_at(element, element.points[p], model.material(tet), displacements);
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t k = 0; k < 6; ++k) {
-            if (element.point_count == 1) {
-                corners[i][k] = inside[0][k];
-                continue;
-            }
-            for (std::size_t p = 0; p < 4; ++p) corners[i][k] += (p == i ? weights.own : weights.other) * inside[p][k];
-        }
-    return corners;
+/// How many points of integration a tet has.
+std::size_t points_of_tet(const Mesh& mesh) { return mesh.order == 2 ? 4 : 1; }
+
+/// By tet the stresses at its points of integration.
+std::vector<Stress> stresses_inside(const StaticsModel& model, std::span<const double> displacements,
+                                    RunContext& context) {
+    std::vector<Stress> inside(points_of_tet(model.mesh) * model.mesh.tets.size());
+    parallel_for(context, model.mesh.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t tet = begin; tet < end; ++tet)
+            with_element(model.mesh, tet, [&](const auto& element) {
+                for (std::size_t p = 0; p < element.points.size(); ++p)
+                    inside[element.points.size() * tet + p] = stress_at(element, p, model.material(tet), displacements);
+            });
+    });
+    return inside;
+}
+
+/// The stresses of a 10-node tet, from those inside, continued to a place of it.
+Stress continued(std::span<const Stress> inside, const CornerWeights& weights, const std::array<std::size_t, 2>& to) {
+    Stress there{};
+    for (std::size_t p = 0; p < 4; ++p) {
+        const double weight =
+            ((p == to[0] ? weights.own : weights.other) + (p == to[1] ? weights.own : weights.other)) / 2;
+        for (std::size_t k = 0; k < 6; ++k) there[k] += weight * inside[p][k];
+    }
+    return there;
 }
 
 /// Twice the energy density of a stress, N/mm^2.
@@ -75,6 +86,16 @@ std::array<std::size_t, 2> corners_of(std::size_t place) {
     return {std::size_t(tet_sides[place - 4][0]), std::size_t(tet_sides[place - 4][1])};
 }
 
+/// A tet's own stress less that of its corners, continued linearly to one of four points inside.
+Stress difference_at(const Mesh& mesh, std::size_t tet, std::size_t point, Stress own, const CornerWeights& weights,
+                     const std::vector<Stress>& nodal) {
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Stress& corner = nodal[mesh.tets[tet][i].index()];
+        for (std::size_t k = 0; k < 6; ++k) own[k] -= (i == point ? weights.own : weights.other) * corner[k];
+    }
+    return own;
+}
+
 }  // namespace
 
 std::vector<double> resisting_forces(const StaticsModel& model, std::span<const double> displacements,
@@ -83,15 +104,15 @@ std::vector<double> resisting_forces(const StaticsModel& model, std::span<const 
     const std::size_t width = mesh.order == 2 ? 10 : 4;
     std::vector<Vec3> of_elements(width * mesh.tets.size());
     parallel_for(context, mesh.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tet = begin; tet < end; ++tet) {
-            const Element element = element_at(mesh, tet);
-            for (std::size_t p = 0; p < std::size_t(element.point_count); ++p) {
-                const IntegrationPoint& point = element.points[p];
-                const Stress stress = stress_at(element, point, model.material(tet), displacements);
-                for (std::size_t i = 0; i < width; ++i)
-                    of_elements[width * tet + i] += times(stress, point.gradients[i]) * point.volume;
-            }
-        }
+        for (std::size_t tet = begin; tet < end; ++tet)
+            with_element(mesh, tet, [&](const auto& element) {
+                for (std::size_t p = 0; p < element.points.size(); ++p) {
+                    const auto& point = element.points[p];
+                    const Stress stress = stress_at(element, p, model.material(tet), displacements);
+                    for (std::size_t i = 0; i < element.nodes.size(); ++i)
+                        of_elements[width * tet + i] += times(stress, point.gradients[i]) * point.volume;
+                }
+            });
     });
     std::vector<double> forces(3 * mesh.node_count(), 0.0);
     parallel_for(context, mesh.node_count(), grain, [&](std::size_t begin, std::size_t end) {
@@ -108,19 +129,18 @@ std::vector<double> resisting_forces(const StaticsModel& model, std::span<const 
 std::vector<Stress> nodal_stresses(const StaticsModel& model, std::span<const double> displacements,
                                    const TetsOfNodes& around, RunContext& context) {
     const Mesh& mesh = model.mesh;
-    std::vector<std::array<Stress, 4>> of_corners(mesh.tets.size());
-    parallel_for(context, mesh.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tet = begin; tet < end; ++tet) of_corners[tet] = corner_stresses(model, displacements, tet);
-    });
+    const CornerWeights weights = corner_weights();
+    const std::vector<Stress> inside = stresses_inside(model, displacements, context);
     std::vector<Stress> stresses(mesh.node_count(), Stress{});
     parallel_for(context, mesh.node_count(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t node = begin; node < end; ++node) {
             const auto count = double(around.starts[node + 1] - around.starts[node]);
             for (auto t = around.starts[node]; t < around.starts[node + 1]; ++t) {
                 const auto tet = std::size_t(around.tets[std::size_t(t)]);
-                const auto [a, b] = corners_of(place_in(mesh, tet, node));
-                for (std::size_t k = 0; k < 6; ++k)
-                    stresses[node][k] += (of_corners[tet][a][k] + of_corners[tet][b][k]) / (2 * count);
+                const Stress there = mesh.order == 1 ? inside[tet]
+                                                     : continued({inside.data() + 4 * tet, 4}, weights,
+                                                                 corners_of(place_in(mesh, tet, node)));
+                for (std::size_t k = 0; k < 6; ++k) stresses[node][k] += there[k] / count;
             }
         }
     });
@@ -133,21 +153,18 @@ double discretisation_error(const StaticsModel& model, std::span<const double> d
     const CornerWeights weights = inner_weights();
     std::vector<std::array<double, 2>> of_tets(mesh.tets.size(), {0.0, 0.0});  // of the difference, of the solution
     parallel_for(context, mesh.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tet = begin; tet < end; ++tet) {
-            const Element element = element_at(mesh, tet);
-            const auto count = std::size_t(element.point_count);
-            for (std::size_t p = 0; p < 4; ++p) {
-                const IntegrationPoint& point = element.points[p % count];
-                const Stress own = stress_at(element, point, model.material(tet), displacements);
-                Stress difference = own;
-                for (std::size_t i = 0; i < 4; ++i)
-                    for (std::size_t k = 0; k < 6; ++k)
-                        difference[k] -= (i == p ? weights.own : weights.other) * nodal[mesh.tets[tet][i].index()][k];
-                const double volume = point.volume * double(count) / 4;
-                of_tets[tet][0] += volume * energy_density(difference, model.material(tet));
-                of_tets[tet][1] += volume * energy_density(own, model.material(tet));
-            }
-        }
+        for (std::size_t tet = begin; tet < end; ++tet)
+            with_element(mesh, tet, [&](const auto& element) {
+                for (std::size_t p = 0; p < element.points.size(); ++p) {
+                    const Stress own = stress_at(element, p, model.material(tet), displacements);
+                    const double volume = element.points[p].volume;
+                    of_tets[tet][1] += volume * energy_density(own, model.material(tet));
+                    for (std::size_t at = p; at < 4; at += element.points.size())
+                        of_tets[tet][0] +=
+                            volume * double(element.points.size()) / 4 *
+                            energy_density(difference_at(mesh, tet, at, own, weights, nodal), model.material(tet));
+                }
+            });
     });
     double difference = 0, solution = 0;
     for (const auto& [a, b] : of_tets) difference += a, solution += b;

@@ -3,6 +3,7 @@
 
 #include "catch.h"
 #include "statics/aggregate_products.h"
+#include "statics/rounded_blocks.h"
 
 using namespace featuremesh;
 
@@ -93,4 +94,38 @@ TEST_CASE("products of an aggregation by blocks are those of the matrices, on an
     check_products<3>(40, 9, threads);
     check_products<6>(20, 5, threads);
     check_products<3>(1, 1, threads);
+}
+
+TEST_CASE("products in single precision are those of the rounded matrix, on any number of threads") {
+    const std::size_t side = GENERATE(3, 6), rows = 5000;
+    std::mt19937 random(11);
+    BlockPattern pattern{side, side, {0}, {}};
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (const std::size_t column : {row / 2, row, rows - 1})
+            if (pattern.columns.size() == pattern.begin(row) || std::size_t(pattern.columns.back()) < column)
+                pattern.columns.push_back(std::int32_t(column));
+        pattern.starts.push_back(std::int64_t(pattern.columns.size()));
+    }
+    std::vector<double> values(pattern.place(rows)), x(side * rows), expected(side * rows, 0.0);
+    for (double& value : values) value = double(random() % 2000) / 700 - 1;
+    for (double& value : x) value = double(random() % 2000) / 900 - 1;
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t block = pattern.begin(row); block < pattern.end(row); ++block)
+            for (std::size_t r = 0; r < side; ++r)
+                for (std::size_t c = 0; c < side; ++c)
+                    expected[side * row + r] +=
+                        double(float(values[pattern.place(row, block) + r * pattern.width(row) + c])) *
+                        x[side * std::size_t(pattern.columns[block]) + c];
+    std::vector<std::vector<double>> found;
+    for (const int threads : {1, 4}) {
+        RunContext context;
+        context.threads = threads;
+        const RoundedBlocks matrix(side, pattern.starts, pattern.columns, values.data(), context);
+        found.emplace_back(side * rows, 7.0);
+        matrix.multiply(x.data(), found.back().data(), context);
+        double most = 0;
+        for (std::size_t i = 0; i < side * rows; ++i) most = std::max(most, std::abs(found.back()[i] - expected[i]));
+        CHECK(most < 1e-13);
+    }
+    CHECK(found[0] == found[1]);
 }

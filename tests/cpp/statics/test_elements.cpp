@@ -40,17 +40,18 @@ TEST_CASE("shape functions sum to one and their gradients to nothing") {
         const Mesh mesh = solved_box(2, order);
         double volume = 0;
         for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet) {
-            const Element element = element_at(mesh, tet);
-            for (int p = 0; p < element.point_count; ++p) {
-                const auto values = shape_values(element.node_count, p);
-                Vec3 gradients;
-                double sum = 0;
-                for (std::size_t i = 0; i < std::size_t(element.node_count); ++i)
-                    sum += values[i], gradients += element.points[std::size_t(p)].gradients[i];
-                CHECK(sum == Approx(1));
-                CHECK(length(gradients) < 1e-12);
-                volume += element.points[std::size_t(p)].volume;
-            }
+            with_element(mesh, tet, [&](const auto& element) {
+                for (std::size_t p = 0; p < element.points.size(); ++p) {
+                    const auto values = shape_values(int(element.nodes.size()), int(p));
+                    Vec3 gradients;
+                    double sum = 0;
+                    for (std::size_t i = 0; i < element.nodes.size(); ++i)
+                        sum += values[i], gradients += element.points[p].gradients[i];
+                    CHECK(sum == Approx(1));
+                    CHECK(length(gradients) < 1e-12);
+                    volume += element.points[p].volume;
+                }
+            });
         }
         CHECK(volume == Approx(1));
     }

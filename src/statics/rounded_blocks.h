@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A matrix in single precision, which has half the memory to read. Its products are summed in double precision.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/run_context.h"
+
+namespace featuremesh {
+
+/// Square blocks of `side` rows, 3 or 6, each column by column.
+class RoundedBlocks {
+  public:
+    RoundedBlocks() = default;
+    /// Row i has the blocks `starts[i]` to `starts[i + 1]`, at those columns; both have to outlive this. `values` has
+    /// for each row of blocks `side` rows of numbers, one after the other.
+    RoundedBlocks(std::size_t side, std::span<const std::int64_t> starts, std::span<const std::int32_t> columns,
+                  const double* values, RunContext& threads);
+
+    /// y = A x, each row by itself, in one order on every machine.
+    void multiply(const double* x, double* y, RunContext& threads) const;
+
+  private:
+    std::size_t side_ = 0;
+    std::span<const std::int64_t> starts_;
+    std::span<const std::int32_t> columns_;
+    std::vector<float> values_;
+};
+
+}  // namespace featuremesh
