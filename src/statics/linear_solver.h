@@ -34,6 +34,9 @@ class LinearSolver {
     /// that were not there or are held otherwise now. The new nodes' own block is factored.
     virtual void carry_over(BlockMatrix matrix, std::vector<std::int32_t> origin) = 0;
 
+    /// The matrix that it solves; empty before it has one.
+    virtual const BlockMatrix& matrix() const = 0;
+
     /// sqrt(r B r) with B the preconditioner: about the energy norm of the error that leaves the residual r.
     virtual double energy_norm(std::span<const double> residual) = 0;
 

@@ -15,6 +15,7 @@ struct Material {
     double poisson = 0;  ///< from -1 to below 0.5
     double density = 0;  ///< t/mm^3
 
+    bool operator==(const Material&) const = default;
     double lame_first() const { return young * poisson / ((1 + poisson) * (1 - 2 * poisson)); }
     double shear_modulus() const { return young / (2 * (1 + poisson)); }
 };

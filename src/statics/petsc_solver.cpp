@@ -436,6 +436,8 @@ class PetscSolver final : public LinearSolver {
         is_carried_ = true;
     }
 
+    const BlockMatrix& matrix() const override { return system().blocks; }
+
     void use_threads(int threads) override {
         earlier_.threads.threads = present_.threads.threads = linear_.threads.threads = threads;
     }

@@ -145,18 +145,22 @@ double StaticsSolver::whole_energy_norm(std::span<const double> unbalanced) {
 bool StaticsSolver::prepare(const StaticsModel& model, const TetsOfNodes& around, RunContext& context) {
     BlockMatrix matrix = [&] {
         RunContext::Step step(context, "assemble");
-        return assemble_stiffness(model, around, context);
+        const SameRows same = assembled_.rows_for(model, around, solver_->matrix(), context);
+        return assemble_stiffness(model, around, context, &same);
     }();
+    assembled_ = {};  // until the solver has the matrix
     RunContext::Step step(context, "setup");
     std::vector<std::int32_t> origin = origins(model);
     const auto fresh = std::count(origin.begin(), origin.end(), -1);
     if (double(fresh) <= most_new_nodes * double(origin.size())) {
         solver_->carry_over(std::move(matrix), std::move(origin));
+        assembled_ = AssembledModel(model, around);
         return true;
     }
     std::optional<CoarseLevel> coarse;
     if (model.mesh.order == 2) coarse = coarse_level(model, context);
     solver_->set_up(std::move(matrix), model.mesh.points, std::move(coarse));
+    assembled_ = AssembledModel(model, around);
     setup_ = {};
     setup_.materials = model.materials;
     for (std::size_t node = 0; node < model.mesh.node_count(); ++node)

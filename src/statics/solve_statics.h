@@ -10,6 +10,7 @@
 #include "core/run_context.h"
 #include "statics/linear_solver.h"
 #include "statics/model.h"
+#include "statics/same_rows.h"
 #include "statics/stresses.h"
 
 namespace featuremesh {
@@ -65,6 +66,7 @@ class StaticsSolver {
     void remember(const StaticsModel& model, const StaticsSolution& solution);
 
     std::unique_ptr<LinearSolver> solver_;
+    AssembledModel assembled_;     ///< of its matrix
     Setup setup_;                  ///< where the preconditioner is from
     std::vector<NodeState> last_;  ///< the last solution, by ascending number
 };

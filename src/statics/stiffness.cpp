@@ -19,6 +19,14 @@ void for_each_node(const Mesh& mesh, std::size_t tet, Visit visit) {
         for (const NodeId node : mesh.tet_mids[tet]) visit(node);
 }
 
+bool is_same(const SameRows* same, std::size_t node) { return same && same->row[node] >= 0; }
+
+void copy_neighbours(const SameRows& same, std::size_t node, std::vector<std::int32_t>& found) {
+    const auto row = std::size_t(same.row[node]);
+    for (auto k = same.matrix.starts[row]; k < same.matrix.starts[row + 1]; ++k)
+        found.push_back(same.node_now[std::size_t(same.matrix.neighbours[std::size_t(k)])]);
+}
+
 void gather_neighbours(const Mesh& mesh, const TetsOfNodes& around, std::size_t node,
                        std::vector<std::int32_t>& found) {
     const auto first = std::ptrdiff_t(found.size());
@@ -30,7 +38,7 @@ void gather_neighbours(const Mesh& mesh, const TetsOfNodes& around, std::size_t 
     std::sort(found.begin() + first, found.end());
 }
 
-BlockMatrix pattern_of(const Mesh& mesh, const TetsOfNodes& around, RunContext& context) {
+BlockMatrix pattern_of(const Mesh& mesh, const TetsOfNodes& around, RunContext& context, const SameRows* same) {
     const std::size_t n = mesh.node_count();
     BlockMatrix matrix;
     matrix.starts.assign(n + 1, 0);
@@ -39,7 +47,7 @@ BlockMatrix pattern_of(const Mesh& mesh, const TetsOfNodes& around, RunContext& 
         auto& found = of_chunk[begin / grain];
         for (std::size_t node = begin; node < end; ++node) {
             const std::size_t before = found.size();
-            gather_neighbours(mesh, around, node, found);
+            is_same(same, node) ? copy_neighbours(*same, node, found) : gather_neighbours(mesh, around, node, found);
             matrix.starts[node + 1] = std::int64_t(found.size() - before);
         }
     });
@@ -118,6 +126,13 @@ void fill_rows(const StaticsModel& model, const std::vector<Lame>& lame, const T
     rows.hold(node, model.is_held);
 }
 
+void copy_rows(const SameRows& same, std::size_t node, BlockMatrix& matrix) {
+    const auto row = std::size_t(same.row[node]);
+    std::copy(same.matrix.values.begin() + 9 * same.matrix.starts[row],
+              same.matrix.values.begin() + 9 * same.matrix.starts[row + 1],
+              matrix.values.begin() + 9 * matrix.starts[node]);
+}
+
 }  // namespace
 
 TetsOfNodes tets_of_nodes(const Mesh& mesh) {
@@ -134,13 +149,15 @@ TetsOfNodes tets_of_nodes(const Mesh& mesh) {
     return around;
 }
 
-BlockMatrix assemble_stiffness(const StaticsModel& model, const TetsOfNodes& around, RunContext& context) {
-    BlockMatrix matrix = pattern_of(model.mesh, around, context);
+BlockMatrix assemble_stiffness(const StaticsModel& model, const TetsOfNodes& around, RunContext& context,
+                               const SameRows* same) {
+    BlockMatrix matrix = pattern_of(model.mesh, around, context, same);
     matrix.values.assign(9 * matrix.neighbours.size(), 0.0);
     std::vector<Lame> lame;
     for (const Material& material : model.materials) lame.push_back({material.lame_first(), material.shear_modulus()});
     parallel_for(context, model.mesh.node_count(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t node = begin; node < end; ++node) fill_rows(model, lame, around, node, matrix);
+        for (std::size_t node = begin; node < end; ++node)
+            is_same(same, node) ? copy_rows(*same, node, matrix) : fill_rows(model, lame, around, node, matrix);
     });
     return matrix;
 }

@@ -28,8 +28,16 @@ struct BlockMatrix {
     std::size_t node_count() const { return starts.empty() ? 0 : starts.size() - 1; }
 };
 
+/// Rows that an earlier matrix has already.
+struct SameRows {
+    const BlockMatrix& matrix;
+    std::vector<std::int32_t> row;       ///< by node its row there, -1 where it has another
+    std::vector<std::int32_t> node_now;  ///< by node there the one that it is now
+};
+
 /// The stiffness matrix; rows and columns of held components are zero but for their diagonal value. The same bytes for
-/// any number of threads: each row is summed by itself, over its tets in ascending order.
-BlockMatrix assemble_stiffness(const StaticsModel& model, const TetsOfNodes& around, RunContext& context);
+/// any number of threads, and whatever rows are `same`: each row is summed by itself, over its tets in ascending order.
+BlockMatrix assemble_stiffness(const StaticsModel& model, const TetsOfNodes& around, RunContext& context,
+                               const SameRows* same = nullptr);
 
 }  // namespace featuremesh

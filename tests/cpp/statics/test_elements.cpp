@@ -5,6 +5,7 @@
 #include "held_box.h"
 #include "statics/bodies.h"
 #include "statics/elements.h"
+#include "statics/same_rows.h"
 #include "statics/stiffness.h"
 #include "statics/stresses.h"
 
@@ -131,4 +132,77 @@ TEST_CASE("boxes that touch along an edge only are two bodies") {
     std::vector<std::int32_t> expected(tets, 0);
     expected.resize(2 * tets, 1);
     CHECK(bodies_of_tets(mesh) == expected);
+}
+
+namespace {
+
+/// Checks that the model's matrix has the same bytes with what is the same of an earlier one. Returns how many rows
+/// are.
+std::size_t rows_that_are_same(const StaticsModel& earlier, const StaticsModel& model) {
+    RunContext context;
+    const TetsOfNodes around_earlier = tets_of_nodes(earlier.mesh), around = tets_of_nodes(model.mesh);
+    const BlockMatrix matrix = assemble_stiffness(earlier, around_earlier, context);
+    const SameRows same = AssembledModel(earlier, around_earlier).rows_for(model, around, matrix, context);
+    const BlockMatrix expected = assemble_stiffness(model, around, context);
+    const BlockMatrix found = assemble_stiffness(model, around, context, &same);
+    CHECK(found.starts == expected.starts);
+    CHECK(found.neighbours == expected.neighbours);
+    CHECK(std::memcmp(found.values.data(), expected.values.data(), 8 * expected.values.size()) == 0);
+    return std::size_t(std::count_if(same.row.begin(), same.row.end(), [](std::int32_t row) { return row >= 0; }));
+}
+
+/// The same mesh with its first node last, and all numbers as they were.
+Mesh with_first_node_last(const Mesh& mesh) {
+    Mesh turned = mesh;
+    const auto n = std::int32_t(mesh.node_count());
+    std::rotate(turned.points.begin(), turned.points.begin() + 1, turned.points.end());
+    std::rotate(turned.node_numbers.begin(), turned.node_numbers.begin() + 1, turned.node_numbers.end());
+    for (auto& tet : turned.tets)
+        for (NodeId& node : tet) node.value = (node.value + n - 1) % n;
+    return turned;
+}
+
+}  // namespace
+
+TEST_CASE("rows of an earlier matrix are taken where nothing of them changed, and with the same bytes") {
+    for (const int order : {1, 2}) {
+        const Mesh mesh = solved_box(5, order);
+        StaticsModel model = free_model(mesh);
+        hold(model, [](const Vec3& p) { return p.x == 0; });
+        CHECK(rows_that_are_same(model, model) == mesh.node_count());
+
+        Mesh moved = mesh;
+        const auto inner = std::size_t(
+            std::find_if(mesh.entities.begin(), mesh.entities.end(), [](const auto& on) { return on.dim == 3; }) -
+            mesh.entities.begin());
+        moved.points[inner] += Vec3{0.01, 0, 0};
+        StaticsModel with_moved = free_model(moved);
+        with_moved.is_held = model.is_held;
+        const std::size_t kept = rows_that_are_same(model, with_moved);
+        CHECK(kept < mesh.node_count());
+        CHECK(kept > mesh.node_count() / 2);
+
+        StaticsModel freed = free_model(mesh);
+        freed.is_held = model.is_held;
+        freed.is_held[0] = !freed.is_held[0];
+        CHECK(rows_that_are_same(model, freed) < mesh.node_count());
+
+        StaticsModel soft = free_model(mesh, {70000, 0.3, 0});
+        soft.is_held = model.is_held;
+        CHECK(rows_that_are_same(model, soft) == 0);
+
+        StaticsModel two = free_model(mesh);
+        two.materials.push_back(steel);
+        CHECK(rows_that_are_same(model, two) == 0);
+        StaticsModel mixed = free_model(mesh);
+        mixed.materials.push_back({70000, 0.3, 0}), two.materials = mixed.materials;
+        mixed.tet_materials[0] = 1;
+        const std::size_t of_mixed = rows_that_are_same(two, mixed);
+        CHECK(of_mixed == mesh.node_count() - (order == 1 ? 4 : 10));
+    }
+    const Mesh mesh = solved_box(5, 1);
+    const Mesh turned = with_first_node_last(mesh);
+    const std::size_t kept = rows_that_are_same(free_model(mesh), free_model(turned));
+    CHECK(kept < mesh.node_count());  // the first node's neighbours come in another order
+    CHECK(kept > mesh.node_count() / 2);
 }
