@@ -11,13 +11,20 @@ namespace featuremesh {
 
 namespace {
 
-/// More new nodes than this are not factored by themselves: a new preconditioner is cheaper.
-constexpr double most_new_nodes = 0.08;
+/// More new nodes are not factored by themselves: a new preconditioner is cheaper. Of all nodes, and times the root of
+/// their number: factoring takes work like the square of the new ones, a set-up, which is less for 10-node tets, like
+/// all nodes.
+constexpr double most_new_share = 0.08, most_new_linear = 10, most_new_quadratic = 6;
 /// A kept preconditioner may take this many times the iterations of its own matrix, and then some.
 constexpr int patience = 3, more_iterations = 10;
 /// Aggregation that takes more is given up for a factor, where that is to be had. That of 4-node tets costs more than
 /// hundreds of iterations; that of 10-node tets is of an eighth of the unknowns.
 constexpr int slow_linear = 350, slow_quadratic = 50;
+
+double most_new_nodes(const Mesh& mesh) {
+    const auto all = double(mesh.node_count());
+    return std::min(most_new_share * all, (mesh.order == 1 ? most_new_linear : most_new_quadratic) * std::sqrt(all));
+}
 
 char held_bits(const StaticsModel& model, std::size_t node) {
     char bits = 0;
@@ -152,7 +159,7 @@ bool StaticsSolver::prepare(const StaticsModel& model, const TetsOfNodes& around
     RunContext::Step step(context, "setup");
     std::vector<std::int32_t> origin = origins(model);
     const auto fresh = std::count(origin.begin(), origin.end(), -1);
-    if (double(fresh) <= most_new_nodes * double(origin.size())) {
+    if (double(fresh) <= most_new_nodes(model.mesh)) {
         solver_->carry_over(std::move(matrix), std::move(origin));
         assembled_ = AssembledModel(model, around);
         return true;
