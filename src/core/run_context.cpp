@@ -51,6 +51,19 @@ void RunContext::check_cancelled() const {
     throw Cancelled();
 }
 
+/// Threads that wait for the next loop: to gather them anew takes longer than many a loop.
+struct RunContext::Arena {
+    explicit Arena(int of) : count(of), threads(of) {}
+    int count;
+    tbb::task_arena threads;
+};
+
+std::shared_ptr<RunContext::Arena> RunContext::arena() const {
+    const std::scoped_lock lock(arena_mutex_);
+    if (!arena_ || arena_->count != threads) arena_ = std::make_shared<Arena>(threads);
+    return arena_;
+}
+
 void parallel_for(RunContext& context, std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body) {
     const std::size_t chunks = (count + grain - 1) / grain;
@@ -62,12 +75,15 @@ void parallel_for(RunContext& context, std::size_t count, std::size_t grain,
         for (std::size_t chunk = 0; chunk < chunks; ++chunk) run_chunk(chunk);
         return;
     }
-    on_threads(context, [&] { tbb::parallel_for(std::size_t{0}, chunks, run_chunk); });
+    on_threads(context, [&] {
+        // a thread that waits for its part of this loop must not begin with a part of an outer one
+        tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, chunks, run_chunk); });
+    });
 }
 
 void on_threads(const RunContext& context, const std::function<void()>& work) {
-    tbb::task_arena arena(context.threads);
-    arena.execute(work);
+    const std::shared_ptr<RunContext::Arena> arena = context.arena();
+    arena->threads.execute(work);
 }
 
 }  // namespace featuremesh

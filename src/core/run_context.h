@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -56,6 +57,10 @@ class RunContext {
     const std::map<std::string, double>& seconds() const { return seconds_; }
 
   private:
+    friend void on_threads(const RunContext& context, const std::function<void()>& work);
+    struct Arena;
+    std::shared_ptr<Arena> arena() const;
+
     std::string step_;
     std::map<std::string, double> seconds_;
     const std::thread::id starter_ = std::this_thread::get_id();
@@ -63,6 +68,8 @@ class RunContext {
     double share_ = 0;
     mutable std::chrono::steady_clock::time_point last_report_{};
     mutable std::atomic<bool> cancelled_{false};
+    mutable std::mutex arena_mutex_;
+    mutable std::shared_ptr<Arena> arena_;  // of the threads that were asked for last
 };
 
 /// Looks whether to stop in every few thousandth round of a loop of cheap rounds.
