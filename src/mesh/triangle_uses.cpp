@@ -36,53 +36,109 @@ std::array<std::uint32_t, count> values_of(const std::array<NodeId, count>& node
     return values;
 }
 
+/// The wanted triangles of the wanted tets, then those of the surface: each element has a place.
+class Elements {
+  public:
+    Elements(const Mesh& mesh, std::span<const char> only, std::span<const TetId> near) : mesh_(mesh), only_(only) {
+        const auto count_marked = [&](const auto& nodes) {
+            return std::count_if(nodes.begin(), nodes.end(), [&](NodeId n) { return only[n.index()] != 0; });
+        };
+        for (const TetId t : near)
+            if (count_marked(mesh.tets[t.index()]) >= 3) tets_.push_back(t.index());
+        tet_count_ = only.empty() ? mesh.tets.size() : tets_.size();
+    }
+
+    std::size_t count() const { return tet_count_ + mesh_.triangles.size(); }
+
+    /// Visits (smallest, use) of every wanted triangle of one element.
+    template <class Visit>
+    void visit_uses_of(std::size_t place, const Visit& visit) const {
+        if (place < tet_count_)
+            visit_tet(only_.empty() ? place : tets_[place], visit);
+        else
+            visit_triangle(place - tet_count_, visit);
+    }
+
+  private:
+    bool is_wanted(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+        return only_.empty() || (only_[a] && only_[b] && only_[c]);
+    }
+
+    template <class Visit>
+    void visit_tet(std::size_t t, const Visit& visit) const {
+        auto n = values_of(mesh_.tets[t]);
+        // the face opposite the j-th smallest node is outward in growing order when j and the parity of the sorting
+        // agree
+        const bool odd = sort_nodes(n);
+        const std::int32_t even_face = static_cast<std::int32_t>(2 * t) + odd,
+                           odd_face = static_cast<std::int32_t>(2 * t) + !odd;
+        if (is_wanted(n[0], n[1], n[2])) visit(n[0], TriangleUse{n[1], n[2], odd_face});
+        if (is_wanted(n[0], n[1], n[3])) visit(n[0], TriangleUse{n[1], n[3], even_face});
+        if (is_wanted(n[0], n[2], n[3])) visit(n[0], TriangleUse{n[2], n[3], odd_face});
+        if (is_wanted(n[1], n[2], n[3])) visit(n[1], TriangleUse{n[2], n[3], even_face});
+    }
+
+    template <class Visit>
+    void visit_triangle(std::size_t t, const Visit& visit) const {
+        auto n = values_of(mesh_.triangles[t]);
+        if (!is_wanted(n[0], n[1], n[2])) return;
+        const bool odd = sort_nodes(n);
+        visit(n[0], TriangleUse{n[1], n[2], -1 - (static_cast<std::int32_t>(2 * t) + odd)});
+    }
+
+    const Mesh& mesh_;
+    std::span<const char> only_;
+    std::vector<std::size_t> tets_;  // those that are wanted, where not all are
+    std::size_t tet_count_ = 0;
+};
+
 }  // namespace
 
 TriangleUses::TriangleUses(const Mesh& mesh, std::span<const char> only, std::span<const TetId> near,
-                           const RunContext& context)
+                           RunContext& context)
     : begin_(mesh.points.size() + 1, 0) {
-    RoundWatch watch(context);
-    const auto is_wanted = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        return only.empty() || (only[a] && only[b] && only[c]);
-    };
-    const auto count_marked = [&](const auto& nodes) {
-        int count = 0;
-        for (const NodeId n : nodes) count += only[n.index()] != 0;
-        return count;
-    };
-    std::vector<std::size_t> wanted_tets;
-    for (const TetId t : near)
-        if (count_marked(mesh.tets[t.index()]) >= 3) wanted_tets.push_back(t.index());
-    // Visits (smallest, middle, largest, code) of every wanted triangle, tets first.
-    const auto for_each_use = [&](auto visit) {
-        const std::size_t tet_count = only.empty() ? mesh.tets.size() : wanted_tets.size();
-        for (std::size_t i = 0; i < tet_count; ++i) {
+    gather(mesh, only, near, context);
+}
+
+TriangleUses::TriangleUses(const Mesh& mesh) : begin_(mesh.points.size() + 1, 0) {
+    RunContext context;
+    gather(mesh, {}, {}, context);
+}
+
+/// Counting sort: each slice of the elements knows where its uses begin in every bucket. The result does not depend on
+/// how many slices there are.
+void TriangleUses::gather(const Mesh& mesh, std::span<const char> only, std::span<const TetId> near,
+                          RunContext& context) {
+    constexpr std::size_t least_of_slice = 1 << 14, most_slices = 8;
+    const Elements elements(mesh, only, near);
+    const auto wanted = std::min(static_cast<std::size_t>(std::max(context.threads, 1)), most_slices);
+    const std::size_t of_slice = std::max(least_of_slice, (elements.count() + wanted - 1) / wanted);
+    std::vector<std::vector<std::uint32_t>> next((elements.count() + of_slice - 1) / of_slice);
+    parallel_for(context, elements.count(), of_slice, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::uint32_t>& count = next[begin / of_slice];
+        count.assign(mesh.points.size(), 0);
+        RoundWatch watch(context);
+        for (std::size_t i = begin; i < end; ++i) {
             watch();
-            const std::size_t t = only.empty() ? i : wanted_tets[i];
-            auto n = values_of(mesh.tets[t]);
-            // the face opposite the j-th smallest node is outward in growing order when j and the parity of the sorting
-            // agree
-            const bool odd = sort_nodes(n);
-            const std::int32_t even_face = static_cast<std::int32_t>(2 * t) + odd,
-                               odd_face = static_cast<std::int32_t>(2 * t) + !odd;
-            if (is_wanted(n[0], n[1], n[2])) visit(n[0], TriangleUse{n[1], n[2], odd_face});
-            if (is_wanted(n[0], n[1], n[3])) visit(n[0], TriangleUse{n[1], n[3], even_face});
-            if (is_wanted(n[0], n[2], n[3])) visit(n[0], TriangleUse{n[2], n[3], odd_face});
-            if (is_wanted(n[1], n[2], n[3])) visit(n[1], TriangleUse{n[2], n[3], even_face});
+            elements.visit_uses_of(i, [&](std::uint32_t smallest, const TriangleUse&) { ++count[smallest]; });
         }
-        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-            auto n = values_of(mesh.triangles[t]);
-            if (!is_wanted(n[0], n[1], n[2])) continue;
-            const bool odd = sort_nodes(n);
-            visit(n[0], TriangleUse{n[1], n[2], -1 - (static_cast<std::int32_t>(2 * t) + odd)});
+    });
+    std::uint32_t sum = 0;
+    for (std::size_t node = 0; node < mesh.points.size(); ++node) {
+        begin_[node] = sum;
+        for (auto& of : next) sum += std::exchange(of[node], sum);
+    }
+    begin_.back() = sum;
+    uses_ = std::make_unique_for_overwrite<TriangleUse[]>(sum);
+    parallel_for(context, elements.count(), of_slice, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::uint32_t>& to = next[begin / of_slice];
+        RoundWatch watch(context);
+        for (std::size_t i = begin; i < end; ++i) {
+            watch();
+            elements.visit_uses_of(
+                i, [&](std::uint32_t smallest, const TriangleUse& use) { uses_[to[smallest]++] = use; });
         }
-    };
-    for_each_use([&](std::uint32_t smallest, const TriangleUse&) { ++begin_[smallest]; });
-    std::size_t sum = 0;
-    for (std::size_t& entry : begin_) sum += std::exchange(entry, sum);
-    uses_.resize(sum);
-    std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-    for_each_use([&](std::uint32_t smallest, const TriangleUse& use) { uses_[next[smallest]++] = use; });
+    });
 }
 
 void TriangleUses::sort(std::span<TriangleUse> uses) {

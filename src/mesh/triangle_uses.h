@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -29,15 +30,15 @@ struct TriangleUse {
 class TriangleUses {
   public:
     /// All triangles, or those whose three nodes are marked in `only`; `near` are then all tets with a marked node.
-    explicit TriangleUses(const Mesh& mesh, std::span<const char> only = {}, std::span<const TetId> near = {},
-                          const RunContext& context = {});
+    TriangleUses(const Mesh& mesh, std::span<const char> only, std::span<const TetId> near, RunContext& context);
+    explicit TriangleUses(const Mesh& mesh);
 
     std::size_t bucket_count() const { return begin_.size() - 1; }
     /// Sorts the uses with this smallest node and calls visit(uses of one triangle) for each of its triangles, tets
     /// before surface triangles.
     template <class Visit>
     void visit_bucket(std::size_t smallest, Visit visit) {
-        const std::span<TriangleUse> uses(uses_.data() + begin_[smallest], uses_.data() + begin_[smallest + 1]);
+        const std::span<TriangleUse> uses(uses_.get() + begin_[smallest], uses_.get() + begin_[smallest + 1]);
         sort(uses);
         for (std::size_t first = 0, last; first < uses.size(); first = last) {
             last = first + 1;
@@ -49,9 +50,10 @@ class TriangleUses {
     }
 
   private:
+    void gather(const Mesh& mesh, std::span<const char> only, std::span<const TetId> near, RunContext& context);
     static void sort(std::span<TriangleUse> uses);
     std::vector<std::size_t> begin_;
-    std::vector<TriangleUse> uses_;
+    std::unique_ptr<TriangleUse[]> uses_;
 };
 
 }  // namespace featuremesh
