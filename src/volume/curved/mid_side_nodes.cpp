@@ -31,16 +31,23 @@ double parameter_at(const Mesh& mesh, std::size_t segment, bool is_start, const 
     return nearest.distance + negligible < off ? nearest.t : end;
 }
 
-void place_on_edges(const Projector& projector, double negligible, const std::vector<bool>& is_new, Mesh& mesh) {
-    for (std::size_t i = 0; i < mesh.segments.size(); ++i) {
-        const NodeId mid = mesh.segment_mids[i];
-        if (!is_new[mid.index()]) continue;
-        const EdgeId edge = mesh.segment_edges[i];
-        const double t = projector.half_way(edge, parameter_at(mesh, i, true, projector, negligible),
-                                            parameter_at(mesh, i, false, projector, negligible));
-        mesh.points[mid.index()] = projector.on_edge(edge, t);
-        mesh.parameters[mid.index()] = {t, 0};
-    }
+/// So many mid-side nodes are placed with one projector, on one thread.
+constexpr std::size_t mids_per_chunk = 512;
+
+void place_on_edges(const Brep& brep, const std::vector<bool>& is_new, Mesh& mesh, RunContext& context) {
+    const double negligible = brep.tolerances().negligible();
+    parallel_for(context, mesh.segments.size(), mids_per_chunk, [&](std::size_t begin, std::size_t end) {
+        const Projector projector(brep);
+        for (std::size_t i = begin; i < end; ++i) {
+            const NodeId mid = mesh.segment_mids[i];
+            if (!is_new[mid.index()]) continue;
+            const EdgeId edge = mesh.segment_edges[i];
+            const double t = projector.half_way(edge, parameter_at(mesh, i, true, projector, negligible),
+                                                parameter_at(mesh, i, false, projector, negligible));
+            mesh.points[mid.index()] = projector.on_edge(edge, t);
+            mesh.parameters[mid.index()] = {t, 0};
+        }
+    });
 }
 
 /// Parameters on the face of a node of the triangle, to start a projection from.
@@ -72,20 +79,37 @@ OnFace above_middle(const Projector& projector, FaceId face, const Vec3& a, cons
     return best;
 }
 
-void place_on_faces(const Projector& projector, std::vector<bool> is_new, Mesh& mesh, RunContext& context) {
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        if (i % 1024 == 0) context.check_cancelled();
+/// The side of the first triangle that has it, of every new mid-side node inside a face.
+struct FaceSide {
+    std::size_t triangle;
+    int side;
+};
+std::vector<FaceSide> sides_in_faces(std::vector<bool> is_new, const Mesh& mesh) {
+    std::vector<FaceSide> sides;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (int s = 0; s < 3; ++s) {
             const NodeId mid = mesh.triangle_mids[i][s];
             if (!is_new[mid.index()] || mesh.entities[mid.index()].dim != 2) continue;
             is_new[mid.index()] = false;
+            sides.push_back({i, s});
+        }
+    return sides;
+}
+
+void place_on_faces(const Brep& brep, const std::vector<bool>& is_new, Mesh& mesh, RunContext& context) {
+    const std::vector<FaceSide> sides = sides_in_faces(is_new, mesh);
+    parallel_for(context, sides.size(), mids_per_chunk, [&](std::size_t begin, std::size_t end) {
+        const Projector projector(brep);
+        for (std::size_t k = begin; k < end; ++k) {
+            const auto& [i, s] = sides[k];
             const auto& corners = mesh.triangles[i];
+            const std::size_t mid = mesh.triangle_mids[i][s].index();
             const OnFace on = above_middle(projector, mesh.triangle_faces[i], mesh.point(corners[s]),
                                            mesh.point(corners[(s + 1) % 3]), start_parameters(mesh, i));
-            mesh.points[mid.index()] = on.point;
-            mesh.parameters[mid.index()] = on.uv;
+            mesh.points[mid] = on.point;
+            mesh.parameters[mid] = on.uv;
         }
-    }
+    });
 }
 
 /// A face at a corner of the tet, or its solid, for messages.
@@ -116,13 +140,12 @@ struct Curved {
 };
 
 /// Gives the mesh its mid-side nodes; which nodes are new.
-std::vector<bool> place_mid_side_nodes(const Brep& brep, const Projector& projector, Mesh& mesh, const Mesh* kept,
-                                       RunContext& context) {
+std::vector<bool> place_mid_side_nodes(const Brep& brep, Mesh& mesh, const Mesh* kept, RunContext& context) {
     const std::vector<NodeId> added = add_mid_side_nodes(mesh, kept, context);
     std::vector<bool> is_new(mesh.points.size(), false);
     for (NodeId n : added) is_new[n.index()] = true;
-    place_on_edges(projector, brep.tolerances().negligible(), is_new, mesh);
-    place_on_faces(projector, is_new, mesh, context);
+    place_on_edges(brep, is_new, mesh, context);
+    place_on_faces(brep, is_new, mesh, context);
     return is_new;
 }
 
@@ -135,7 +158,7 @@ Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh
     if (kept)
         for (std::size_t n = 0; n < mesh.points.size(); ++n)
             is_movable[n] = mesh.node_numbers[n] >= kept->next_node_number;
-    std::vector<bool> is_new = place_mid_side_nodes(brep, projector, mesh, kept, context);
+    std::vector<bool> is_new = place_mid_side_nodes(brep, mesh, kept, context);
     std::copy(is_movable.begin(), is_movable.end(), is_new.begin());
     Curved result{std::move(mesh), {}, {}, 1};
     result.low = unfold_tets(result.mesh, projector, is_new, {wanted_scaled_jacobian, brep.tolerances().least_volume()},
@@ -219,7 +242,7 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
         if (curved.low.empty()) return {std::move(curved.mesh), {}, {}, 1};
         if (refinement == 0 && !curved.folded.empty()) {
             Mesh placed = mesh;
-            place_mid_side_nodes(brep, projector, placed, kept, context);
+            place_mid_side_nodes(brep, placed, kept, context);
             if (BentWalls walls = find_bent_walls(brep, projector, placed, counts.tets, context);
                 !walls.lengths.empty())
                 return {{}, std::move(walls.lengths), place_of(placed, walls.place), 0};
@@ -248,7 +271,7 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
 
 Mesh curved_without_tets(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {
     RunContext::Step step(context, "surface");
-    place_mid_side_nodes(brep, Projector(brep), mesh, kept, context);
+    place_mid_side_nodes(brep, mesh, kept, context);
     return mesh;
 }
 
