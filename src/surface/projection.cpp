@@ -286,6 +286,7 @@ struct Projector::Data {
 Projector::Projector(const Brep& brep) : data_(std::make_unique<Data>(brep)) {}
 Projector::~Projector() = default;
 Projector::Projector(Projector&&) noexcept = default;
+Projector Projector::another() const { return Projector(data_->brep); }
 
 Vec3 Projector::on_edge(EdgeId edge, double t) const { return to_vec3(data_->curve(edge).adaptor.Value(t)); }
 

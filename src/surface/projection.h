@@ -28,6 +28,8 @@ class Projector {
     explicit Projector(const Brep& brep);
     ~Projector();
     Projector(Projector&&) noexcept;
+    /// Of the same Brep, for another thread.
+    Projector another() const;
 
     Vec3 on_edge(EdgeId edge, double t) const;
     /// The edge's first and last parameter.

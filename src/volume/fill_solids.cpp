@@ -141,7 +141,7 @@ class Filling {
         wanted.is_steep = true;
         std::optional<OppositeWalls> walls;
         if (options_.splits_wall_tets) {
-            walls.emplace(brep_, result_.mesh, projector_);
+            walls.emplace(brep_, result_.mesh);
             wanted.is_barred = [&](const std::array<int, 4>& tet) {
                 return walls->are_spanned_by(
                     {region.node_of(tet[0]), region.node_of(tet[1]), region.node_of(tet[2]), region.node_of(tet[3])});
@@ -203,15 +203,14 @@ class Filling {
     /// With fewer kept tets, or none, there is another way, which a long search here would only put off.
     static std::size_t most_insertions(const InterfaceRegion& region) {
         constexpr std::size_t at_least = 40, tets_per_insertion = 1000;
-        return region.has_interface() ? at_least + region.complex.tets.size() / tets_per_insertion
-                                      : std::numeric_limits<std::size_t>::max();
+        return region.has_interface() ? at_least + region.complex.tets.size() / tets_per_insertion : any_number;
     }
 
     /// More tets without a volume to speak of than new vertices will be tried for.
     void refuse_hopeless(std::size_t i) const {
         const TetComplex& complex = regions_[i].complex;
         const std::size_t most = most_insertions(regions_[i]);
-        if (most == std::numeric_limits<std::size_t>::max()) return;
+        if (most == any_number) return;
         if (count_thin(complex, angles_, context_) <= most) return;
         if (const auto obstacle = if_thin(cavities_[i], complex)) throw MeshError(obstacle->message);
     }
@@ -298,9 +297,9 @@ class Filling {
         std::set<FaceId> near;
         std::vector<std::array<int, 4>> thin;
         std::vector<SizeSource> shorter;
+        const double least = least_volume(refused_share);
         for (const auto& tet : complex.tets) {
-            if (tet[0] < 0) continue;
-            if (!is_too_thin(complex, tet, least_volume(refused_share))) continue;
+            if (tet[0] < 0 || !is_too_thin(complex, tet, least)) continue;
             thin.push_back(tet);
             shorter.push_back(half_length_at(complex, tet));
             for (const FaceId face : nearest_faces(brep_, result_.mesh, cavity, tet)) near.insert(face);

@@ -3,6 +3,7 @@
 
 #include "volume/delaunay/lattice_seeds.h"
 #include "volume/improvement/operations.h"
+#include "volume/improvement/tried_marks.h"
 
 namespace featuremesh {
 
@@ -10,18 +11,26 @@ namespace {
 
 class ClosePointCollapse : public Operation {
   public:
-    ClosePointCollapse(LocalMesh& mesh, const Objective& objective, const WantedSize& size)
-        : mesh_(mesh), complex_(mesh.complex()), objective_(objective), size_(size) {}
+    ClosePointCollapse(const LocalMesh& mesh, const Objective& objective, const WantedSize& size,
+                       std::shared_ptr<TriedMarks> tried)
+        : mesh_(mesh), complex_(mesh.complex()), objective_(objective), size_(size), tried_(std::move(tried)) {}
 
     std::string_view name() const override { return "close point collapse"; }
     bool moves_boundary() const override { return true; }  // what is forced need not be close
 
-    bool plan(int tet, Change& change) override {
-        tried_at_.resize(complex_.points.size(), 0);
+    std::unique_ptr<Operation> for_another_thread() const override {
+        return std::make_unique<ClosePointCollapse>(mesh_, objective_, size_, tried_);
+    }
+    void prepare() override { tried_->make_room(mesh_); }
+
+    bool plan(int tet, Change& change, Footprint& footprint) override {
+        tried_->make_room(mesh_);
         for (const int v : complex_.tets[tet]) {
-            if (!complex_.is_free(v) || tried_at_[v] >= mesh_.changed_at(v)) continue;
-            if (collapse(v, change)) return true;
-            tried_at_[v] = mesh_.now();
+            if (!complex_.is_free(v) || tried_->has(v, mesh_)) continue;
+            const bool is_found = collapse(v, change);
+            footprint.add(star_);
+            if (is_found) return true;
+            tried_->note(v, mesh_);
         }
         return false;
     }
@@ -65,19 +74,19 @@ class ClosePointCollapse : public Operation {
                            [&](int t) { return objective_.is_excused(complex_, complex_.tets[t]); });
     }
 
-    LocalMesh& mesh_;
+    const LocalMesh& mesh_;
     const TetComplex& complex_;
     const Objective& objective_;
     const WantedSize& size_;
     std::vector<int> star_, neighbours_;
-    std::vector<std::uint32_t> tried_at_;  // by vertex
+    std::shared_ptr<TriedMarks> tried_;
     std::vector<Tet> tets_;
 };
 
 }  // namespace
 
 std::unique_ptr<Operation> close_point_collapse(LocalMesh& mesh, const Objective& objective, const WantedSize& size) {
-    return std::make_unique<ClosePointCollapse>(mesh, objective, size);
+    return std::make_unique<ClosePointCollapse>(mesh, objective, size, std::make_shared<TriedMarks>());
 }
 
 }  // namespace featuremesh

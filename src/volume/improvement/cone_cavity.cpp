@@ -9,17 +9,18 @@ void ConeCavity::reset(std::span<const int> start) {
     tets_.clear();
     faces_.clear();
     worst_before_ = 0;
-    editor_.begin_marks();
+    marks_.begin(complex_.tets.size());
     for (const int tet : start) add(tet);
 }
 
 void ConeCavity::add(int tet) {
     tets_.push_back(tet);
-    editor_.mark(tet);
+    marks_.mark(tet);
+    if (footprint_) footprint_->add(tet);
     worst_before_ = std::max(worst_before_, objective_.flaw(complex_, complex_.tets[tet]));
     for (int face = 0; face < 4; ++face) {
         const int next = complex_.neighbours[tet][face];
-        if (next >= 0 && editor_.is_marked(next))
+        if (next >= 0 && marks_.is_marked(next))
             remove_face(next, face_towards(complex_.neighbours[next], tet));
         else
             add_face(tet, face);
@@ -114,12 +115,14 @@ bool ConeCavity::give_room() {
     std::vector<std::pair<double, int>> thinnest;
     for (Face& f : faces_) {
         f.value = cone_flaw(f.vertices);
-        if (behind(f) >= 0) thinnest.emplace_back(-f.value, behind(f));
+        if (behind(f) < 0) continue;
+        thinnest.emplace_back(-f.value, behind(f));
+        if (footprint_) footprint_->add(behind(f));
     }
     std::sort(thinnest.begin(), thinnest.end());
     std::size_t added = 0;
     for (const auto& [value, tet] : thinnest)
-        if (added < most_at_once && tets_.size() < most_tets_with_room && !editor_.is_marked(tet)) add(tet), ++added;
+        if (added < most_at_once && tets_.size() < most_tets_with_room && !marks_.is_marked(tet)) add(tet), ++added;
     return added > 0;
 }
 

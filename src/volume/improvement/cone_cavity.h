@@ -15,8 +15,11 @@ namespace featuremesh {
 /// fill the cavity exactly.
 class ConeCavity {
   public:
-    ConeCavity(CavityEditor& editor, const Objective& objective)
-        : editor_(editor), complex_(editor.complex()), objective_(objective), shape_(objective) {}
+    ConeCavity(const TetComplex& complex, const Objective& objective)
+        : complex_(complex), objective_(objective), shape_(objective) {}
+
+    /// Adds the tets that it looks at from now on to the footprint.
+    void note_in(Footprint& footprint) { footprint_ = &footprint; }
 
     /// Grows from `start` across the triangle with the worst cone, as long as that may help; keeps the best cavity met.
     /// `apex` is the vertex that `point` belongs to, -1 for a new one. False where no cavity was better than the tets
@@ -64,12 +67,13 @@ class ConeCavity {
     std::array<bool, 3> are_outside(const std::array<int, 3>& corners) const;
 
     static constexpr std::size_t most_tets = 48, most_tets_with_room = 240;
-    CavityEditor& editor_;
     const TetComplex& complex_;
     const Objective& objective_;
     int apex_ = -1;
     Vec3 point_{};
     double worst_before_ = 0, worst_after_ = 0;
+    TetMarks marks_;
+    Footprint* footprint_ = nullptr;
     std::vector<int> tets_, order_;
     std::vector<Face> faces_;
     std::vector<Tet> cones_;

@@ -17,14 +17,20 @@ constexpr std::array heights_of_insertion{0.5, 0.9};
 
 class ConeRefill : public Operation {
   public:
-    ConeRefill(LocalMesh& mesh, const Objective& objective, const RefillOptions& options)
-        : complex_(mesh.complex()), objective_(objective), options_(options), cavity_(mesh.editor(), objective) {}
+    ConeRefill(const TetComplex& complex, const Objective& objective, const RefillOptions& options)
+        : complex_(complex), objective_(objective), options_(options), cavity_(complex, objective) {}
 
     std::string_view name() const override { return "cone refill"; }
     bool is_dear() const override { return true; }
 
-    bool plan(int tet, Change& change) override {
-        best_ = &change;
+    std::unique_ptr<Operation> for_another_thread() const override {
+        const bool may_run_out = options_.most_large_cavities > 0 && options_.most_large_cavities != any_number;
+        return may_run_out ? nullptr : std::make_unique<ConeRefill>(complex_, objective_, options_);
+    }
+
+    bool plan(int tet, Change& change, Footprint& footprint) override {
+        best_ = &change, footprint_ = &footprint;
+        cavity_.note_in(footprint);
         change.was_dear = true;
         change.after.worst = inverted_flatness;
         fill_from_corners(tet);
@@ -62,6 +68,7 @@ class ConeRefill : public Operation {
             if (cavity_.grow(std::array{tet}, corner, complex_.points[corner])) consider();
             const int next = complex_.neighbours[tet][face];
             if (next < 0) continue;
+            footprint_->add(next);
             const int apex = complex_.tets[next][face_towards(complex_.neighbours[next], tet)];
             if (cavity_.grow(std::array{tet, next}, apex, complex_.points[apex])) consider();
         }
@@ -69,7 +76,10 @@ class ConeRefill : public Operation {
 
     void collapse(int tet) {
         for (const int v : complex_.tets[tet]) {
-            if (!complex_.is_free(v) || !gather_star(complex_, v, star_)) continue;
+            if (!complex_.is_free(v)) continue;
+            const bool is_whole = gather_star(complex_, v, star_);
+            footprint_->add(star_);
+            if (!is_whole) continue;
             gather_neighbours(complex_, v, star_, others_);
             for (const int apex : others_)
                 if (cavity_.grow(star_, apex, complex_.points[apex])) consider();
@@ -84,7 +94,9 @@ class ConeRefill : public Operation {
         try_at(std::array{tet}, (p[v[0]] + p[v[1]] + p[v[2]] + p[v[3]]) / 4);
         for (const auto& [from, to] : edge_corners) {
             EdgeRing ring;
-            if (find_ring(complex_, tet, from, to, ring)) try_at(ring.all_tets(), (p[ring.from] + p[ring.to]) / 2);
+            const bool is_inside = find_ring(complex_, tet, from, to, ring);
+            footprint_->add(ring.all_tets());
+            if (is_inside) try_at(ring.all_tets(), (p[ring.from] + p[ring.to]) / 2);
         }
     }
 
@@ -117,7 +129,7 @@ class ConeRefill : public Operation {
 
     /// Where boundary nodes alone make a tet, as across a thin wall with a short edge at either wall.
     void insert_with_room(int tet) {
-        --options_.most_large_cavities;
+        if (options_.most_large_cavities != any_number) --options_.most_large_cavities;
         visit_starts(tet, [&](std::span<const int> start, const Vec3& point) {
             if (best_->after.worst > 1) cavity_.make_room(start, point, [&] { consider(); });
         });
@@ -128,13 +140,14 @@ class ConeRefill : public Operation {
     RefillOptions options_;
     ConeCavity cavity_;
     Change* best_ = nullptr;
+    Footprint* footprint_ = nullptr;
     std::vector<int> star_, others_;
 };
 
 }  // namespace
 
 std::unique_ptr<Operation> cone_refill(LocalMesh& mesh, const Objective& objective, const RefillOptions& options) {
-    return std::make_unique<ConeRefill>(mesh, objective, options);
+    return std::make_unique<ConeRefill>(mesh.complex(), objective, options);
 }
 
 }  // namespace featuremesh

@@ -11,15 +11,22 @@ namespace {
 
 class EdgeRingOperation : public Operation {
   public:
-    EdgeRingOperation(LocalMesh& mesh, const Objective& objective) : complex_(mesh.complex()), objective_(objective) {}
+    EdgeRingOperation(const TetComplex& complex, const Objective& objective)
+        : complex_(complex), objective_(objective) {}
 
     std::string_view name() const override { return "edge ring"; }
 
-    bool plan(int tet, Change& change) override {
+    std::unique_ptr<Operation> for_another_thread() const override {
+        return std::make_unique<EdgeRingOperation>(complex_, objective_);
+    }
+
+    bool plan(int tet, Change& change, Footprint& footprint) override {
         double least = inverted_flatness;
         for (const auto& [from, to] : edge_corners) {
             EdgeRing ring;
-            if (!find_ring(complex_, tet, from, to, ring)) continue;
+            const bool is_inside = find_ring(complex_, tet, from, to, ring);
+            footprint.add(ring.all_tets());
+            if (!is_inside) continue;
             const double limit = std::min(least, Objective::improved(worst_of(ring.all_tets()), change.price.angle));
             const RingTriangulation<> found = triangulate_ring<WorstOf>(ring.size, limit, [&](int i, int j, int k) {
                 const int a = ring.vertices[i], b = ring.vertices[j], c = ring.vertices[k];
@@ -54,7 +61,7 @@ class EdgeRingOperation : public Operation {
 }  // namespace
 
 std::unique_ptr<Operation> edge_ring(LocalMesh& mesh, const Objective& objective) {
-    return std::make_unique<EdgeRingOperation>(mesh, objective);
+    return std::make_unique<EdgeRingOperation>(mesh.complex(), objective);
 }
 
 }  // namespace featuremesh

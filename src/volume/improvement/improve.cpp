@@ -2,6 +2,7 @@
 #include "volume/improvement/improve.h"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 
 namespace featuremesh {
@@ -10,11 +11,53 @@ namespace {
 
 constexpr std::size_t rounds_between_reports = 64;
 
-/// Walls remember what they were asked for, so one thread asks.
-std::size_t grain_of(std::size_t count, const Objective& objective) {
-    constexpr std::size_t tets_per_chunk = 1 << 12;
-    return objective.options().is_barred ? std::max<std::size_t>(count, 1) : tets_per_chunk;
-}
+constexpr std::size_t tets_per_chunk = 1 << 12;
+/// Of the queue: more would be planned in vain more often, with fewer threads wait for one another.
+constexpr std::size_t most_ahead = 64;
+
+struct Candidate {
+    double need;
+    int tet;
+    bool is_bad() const { return need > 1; }
+};
+
+constexpr std::size_t no_place = std::numeric_limits<std::size_t>::max();
+
+/// What the operations would do for a tet. They are asked in their order until one of them has a change.
+struct Plan {
+    enum class Answer : std::uint8_t { not_asked, in_vain, found };
+    struct OfOperation {
+        Answer answer = Answer::not_asked;
+        bool was_dear = false;
+    };
+    std::size_t place = no_place;  // in the queue
+    std::uint32_t made_at = 0;
+    std::size_t point_count = 0;  // new vertices count on from it
+    std::vector<OfOperation> answers;
+    Change change;
+    Footprint footprint;
+
+    void begin(std::size_t of, std::size_t operations, bool is_ahead) {
+        place = of;
+        answers.assign(operations, {});
+        footprint.begin(is_ahead);
+    }
+    bool ask(Operation& operation, std::size_t i, int tet, std::size_t points) {
+        change = {};
+        point_count = points;
+        const bool is_found = operation.plan(tet, change, footprint);
+        answers[i] = {is_found ? Answer::found : Answer::in_vain, change.was_dear};
+        return is_found;
+    }
+    /// Others may have got the numbers of its new vertices.
+    void renumber(std::size_t points) {
+        const int begin = static_cast<int>(point_count), shift = static_cast<int>(points) - begin;
+        if (shift == 0) return;
+        for (Tet& tet : change.added)
+            for (int& v : tet)
+                if (v >= begin) v += shift;
+    }
+};
 
 class Improver {
   public:
@@ -28,8 +71,10 @@ class Improver {
           context_(context),
           changed_(std::move(region)),
           tried_at_(complex_.tets.size(), 0),
-          dear_plans_left_(budget.dear_plans) {
+          dear_plans_left_(budget.dear_plans),
+          plans_(1) {
         for (const auto& operation : operations) result_.counts.push_back({operation->name()});
+        if (context.threads > 1) gather_hands();
         if (!changed_.empty()) {
             is_in_region_.assign(complex_.tets.size(), 0);
             for (const int tet : changed_) is_in_region_[tet] = 1;
@@ -55,23 +100,26 @@ class Improver {
     }
 
   private:
-    struct Candidate {
-        double need;
-        int tet;
-        bool is_bad() const { return need > 1; }
-    };
+    /// For each further thread, unless plans depend on those before.
+    void gather_hands() {
+        for (int thread = 1; thread < context_.threads; ++thread) {
+            Operations& hand = other_hands_.emplace_back();
+            for (const auto& operation : operations_) hand.push_back(operation->for_another_thread());
+            if (std::any_of(hand.begin(), hand.end(), [](const auto& operation) { return !operation; }))
+                return other_hands_.clear();
+        }
+        plans_.resize(most_ahead);
+    }
 
     /// Those of the changed tets that are in need of work, worst first.
     std::vector<Candidate> rank_changed() {
         std::sort(changed_.begin(), changed_.end());
         changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
         std::vector<double> needs(changed_.size(), 0);
-        parallel_for(context_, changed_.size(), grain_of(changed_.size(), objective_),
-                     [&](std::size_t begin, std::size_t end) {
-                         for (std::size_t i = begin; i < end; ++i)
-                             if (const Tet& tet = complex_.tets[changed_[i]]; tet[0] >= 0)
-                                 needs[i] = objective_.need(complex_, tet);
-                     });
+        parallel_for(context_, changed_.size(), tets_per_chunk, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                if (const Tet& tet = complex_.tets[changed_[i]]; tet[0] >= 0) needs[i] = objective_.need(complex_, tet);
+        });
         std::vector<Candidate> ranked;
         for (std::size_t i = 0; i < changed_.size(); ++i) {
             const Candidate of{needs[i], changed_[i]};
@@ -100,15 +148,15 @@ class Improver {
 
     bool work_off(const std::vector<Candidate>& queue, int pass) {
         bool gained = false;
+        for (Plan& plan : plans_) plan.begin(no_place, operations_.size(), false);
+        last_round_ = 0;
         for (std::size_t i = 0; i < queue.size(); ++i) {
             if (i % rounds_between_reports == 0)
                 context_.progress((pass + static_cast<double>(i) / static_cast<double>(queue.size())) / budget_.passes);
             const Candidate& of = queue[i];
-            const Tet& tet = complex_.tets[of.tet];
             changed_.push_back(of.tet);
-            // an earlier change may have used its place for another tet, whose turn is in the next pass
-            if (tet[0] < 0 || objective_.need(complex_, tet) != of.need || !is_new(of.tet)) continue;
-            if (help(of))
+            if (!is_due(of)) continue;
+            if (help(of, plan_for(queue, i)))
                 gained = true;
             else
                 tried_at_[of.tet] = mesh_.now();
@@ -116,31 +164,97 @@ class Improver {
         return gained;
     }
 
+    /// An earlier change may have used its place for another tet, whose turn is in the next pass.
+    bool is_due(const Candidate& of) const {
+        const Tet& tet = complex_.tets[of.tet];
+        return tet[0] >= 0 && objective_.need(complex_, tet) == of.need && is_new(of.tet);
+    }
+
     bool is_new(int tet) const {
         const Tet& v = complex_.tets[tet];
         return std::any_of(v.begin(), v.end(), [&](int c) { return mesh_.changed_at(c) > tried_at_[tet]; });
     }
 
-    bool help(const Candidate& of) {
+    /// What was planned ahead for it, if that holds; else nothing yet.
+    Plan& plan_for(const std::vector<Candidate>& queue, std::size_t i) {
+        if (!other_hands_.empty()) plan_ahead(queue, i);
+        Plan& plan = plans_[i % plans_.size()];
+        if (!holds(plan, queue[i], i)) plan.begin(i, operations_.size(), false);
+        return plan;
+    }
+
+    /// A plan for which all threads were asked is that of now while nothing that it depends on has changed.
+    bool holds(const Plan& plan, const Candidate& of, std::size_t i) const {
+        if (plan.place != i || mesh_.has_changed(plan.footprint, plan.made_at)) return false;
+        const Tet& v = complex_.tets[of.tet];
+        return v[0] < 0 || std::none_of(v.begin(), v.end(), [&](int c) {
+                   return complex_.mobility[c] != Mobility::fixed && mesh_.changed_at(c) > plan.made_at;
+               });
+    }
+
+    /// Unless the plan for the first holds, all threads plan for it and for those that follow without a plan that does.
+    void plan_ahead(const std::vector<Candidate>& queue, std::size_t first) {
+        if (holds(plans_[first % plans_.size()], queue[first], first)) return;
+        // what was overtaken soon is the sign of a small cavity, or of changes that reach far
+        reach_ = std::clamp(2 * (first - last_round_), 2 * (other_hands_.size() + 1), plans_.size());
+        last_round_ = first;
+        without_plan_.clear();
+        for (std::size_t i = first; i < std::min(queue.size(), first + reach_); ++i)
+            if (!holds(plans_[i % plans_.size()], queue[i], i)) without_plan_.push_back(i);
+        if (without_plan_.size() < 2) return;
+        result_.planned_ahead += without_plan_.size();
+        for (const std::size_t i : without_plan_) result_.outdated += plans_[i % plans_.size()].place == i;
+        for (const auto& operation : operations_) operation->prepare();
+        std::atomic<std::size_t> next = 0;
+        parallel_for(context_, other_hands_.size() + 1, 1, [&](std::size_t hand, std::size_t) {
+            const Operations& operations = hand == 0 ? operations_ : other_hands_[hand - 1];
+            for (std::size_t k = next++; k < without_plan_.size(); k = next++) {
+                const std::size_t i = without_plan_[k];
+                make_plan(plans_[i % plans_.size()], operations, queue[i], i, i - first < dear_plans_left_);
+            }
+        });
+    }
+
+    void make_plan(Plan& plan, const Operations& operations, const Candidate& of, std::size_t place,
+                   bool may_be_dear) const {
+        plan.begin(place, operations.size(), true);
+        plan.made_at = mesh_.now();
+        plan.footprint.add(of.tet);
+        if (!is_due(of)) return;
+        const bool is_forced = is_forced_at(of);
+        for (std::size_t i = 0; i < operations.size(); ++i) {
+            if (is_forced && !operations[i]->moves_boundary()) continue;
+            // whether there is a budget for it is known when it is its turn
+            if (operations[i]->is_dear() && !may_be_dear) return;
+            if (plan.ask(*operations[i], i, of.tet, complex_.points.size())) return;
+        }
+    }
+
+    bool help(const Candidate& of, Plan& plan) {
         const bool is_forced = is_forced_at(of);
         for (std::size_t i = 0; i < operations_.size(); ++i) {
             Operation& operation = *operations_[i];
             if (is_forced && !operation.moves_boundary()) continue;
             if (operation.is_dear() && dear_plans_left_ == 0) continue;
             ++result_.counts[i].planned;
-            Change change;
-            const bool is_found = operation.plan(of.tet, change);
-            dear_plans_left_ -= change.was_dear;
-            if (!is_found) continue;
-            if (change.was_dear) dear_plans_left_ += budget_.dear_plans_per_gain;
-            const std::span<const int> changed = mesh_.apply(change);
-            changed_.insert(changed_.end(), changed.begin(), changed.end());
-            tried_at_.resize(complex_.tets.size(), 0);
-            ++result_.counts[i].made;
-            ++result_.changes;
+            const Plan::OfOperation& answer = plan.answers[i];
+            if (answer.answer == Plan::Answer::not_asked) plan.ask(operation, i, of.tet, complex_.points.size());
+            dear_plans_left_ -= answer.was_dear;
+            if (answer.answer != Plan::Answer::found) continue;
+            if (answer.was_dear) dear_plans_left_ += budget_.dear_plans_per_gain;
+            make(plan, i);
             return true;
         }
         return false;
+    }
+
+    void make(Plan& plan, std::size_t operation) {
+        plan.renumber(complex_.points.size());
+        const std::span<const int> changed = mesh_.apply(plan.change);
+        changed_.insert(changed_.end(), changed.begin(), changed.end());
+        tried_at_.resize(complex_.tets.size(), 0);
+        ++result_.counts[operation].made;
+        ++result_.changes;
     }
 
     LocalMesh& mesh_;
@@ -153,16 +267,18 @@ class Improver {
     std::vector<char> is_in_region_;       // by tet, where not all are
     std::vector<std::uint32_t> tried_at_;  // by tet: when all was tried in vain
     std::size_t dear_plans_left_;
+    std::vector<Operations> other_hands_;    // for each thread but the first
+    std::vector<Plan> plans_;                // for the next of the queue, by place modulo their number
+    std::vector<std::size_t> without_plan_;  // places in the queue
+    std::size_t last_round_ = 0, reach_ = most_ahead;
     Improvement result_;
 };
 
 template <class Predicate>
-std::size_t count_tets(const TetComplex& complex, const Objective& objective, Predicate predicate,
-                       RunContext& context) {
-    const std::size_t grain = grain_of(complex.tets.size(), objective);
-    std::vector<std::size_t> counts(complex.tets.size() / grain + 1, 0);
-    parallel_for(context, complex.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
-        counts[begin / grain] =
+std::size_t count_tets(const TetComplex& complex, Predicate predicate, RunContext& context) {
+    std::vector<std::size_t> counts(complex.tets.size() / tets_per_chunk + 1, 0);
+    parallel_for(context, complex.tets.size(), tets_per_chunk, [&](std::size_t begin, std::size_t end) {
+        counts[begin / tets_per_chunk] =
             static_cast<std::size_t>(std::count_if(complex.tets.begin() + static_cast<std::ptrdiff_t>(begin),
                                                    complex.tets.begin() + static_cast<std::ptrdiff_t>(end),
                                                    [&](const Tet& tet) { return tet[0] >= 0 && predicate(tet); }));
@@ -179,12 +295,12 @@ Improvement improve(LocalMesh& mesh, const Objective& objective, const Operation
 
 std::size_t count_bad(const TetComplex& complex, const Objective& objective, RunContext& context) {
     return count_tets(
-        complex, objective, [&](const Tet& tet) { return objective.misses(objective.flaw(complex, tet)); }, context);
+        complex, [&](const Tet& tet) { return objective.misses(objective.flaw(complex, tet)); }, context);
 }
 
 std::size_t count_thin(const TetComplex& complex, const Objective& objective, RunContext& context) {
     return count_tets(
-        complex, objective, [&](const Tet& tet) { return objective.flaw(complex, tet) > 1; }, context);
+        complex, [&](const Tet& tet) { return objective.flaw(complex, tet) > 1; }, context);
 }
 
 }  // namespace featuremesh

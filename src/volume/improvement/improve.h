@@ -35,12 +35,14 @@ struct Improvement {
     std::size_t before = 0, left = 0;  ///< tets that miss the target
     std::size_t forced = 0;            ///< of those left: the worst angle lies between two boundary triangles
     std::size_t changes = 0;
-    std::vector<Count> counts;  ///< by operation
+    std::size_t planned_ahead = 0, outdated = 0;  ///< tets planned for on all threads; of these: once more later
+    std::vector<Count> counts;                    ///< by operation
 };
 
 /// Takes the tets in need of work, worst first, in passes until nothing gains. For each the operations are tried in
 /// order until one has a change to make. What failed is not tried again until something near it has changed. The same
-/// bytes each time. Boundary triangles and fixed vertices stay as they are. Throws Cancelled.
+/// bytes each time, for any number of threads: they plan ahead, and what was overtaken is planned again. Boundary
+/// triangles and fixed vertices stay as they are. Throws Cancelled.
 Improvement improve(LocalMesh& mesh, const Objective& objective, const Operations& operations, Region region,
                     const Budget& budget, RunContext& context);
 

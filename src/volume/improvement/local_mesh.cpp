@@ -40,6 +40,7 @@ LocalMesh::LocalMesh(TetComplex& complex, MovableSurface surface)
       surface_(std::move(surface)),
       editor_(complex),
       changed_at_(complex.points.size(), 1),
+      tet_changed_at_(complex.tets.size(), 1),
       has_moved_(complex.points.size(), 0) {
     if (surface_.vertices.empty()) return;
     place_of_.assign(complex.points.size(), -1);
@@ -83,18 +84,18 @@ Price LocalMesh::price_of_moving(int vertex) const {
     return complex_.mobility[vertex] == Mobility::kept && !has_moved(vertex) ? price_of_kept_move : Price{};
 }
 
-std::vector<Vec3> LocalMesh::ways_from(int vertex, const Star& star) const {
+std::vector<Vec3> LocalMesh::ways_from(int vertex, const Star& star, const Projector* projector) const {
     const SurfaceVertex* of = surface_vertex(vertex);
     if (!of) {
         const std::span<const Vec3> all = directions_in_space();
         return {all.begin(), all.end()};
     }
     if (of->on.dim == 1) {
-        const Vec3 tangent = surface_.projector->tangent(EdgeId(of->on.index), of->parameters[0]);
+        const Vec3 tangent = projector->tangent(EdgeId(of->on.index), of->parameters[0]);
         return {tangent, -1.0 * tangent};
     }
     constexpr int ways = 12;
-    const Vec3 normal = surface_.projector->normal(FaceId(of->on.index), of->parameters);
+    const Vec3 normal = projector->normal(FaceId(of->on.index), of->parameters);
     const Vec3 to_other = star.rim.front()[0] - complex_.points[vertex];
     const Vec3 along = normalized(to_other - dot(to_other, normal) * normal), across = cross(normal, along);
     std::vector<Vec3> directions;
@@ -105,27 +106,27 @@ std::vector<Vec3> LocalMesh::ways_from(int vertex, const Star& star) const {
     return directions;
 }
 
-Vec3 LocalMesh::along(int vertex, const Vec3& way) const {
+Vec3 LocalMesh::along(int vertex, const Vec3& way, const Projector* projector) const {
     const SurfaceVertex* of = surface_vertex(vertex);
     if (!of) return way;
     if (of->on.dim == 1) {
-        const Vec3 tangent = surface_.projector->tangent(EdgeId(of->on.index), of->parameters[0]);
+        const Vec3 tangent = projector->tangent(EdgeId(of->on.index), of->parameters[0]);
         return dot(tangent, way) * tangent;
     }
-    const Vec3 normal = surface_.projector->normal(FaceId(of->on.index), of->parameters);
+    const Vec3 normal = projector->normal(FaceId(of->on.index), of->parameters);
     return way - dot(normal, way) * normal;
 }
 
-std::optional<Change::Move> LocalMesh::place_near(int vertex, const Vec3& aim) const {
+std::optional<Change::Move> LocalMesh::place_near(int vertex, const Vec3& aim, const Projector* projector) const {
     const SurfaceVertex* of = surface_vertex(vertex);
     if (!of) return Change::Move{vertex, aim, {}};
     if (of->on.dim == 1) {
-        const OnEdge there = surface_.projector->nearest(EdgeId(of->on.index), aim, of->parameters[0]);
+        const OnEdge there = projector->nearest(EdgeId(of->on.index), aim, of->parameters[0]);
         return Change::Move{vertex, there.point, {there.t, 0}};
     }
     const FaceId face(of->on.index);
-    const std::optional<OnFace> there = surface_.projector->nearest_by_steps(face, aim, of->parameters);
-    if (!there || !surface_.projector->is_inside_trim(face, there->uv)) return {};
+    const std::optional<OnFace> there = projector->nearest_by_steps(face, aim, of->parameters);
+    if (!there || !projector->is_inside_trim(face, there->uv)) return {};
     return Change::Move{vertex, there->point, there->uv};
 }
 
@@ -183,9 +184,18 @@ std::span<const int> LocalMesh::apply(const Change& change) {
         changed_.insert(changed_.end(), added.begin(), added.end());
     }
     ++now_;
-    for (const int t : changed_)
+    tet_changed_at_.resize(complex_.tets.size());
+    for (const int t : change.removed) tet_changed_at_[t] = now_;
+    for (const int t : changed_) {
+        tet_changed_at_[t] = now_;
         for (const int v : complex_.tets[t]) changed_at_[v] = now_;
+    }
     return changed_;
+}
+
+bool LocalMesh::has_changed(const Footprint& footprint, std::uint32_t since) const {
+    const auto tets = footprint.tets();
+    return since < now_ && std::any_of(tets.begin(), tets.end(), [&](int t) { return tet_changed_at_[t] > since; });
 }
 
 }  // namespace featuremesh

@@ -37,7 +37,6 @@ class LocalMesh {
     explicit LocalMesh(TetComplex& complex, MovableSurface surface = {});
 
     const TetComplex& complex() const { return complex_; }
-    CavityEditor& editor() { return editor_; }
     const MovableSurface& surface() const { return surface_; }
     /// The vertices of the surface where they are now. They are fixed from now on.
     std::vector<SurfaceVertex> release_surface();
@@ -54,12 +53,13 @@ class LocalMesh {
     const SurfaceVertex* surface_vertex(int vertex) const {
         return is_on_surface(vertex) ? &surface_.vertices[static_cast<std::size_t>(place_of(vertex))] : nullptr;
     }
+    // Each thread has a projector of its own; none is needed where no vertex of the surface moves.
     /// Unit vectors along which a vertex may go: in space, in the tangent plane or along the edge.
-    std::vector<Vec3> ways_from(int vertex, const Star& star) const;
+    std::vector<Vec3> ways_from(int vertex, const Star& star, const Projector* projector) const;
     /// The part of a way that the vertex may go.
-    Vec3 along(int vertex, const Vec3& way) const;
+    Vec3 along(int vertex, const Vec3& way, const Projector* projector) const;
     /// Nearest to `aim` on what the vertex lies on. None where a short step does not get there.
-    std::optional<Change::Move> place_near(int vertex, const Vec3& aim) const;
+    std::optional<Change::Move> place_near(int vertex, const Vec3& aim, const Projector* projector) const;
     /// The triangles of the surface do not turn over, and their angles stay as good, or good enough.
     bool keeps_triangles(int vertex, const Star& star, const Vec3& to) const;
     /// The star's volume stays within half a percent: on a curved face other triangles cut off more of it, or less.
@@ -73,6 +73,8 @@ class LocalMesh {
     /// Counts changes. A vertex has changed when its star has.
     std::uint32_t now() const { return now_; }
     std::uint32_t changed_at(int vertex) const { return changed_at_[static_cast<std::size_t>(vertex)]; }
+    /// Whether a tet of the footprint has been replaced or bent since then.
+    bool has_changed(const Footprint& footprint, std::uint32_t since) const;
     bool has_moved(int vertex) const { return has_moved_[static_cast<std::size_t>(vertex)] != 0; }
 
   private:
@@ -82,8 +84,9 @@ class LocalMesh {
     TetComplex& complex_;
     MovableSurface surface_;
     CavityEditor editor_;
-    std::vector<int> place_of_;  // by vertex: in the surface's vertices; -1 for none
-    std::vector<std::uint32_t> changed_at_;
+    std::vector<int> place_of_;                  // by vertex: in the surface's vertices; -1 for none
+    std::vector<std::uint32_t> changed_at_;      // by vertex
+    std::vector<std::uint32_t> tet_changed_at_;  // by tet
     std::vector<std::uint8_t> has_moved_;
     std::uint32_t now_ = 1;
     std::vector<int> changed_;

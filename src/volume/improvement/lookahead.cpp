@@ -30,14 +30,25 @@ struct Patch {
 
 class Lookahead : public Operation {
   public:
-    Lookahead(LocalMesh& mesh, const Objective& objective, const RunContext& context)
-        : mesh_(mesh), complex_(mesh.complex()), objective_(objective), context_(context) {}
+    Lookahead(const LocalMesh& mesh, const Objective& objective, const RunContext& context,
+              std::unique_ptr<Projector> own = {})
+        : mesh_(mesh),
+          complex_(mesh.complex()),
+          objective_(objective),
+          context_(context),
+          own_projector_(std::move(own)),
+          projector_(own_projector_ ? own_projector_.get() : mesh.surface().projector) {}
 
     std::string_view name() const override { return "lookahead"; }
     bool is_dear() const override { return true; }
 
-    bool plan(int tet, Change& change) override {
-        const std::vector<int> around = tets_around(tet);
+    std::unique_ptr<Operation> for_another_thread() const override {
+        return std::make_unique<Lookahead>(mesh_, objective_, context_,
+                                           projector_ ? std::make_unique<Projector>(projector_->another()) : nullptr);
+    }
+
+    bool plan(int tet, Change& change, Footprint& footprint) override {
+        const std::vector<int> around = tets_around(tet, footprint);
         if (around.size() > most_tets || count_bad(around) > most_bad_tets) return false;
         change.was_dear = true;
         const Patch original = cut_out(around);
@@ -89,7 +100,7 @@ class Lookahead : public Operation {
     }
 
     MovableSurface surface_of(Patch& patch) const {
-        return {std::move(patch.surface), mesh_.surface().projector, mesh_.surface().is_for_curved_tets};
+        return {std::move(patch.surface), projector_, mesh_.surface().is_for_curved_tets};
     }
 
     /// The same loop on the copy.
@@ -132,10 +143,10 @@ class Lookahead : public Operation {
         const Vec3 start = mesh.complex().points[corner];
         const double wanted = Objective::improved(alone.worst(start), price_of_lookahead.angle);
         Vec3 aim = start;
-        alone.climb(aim, in_patch_.target(), mesh.ways_from(corner, star),
+        alone.climb(aim, in_patch_.target(), mesh.ways_from(corner, star, projector_),
                     [&](const Vec3& trial) { return mesh.keeps_triangles(corner, star, trial); });
         for (const double share : {1.0, 0.75, 0.5, 0.25}) {
-            const auto there = mesh.place_near(corner, start + share * (aim - start));
+            const auto there = mesh.place_near(corner, start + share * (aim - start), projector_);
             if (!there || alone.worst(there->place) >= wanted || all.worst(there->place) >= inverted_flatness ||
                 !mesh.keeps_triangles(corner, star, there->place) || !mesh.keeps_volume(corner, star, there->place))
                 continue;
@@ -161,11 +172,11 @@ class Lookahead : public Operation {
     }
 
     /// With the tet first; all of them are marked.
-    std::vector<int> tets_around(int tet) {
-        CavityEditor& editor = mesh_.editor();
+    std::vector<int> tets_around(int tet, Footprint& footprint) {
         std::vector<int> found{tet}, corners;
-        editor.begin_marks();
-        editor.mark(tet);
+        marks_.begin(complex_.tets.size());
+        marks_.mark(tet);
+        footprint.add(tet);
         for (int ring = 0; ring < rings_of_patch; ++ring) {
             for (const int t : found) corners.insert(corners.end(), complex_.tets[t].begin(), complex_.tets[t].end());
             std::sort(corners.begin(), corners.end());
@@ -176,8 +187,10 @@ class Lookahead : public Operation {
             };
             for (std::size_t i = 0; i < found.size() && found.size() <= most_tets; ++i)
                 for (const int next : complex_.neighbours[found[i]]) {
-                    if (next < 0 || editor.is_marked(next) || !is_near(complex_.tets[next])) continue;
-                    editor.mark(next);
+                    if (next < 0 || marks_.is_marked(next)) continue;
+                    footprint.add(next);
+                    if (!is_near(complex_.tets[next])) continue;
+                    marks_.mark(next);
                     found.push_back(next);
                 }
         }
@@ -208,7 +221,7 @@ class Lookahead : public Operation {
         for (std::size_t i = 0; i < tets.size(); ++i)  // what other tets touch stays
             for (int face = 0; face < 4; ++face) {
                 const int next = complex_.neighbours[tets[i]][face];
-                if (next < 0 || mesh_.editor().is_marked(next)) continue;
+                if (next < 0 || marks_.is_marked(next)) continue;
                 for (const int k : opposite_face[face]) copy.mobility[copy.tets[i][k]] = Mobility::fixed;
             }
         for (std::size_t v = 0; v < points.size(); ++v)
@@ -252,11 +265,14 @@ class Lookahead : public Operation {
         for (const auto& [corners, tet] : gone) change.removed.push_back(tet);
     }
 
-    LocalMesh& mesh_;
+    const LocalMesh& mesh_;
     const TetComplex& complex_;
     const Objective& objective_;
     Objective in_patch_, shapes_in_patch_;
     const RunContext& context_;
+    std::unique_ptr<Projector> own_projector_;  // of another thread's
+    const Projector* projector_;
+    TetMarks marks_;
 };
 
 }  // namespace

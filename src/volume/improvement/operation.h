@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -31,13 +32,36 @@ struct Change {
     bool was_dear = false;  ///< to plan, in vain or not
 };
 
+/// The tets that a plan depends on: while none of them changes, nor the star of a corner of the tet it is for, the plan
+/// stays what it is. Kept for those who plan ahead.
+class Footprint {
+  public:
+    void begin(bool is_kept) { tets_.clear(), is_kept_ = is_kept; }
+    void add(int tet) {
+        if (is_kept_) tets_.push_back(tet);
+    }
+    void add(std::span<const int> tets) {
+        if (is_kept_) tets_.insert(tets_.end(), tets.begin(), tets.end());
+    }
+    std::span<const int> tets() const { return tets_; }  ///< some of them more than once
+
+  private:
+    bool is_kept_ = false;
+    std::vector<int> tets_;
+};
+
 class Operation {
   public:
     virtual ~Operation() = default;
     virtual std::string_view name() const = 0;
     /// Puts a change that `Objective::is_better` accepts, the best that was found for this tet, into `change`, which is
-    /// empty. False where there is none.
-    virtual bool plan(int tet, Change& change) = 0;
+    /// empty. False where there is none. Adds what it looks at to the footprint.
+    virtual bool plan(int tet, Change& change, Footprint& footprint) = 0;
+    /// The same operation with scratch memory of its own, for another thread: what it plans is the same. None where a
+    /// plan depends on those made before it.
+    virtual std::unique_ptr<Operation> for_another_thread() const = 0;
+    /// Called before plans that several threads make at the same time.
+    virtual void prepare() {}
     /// It may cost a hundred times what others do, which counts against the budget where it does.
     virtual bool is_dear() const { return false; }
     /// It may help a tet whose worst angle lies between two boundary triangles.

@@ -2,6 +2,8 @@
 // The local operations: one file each, one line here.
 #pragma once
 
+#include <limits>
+
 #include "core/run_context.h"
 #include "volume/improvement/local_mesh.h"
 #include "volume/improvement/objective.h"
@@ -16,6 +18,8 @@ std::unique_ptr<Operation> edge_ring(LocalMesh& mesh, const Objective& objective
 /// Moves a corner of the tet, of whatever mobility, to where its star's worst tet is better; where the objective asks
 /// for shape, uphill in the sum of the radius ratios.
 std::unique_ptr<Operation> vertex_move(LocalMesh& mesh, const Objective& objective);
+
+inline constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 
 struct RefillOptions {
     bool is_last_resort = false;  ///< new vertices are tried in more places, at a price in time and mean shape

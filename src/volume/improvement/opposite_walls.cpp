@@ -17,8 +17,8 @@ bool holds(const std::vector<FaceId>& faces, FaceId face) {
 
 }  // namespace
 
-OppositeWalls::OppositeWalls(const Brep& brep, const Mesh& mesh, const Projector& projector)
-    : brep_(brep), mesh_(mesh), projector_(projector), neighbours_(brep.face_count()) {
+OppositeWalls::OppositeWalls(const Brep& brep, const Mesh& mesh)
+    : brep_(brep), mesh_(mesh), projector_(brep), neighbours_(brep.face_count()) {
     for (std::size_t f = 0; f < brep.face_count(); ++f)
         for (const EdgeId edge : brep.edges_of(FaceId(f)))
             for (const FaceId other : brep.faces_of(edge)) neighbours_[f].push_back(other);
@@ -53,6 +53,7 @@ bool OppositeWalls::are_opposite(FaceId a, NodeId on_a, FaceId b, NodeId on_b) c
 }
 
 Vec3 OppositeWalls::normal(FaceId face, NodeId node) const {
+    const std::scoped_lock lock(mutex_);
     const auto [at, is_new] = normals_.try_emplace({face, node});
     if (is_new) at->second = projector_.normal(face, projector_.nearest(face, mesh_.point(node)).uv);
     return at->second;

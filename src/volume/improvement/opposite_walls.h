@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -16,8 +17,9 @@ namespace featuremesh {
 /// Tells tets between opposite walls: two faces without a common edge that look away from one another.
 class OppositeWalls {
   public:
-    OppositeWalls(const Brep& brep, const Mesh& mesh, const Projector& projector);
-    /// Whether every node lies on one of two opposite walls, and each wall has a node that is not on the other one.
+    OppositeWalls(const Brep& brep, const Mesh& mesh);
+    /// Whether every node lies on one of two opposite walls, and each wall has a node that is not on the other one. May
+    /// be asked by several threads.
     bool are_spanned_by(const std::array<NodeId, 4>& nodes) const;
 
   private:
@@ -26,9 +28,10 @@ class OppositeWalls {
 
     const Brep& brep_;
     const Mesh& mesh_;
-    const Projector& projector_;
-    std::vector<std::vector<FaceId>> neighbours_;                // by face
-    mutable std::map<std::pair<FaceId, NodeId>, Vec3> normals_;  // those that were asked for
+    Projector projector_;
+    std::vector<std::vector<FaceId>> neighbours_;  // by face
+    mutable std::mutex mutex_;                     // of the projector, and of those that were asked for
+    mutable std::map<std::pair<FaceId, NodeId>, Vec3> normals_;
 };
 
 }  // namespace featuremesh

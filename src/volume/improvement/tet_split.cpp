@@ -8,12 +8,17 @@ namespace {
 
 class TetSplit : public Operation {
   public:
-    TetSplit(LocalMesh& mesh, const Objective& objective) : complex_(mesh.complex()), objective_(objective) {}
+    TetSplit(const TetComplex& complex, const Objective& objective) : complex_(complex), objective_(objective) {}
 
     std::string_view name() const override { return "split"; }
     bool moves_boundary() const override { return true; }  // so that a tet with a forced angle is looked at, too
 
-    bool plan(int tet, Change& change) override {
+    std::unique_ptr<Operation> for_another_thread() const override {
+        return std::make_unique<TetSplit>(complex_, objective_);
+    }
+
+    bool plan(int tet, Change& change, Footprint& footprint) override {
+        footprint.add(tet);
         if (!objective_.is_barred(complex_.tets[tet])) return false;
         const Tet& v = complex_.tets[tet];
         const auto& p = complex_.points;
@@ -22,8 +27,9 @@ class TetSplit : public Operation {
         consider(std::array{tet}, {0, 1, 2, 3}, (p[v[0]] + p[v[1]] + p[v[2]] + p[v[3]]) / 4, v, change);
         for (const auto& [from, to] : edge_corners) {
             EdgeRing ring;
-            if (find_ring(complex_, tet, from, to, ring))
-                consider(ring.all_tets(), {from, to}, (p[ring.from] + p[ring.to]) / 2, v, change);
+            const bool is_inside = find_ring(complex_, tet, from, to, ring);
+            footprint.add(ring.all_tets());
+            if (is_inside) consider(ring.all_tets(), {from, to}, (p[ring.from] + p[ring.to]) / 2, v, change);
         }
         return !change.removed.empty();
     }
@@ -61,7 +67,7 @@ class TetSplit : public Operation {
 }  // namespace
 
 std::unique_ptr<Operation> tet_split(LocalMesh& mesh, const Objective& objective) {
-    return std::make_unique<TetSplit>(mesh, objective);
+    return std::make_unique<TetSplit>(mesh.complex(), objective);
 }
 
 }  // namespace featuremesh

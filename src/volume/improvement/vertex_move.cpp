@@ -3,6 +3,7 @@
 
 #include "volume/improvement/operations.h"
 #include "volume/improvement/star_shape.h"
+#include "volume/improvement/tried_marks.h"
 
 namespace featuremesh {
 
@@ -10,18 +11,33 @@ namespace {
 
 class VertexMove : public Operation {
   public:
-    VertexMove(LocalMesh& mesh, const Objective& objective)
-        : mesh_(mesh), complex_(mesh.complex()), objective_(objective), shape_(objective) {}
+    VertexMove(const LocalMesh& mesh, const Objective& objective, std::shared_ptr<TriedMarks> tried,
+               std::unique_ptr<Projector> own = {})
+        : mesh_(mesh),
+          complex_(mesh.complex()),
+          objective_(objective),
+          own_projector_(std::move(own)),
+          projector_(own_projector_ ? own_projector_.get() : mesh.surface().projector),
+          shape_(objective),
+          tried_(std::move(tried)) {}
 
     std::string_view name() const override { return "vertex move"; }
     bool moves_boundary() const override { return !mesh_.surface().vertices.empty(); }
 
-    bool plan(int tet, Change& change) override {
-        tried_at_.resize(complex_.points.size(), 0);
+    std::unique_ptr<Operation> for_another_thread() const override {
+        return std::make_unique<VertexMove>(mesh_, objective_, tried_,
+                                            projector_ ? std::make_unique<Projector>(projector_->another()) : nullptr);
+    }
+    void prepare() override { tried_->make_room(mesh_); }
+
+    bool plan(int tet, Change& change, Footprint& footprint) override {
+        tried_->make_room(mesh_);
         for (const int v : complex_.tets[tet]) {
-            if (complex_.mobility[v] == Mobility::fixed || tried_at_[v] >= mesh_.changed_at(v)) continue;
-            if (move(v, change)) return true;
-            tried_at_[v] = mesh_.now();
+            if (complex_.mobility[v] == Mobility::fixed || tried_->has(v, mesh_)) continue;
+            const bool is_found = move(v, change);
+            footprint.add(star_.tets);
+            if (is_found) return true;
+            tried_->note(v, mesh_);
         }
         return false;
     }
@@ -51,7 +67,7 @@ class VertexMove : public Operation {
         const double wanted = Objective::improved(change.before.worst, change.price.angle);
         const double best =
             mesh_.is_on_surface(vertex_)
-                ? shape_.climb(aim, objective_.target(), mesh_.ways_from(vertex_, star_),
+                ? shape_.climb(aim, objective_.target(), mesh_.ways_from(vertex_, star_, projector_),
                                [&](const Vec3& trial) { return mesh_.keeps_triangles(vertex_, star_, trial); })
                 : shape_.climb(aim, objective_.target());
         if (best >= wanted) return false;
@@ -70,7 +86,7 @@ class VertexMove : public Operation {
         double sum = change.before.shape;
         // a dear move may take some steps before it is known whether it is worth it
         for (int steps = 0; steps < (change.price.shape > least ? most_steps : 1); ++steps) {
-            const Vec3 way = mesh_.along(vertex_, shape_.radius_ratios(place).gradient);
+            const Vec3 way = mesh_.along(vertex_, shape_.radius_ratios(place).gradient, projector_);
             const double reach = shape_.mean_height(place), slope = length(way) * reach;  // by edge length
             double step = std::min(longest_step, slope / (curvature * change.before.count));
             bool is_higher = false;
@@ -87,7 +103,7 @@ class VertexMove : public Operation {
     }
 
     bool take(const Vec3& aim, Change& change) {
-        const std::optional<Change::Move> there = mesh_.place_near(vertex_, aim);
+        const std::optional<Change::Move> there = mesh_.place_near(vertex_, aim, projector_);
         if (!there || !mesh_.keeps_triangles(vertex_, star_, there->place)) return false;
         change.after = shape_.value(there->place);
         if (!objective_.is_better(change.before, change.after, change.price) ||
@@ -98,12 +114,14 @@ class VertexMove : public Operation {
         return true;
     }
 
-    LocalMesh& mesh_;
+    const LocalMesh& mesh_;
     const TetComplex& complex_;
     const Objective& objective_;
+    std::unique_ptr<Projector> own_projector_;  // of another thread's
+    const Projector* projector_;
     StarShape shape_;
     LocalMesh::Star star_;
-    std::vector<std::uint32_t> tried_at_;  // by vertex
+    std::shared_ptr<TriedMarks> tried_;
     int vertex_ = -1;
     Vec3 start_{};
 };
@@ -111,7 +129,7 @@ class VertexMove : public Operation {
 }  // namespace
 
 std::unique_ptr<Operation> vertex_move(LocalMesh& mesh, const Objective& objective) {
-    return std::make_unique<VertexMove>(mesh, objective);
+    return std::make_unique<VertexMove>(mesh, objective, std::make_shared<TriedMarks>());
 }
 
 }  // namespace featuremesh

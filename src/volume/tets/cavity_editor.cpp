@@ -122,15 +122,9 @@ bool is_forced(const TetComplex& complex, int tet, double flatness) {
     return false;
 }
 
-CavityEditor::CavityEditor(TetComplex& complex) : complex_(complex), marks_(complex.tets.size(), 0) {
+CavityEditor::CavityEditor(TetComplex& complex) : complex_(complex) {
     for (std::size_t t = complex.tets.size(); t-- > 0;)
         if (complex.tets[t][0] < 0) free_slots_.push_back(static_cast<int>(t));
-}
-
-void CavityEditor::begin_marks() {
-    if (++stamp_ != 0) return;
-    std::fill(marks_.begin(), marks_.end(), 0);
-    stamp_ = 1;
 }
 
 int CavityEditor::add_vertex(const Vec3& point) {
@@ -158,12 +152,20 @@ CavityEditor::OpenFace& CavityEditor::slot_of(const std::array<int, 3>& key) {
 }
 
 void CavityEditor::file_outside(std::span<const int> removed) {
-    begin_marks();
-    for (int tet : removed) mark(tet);
+    // marks of tets here and there are out of the cache: a few tets are compared one by one
+    constexpr std::size_t few = 12;
+    const bool are_few = removed.size() <= few;
+    if (!are_few) {
+        begin_marks();
+        for (int tet : removed) mark(tet);
+    }
+    const auto is_removed = [&](int tet) {
+        return are_few ? std::find(removed.begin(), removed.end(), tet) != removed.end() : is_marked(tet);
+    };
     for (int tet : removed) {
         for (int face = 0; face < 4; ++face) {
             const int next = complex_.neighbours[tet][face];
-            if (next >= 0 && is_marked(next)) continue;
+            if (next >= 0 && is_removed(next)) continue;
             const auto key = sorted_face(complex_.tets[tet], face);
             slot_of(key) = {key, next, next < 0 ? 0 : face_towards(complex_.neighbours[next], tet), table_stamp_};
         }
@@ -191,7 +193,6 @@ void CavityEditor::take_slots(std::span<const int> removed, std::size_t count) {
         complex_.tets.push_back({-1, -1, -1, -1});
         complex_.neighbours.push_back({-1, -1, -1, -1});
         if (!complex_.regions.empty()) complex_.regions.push_back(-1);
-        marks_.push_back(0);
     }
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "volume/tets/tet_complex.h"
+#include "volume/tets/tet_marks.h"
 #include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
@@ -64,9 +65,9 @@ class CavityEditor {
     int add_vertex(const Vec3& point);
 
     /// Marks of tets, all cleared by begin_marks.
-    void begin_marks();
-    void mark(int tet) { marks_[tet] = stamp_; }
-    bool is_marked(int tet) const { return marks_[tet] == stamp_; }
+    void begin_marks() { marks_.begin(complex_.tets.size()); }
+    void mark(int tet) { marks_.mark(tet); }
+    bool is_marked(int tet) const { return marks_.is_marked(tet); }
 
   private:
     /// A triangle that waits for the tet beyond it.
@@ -83,8 +84,8 @@ class CavityEditor {
     void link(int tet, int face);
 
     TetComplex& complex_;
-    std::vector<std::uint32_t> marks_;
-    std::uint32_t stamp_ = 0, table_stamp_ = 0;
+    TetMarks marks_;
+    std::uint32_t table_stamp_ = 0;
     std::vector<int> free_slots_, added_;
     std::vector<OpenFace> table_;
 };

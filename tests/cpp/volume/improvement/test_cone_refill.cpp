@@ -42,7 +42,7 @@ TEST_CASE("cones over the outside of a grown cavity fill it exactly") {
         for (std::size_t v = 0; v < box.points.size(); v += 3) box.mobility[v] = Mobility::fixed;
         CavityEditor editor(box);
         const Objective objective = objective_for(30);
-        ConeCavity cavity(editor, objective);
+        ConeCavity cavity(box, objective);
         for (int t = 0; t < 60; ++t) {
             if (box.tets[t][0] < 0) continue;
             const Tet v = box.tets[t];
@@ -67,7 +67,8 @@ TEST_CASE("planning a refill changes nothing") {
     int plans = 0;
     for (int t = 0; t < static_cast<int>(box.tets.size()); ++t) {
         Change change;
-        if (!refill->plan(t, change)) continue;
+        Footprint footprint;
+        if (!refill->plan(t, change, footprint)) continue;
         ++plans;
         REQUIRE(change.was_dear);
         REQUIRE(change.before.worst == Approx(objective.value(box, change.removed).worst));

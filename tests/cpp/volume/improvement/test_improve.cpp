@@ -185,11 +185,30 @@ TEST_CASE("where nothing helps or nothing is wrong not a byte changes") {
     CHECK(are_same_bytes(box, box_before));
 }
 
-TEST_CASE("improvement gives the same bytes for any number of threads") {
-    TetComplex one = box_of_tets(6, 0.24, 23), many = one;
-    improve_inside(one, 40, {}, 1);
-    improve_inside(many, 40, {}, 4);
-    CHECK(are_same_bytes(one, many));
+TEST_CASE("improvement gives the same bytes and counts for any number of threads") {
+    const TetComplex start = box_of_tets(12, 0.24, 23);
+    // a budget that lasts, one that runs out now and then, and none
+    for (const Budget& budget :
+         {Budget{}, Budget{.dear_plans = 40, .dear_plans_per_gain = 2}, Budget{.dear_plans = 0}}) {
+        TetComplex one = start;
+        const Improvement alone = improve_inside(one, 40, budget, 1);
+        REQUIRE(alone.changes > 1000);
+        CHECK(alone.planned_ahead == 0);
+        for (const int threads : {2, 4}) {
+            TetComplex many = start;
+            const Improvement together = improve_inside(many, 40, budget, threads);
+            CHECK(are_same_bytes(one, many));
+            CHECK(find_flaws(many).empty());
+            CHECK(together.left == alone.left);
+            for (std::size_t i = 0; i < alone.counts.size(); ++i) {
+                CHECK(together.counts[i].planned == alone.counts[i].planned);
+                CHECK(together.counts[i].made == alone.counts[i].made);
+            }
+            CHECK(together.planned_ahead > together.changes);
+            CHECK(together.outdated > 0);
+            CHECK(2 * together.outdated < together.planned_ahead);
+        }
+    }
 }
 
 TEST_CASE("improvement can be cancelled") {

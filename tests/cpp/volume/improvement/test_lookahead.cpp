@@ -20,7 +20,11 @@ struct StuckPart {
     Objective objective = objective_for(30, 1e-9);
     RunContext context;
 
-    StuckPart(const TopoDS_Shape& shape, double size) : part(prepare(shape, size)), projector(part.brep) {
+    std::size_t planned_ahead = 0;
+
+    StuckPart(const TopoDS_Shape& shape, double size, int threads = 1)
+        : part(prepare(shape, size)), projector(part.brep) {
+        context.threads = threads;
         VolumeOptions rough;
         rough.target_dihedral_deg = 5;
         const Mesh mesh = fill_solids(part.brep, part.sizing, part.surface, {}, rough, context).mesh;
@@ -45,6 +49,7 @@ struct StuckPart {
                      : list_of(lookahead(mesh, objective, context));
         const Improvement done = improve(mesh, objective, operations, {}, {}, context);
         vertices = mesh.release_surface();
+        planned_ahead += done.planned_ahead;
         return done.changes;
     }
     std::size_t look_ahead() { return run(false); }
@@ -89,6 +94,21 @@ TEST_CASE("looking ahead gives the same each time, and nothing where all tets ar
     const TetComplex start = good.complex;
     CHECK(good.look_ahead() == 0);
     CHECK(are_same_bytes(start, good.complex));
+}
+
+TEST_CASE("with a surface that moves and with lookahead any number of threads gives the same bytes") {
+    StuckPart one(cut_corner(0.5), 2, 1), many(cut_corner(0.5), 2, 4);
+    const auto is_same = [&] {
+        return are_same_bytes(one.complex, many.complex) &&
+               std::equal(one.vertices.begin(), one.vertices.end(), many.vertices.begin(), many.vertices.end(),
+                          [](const SurfaceVertex& a, const SurfaceVertex& b) {
+                              return a.vertex == b.vertex && a.on == b.on && a.parameters == b.parameters;
+                          });
+    };
+    CHECK(is_same());
+    CHECK(many.planned_ahead > 0);
+    CHECK(one.look_ahead() == many.look_ahead());
+    CHECK(is_same());
 }
 
 TEST_CASE("what may not move stays where it is") {
