@@ -113,24 +113,27 @@ class Improver {
 
     /// Those of the changed tets that are in need of work, worst first.
     std::vector<Candidate> rank_changed() {
-        std::sort(changed_.begin(), changed_.end());
+        if (!std::is_sorted(changed_.begin(), changed_.end())) std::sort(changed_.begin(), changed_.end());
         changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
-        std::vector<double> needs(changed_.size(), 0);
+        std::vector<std::vector<Candidate>> parts(changed_.size() / tets_per_chunk + 1);
         parallel_for(context_, changed_.size(), tets_per_chunk, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                if (const Tet& tet = complex_.tets[changed_[i]]; tet[0] >= 0) needs[i] = objective_.need(complex_, tet);
+                if (const Candidate of{need_of(changed_[i]), changed_[i]}; is_in_need(of))
+                    parts[begin / tets_per_chunk].push_back(of);
         });
         std::vector<Candidate> ranked;
-        for (std::size_t i = 0; i < changed_.size(); ++i) {
-            const Candidate of{needs[i], changed_[i]};
-            if (of.is_bad() || (of.need > 0 && is_in_region(of.tet))) ranked.push_back(of);
-        }
+        for (const std::vector<Candidate>& part : parts) ranked.insert(ranked.end(), part.begin(), part.end());
         std::sort(ranked.begin(), ranked.end(), [](const Candidate& a, const Candidate& b) {
             return a.need != b.need ? a.need > b.need : a.tet < b.tet;
         });
         changed_.clear();
         return ranked;
     }
+
+    double need_of(int tet) const {
+        return complex_.tets[tet][0] >= 0 ? objective_.need(complex_, complex_.tets[tet]) : 0;
+    }
+    bool is_in_need(const Candidate& of) const { return of.is_bad() || (of.need > 0 && is_in_region(of.tet)); }
 
     std::size_t count_missing(const std::vector<Candidate>& queue) const {
         return static_cast<std::size_t>(std::count_if(queue.begin(), queue.end(), [&](const Candidate& c) {
