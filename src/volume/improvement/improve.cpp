@@ -10,9 +10,8 @@ namespace featuremesh {
 namespace {
 
 constexpr std::size_t rounds_between_reports = 64;
-
 constexpr std::size_t tets_per_chunk = 1 << 12;
-/// Of the queue: more would be planned in vain more often, with fewer threads wait for one another.
+/// Of the queue: with more tets more plans are made in vain, with fewer the threads wait for one another.
 constexpr std::size_t most_ahead = 64;
 
 struct Candidate {
@@ -34,11 +33,12 @@ struct Plan {
     std::uint32_t made_at = 0;
     std::size_t point_count = 0;  // new vertices count on from it
     std::vector<OfOperation> answers;
+    bool is_cut_short = false;  // before a dear operation
     Change change;
     Footprint footprint;
 
     void begin(std::size_t of, std::size_t operations, bool is_ahead) {
-        place = of;
+        place = of, is_cut_short = false;
         answers.assign(operations, {});
         footprint.begin(is_ahead);
     }
@@ -108,7 +108,7 @@ class Improver {
             if (std::any_of(hand.begin(), hand.end(), [](const auto& operation) { return !operation; }))
                 return other_hands_.clear();
         }
-        plans_.resize(most_ahead);
+        plans_.resize(std::max(most_ahead, 2 * (other_hands_.size() + 1)));
     }
 
     /// Those of the changed tets that are in need of work, worst first.
@@ -182,28 +182,33 @@ class Improver {
     Plan& plan_for(const std::vector<Candidate>& queue, std::size_t i) {
         if (!other_hands_.empty()) plan_ahead(queue, i);
         Plan& plan = plans_[i % plans_.size()];
-        if (!holds(plan, queue[i], i)) plan.begin(i, operations_.size(), false);
+        if (!holds(plan, queue, i, i)) plan.begin(i, operations_.size(), false);
         return plan;
     }
 
-    /// A plan for which all threads were asked is that of now while nothing that it depends on has changed.
-    bool holds(const Plan& plan, const Candidate& of, std::size_t i) const {
+    /// A plan for which all threads were asked is that of now while nothing that it depends on has changed, and if it
+    /// was not cut short for want of a budget that there is now, when it is the turn of `first`.
+    bool holds(const Plan& plan, const std::vector<Candidate>& queue, std::size_t i, std::size_t first) const {
         if (plan.place != i || mesh_.has_changed(plan.footprint, plan.made_at)) return false;
-        const Tet& v = complex_.tets[of.tet];
+        if (plan.is_cut_short && may_be_dear(i, first)) return false;
+        const Tet& v = complex_.tets[queue[i].tet];
         return v[0] < 0 || std::none_of(v.begin(), v.end(), [&](int c) {
                    return complex_.mobility[c] != Mobility::fixed && mesh_.changed_at(c) > plan.made_at;
                });
     }
 
+    /// Those before it will leave some of the budget.
+    bool may_be_dear(std::size_t i, std::size_t first) const { return i - first < dear_plans_left_; }
+
     /// Unless the plan for the first holds, all threads plan for it and for those that follow without a plan that does.
     void plan_ahead(const std::vector<Candidate>& queue, std::size_t first) {
-        if (holds(plans_[first % plans_.size()], queue[first], first)) return;
+        if (holds(plans_[first % plans_.size()], queue, first, first)) return;
         // what was overtaken soon is the sign of a small cavity, or of changes that reach far
         reach_ = std::clamp(2 * (first - last_round_), 2 * (other_hands_.size() + 1), plans_.size());
         last_round_ = first;
         without_plan_.clear();
         for (std::size_t i = first; i < std::min(queue.size(), first + reach_); ++i)
-            if (!holds(plans_[i % plans_.size()], queue[i], i)) without_plan_.push_back(i);
+            if (!holds(plans_[i % plans_.size()], queue, i, first)) without_plan_.push_back(i);
         if (without_plan_.size() < 2) return;
         result_.planned_ahead += without_plan_.size();
         for (const std::size_t i : without_plan_) result_.outdated += plans_[i % plans_.size()].place == i;
@@ -213,13 +218,13 @@ class Improver {
             const Operations& operations = hand == 0 ? operations_ : other_hands_[hand - 1];
             for (std::size_t k = next++; k < without_plan_.size(); k = next++) {
                 const std::size_t i = without_plan_[k];
-                make_plan(plans_[i % plans_.size()], operations, queue[i], i, i - first < dear_plans_left_);
+                make_plan(plans_[i % plans_.size()], operations, queue[i], i, may_be_dear(i, first));
             }
         });
     }
 
     void make_plan(Plan& plan, const Operations& operations, const Candidate& of, std::size_t place,
-                   bool may_be_dear) const {
+                   bool asks_dear) const {
         plan.begin(place, operations.size(), true);
         plan.made_at = mesh_.now();
         plan.footprint.add(of.tet);
@@ -228,7 +233,10 @@ class Improver {
         for (std::size_t i = 0; i < operations.size(); ++i) {
             if (is_forced && !operations[i]->moves_boundary()) continue;
             // whether there is a budget for it is known when it is its turn
-            if (operations[i]->is_dear() && !may_be_dear) return;
+            if (operations[i]->is_dear() && !asks_dear) {
+                plan.is_cut_short = true;
+                return;
+            }
             if (plan.ask(*operations[i], i, of.tet, complex_.points.size())) return;
         }
     }
