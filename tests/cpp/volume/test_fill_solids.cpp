@@ -291,11 +291,11 @@ TEST_CASE("a surface that does not close is refused by the name of its face") {
     CHECK(message.find(name_of(entity_of(face))) != std::string::npos);
 }
 
-TEST_CASE("a solid with two faces in the same place is refused with their names") {
+TEST_CASE("a solid with faces that share a place in part is refused with their names") {
     TopoDS_Solid both;
     const BRep_Builder builder;
     builder.MakeSolid(both);
-    for (const TopoDS_Shape& part : {box_part({0, 0, 0}, {10, 10, 10}), box_part({10, 0, 0}, {10, 10, 10})})
+    for (const TopoDS_Shape& part : {box_part({0, 0, 0}, {10, 10, 10}), box_part({10, 0, 0}, {10, 10, 20})})
         builder.Add(both, TopExp_Explorer(part, TopAbs_SHELL).Current());
     const Part part = prepare(both, 2.5);
     try {
