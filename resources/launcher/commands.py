@@ -204,6 +204,8 @@ def bench(given):
     options += ["--history"] if given.history else []
     options += ["--netgen"] if given.netgen else []
     options += ["--ours"] if given.ours else []
+    if not given.divisor > 0 or given.edits < 0:
+        raise UserError(f"--divisor {given.divisor:g} has to be above 0, and --edits {given.edits} not below 0")
     if given.documents:
         options += ["--documents", existing_folder(given.documents), "--divisor", str(given.divisor), "--edits", str(given.edits)]
     for case in given.case or []:

@@ -41,7 +41,7 @@ def measure_document(path, divisor, edits, is_with_peer):
     with tempfile.TemporaryDirectory(prefix="featuremesh-bench-") as name:
         folder = Path(name)
         task = {"path": str(path.resolve()), "edits": edits, "folder": name}
-        read = run_script(Path(__file__).parent / "read_document.py", {"FEATUREMESH_DOCUMENT": json.dumps(task)})
+        read = run_script(Path(__file__).parent / "read_document.py", {"FEATUREMESH_CASE": json.dumps(task)})
         if read["exit_code"]:
             raise RuntimeError(read["message"])
         size = read["data"]["diagonal"] / divisor

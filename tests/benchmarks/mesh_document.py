@@ -4,11 +4,11 @@
 mesh_document.py FOLDER SIZE writes measured.json there (see measure); what read_document.py wrote is read.
 """
 import json
-import resource
 import sys
 from pathlib import Path
 
 from raw_files import read_raw
+from timing import processor_seconds
 
 
 def measure(folder, size):
@@ -36,12 +36,6 @@ def row_of(mesh):
         return {"refused": str(error).splitlines()[0] if str(error) else type(error).__name__}, None
     return {"processor_seconds": processor_seconds() - before, "seconds": report["seconds"], "tets": report["tets"], "kept": report["kept"]["nodes_share"],
             "fallback": bool(report["fallback"]), "min_dihedral": report["quality"]["min_dihedral"]}, part_mesh
-
-
-def processor_seconds():
-    """Of this process and the children it waited for (kernel calls that may crash run in one)."""
-    used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
-    return sum(each.ru_utime + each.ru_stime for each in used)
 
 
 if __name__ == "__main__":

@@ -5,18 +5,12 @@ FEATUREMESH_CASE is JSON: part, after, final, edit, folder. Writes old.json, new
 reading.json there: the seconds that FreeCAD takes to recompute all of the edited document and that it takes to read it.
 """
 import json
-import os
 import sys
-import traceback
 from pathlib import Path
 
-import FreeCAD as App
-import freecad
-
-ROOT = Path(__file__).resolve().parents[2]
-freecad.__path__.append(str(ROOT / "Mod" / "FeatureMesh" / "freecad"))
 sys.path.insert(0, str(Path(__file__).parent))
 
+from in_freecad import open_part, tell  # noqa: E402
 from raw_files import write_raw  # noqa: E402
 from timing import seconds_of, shortest  # noqa: E402
 
@@ -45,23 +39,5 @@ def recompute_all(document):
     document.recompute()
 
 
-def open_part(name):
-    example = ROOT / "resources" / "examples" / (name + ".FCStd")
-    if example.is_file():
-        return App.openDocument(str(example))
-    import bench_parts
-    return bench_parts.make(name)
-
-
-def main():
-    try:
-        prepare(json.loads(os.environ["FEATUREMESH_CASE"]))
-        result = {"exit_code": 0, "message": "", "data": {}}
-    except Exception as error:
-        traceback.print_exc()
-        result = {"exit_code": 1, "message": str(error), "data": {}}
-    Path(os.environ["FEATUREMESH_RESULT"]).write_text(json.dumps(result), encoding="utf-8")
-
-
 if __name__ == "prepare_case":
-    main()
+    tell(prepare)

@@ -1,23 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Reads the largest part of any document, and the same part after edits of single dimensions, in FreeCAD.
 
-FEATUREMESH_DOCUMENT is JSON: path, edits (how many), folder. Writes 0.json (the raw document as opened), 1.json ... (after each edit, made on the
+FEATUREMESH_CASE is JSON: path, edits (how many), folder. Writes 0.json (the raw document as opened), 1.json ... (after each edit, made on the
 document opened anew) and part.brep there. The result holds the part's diagonal in mm and the edits that were made.
 """
-import json
-import os
 import signal
 import sys
-import traceback
 from pathlib import Path
 
 import FreeCAD as App
-import freecad
 
-ROOT = Path(__file__).resolve().parents[2]
-freecad.__path__.append(str(ROOT / "Mod" / "FeatureMesh" / "freecad"))
 sys.path.insert(0, str(Path(__file__).parent))
 
+from in_freecad import tell  # noqa: E402
 from raw_files import write_raw  # noqa: E402
 
 SHARE = 0.05                # by which a dimension is changed
@@ -25,21 +20,21 @@ TRIED_FOR_EACH_EDIT = 3     # dimensions, where FreeCAD cannot recompute with so
 LIMIT_SECONDS = 300         # then FreeCAD ends by a signal, whatever it is in
 
 
-def read(task):
+def read(case):
     from freecad.featuremesh import api, reading
     from freecad.featuremesh.study import dimensions
-    folder = Path(task["folder"])
-    document = App.openDocument(task["path"])
+    folder = Path(case["folder"])
+    document = App.openDocument(case["path"])
     part = largest_part(document, reading)
     name, volume = part.Name, part.Shape.Volume
     write_raw(folder / "0.json", reading.read_document(part))
     part.Shape.exportBrep(str(folder / "part.brep"))
     found = {"diagonal": part.Shape.BoundBox.DiagonalLength, "edits": []}
-    for edit in spread([edit_of(one) for one in dimensions.of_part(part)], TRIED_FOR_EACH_EDIT * task["edits"]):
-        if len(found["edits"]) == task["edits"]:
+    for edit in spread([edit_of(one) for one in dimensions.of_part(part)], TRIED_FOR_EACH_EDIT * case["edits"]):
+        if len(found["edits"]) == case["edits"]:
             break
         App.closeDocument(document.Name)
-        document = App.openDocument(task["path"])
+        document = App.openDocument(case["path"])
         part = document.getObject(name)
         if is_made(document, part, edit, volume, api):
             found["edits"].append(edit)
@@ -77,15 +72,6 @@ def is_made(document, part, edit, volume, api):
     return part.Shape.isValid() and bool(part.Shape.Solids) and abs(part.Shape.Volume - volume) > 1e-9 * volume
 
 
-def main():
-    signal.alarm(LIMIT_SECONDS)
-    try:
-        result = {"exit_code": 0, "message": "", "data": read(json.loads(os.environ["FEATUREMESH_DOCUMENT"]))}
-    except Exception as error:
-        traceback.print_exc()
-        result = {"exit_code": 1, "message": str(error), "data": {}}
-    Path(os.environ["FEATUREMESH_RESULT"]).write_text(json.dumps(result), encoding="utf-8")
-
-
 if __name__ == "read_document":
-    main()
+    signal.alarm(LIMIT_SECONDS)
+    tell(read)

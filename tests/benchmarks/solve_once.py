@@ -5,19 +5,15 @@ FEATUREMESH_CASE is JSON: part, final, edit, size, order, calculix (its solvers 
 counts; else the engine alone is measured, without FreeCAD's mesh. Seconds are [by the clock, of the processors]. The result's data has the figures.
 """
 import json
-import os
 import resource
 import sys
 import time
-import traceback
 from pathlib import Path
 
-import FreeCAD as App
-import freecad
-
-ROOT = Path(__file__).resolve().parents[2]
-freecad.__path__.append(str(ROOT / "Mod" / "FeatureMesh" / "freecad"))
 sys.path.insert(0, str(Path(__file__).parent))
+
+from in_freecad import open_part, tell  # noqa: E402
+from timing import processor_seconds  # noqa: E402
 
 THREADS = 2
 STEEL = [[210000.0, 0.3, 7.85e-9]]   # MPa, -, t/mm^3
@@ -32,11 +28,6 @@ class Clock:
 
     def read(self):
         return [time.perf_counter() - self._wall, processor_seconds() - self._processors]
-
-
-def processor_seconds():
-    """Of this process and those that it waited for."""
-    return sum(getattr(resource.getrusage(who), name) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN) for name in ("ru_utime", "ru_stime"))
 
 
 def gigabytes(is_now=False):
@@ -54,7 +45,6 @@ def figures_of(report):
 def in_document(case):
     """As a user works: recompute, solve, result object."""
     from freecad.featuremesh import api
-    from prepare_case import open_part
     document = open_part(case["part"])
     mesh = api.add_mesh(document.getObject(case["final"]), case["size"], case["order"], THREADS)
     api.recompute(document)
@@ -84,7 +74,6 @@ def of_arrays(case):
     """The solver alone, on a part that is held at its lower end along the axis `held_end` and whose weight pulls along the next axis."""
     import numpy as np
     from freecad.featuremesh import api, engine, reading
-    from prepare_case import open_part
     document = open_part(case["part"])
     options = {"size": case["size"], "order": case["order"], "threads": THREADS}
     part, end = document.getObject(case["final"]), "xyz".index(case["held_end"])
@@ -115,18 +104,9 @@ def of_arrays(case):
     return found
 
 
-def main():
-    try:
-        case = json.loads(os.environ["FEATUREMESH_CASE"])
-        found = in_document(case) if case["is_in_document"] else of_arrays(case)
-        result = {"exit_code": 0, "message": "", "data": found}
-    except Exception as error:
-        traceback.print_exc()
-        result = {"exit_code": 1, "message": str(error), "data": {}}
-    Path(os.environ["FEATUREMESH_RESULT"]).write_text(json.dumps(result), encoding="utf-8")
-    App.Console.PrintMessage("done\n")
-    os._exit(0)
+def measure(case):
+    return in_document(case) if case["is_in_document"] else of_arrays(case)
 
 
 if __name__ == "solve_once":
-    main()
+    tell(measure)

@@ -4,21 +4,18 @@
 FEATUREMESH_CASE is JSON: base (a study's base document), size (mm), threads, folder, cases (each with id and set). CalculiX
 has the solver that our studies choose for large models. The result's data are the cases: seconds by step, nodes, the largest von Mises stress.
 """
-import json
 import os
 import sys
-import traceback
 from dataclasses import dataclass
 from pathlib import Path
 
-import FreeCAD as App
-import freecad
 import numpy as np
 import ObjectsFem
 from femmesh.gmshtools import GmshTools
 
-ROOT = Path(__file__).resolve().parents[2]
-freecad.__path__.append(str(ROOT / "Mod" / "FeatureMesh" / "freecad"))
+sys.path.insert(0, str(Path(__file__).parent))
+
+from in_freecad import tell  # noqa: E402
 
 SECONDS_LIMIT = 3600
 
@@ -79,17 +76,5 @@ def measure(task):
     return found
 
 
-def main():
-    try:
-        result = {"exit_code": 0, "message": "", "data": measure(json.loads(os.environ["FEATUREMESH_CASE"]))}
-    except Exception as error:
-        traceback.print_exc()
-        result = {"exit_code": 1, "message": str(error), "data": {}}
-    Path(os.environ["FEATUREMESH_RESULT"]).write_text(json.dumps(result), encoding="utf-8")
-    App.Console.PrintMessage("done\n")
-    sys.stdout.flush()
-    os._exit(0)
-
-
 if __name__ == "study_peer":
-    main()
+    tell(measure)

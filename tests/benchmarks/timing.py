@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How often something is done before its shortest time is taken."""
+"""Seconds by the clock and of the processors."""
+import resource
 import time
 
 
@@ -16,3 +17,9 @@ def shortest(timed, rounds=(3, 40), enough=1.0):
     while len(found) < rounds[0] or (len(found) < rounds[1] and time.perf_counter() - start < enough):
         found.append(timed())
     return min(found)
+
+
+def processor_seconds():
+    """Of this process and those that it waited for (kernel calls that may crash run in one)."""
+    used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(each.ru_utime + each.ru_stime for each in used)

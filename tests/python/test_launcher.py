@@ -50,7 +50,8 @@ class CommandLine(unittest.TestCase):
                       ("update", "no_such.FCStd", "--set", "A.B=1"), ("diff", __file__), ("export", __file__, "out.vtu"),
                       ("mesh", __file__, "--out", "no/such/folder/out.FCStd"), ("demo", "--out", __file__),
                       ("mesh", __file__, "--ignore-below", "little"), ("mesh", __file__, "--ignore-below", "0"),
-                      ("test", "--freecad", "0.12"), ("bench", "--documents", __file__), ("bench", "--documents", "no/such/folder"), ("nothing",)):
+                      ("test", "--freecad", "0.12"), ("bench", "--documents", __file__), ("bench", "--documents", "no/such/folder"),
+                      ("bench", "--documents", str(ROOT), "--divisor", "0"), ("bench", "--documents", str(ROOT), "--edits", "-1"), ("nothing",)):
             with self.subTest(words=words):
                 done = run(*words)
                 self.assertEqual(done.returncode, 2)
