@@ -33,19 +33,18 @@ def free_motions(arrays, held):
     if count > _MOST_BODIES:
         return None, centre, scale
     nodes = np.hstack([arrays["tets"], arrays["tet_mids"].reshape(len(arrays["tets"]), -1)])
-    pairs = np.unique(np.column_stack([nodes.ravel(), np.repeat(bodies, nodes.shape[1])]), axis=0)
+    owner = np.zeros(len(points), dtype=np.int64)
+    owner[nodes] = bodies[:, None]
+    elsewhere = owner[nodes] != bodies[:, None]   # corners at nodes of several bodies, of which one is the owner
+    shared = np.unique(np.column_stack([nodes[elsewhere], np.broadcast_to(bodies[:, None], nodes.shape)[elsewhere]]), axis=0)
     gram = np.zeros((6 * count, 6 * count))
-    _, first, times = np.unique(pairs[:, 0], return_index=True, return_counts=True)
-    owner = np.full(len(points), 0)
-    owner[pairs[first, 0]] = pairs[first, 1]
     for axis in range(3):
         rows = np.flatnonzero(held[:, axis])
         for body in np.unique(owner[rows]):
             _add(gram, [(int(body), 1.0)], _row(points[rows[owner[rows] == body]], centre, scale, axis))
-    for node, start in zip(pairs[first[times > 1], 0], first[times > 1]):   # nodes of several bodies
-        for other in pairs[start + 1:start + times[first == start][0], 1]:
-            for axis in range(3):
-                _add(gram, [(int(owner[node]), 1.0), (int(other), -1.0)], _row(points[[node]], centre, scale, axis))
+    for node, other in shared.tolist():
+        for axis in range(3):
+            _add(gram, [(int(owner[node]), 1.0), (other, -1.0)], _row(points[[node]], centre, scale, axis))
     values, vectors = np.linalg.eigh(gram)
     free = vectors[:, values <= _FREE * max(values[-1], 1e-300)]
     return free.reshape(count, 6, -1), centre, scale
