@@ -248,6 +248,13 @@ PartMeshResult unchanged(const PartMesh& old, RunContext& context) {
     return result;
 }
 
+/// Numbers all elements from `first` on without gaps, segments last: FreeCAD reads only the others from files.
+void number_elements(Mesh& mesh, Number first) {
+    for (std::vector<Number>* numbers : {&mesh.triangle_numbers, &mesh.tet_numbers, &mesh.segment_numbers})
+        for (Number& number : *numbers) number = first++;
+    mesh.next_element_number = first;
+}
+
 /// The stages of meshing a part, in the order in which they are called; each leaves what the next needs.
 class Stages {
   public:
@@ -354,6 +361,7 @@ class Stages {
         }
         if (const auto* refusal = std::get_if<Message>(&whole)) throw MeshError(*refusal);
         take(std::get<Filled>(std::move(whole)));
+        number_elements(filled_->mesh, next.element);
     }
 
     /// The mesh with all that its next update needs, and the report. `before`: what it was an update of, or none.

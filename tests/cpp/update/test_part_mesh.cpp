@@ -110,6 +110,23 @@ TEST_CASE("a plate with a hole is meshed") {
     }
 }
 
+TEST_CASE("a first mesh is numbered from 1 without gaps, triangles, tets, then segments") {
+    // Facets of the thin floor are cut while it is meshed.
+    const auto part = PartDocument()
+                          .box("Plate", {0, 0, 0}, {60, 30, 8})
+                          .cylinder("Hole", {15, 15, 0.3}, 6, 10)
+                          .cut("Part", "Plate", "Hole")
+                          .finish();
+    for (int order : {1, 2}) {
+        const auto mesh = meshed(part, options_of(6, order)).part_mesh->mesh;
+        Number next = 1;
+        for (const auto* numbers : {&mesh.triangle_numbers, &mesh.tet_numbers, &mesh.segment_numbers})
+            for (const Number number : *numbers) CHECK(number == next++);
+        CHECK(next == mesh.next_element_number);
+        for (std::size_t n = 0; n < mesh.node_count(); ++n) CHECK(mesh.node_numbers[n] == Number(n + 1));
+    }
+}
+
 TEST_CASE("an update without a change gives the same bytes") {
     const auto old = meshed(plate_with_hole(20), options_of(2.5)).part_mesh;
     const auto now = updated(*old, plate_with_hole(20), options_of(2.5));

@@ -1,16 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Hands an engine mesh over to FreeCAD, with its numbers and groups.
 
-Node by node and element by element: FreeCAD's readers of mesh files are slower, and they close the gaps between numbers. So does
-FreeCAD when it opens a document; a mesh whose numbers have gaps (an updated one) is therefore built again after opening.
+A mesh whose numbers have no gaps (a first one, a result's) goes through a file of VTK's, which FreeCAD reads three to five times as fast as
+it takes elements one by one. Its readers close gaps, so an updated mesh is handed over element by element. FreeCAD closes gaps when it opens
+a document, too; there an updated mesh is built again.
 """
 
+import functools
+import os
 import re
+import tempfile
 from collections import deque
 
 import Fem
 import numpy as np
 
+from .formats import connectivity, vtk
 from .materials import material_groups
 from .resolving import Resolver
 from .waiting import let_the_window_live
@@ -19,8 +24,14 @@ from .waiting import let_the_window_live
 SMESH_TET = [0, 2, 1, 3, 6, 5, 4, 7, 9, 8]
 _KINDS = {"Solid": "Volume", "Face": "Face", "Edge": "Edge", "Vertex": "Node"}
 _CHUNK = 20000   # rows between two looks at the window
-# Kind of group -> the stage of `build` in which its elements are made.
-_STAGES = {"Edge": 0, "Face": 1, "Volume": 2}
+_FEW_GROUPS = 400   # FreeCAD looks through all elements for each; with more than these that costs more than reading a file saves
+_LONG_RUN = 6        # elements with consecutive numbers; of shorter runs each is told its number
+# By FreeCAD's kind, in the order in which a first mesh numbers them.
+_ARRAYS = {"Face": ("triangles", "triangle_mids", "triangle_numbers"), "Volume": ("tets", "tet_mids", "tet_numbers"),
+           "Edge": ("segments", "segment_mids", "segment_numbers")}
+# FreeCAD reads no segments from files.
+_NO_SEGMENTS = {"segments": np.zeros((0, 2), np.int32), "segment_mids": np.zeros(0, np.int32), "segment_edges": np.zeros(0, np.int32),
+                "segment_numbers": np.zeros(0, np.int64)}
 
 
 def to_fem_mesh(part_mesh, groups):
@@ -36,31 +47,104 @@ def has_gaps(arrays):
 
 
 def build(arrays, groups):
-    """The Fem.FemMesh with these arrays, numbers and groups.
-
-    In three stages, edges, faces and solids with their nodes; each group is made as soon as all its members are there, because
-    FreeCAD looks through all that is there for each group.
-    """
-    mesh = Fem.FemMesh()
-    numbers = arrays["node_numbers"]
-    stage_of_node = np.maximum(arrays["entities"][:, 0], 1) - 1
-    stage_of_number = np.zeros(int(numbers.max(initial=0)) + 1, dtype=np.int8)
-    stage_of_number[numbers] = stage_of_node
-    stages = [int(stage_of_number[members].max(initial=0)) if kind == "Node" else _STAGES[kind] for _, kind, members in groups]
-    for stage, (add, elements, mids, own) in enumerate((
-            (mesh.addEdge, "segments", "segment_mids", "segment_numbers"),
-            (mesh.addFace, "triangles", "triangle_mids", "triangle_numbers"),
-            (mesh.addVolume, "tets", "tet_mids", "tet_numbers"))):
-        rows = np.flatnonzero(stage_of_node == stage)
-        _for_each(mesh.addNode, *arrays["points"][rows].T, numbers[rows])
-        nodes = numbers[_connectivity(arrays[elements], arrays[mids])]
-        if stage == 2 and len(nodes):
-            nodes = nodes[:, SMESH_TET[:nodes.shape[1]]]
-        _for_each(add, nodes, arrays[own])
-        for (name, kind, members), when in zip(groups, stages):
-            if when == stage:
-                mesh.addGroupElements(mesh.addGroup(name, kind), np.asarray(members).tolist())
+    """The Fem.FemMesh with these arrays, numbers and groups."""
+    mesh = _read_back(arrays) if _is_counted(arrays) and len(groups) <= _FEW_GROUPS else None
+    if mesh is None:
+        return _Building(arrays, groups).mesh
+    _add_groups(mesh, groups)
     return mesh
+
+
+def _is_counted(arrays):
+    """Are nodes and elements numbered from 1 in the order of the arrays?"""
+    return all(np.array_equal(numbers, np.arange(1, len(numbers) + 1)) for numbers in (arrays["node_numbers"], _element_numbers(arrays)))
+
+
+def _read_back(arrays):
+    """The mesh without groups by a file; None where that cannot be written."""
+    tets = _smesh_tets(connectivity(arrays, "tets", "tet_mids"))
+    try:
+        with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
+            path = os.path.join(folder, "mesh.vtk")
+            vtk.write(path, {**arrays, "tets": tets[:, :4], "tet_mids": tets[:, 4:], **_NO_SEGMENTS}, [])
+            mesh = Fem.read(path)
+    except OSError:
+        return None
+    _for_each(mesh.addEdge, arrays["node_numbers"][connectivity(arrays, "segments", "segment_mids")], arrays["segment_numbers"])
+    return mesh
+
+
+class _Building:
+    """A FemMesh made node by node and element by element, each group as soon as all its members are there, because FreeCAD looks through all that is
+    there for each group: nodes on edges and faces, nodes inside, then elements in the order of their numbers."""
+
+    def __init__(self, arrays, groups):
+        self.mesh, self._largest = Fem.FemMesh(), 0
+        self._add_nodes(arrays, [group for group in groups if group[1] == "Node"])
+        self._add_elements(arrays, [group for group in groups if group[1] != "Node"])
+
+    def _add_nodes(self, arrays, groups):
+        numbers, is_inside = arrays["node_numbers"], arrays["entities"][:, 0] == 3
+        inside = np.zeros(int(numbers.max(initial=0)) + 1, dtype=bool)
+        inside[numbers[is_inside]] = True
+        for which in (False, True):
+            rows = np.flatnonzero(is_inside == which)
+            _for_each(self.mesh.addNode, *arrays["points"][rows].T, numbers[rows])
+            _add_groups(self.mesh, [group for group in groups if inside[group[2]].any() == which])
+
+    def _add_elements(self, arrays, groups):
+        adds = {"Edge": self.mesh.addEdge, "Face": self.mesh.addFace, "Volume": self.mesh.addVolume}
+        last = [int(np.max(members)) for _, _, members in groups]
+        done = 0
+        for kind, rows in _by_number(arrays):
+            elements, mids, own = _ARRAYS[kind]
+            nodes, numbers = arrays["node_numbers"][connectivity(arrays, elements, mids)[rows]], arrays[own][rows]
+            self._add_in_order(adds[kind], _smesh_tets(nodes) if kind == "Volume" else nodes, numbers, may_count=_counts_on() and not len(arrays[mids]))
+            _add_groups(self.mesh, [group for group, number in zip(groups, last) if done < number <= numbers[-1]])
+            done = numbers[-1]
+
+    def _add_in_order(self, add, nodes, numbers, may_count):
+        """Adds elements whose numbers rise. With `may_count`, where they follow one another, FreeCAD counts by itself, which takes half the time."""
+        for start in range(0, len(numbers), _CHUNK):
+            rows, known = nodes[start:start + _CHUNK], numbers[start:start + _CHUNK]
+            firsts = np.flatnonzero(np.diff(known, prepend=-1) != 1)
+            if may_count and known[0] > self._largest and len(firsts) * _LONG_RUN <= len(known):
+                for first, end in zip(firsts, [*firsts[1:], len(known)]):
+                    add(rows[first].tolist(), int(known[first]))
+                    deque(map(add, *rows[first + 1:end].T.tolist()), maxlen=0)
+                let_the_window_live()
+            else:
+                _for_each(add, rows, known)
+            self._largest = max(self._largest, int(known[-1]))
+
+
+def _by_number(arrays):
+    """(kind, rows of its arrays) of all elements in the order of their numbers, as long as one kind goes."""
+    numbers = _element_numbers(arrays)
+    counts = [len(arrays[own]) for _, _, own in _ARRAYS.values()]
+    kinds, rows = np.repeat(np.arange(len(counts)), counts), np.concatenate([np.arange(count) for count in counts])
+    order = np.argsort(numbers, kind="stable")
+    for part in np.split(order, np.flatnonzero(np.diff(kinds[order])) + 1):
+        if len(part):
+            yield list(_ARRAYS)[kinds[part[0]]], rows[part]
+
+
+@functools.cache
+def _counts_on():
+    """Does this FreeCAD give an element without a number the one after the largest?"""
+    mesh = Fem.FemMesh()
+    nodes = [mesh.addNode(*place) for place in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    mesh.addVolume(nodes, 7)
+    return [mesh.addVolume(*nodes) for _ in range(2)] == [8, 9]
+
+
+def _smesh_tets(nodes):
+    return nodes[:, SMESH_TET[:nodes.shape[1]]]
+
+
+def _add_groups(mesh, groups):
+    for name, kind, members in groups:
+        mesh.addGroupElements(mesh.addGroup(name, kind), np.asarray(members).tolist())
 
 
 def _for_each(function, *columns):
@@ -148,7 +232,7 @@ class EntityGroups:
                 ("Edge", "segments", "segment_mids", "segment_edges", "segment_numbers"),
                 ("Face", "triangles", "triangle_mids", "triangle_faces", "triangle_numbers"),
                 ("Solid", "tets", "tet_mids", "tet_solids", "tet_numbers")):
-            self._collect(kind, arrays[elements], arrays[mids], arrays[owners], arrays[numbers])
+            self._collect(kind, connectivity(arrays, elements, mids), arrays[owners], arrays[numbers])
         numbers = arrays["node_numbers"]
         on_vertex = np.flatnonzero(arrays["entities"][:, 0] == 0)
         for node in on_vertex:
@@ -193,10 +277,10 @@ class EntityGroups:
             groups.append((name + "_Nodes", "Node", self.nodes(name)))
         return groups
 
-    def _collect(self, kind, elements, mids, owners, numbers):
-        if not len(elements):
+    def _collect(self, kind, connected, owners, numbers):
+        if not len(connected):
             return
-        self._connectivity[kind] = _connectivity(elements, mids)
+        self._connectivity[kind] = connected
         order = np.argsort(owners, kind="stable")
         present, starts = np.unique(owners[order], return_index=True)
         for owner, rows in zip(present, np.split(order, starts[1:])):
@@ -205,12 +289,8 @@ class EntityGroups:
             self._rows[name] = rows
 
 
-def _connectivity(elements, mids):
-    return np.hstack([elements, mids.reshape(len(elements), -1)]) if len(mids) else elements
-
-
 def _element_numbers(arrays):
-    return np.concatenate([arrays[kind + "_numbers"] for kind in ("segment", "triangle", "tet")])
+    return np.concatenate([arrays[own] for _, _, own in _ARRAYS.values()])
 
 
 def _nodes_of_references(member, resolver, entities):

@@ -528,10 +528,10 @@ def options_of(mesh, part, raw=None, refined=None):
 
 
 def renumbered(arrays):
-    """The same mesh with numbers without gaps, in the order in which nodes and elements lie in the arrays."""
+    """The same mesh with numbers without gaps, as a first mesh has them: in the order of the arrays, triangles, tets, segments."""
     new, first = dict(arrays), 1
     new["node_numbers"] = np.arange(1, len(arrays["node_numbers"]) + 1)
-    for name in ("segment_numbers", "triangle_numbers", "tet_numbers"):
+    for name in ("triangle_numbers", "tet_numbers", "segment_numbers"):
         new[name] = np.arange(first, first + len(arrays[name]))
         first += len(arrays[name])
     new["counters"] = np.array([*arrays["counters"][:2], len(new["node_numbers"]) + 1, first], dtype=np.int64)

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""FreeCAD's mesh has the nodes, elements, numbers and groups of the engine's, whichever way it is handed over."""
+import os
+import tempfile
+import unittest
+from unittest import mock
+
+import FreeCAD
+import numpy as np
+import Part
+from freecad.featuremesh import api, hand_over, mesh_object, statics_result
+from parts import new_document, plate_with_hole
+
+ELEMENTS = (("Edges", "segments", "segment_mids", "segment_numbers"), ("Faces", "triangles", "triangle_mids", "triangle_numbers"),
+            ("Volumes", "tets", "tet_mids", "tet_numbers"))
+
+
+def connected(arrays, elements, mids):
+    """(k, nodes per element) numbers of nodes, in the order in which FreeCAD keeps them."""
+    table = np.hstack([arrays[elements], arrays[mids].reshape(len(arrays[elements]), -1)]) if len(arrays[mids]) else arrays[elements]
+    if elements == "tets":
+        table = table[:, hand_over.SMESH_TET[:table.shape[1]]]
+    return arrays["node_numbers"][table]
+
+
+def contents(fem_mesh):
+    return ({number: tuple(point) for number, point in fem_mesh.Nodes.items()},
+            {kind: {number: fem_mesh.getElementNodes(number) for number in getattr(fem_mesh, kind)} for kind, _, _, _ in ELEMENTS},
+            {fem_mesh.getGroupName(group): (fem_mesh.getGroupElementType(group), sorted(fem_mesh.getGroupElements(group))) for group in fem_mesh.Groups})
+
+
+def contents_of(arrays, groups):
+    return (dict(zip(arrays["node_numbers"].tolist(), map(tuple, arrays["points"].tolist()))),
+            {kind: dict(zip(arrays[own].tolist(), map(tuple, connected(arrays, elements, mids).tolist()))) for kind, elements, mids, own in ELEMENTS},
+            {name: (kind, sorted(np.asarray(members).tolist())) for name, kind, members in groups})
+
+
+class HandOver(unittest.TestCase):
+
+    def meshed(self, order=1, dimension="From shape", size=6):
+        document = new_document()
+        mesh = api.add_mesh(plate_with_hole(document), size, order, dimension=dimension)
+        document.recompute()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        return mesh
+
+    def edited(self, mesh, x):
+        mesh.Document.getObject("HoleSketch").setDatum("X", FreeCAD.Units.Quantity("%g mm" % x))
+        mesh.Document.recompute()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+
+    def check(self, arrays, groups, fem_mesh=None):
+        found, wanted = contents(fem_mesh or hand_over.build(arrays, groups)), contents_of(arrays, groups)
+        for what, expected in zip(found, wanted):
+            self.assertEqual(what, expected)
+
+    def groups_and_arrays(self, mesh):
+        arrays = mesh.Proxy.arrays(mesh)
+        return arrays, hand_over.EntityGroups(arrays).of_all_entities() + [("Some", "Volume", arrays["tet_numbers"][:50])] * bool(len(arrays["tets"]))
+
+    def test_first_meshes_are_read_from_a_file(self):
+        for order in (1, 2):
+            for dimension in ("Solids", "Faces", "Edges"):
+                arrays, groups = self.groups_and_arrays(self.meshed(order, dimension))
+                with self.subTest(order=order, dimension=dimension), mock.patch.object(hand_over, "_Building", side_effect=AssertionError("one by one")):
+                    self.check(arrays, groups)
+
+    def test_updated_meshes_keep_their_numbers(self):
+        for order in (1, 2):
+            mesh = self.meshed(order)
+            for x in (22, 24, 21):
+                self.edited(mesh, x)
+            arrays, groups = self.groups_and_arrays(mesh)
+            self.assertTrue(hand_over.has_gaps(arrays))
+            self.check(arrays, groups)
+            with mock.patch.object(hand_over, "_LONG_RUN", 1):
+                self.check(arrays, groups)
+            with mock.patch.object(hand_over, "_counts_on", lambda: False):
+                self.check(arrays, groups)
+            with mock.patch.object(hand_over, "_CHUNK", 7):
+                self.check(arrays, groups)
+            self.assertGreater(len(contents(mesh.FemMesh)[2]), len(groups) - 2)
+            self.check(arrays, [], hand_over.build(arrays, []))
+
+    def test_an_opened_document_has_the_mesh_that_was_saved(self):
+        for order, edits in ((1, ()), (2, ()), (1, (22, 24))):
+            mesh = self.meshed(order)
+            for x in edits:
+                self.edited(mesh, x)
+            arrays, found = mesh.Proxy.arrays(mesh), contents(mesh.FemMesh)
+            with tempfile.TemporaryDirectory() as folder:
+                path = os.path.join(folder, "part.FCStd")
+                mesh.Document.saveAs(path)
+                FreeCAD.closeDocument(mesh.Document.Name)
+                opened, = api.meshes_of(FreeCAD.openDocument(path))
+            points, elements, groups = contents(opened.FemMesh)
+            self.assertEqual((elements, groups), found[1:])
+            self.assertEqual(sorted(points), sorted(arrays["node_numbers"].tolist()))
+
+    def test_many_groups_or_a_full_disk_are_no_hindrance(self):
+        arrays, groups = self.groups_and_arrays(self.meshed())
+        with mock.patch.object(hand_over, "_FEW_GROUPS", 3), mock.patch.object(hand_over, "_read_back", side_effect=AssertionError("by a file")):
+            self.check(arrays, groups)
+        with mock.patch.object(hand_over.vtk, "write", side_effect=OSError(28, "No space left on device")):
+            self.check(arrays, groups)
+
+    def test_a_result_has_the_tets_alone_without_gaps(self):
+        for order in (1, 2):
+            mesh = self.meshed(order)
+            self.edited(mesh, 22)
+            arrays = mesh.Proxy.arrays(mesh)
+            nodes, elements, groups = contents(statics_result.result_mesh(arrays))
+            self.assertEqual(list(nodes.values()), [tuple(point) for point in arrays["points"].tolist()])
+            self.assertEqual((elements["Edges"], elements["Faces"], groups), ({}, {}, {}))
+            rows = connected({**arrays, "node_numbers": np.arange(1, len(arrays["points"]) + 1)}, "tets", "tet_mids")
+            self.assertEqual(elements["Volumes"], dict(enumerate(map(tuple, rows.tolist()), 1)))
+
+    def test_a_solid_with_shells_and_beams_beside_it(self):
+        document = new_document()
+        box, sheet = Part.makeBox(20, 20, 10), Part.makePlane(15, 20, FreeCAD.Vector(20, 0, 10))
+        part = document.addObject("Part::Feature", "Mixed")
+        part.Shape = Part.makeCompound([box, sheet, Part.makeLine((0, 0, 10), (0, 0, 40))])
+        mesh = api.add_mesh(part, 6, 2)
+        document.recompute()
+        self.check(*self.groups_and_arrays(mesh))
+
+    def test_nothing(self):
+        mesh = self.meshed()
+        self.assertEqual(hand_over.build({name: values[:0] for name, values in mesh.Proxy.arrays(mesh).items()}, []).NodeCount, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
