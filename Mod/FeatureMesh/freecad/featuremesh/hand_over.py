@@ -29,9 +29,10 @@ _LONG_RUN = 6        # elements with consecutive numbers; of shorter runs each i
 # By FreeCAD's kind, in the order in which a first mesh numbers them.
 _ARRAYS = {"Face": ("triangles", "triangle_mids", "triangle_numbers"), "Volume": ("tets", "tet_mids", "tet_numbers"),
            "Edge": ("segments", "segment_mids", "segment_numbers")}
-# FreeCAD reads no segments from files.
-_NO_SEGMENTS = {"segments": np.zeros((0, 2), np.int32), "segment_mids": np.zeros(0, np.int32), "segment_edges": np.zeros(0, np.int32),
-                "segment_numbers": np.zeros(0, np.int64)}
+NO_SEGMENTS = {"segments": np.zeros((0, 2), np.int32), "segment_mids": np.zeros(0, np.int32), "segment_edges": np.zeros(0, np.int32),
+               "segment_numbers": np.zeros(0, np.int64)}
+NO_TRIANGLES = {"triangles": np.zeros((0, 3), np.int32), "triangle_mids": np.zeros((0, 3), np.int32), "triangle_faces": np.zeros(0, np.int32),
+                "triangle_numbers": np.zeros(0, np.int64)}
 
 
 def to_fem_mesh(part_mesh, groups):
@@ -61,17 +62,31 @@ def _is_counted(arrays):
 
 
 def _read_back(arrays):
-    """The mesh without groups by a file; None where that cannot be written."""
-    tets = _smesh_tets(connectivity(arrays, "tets", "tet_mids"))
+    """The mesh without groups by a file, from which FreeCAD 0.20 reads no segments; None where it cannot be written."""
+    tets = connectivity(arrays, "tets", "tet_mids")
     try:
-        with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
-            path = os.path.join(folder, "mesh.vtk")
-            vtk.write(path, {**arrays, "tets": tets[:, :4], "tet_mids": tets[:, 4:], **_NO_SEGMENTS}, [])
-            mesh = Fem.read(path)
+        if not _reader_turns_tets():
+            tets = _smesh_tets(tets)
+        mesh = _read({**arrays, "tets": tets[:, :4], "tet_mids": tets[:, 4:], **NO_SEGMENTS})
     except OSError:
         return None
     _for_each(mesh.addEdge, arrays["node_numbers"][connectivity(arrays, "segments", "segment_mids")], arrays["segment_numbers"])
     return mesh
+
+
+def _read(arrays):
+    with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
+        path = os.path.join(folder, "mesh.vtk")
+        vtk.write(path, arrays, [])
+        return Fem.read(path)
+
+
+@functools.cache
+def _reader_turns_tets():
+    """Does FreeCAD's reader of VTK's files turn tets to SMESH's orientation? Since 1.0 it does."""
+    one = {"points": np.eye(4, 3), "node_numbers": np.arange(1, 5), "tets": np.array([[0, 1, 2, 3]]), "tet_mids": np.zeros((0, 6), np.int32),
+           "tet_solids": np.zeros(1, np.int32), "tet_numbers": np.array([1])}
+    return _read({**one, **NO_SEGMENTS, **NO_TRIANGLES}).getElementNodes(1) != (1, 2, 3, 4)
 
 
 class _Building:

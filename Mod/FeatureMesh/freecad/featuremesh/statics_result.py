@@ -9,8 +9,6 @@ import ObjectsFem
 
 from . import hand_over, mesh_object, results
 
-_NO_ELEMENTS = {"segments": (0, 2), "segment_mids": (0,), "segment_edges": (0,), "segment_numbers": (0,),
-                "triangles": (0, 3), "triangle_mids": (0, 3), "triangle_faces": (0,), "triangle_numbers": (0,)}
 _TENSOR = (("XX", 0), ("YY", 1), ("ZZ", 2), ("XY", 3), ("YZ", 4), ("XZ", 5))   # FreeCAD's names of the columns
 _MASS_FLOW_AND_REST = 8   # figures of FreeCAD's table that are of no concern here: plastic strain, temperature, flow
 
@@ -50,10 +48,7 @@ def show(analysis, arrays, fields, name="LiveResult", same_mesh=False):
 
 def result_mesh(arrays):
     """The tets alone, numbered from 1 in the order of the arrays."""
-    alone = dict(arrays)
-    for key, shape in _NO_ELEMENTS.items():
-        alone[key] = np.zeros(shape, dtype=arrays[key].dtype)
-    alone = mesh_object.renumbered(alone)
+    alone = mesh_object.renumbered({**arrays, **hand_over.NO_SEGMENTS, **hand_over.NO_TRIANGLES})
     alone["entities"] = np.tile(np.array([[3, 0]], dtype=np.int32), (len(alone["points"]), 1))
     return hand_over.build(alone, [])
 
@@ -63,7 +58,7 @@ def fill(result, fields):
     displacements, stresses = fields["displacements"], fields["stresses"]
     result.NodeNumbers = list(range(1, len(displacements) + 1))
     lengths = np.linalg.norm(displacements, axis=1)
-    result.DisplacementVectors = [FreeCAD.Vector(*row) for row in displacements.tolist()]
+    result.DisplacementVectors = list(map(FreeCAD.Vector, *displacements.T.tolist()))
     result.DisplacementLengths = lengths.tolist()
     for title, column in _TENSOR:
         setattr(result, "NodeStress" + title, stresses[:, column].tolist())
