@@ -15,7 +15,7 @@ import numpy as np  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
 from PySide import QtGui  # noqa: E402
-from window import click, figures, is_whole, panel, picture, pixels, spin, wait_for  # noqa: E402
+from window import click, figures, is_whole, on_the_screen, panel, picture, pixels, spin, wait_for  # noqa: E402
 
 
 def add_analysis(document, part):
@@ -102,8 +102,14 @@ def check_settings(live_panel, live):
 
 def check_edit(document, live_panel, live):
     """After an edit the old picture is grey until the new one is there; then the change since the last result is at a click."""
-    from freecad.featuremesh import live_overlay, live_result
+    from freecad.featuremesh import live_overlay, live_result, statics_result
     before, largest = live.Proxy.solution, live.MaxMises
+    seen, timed_show = [], statics_result.timed_show
+
+    def looked_at(*words, **options):
+        seen.append(hues(on_the_screen()))
+        return timed_show(*words, **options)
+    statics_result.timed_show = looked_at
     document.getObject("HoleSketch").setDatum("X", FreeCAD.Units.Quantity("26 mm"))
     document.recompute()
     assert live.Status != live_result.UP_TO_DATE and live.MaxMises == largest
@@ -112,6 +118,8 @@ def check_edit(document, live_panel, live):
     drawn = live.ViewObject.Proxy.drawn
     assert np.ptp(drawn.node_colours, axis=1).max() < 1e-12   # grey
     wait_for(lambda: live.Status == live_result.UP_TO_DATE, 60)
+    statics_result.timed_show = timed_show
+    assert seen[-1] > 3000, seen   # in colours before FreeCAD's own result object is made
     spin()
     assert live.MaxMises != largest
     wait_for(lambda: hues(pixels()) > 3000, 20)

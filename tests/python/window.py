@@ -38,6 +38,11 @@ def pixels():
     for dock in Gui.getMainWindow().findChildren(QtGui.QDockWidget, "Report view"):
         dock.hide()
     spin(0.3)
+    return on_the_screen()
+
+
+def on_the_screen():
+    """The same without waiting for anything."""
     image = QtGui.QGuiApplication.primaryScreen().grabWindow(0).toImage().convertToFormat(QtGui.QImage.Format_RGB32)
     buffer = image.constBits()
     data = np.frombuffer(buffer if isinstance(buffer, (bytes, memoryview)) else buffer.asstring(image.sizeInBytes()), dtype=np.uint8)

@@ -6,8 +6,10 @@ from pivy import coin
 from . import live_overlay, live_result, view_provider
 from .element_view import ElementView
 from .gui.edited_in_panel import EditedInPanel
+from .waiting import let_the_window_live
 
 _MODE = "Field"
+_TURNS = 3   # of the window's loop: the view asks for a picture in one and has it in a later one
 _MARK = (0.8, 0.0, 0.8)
 # Called as (live result, property) when one of its properties has changed.
 followers = []
@@ -21,10 +23,12 @@ def attach(live):
 
 
 def show_solution(live):
-    """Draws a new solution."""
+    """Draws a new solution, at once: FreeCAD's result object, which is filled next, takes a while."""
     live.ViewObject.Proxy.draw(live)
     for follow in list(followers):
         follow(live, "Status")
+    for _ in range(_TURNS):
+        let_the_window_live()
 
 
 class ViewLiveResult(EditedInPanel):
