@@ -162,7 +162,8 @@ class Transfer {
 
     TransferredField run(double same_place) {
         recover_gradients();
-        const std::vector<std::int32_t> same = same_nodes(same_place);
+        std::vector<std::int32_t> same = same_nodes(same_place);
+        if (same_place > 0) add_nodes_in_place(same_place, same);
         parallel_for(context_, new_.node_count(), 1024, [&](std::size_t begin, std::size_t end) {
             for (std::size_t n = begin; n < end; ++n) {
                 if (same[n] >= 0)
@@ -251,6 +252,24 @@ class Transfer {
             if (const std::int32_t old = found(tets, new_.tet_numbers[t]); old >= 0)
                 take_congruent(std::size_t(old), t, same);
         return same;
+    }
+
+    // Places tell where numbers do not: results have meshes that are numbered anew.
+    void add_nodes_in_place(double same_place, std::vector<std::int32_t>& same) const {
+        std::vector<Box> boxes(old_.node_count());
+        for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i].add(old_.points[i]);
+        const BoxTree places(std::move(boxes));
+        parallel_for(context_, same.size(), 1024, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t n = begin; n < end; ++n) {
+                if (same[n] >= 0) continue;
+                const auto squared = [&](std::int32_t i) {
+                    const double d = distance(old_.points[std::size_t(i)], new_.points[n]);
+                    return d * d;
+                };
+                const std::int32_t nearest = places.nearest(new_.points[n], squared);
+                if (squared(nearest) <= same_place * same_place) same[n] = nearest;
+            }
+        });
     }
 
     using Order = std::vector<std::pair<Number, std::int32_t>>;

@@ -81,6 +81,25 @@ TEST_CASE("kept nodes keep their values bit for bit") {
     }
 }
 
+TEST_CASE("a mesh that was numbered anew, as those of results are, has the same nodes") {
+    for (const int order : {1, 2}) {
+        const auto [before, after] = edited(order);
+        Mesh renumbered = before->mesh;
+        for (std::size_t n = 0; n < renumbered.node_count(); ++n) {
+            renumbered.node_numbers[n] = Number(renumbered.node_count() - n);
+            renumbered.points[n] = renumbered.points[n] + Vec3{3e-5, -2e-5, 1e-5};
+        }
+        const std::vector<double> values = sampled(before->mesh, quadratic);
+        RunContext context;
+        const TransferredField found = transfer_field(renumbered, after->mesh, values, 1e-4, context);
+        for (std::size_t n = 0; n < after->mesh.node_count(); ++n) {
+            const std::int32_t origin = after->node_origin[n];
+            REQUIRE((found.sources[n] == ValueSource::same_node) == (origin >= 0));
+            if (origin >= 0) REQUIRE(found.values[n] == values[std::size_t(origin)]);
+        }
+    }
+}
+
 TEST_CASE("linear fields are interpolated exactly, quadratic ones between 10-node tets") {
     for (const int order : {1, 2}) {
         const auto [before, after] = edited(order);
