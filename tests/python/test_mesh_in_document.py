@@ -69,6 +69,35 @@ class Copies(MeshedPlate):
         self.document.removeObject(self.mesh.Name)
         self.assertEqual(copy.TetCount, copy.FemMesh.VolumeCount)
 
+    def test_undo_brings_both_back_and_loads_stay(self):
+        """Copy and paste of a mesh, an edit that both follow, undo: each is the mesh of its own state again."""
+        analysis = ObjectsFem.makeAnalysis(self.document)
+        fixed = ObjectsFem.makeConstraintFixed(self.document)
+        analysis.addObject(fixed)
+        analysis.addObject(self.mesh)
+        fixed.References = [(self.body, "Face1")]
+        self.document.recompute()
+        self.document.UndoMode = 1
+        self.document.openTransaction("Copy")
+        copy = self.document.copyObject(self.mesh, False)
+        self.document.recompute()
+        self.document.commitTransaction()
+        self.assertNotEqual(copy.SavedState, self.mesh.SavedState)
+        before, states, face = points_of(self.mesh), self.states(copy), fixed.References[0][1]
+        self.assertEqual(points_of(copy), before)
+        self.document.openTransaction("Edit")
+        self.edit()
+        self.document.commitTransaction()
+        for step in (self.document.undo, self.document.redo, self.document.undo):
+            step()
+        self.assertEqual(self.states(copy), states)
+        self.assertEqual((points_of(self.mesh), points_of(copy)), (before, before))
+        self.document.recompute()
+        self.assertEqual((fixed.References[0][1], self.mesh.Status, copy.Status), (face, mesh_object.UP_TO_DATE, mesh_object.UP_TO_DATE))
+
+    def states(self, copy):
+        return [state.checksum_of(mesh.SavedState) for mesh in (self.mesh, copy)]
+
     def test_a_copy_with_its_part_in_another_document(self):
         other = FreeCAD.newDocument("Other")
         self.addCleanup(FreeCAD.closeDocument, other.Name)

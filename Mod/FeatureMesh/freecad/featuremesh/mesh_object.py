@@ -3,6 +3,7 @@
 
 import json
 import os
+import shutil
 import tempfile
 import time
 
@@ -30,6 +31,7 @@ on_ready = []
 # Runs a MeshJob while FreeCAD recomputes, where the window's side wants to show progress; None: just run it.
 run_job = None
 
+_NAMED_BY = 16   # digits of its checksum that name a state's file
 _HIGHEST_TARGET = 45   # degrees; no mesh reaches more
 
 
@@ -70,6 +72,7 @@ class FeatureMesh:
         self._forget()
         self._get_ready(mesh)
         self._miss_the_engine(mesh)
+        _have_own_file(mesh)
         self._shown = state.checksum_of(mesh.SavedState)
         if self._shown:
             self._restore(mesh)
@@ -456,7 +459,7 @@ class FeatureMesh:
             with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
                 path = os.path.join(folder, mesh.Name + ".npz")
                 checksum = state.save(path, saved)
-                mesh.SavedState = path
+                mesh.SavedState = path, _file_name(mesh, checksum)
             if state.checksum_of(mesh.SavedState) != checksum:
                 raise OSError("the copy in %s is not whole" % os.path.dirname(mesh.SavedState))
         except (OSError, RuntimeError) as error:
@@ -489,6 +492,23 @@ class FeatureMesh:
 def _show_in_other_analyses(mesh):
     for shared in analyses.shares_of(mesh):
         shared.Proxy.show(shared)
+
+
+def _file_name(mesh, checksum):
+    """A name that no other state's file has: FreeCAD puts a pasted file over another one of its name."""
+    return "%s-%s.npz" % (mesh.Name, checksum[:_NAMED_BY])
+
+
+def _have_own_file(mesh):
+    """Gives a copied mesh a state file of its own: FreeCAD lets it have that of the original, and an edit or undo of one would take the other's state."""
+    path = mesh.SavedState
+    if not path or not any(other is not mesh and getattr(other, "SavedState", "") == path for other in mesh.Document.Objects):
+        return
+    with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
+        own = shutil.copy(path, folder)
+        mesh.SavedState = own, _file_name(mesh, state.checksum_of(own))
+        if not os.path.exists(path):   # FreeCAD takes the file that it replaces away
+            shutil.copy(own, path)
 
 
 def _next_numbers(mesh, state_is_sound):
