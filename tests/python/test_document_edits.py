@@ -112,7 +112,9 @@ class Edits(unittest.TestCase):
             self.refused(text, "OBJECT.PROPERTY=VALUE")
 
     def test_values_that_do_not_fit(self):
-        self.refused("Plate.Length=long", "no number")
+        for text in ("long", "nan", "-inf", "1e999", "3 parsec"):
+            self.refused("Plate.Length=" + text, "no number")
+            self.refused("HoleSketch.X=" + text, "no number")
         self.refused("Plate.Length=3 deg", "wrong unit")
         self.refused("HoleSketch.Radius=-2", "FreeCAD refuses")
         self.refused("HoleSketch.Radius=", "OBJECT.PROPERTY=VALUE")

@@ -231,11 +231,13 @@ def _bool(text, where):
 def _number(text, unit, where):
     """A plain number, or a quantity with a unit turned into mm or degrees."""
     try:
-        return float(text)
+        number = float(text)
     except ValueError:
-        pass
+        number = None
+    if number is not None and math.isfinite(number):
+        return number
     wanted = {"mm": FreeCAD.Units.Length, "deg": FreeCAD.Units.Angle}.get(unit)
-    if wanted is not None and _is_quantity(text):
+    if wanted is not None and number is None and _is_quantity(text):
         return float(_quantity(text, wanted, where).Value)
     raise UserError("%s is no number for %s" % (text, where))
 
@@ -253,8 +255,7 @@ def _quantity(text, unit, where):
 
 def _is_quantity(text):
     try:
-        FreeCAD.Units.Quantity(text)
-        return True
+        return math.isfinite(FreeCAD.Units.Quantity(text).Value)
     except (ValueError, ArithmeticError):
         return False
 
