@@ -11,6 +11,7 @@
 #include "volume/recovery/flip_recovery.h"
 #include "volume/recovery/local_recovery.h"
 #include "volume/recovery/relocate_points.h"
+#include "volume/recovery/seeds_in_the_way.h"
 
 namespace featuremesh {
 
@@ -26,6 +27,10 @@ constexpr int most_constraining_rounds = 5;  // only around what is missing
 constexpr int most_releasing_rounds = 5;
 /// Of the facets: where more are missing, constraints would add points by the thousand. Else they make better tets.
 constexpr double many_missing = 0.1;
+
+bool are_many(std::span<const int> missing, const Cavity& cavity) {
+    return static_cast<double>(missing.size()) > many_missing * static_cast<double>(cavity.facets.size());
+}
 
 /// All its nodes lie in one plane.
 bool is_flat(const CavityFill& fill) { return fill.triangulation.tets.empty(); }
@@ -80,8 +85,11 @@ bool BoundaryRecovery::fill_all(int round) {
     known_.clear();
     finished_.clear();
     outgrown_.clear();
-    for (std::size_t i = 0; i < cavities.size(); ++i)
-        if (!fills[i].relocated) turn_missing(i, round);
+    for (std::size_t i = 0; i < cavities.size(); ++i) {
+        if (fills[i].relocated) continue;
+        drop_seeds(i, round);
+        turn_missing(i, round);
+    }
     return std::all_of(fills.begin(), fills.end(), [](const CavityFill& f) { return f.is_complete(); });
 }
 
@@ -111,6 +119,27 @@ void BoundaryRecovery::fill(std::size_t i) {
         require_distinct(brep_, mesh_, cavity);  // says it better
         throw;
     }
+}
+
+/// Where the seeds alone keep out triangles that no other diagonal brings back, those seeds go.
+void BoundaryRecovery::drop_seeds(std::size_t i, int round) {
+    const Cavity& cavity = cavities[i];
+    CavityFill& fill = fills[i];
+    std::vector<int> missing = fill.places.missing;
+    if (missing.empty() || are_many(missing, cavity) ||
+        std::any_of(missing.begin(), missing.end(), [&](int f) { return cavity.tet_of_facet[f].is_valid(); }))
+        return;
+    for (const FacetSplit::Piece& piece : flip_missing(cavity, fill, mesh_).pieces) std::erase(missing, piece.facet);
+    const std::vector<int> dropped = seeds_in_the_way(cavity, fill, missing);
+    if (dropped.empty()) return;
+    auto triangulation = triangulation_without(dropped, cavity, fill, context_);
+    if (!triangulation) return;
+    log("seeds are in the way of triangles", dropped.size());
+    std::vector<Vec3> points = std::move(fill.points);
+    for (auto seed = dropped.rbegin(); seed != dropped.rend(); ++seed) points.erase(points.begin() + *seed);
+    const std::size_t before = fill.places.missing.size();
+    fill = label_cavity(cavity, std::move(points), std::move(*triangulation), context_);
+    if (round == 0) report_.recovered_triangles += before - std::min(before, fill.places.missing.size());
 }
 
 /// Where other diagonals on the CAD faces are all that is missing, the triangulation serves as it is.
@@ -152,7 +181,7 @@ std::optional<Obstacle> BoundaryRecovery::mend(int round) {
 
 std::optional<Obstacle> BoundaryRecovery::recover(std::size_t i, int round) {
     Gap gap{cavities[i], fills[i], round, seeds_of(cavities[i], fills[i]), fills[i].places.missing, false, {}, {}};
-    gap.are_many = static_cast<double>(gap.stuck.size()) > many_missing * static_cast<double>(gap.cavity.facets.size());
+    gap.are_many = are_many(gap.stuck, gap.cavity);
     if (!gap.fill.is_complete()) log("triangles are missing", gap.stuck.size());
     for (const Means means : means_in_order())
         if ((this->*means)(gap)) break;

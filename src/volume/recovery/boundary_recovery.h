@@ -75,6 +75,7 @@ class BoundaryRecovery {
 
     bool fill_all(int round);
     void fill(std::size_t i);
+    void drop_seeds(std::size_t i, int round);
     void turn_missing(std::size_t i, int round);
     bool flip_flat_tets();
     std::optional<Obstacle> mend(int round);
