@@ -121,7 +121,7 @@ void BoundaryRecovery::fill(std::size_t i) {
     }
 }
 
-/// Where the seeds alone keep out triangles that no other diagonal brings back, those seeds go.
+/// Where seeds alone keep out all triangles that no other diagonal brings back, those seeds go.
 void BoundaryRecovery::drop_seeds(std::size_t i, int round) {
     const Cavity& cavity = cavities[i];
     CavityFill& fill = fills[i];

@@ -113,6 +113,7 @@ class BallsOfFacet {
     std::vector<Bound> bounds_;
 };
 
+/// None where the facet cannot be had so.
 std::vector<int> in_the_way_of(const std::array<int, 3>& corners, const Cavity& cavity, const CavityFill& fill,
                                const SortedPoints& sorted) {
     const auto& p = fill.points;
@@ -137,6 +138,7 @@ std::vector<int> seeds_in_the_way(const Cavity& cavity, const CavityFill& fill, 
     std::vector<int> all;
     for (const int facet : facets) {
         const std::vector<int> seeds = in_the_way_of(cavity.facets[facet].corners, cavity, fill, sorted);
+        if (seeds.empty()) return {};
         all.insert(all.end(), seeds.begin(), seeds.end());
     }
     std::sort(all.begin(), all.end());

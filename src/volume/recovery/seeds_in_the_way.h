@@ -11,9 +11,9 @@
 
 namespace featuremesh {
 
-/// Points of the filling, ascending, without which these missing facets would be there. A facet is Delaunay if some
+/// Points of the filling, ascending, without which these missing facets would all be there. A facet is Delaunay if some
 /// ball with its corners on the sphere is empty; of the balls without a point of the cavity's own, each facet gets one
-/// with the fewest seeds. Where it would take many, or every ball has a point of the cavity's own, none are named.
+/// with the fewest seeds. None are named where a facet would take many, or every ball has a point of the cavity's own.
 std::vector<int> seeds_in_the_way(const Cavity& cavity, const CavityFill& fill, std::span<const int> facets);
 
 /// The Delaunay triangulation of the other points, which are numbered anew in their order; only the tets at those
