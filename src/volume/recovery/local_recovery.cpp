@@ -50,8 +50,7 @@ FacetSplit split_of_whole(const FacetSplit& local, const Neighbourhood& near, co
         piece.facet = near.facet_of(piece.facet);
         whole.pieces.push_back(piece);
     }
-    std::sort(whole.pieces.begin(), whole.pieces.end(),
-              [](const auto& a, const auto& b) { return a.facet < b.facet; });
+    std::sort(whole.pieces.begin(), whole.pieces.end(), [](const auto& a, const auto& b) { return a.facet < b.facet; });
     return whole;
 }
 
@@ -59,8 +58,7 @@ FacetSplit split_of_whole(const FacetSplit& local, const Neighbourhood& near, co
 std::optional<ConstrainedTriangulation> recover_in(const Neighbourhood& near, const Cavity& cavity,
                                                    const CavityFill& fill, const RunContext& context) {
     if (!crossing_facets(near.cavity()).empty()) return {};
-    const ConstrainedTriangulation local =
-        constrained_delaunay(near.cavity(), {}, fill.places.missing.size(), context);
+    const ConstrainedTriangulation local = constrained_delaunay(near.cavity(), {}, fill.places.missing.size(), context);
     if (local.is_given_up || !local.failed.empty()) return {};
     for (const auto& piece : local.split.pieces)
         if (near.facet_of(piece.facet) < 0 || near.is_border(piece.facet)) return {};

@@ -46,7 +46,7 @@ class Neighbourhood {
     std::vector<std::uint8_t> is_inner_;
     std::size_t inner_count_ = 0, border_count_ = 0;
     std::vector<int> sub_index_, point_of_sub_, facet_of_sub_;
-    std::vector<int> place_;                            ///< by point of the whole: its number without the dropped ones
+    std::vector<int> place_;                           ///< by point of the whole: its number without the dropped ones
     std::map<std::array<int, 3>, int> border_facets_;  ///< the tet beyond
     Cavity sub_;
 };

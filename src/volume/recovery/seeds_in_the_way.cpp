@@ -22,9 +22,8 @@ class SortedPoints {
   public:
     explicit SortedPoints(std::span<const Vec3> points) : points_(points), order_(points.size()) {
         std::iota(order_.begin(), order_.end(), 0);
-        std::sort(order_.begin(), order_.end(), [&](int a, int b) {
-            return std::pair(points_[a].x, a) < std::pair(points_[b].x, b);
-        });
+        std::sort(order_.begin(), order_.end(),
+                  [&](int a, int b) { return std::pair(points_[a].x, a) < std::pair(points_[b].x, b); });
     }
 
     std::vector<int> within(const Vec3& middle, double reach) const {

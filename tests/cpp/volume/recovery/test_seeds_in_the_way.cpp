@@ -25,7 +25,8 @@ TopoDS_Shape plate_with_bosses(int columns, int rows) {
         if (i % columns % 3 == 0)
             plate = BRepAlgoAPI_Fuse(plate, box_part({x - 2, y - 2, 5}, {4, 4, 6})).Shape();
         else
-            plate = BRepAlgoAPI_Cut(plate, BRepPrimAPI_MakeCylinder(gp_Ax2({x, y, 0}, {0, 0, 1}), 2.5, 5).Shape()).Shape();
+            plate =
+                BRepAlgoAPI_Cut(plate, BRepPrimAPI_MakeCylinder(gp_Ax2({x, y, 0}, {0, 0, 1}), 2.5, 5).Shape()).Shape();
     }
     return plate;
 }
@@ -100,9 +101,7 @@ TEST_CASE("the Delaunay triangulation without some points is that of the others"
 
 TEST_CASE("seeds are named that are in every ball of a missing facet") {
     const Vec3 above{1, 1, 0.3}, below{0.9, 1, -0.3}, far{1, 1, 5};
-    SECTION("one at either side") {
-        CHECK(Crowd({}, {above, below, far}).named() == std::vector<Vec3>{above, below});
-    }
+    SECTION("one at either side") { CHECK(Crowd({}, {above, below, far}).named() == std::vector<Vec3>{above, below}); }
     SECTION("none where a point of the boundary is in every ball, too") {
         CHECK(Crowd({below}, {above, far}).named().empty());
     }
