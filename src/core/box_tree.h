@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace featuremesh {
 
 class BoxTree {
   public:
-    explicit BoxTree(std::vector<Box> boxes);
+    explicit BoxTree(std::span<const Box> boxes);
 
     /// Calls visit(index) for every box that does_meet(box), which must be true of a box around one that it is true of.
     template <class Meets, class Visit>
@@ -57,9 +58,13 @@ class BoxTree {
     Box box() const { return nodes_.empty() ? Box{} : nodes_[0].box; }
 
   private:
+    struct Item {
+        Box box;
+        std::int32_t index;  // among those given
+    };
     struct Node {
         Box box;
-        std::int32_t begin, end;  // of order_; a leaf where the children are none
+        std::int32_t begin, end;  // of items_; a leaf where the children are none
         std::int32_t left = -1, right = -1;
     };
     static constexpr std::size_t most_deep = 64;  // halves of what an index can count
@@ -83,7 +88,7 @@ class BoxTree {
             if (!is_of_use(distance)) continue;
             const Node& node = nodes_[std::size_t(at)];
             if (node.left < 0) {
-                for (std::int32_t i = node.begin; i < node.end; ++i) visit(order_[std::size_t(i)]);
+                for (std::int32_t i = node.begin; i < node.end; ++i) visit(items_[std::size_t(i)].index);
                 continue;
             }
             Waiting near = with_distance(node.left), far = with_distance(node.right);
@@ -103,11 +108,10 @@ class BoxTree {
             return;
         }
         for (std::int32_t i = node.begin; i < node.end; ++i)
-            if (const std::int32_t item = order_[std::size_t(i)]; enter(boxes_[std::size_t(item)])) visit(item);
+            if (const Item& item = items_[std::size_t(i)]; enter(item.box)) visit(item.index);
     }
 
-    std::vector<Box> boxes_;
-    std::vector<std::int32_t> order_;
+    std::vector<Item> items_;  // those of a node lie together
     std::vector<Node> nodes_;
 };
 

@@ -48,7 +48,7 @@ class Finder {
     OppositePlaces find(RunContext& context) {
         std::vector<Box> boxes;
         for (const Patch& patch : patches_) boxes.push_back(patch.box.grown(nearness * patch.longest));
-        const BoxTree tree(std::move(boxes));
+        const BoxTree tree(boxes);
         std::vector<std::size_t> order(patches_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         std::stable_sort(order.begin(), order.end(), [&](std::size_t f, std::size_t g) {
@@ -116,7 +116,7 @@ class Finder {
             for (const Vec3& p : corners(t)) box.add(p);
             boxes.push_back(box);
         }
-        tree = std::make_unique<BoxTree>(std::move(boxes));
+        tree = std::make_unique<BoxTree>(boxes);
         return *tree;
     }
 
@@ -241,7 +241,7 @@ void put_first(std::span<const Vec2> places, std::span<const double> wanted, con
             take(places[i], wanted[i], spacing);
     all.fixed_count = all.points.size();
     around.erase(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(seeds.fixed_count));
-    const BoxTree opposite(std::move(around));
+    const BoxTree opposite(around);
     for (std::size_t i = seeds.fixed_count; i < seeds.points.size(); ++i) {
         if (is_in_any(opposite, in_space(seeds.points[i]))) continue;
         all.points.push_back(seeds.points[i]), all.wanted.push_back(seeds.wanted[i]);

@@ -368,7 +368,7 @@ std::vector<int> crossing_facets(const Cavity& cavity, std::span<const int> miss
     };
     std::vector<Box> boxes;
     for (const int facet : missing) boxes.push_back(box_of(facet));
-    const BoxTree around_missing(std::move(boxes));
+    const BoxTree around_missing(boxes);
     std::vector<int> near;
     for (int facet = 0; facet < static_cast<int>(cavity.facets.size()); ++facet) {
         const Box box = box_of(facet);
