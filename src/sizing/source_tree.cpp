@@ -15,6 +15,22 @@ constexpr std::size_t balls_per_leaf = 4;
 /// Reaches are raised by this share, which is more than the rounding errors of the few operations.
 constexpr float over = 1 + 2e-6f;
 
+/// Of the last query on this thread, of whatever tree: where it was, what it came to, and the balls that said so. Most
+/// queries are close to the one before, and the balls that had the least there have little more than the least here.
+/// Whatever balls a search begins with, it ends with the same minimum.
+struct LastQuery {
+    Vec3 point;
+    double size = 0;
+    std::int32_t first = 0, count = 0;
+
+    /// Whether its balls ask for little more than the least at p.
+    bool is_near(const Vec3& p, double slope) const {
+        constexpr double little = 0.2;
+        return slope * slope * squared_length(p - point) < little * little * size * size;
+    }
+};
+thread_local constinit LastQuery last_query;
+
 }  // namespace
 
 SourceTree::SourceTree(std::vector<SourceBall> sources, double slope, double limit)
@@ -106,8 +122,8 @@ double SourceTree::lowest_of(const Below& leaf, const Vec3& p, double best) cons
     return best;
 }
 
-/// What the balls ask for that are found by always going where the least is to be expected.
-double SourceTree::first_guess(const Vec3& p, const Point& point) const {
+/// The balls that are found by always going where the least is to be expected.
+SourceTree::Below SourceTree::first_guess(const Point& point) const {
     Below next;
     while (next.count == 0) {
         const Node& node = nodes_[static_cast<std::size_t>(next.first)];
@@ -123,7 +139,20 @@ double SourceTree::first_guess(const Vec3& p, const Point& point) const {
         }
         next = node.below[static_cast<std::size_t>(best)];
     }
-    return lowest_of(next, p, limit_);
+    return next;
+}
+
+/// By bit, the boxes that may hold balls which ask for less than `best`.
+unsigned SourceTree::boxes_near(const Node& node, const Point& point, double best) const {
+    const float most = static_cast<float>(best) * over, inverse = static_cast<float>(inverse_slope_) * over;
+    unsigned near = 0;
+    for (int half = 0; half < 2; ++half) {
+        const Lanes reach = (most - node.size[half]) * inverse + margin_;
+        const auto is_near = (reach > 0) & (squared_distances(node, half, point) < reach * reach * over);
+        const auto bits = is_near & Bits{1, 2, 4, 8};
+        near |= static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3])) << (half * lanes);
+    }
+    return near;
 }
 
 double SourceTree::at(const Vec3& p) const {
@@ -131,28 +160,24 @@ double SourceTree::at(const Vec3& p) const {
     const Vec3 from_origin = p - origin_;
     const Point point{static_cast<float>(from_origin.x), static_cast<float>(from_origin.y),
                       static_cast<float>(from_origin.z)};
-    double best = first_guess(p, point);
+    Below leaf{last_query.first, last_query.count};
+    const bool is_here = static_cast<std::size_t>(leaf.first) + static_cast<std::size_t>(leaf.count) <= balls_.size();
+    if (!is_here || !last_query.is_near(p, slope_)) leaf = first_guess(point);
+    double best = lowest_of(leaf, p, limit_);
     std::array<std::int32_t, 128> stack;
     int depth = 0;
     stack[depth++] = 0;
     while (depth > 0) {
         const Node& node = nodes_[static_cast<std::size_t>(stack[--depth])];
-        const float most = static_cast<float>(best) * over, inverse = static_cast<float>(inverse_slope_) * over;
-        unsigned near = 0;
-        for (int half = 0; half < 2; ++half) {
-            const Lanes reach = (most - node.size[half]) * inverse + margin_;
-            const auto is_near = (reach > 0) & (squared_distances(node, half, point) < reach * reach * over);
-            const auto bits = is_near & Bits{1, 2, 4, 8};
-            near |= static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3])) << (half * lanes);
-        }
-        for (; near != 0; near &= near - 1) {
+        for (unsigned near = boxes_near(node, point, best); near != 0; near &= near - 1) {
             const Below& below = node.below[static_cast<std::size_t>(std::countr_zero(near))];
-            if (below.count > 0)
-                best = lowest_of(below, p, best);
-            else
+            if (below.count == 0)
                 stack[depth++] = below.first;
+            else if (const double lower = lowest_of(below, p, best); lower < best)
+                best = lower, leaf = below;
         }
     }
+    last_query = {p, best, leaf.first, leaf.count};
     return best;
 }
 

@@ -13,9 +13,10 @@
 namespace featuremesh {
 
 /// Immutable tree of boxes, eight below each. The field is the exact minimum of size_i + slope * max(0, |x - center_i|
-/// - radius_i), so it is Lipschitz with the slope by itself. A query first goes down to where the least size is to be
-/// expected, which is mostly the answer, and then into what may hold less still. Boxes are looked at four at a time, in
-/// single precision, rounded to be safe; what the balls ask for is found in double precision.
+/// - radius_i), so it is Lipschitz with the slope by itself. A query begins with the balls that answered the one
+/// before, if that was near, else it first goes down to where the least size is to be expected, which is mostly the
+/// answer; then it goes into what may hold less still. Boxes are looked at four at a time, in single precision, rounded
+/// to be safe; what the balls ask for is found in double precision.
 class SourceTree {
   public:
     SourceTree() = default;
@@ -51,7 +52,8 @@ class SourceTree {
     void bound(Node& node, int slot, Range range);
     static Lanes squared_distances(const Node& node, int half, const Point& p);
     double lowest_of(const Below& leaf, const Vec3& p, double best) const;
-    double first_guess(const Vec3& p, const Point& point) const;
+    Below first_guess(const Point& point) const;
+    unsigned boxes_near(const Node& node, const Point& point, double best) const;
 
     std::vector<SourceBall> balls_;
     std::vector<Node> nodes_;

@@ -35,6 +35,29 @@ TEST_CASE("the tree finds the minimum over all balls") {
     }
 }
 
+TEST_CASE("an answer does not depend on what was asked before, nor of which tree") {
+    const double slope = 0.3, limit = 9;
+    const Vec3 far_off{1e6, 0, 0};
+    const SourceTree many(random_balls(3000, 17), slope, limit), few(random_balls(40, 3), slope, limit),
+        none({{{50, 50, 50}, 0, 1}}, slope, limit);
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> coordinate(-20, 120), step(-1, 1), length(0, 1);
+    for (int walk = 0; walk < 40; ++walk) {
+        Vec3 p{coordinate(random), coordinate(random), coordinate(random)};
+        const double reach = std::pow(10, 2 - 4 * length(random));  // from steps across the whole to tiny ones
+        for (int i = 0; i < 30; ++i) {
+            p += reach * Vec3{step(random), step(random), step(random)};
+            const double in_turn[] = {many.at(p), few.at(p), none.at(p), many.at(p)};
+            const SourceTree* trees[] = {&many, &few, &none, &many};
+            for (int k = 0; k < 4; ++k) {
+                trees[k]->at(far_off);
+                REQUIRE(trees[k]->at(p) == in_turn[k]);
+            }
+            REQUIRE(many.at(p) == in_turn[0]);
+        }
+    }
+}
+
 TEST_CASE("sources far from the origin and of very different sizes are told apart") {
     const double slope = 0.2, limit = 1e3;
     for (const double scale : {1e-3, 1.0, 1e3}) {
