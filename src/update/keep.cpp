@@ -57,7 +57,7 @@ class Keeper {
         context_.check_cancelled();
         const std::optional<KeptShells> shells = keep_shells();
         const KeptTets tets(in_.old_mesh, motions_, nodes_.regions(), in_.old_brep, in_.new_brep, near_change_,
-                            untouched_solids_, is_resized_);
+                            untouched_solids_, is_resized_, &entities_);
         Kept kept = assemble(nodes_, entities_, tets, shells ? &*shells : nullptr, context_);
         context_.check_cancelled();
         remember_sizes(kept);

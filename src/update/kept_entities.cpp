@@ -114,6 +114,18 @@ bool KeptEntities::place_on_face(Place& place, FaceId face, const Vec3& p, bool 
     return true;
 }
 
+std::optional<SolidId> KeptEntities::solid_beside(std::size_t node, const Vec3& p) const {
+    constexpr double least_cosine = 0.3;
+    if (entities_[node].dim != 2 || nodes_.motions[node] < 0) return {};
+    const FaceId face(entities_[node].index);
+    const Vec3 way = p - nodes_.at(node);
+    const double height = dot(projector_.normal(face, parameters_[node]), way);
+    if (std::abs(height) < least_cosine * length(way)) return {};
+    const auto [behind, before] = in_.new_brep.solids_beside(face);
+    if (!behind.is_valid() && !before.is_valid()) return {};
+    return height < 0 ? behind : before;
+}
+
 FaceId KeptEntities::face_of(std::size_t triangle) const {
     const auto& nodes = in_.old_mesh.triangles[triangle];
     const CarriedRegion& region = nodes_.regions()[nodes_.motion_of(nodes[0])];

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,6 +27,9 @@ class KeptEntities {
     std::span<const Entity> entities() const { return entities_; }
     std::span<const std::array<double, 2>> parameters() const { return parameters_; }
 
+    /// The new solid, or none, on that side of the face where p is, as seen from a node inside the face. Nothing where
+    /// the node is not inside a face of solids or p is hardly off it.
+    std::optional<SolidId> solid_beside(std::size_t node, const Vec3& p) const;
     /// The piece of its face that an old triangle is on; none.
     FaceId face_of(std::size_t triangle) const;
     /// The triangle has a node inside the face.

@@ -7,6 +7,7 @@
 
 #include "mesh/tets_at_nodes.h"
 #include "update/enclosure.h"
+#include "update/kept_entities.h"
 
 namespace featuremesh {
 
@@ -37,13 +38,14 @@ class NodeRegions {
 
 KeptTets::KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::span<const CarriedRegion> regions,
                    const Brep& old_brep, const Brep& new_brep, std::span<const char> near_change,
-                   std::span<const char> untouched_solids, std::span<const char> is_resized)
+                   std::span<const char> untouched_solids, std::span<const char> is_resized, const KeptEntities* places)
     : old_(old),
       motions_(motions),
       regions_(regions),
       near_change_(near_change),
       untouched_solids_(untouched_solids),
       is_resized_(is_resized),
+      places_(places),
       solid_count_(old_brep.solid_count()),
       occurs_(regions.size(), 0),
       is_kept_(old.tets.size()) {
@@ -158,7 +160,7 @@ bool KeptTets::settle_at_rim(const Brep& new_brep) {
     for (std::size_t s = 0; s < solid_count_; ++s)  // two solids may meet at shared nodes: each has its own regions
         for (std::vector<std::int32_t>& piece : pieces_of_rim(SolidId(s))) {
             const std::size_t first = std::size_t(piece.front());
-            const SolidId solid = locator.solid_at(carried_centre(first));
+            const SolidId solid = solid_at(piece, locator);
             if (!solid.is_valid())
                 outside.push_back(std::move(piece));
             else if (!settle(first, solid))
@@ -169,6 +171,16 @@ bool KeptTets::settle_at_rim(const Brep& new_brep) {
     for (std::size_t t = 0; t < is_kept_.size(); ++t)
         if (is_kept_[t] && !solid_of(t).is_valid() && !settle(t, locator.solid_at(carried_centre(t)))) return false;
     return is_settled();
+}
+
+// A node inside a face of the new shape knows what is behind it and before it. A ray, which has to look at faces that
+// it may meet, is asked only where the piece has none.
+SolidId KeptTets::solid_at(const std::vector<std::int32_t>& piece, const SolidLocator& locator) const {
+    for (const std::int32_t t : piece)
+        for (const NodeId n : old_.tets[std::size_t(t)])
+            if (places_ && old_.entities[n.index()].dim == 2)
+                if (const auto solid = places_->solid_beside(n.index(), carried_centre(std::size_t(t)))) return *solid;
+    return locator.solid_at(carried_centre(std::size_t(piece.front())));
 }
 
 // Tets at the rim that belong together, each list in order.

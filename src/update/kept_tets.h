@@ -15,15 +15,20 @@ namespace featuremesh {
 /// A motion of a node that does not stay.
 constexpr std::int32_t dropped = -1;
 
+class KeptEntities;
+class SolidLocator;
+
 class KeptTets {
   public:
     /// Tets stay when all their nodes do, under one motion, and when their connected region is inside a new solid.
     /// `motions`: by old node, index of its carried region. `near_change`: by old node, it stays for the tets of
     /// untouched solids only (empty: no such node). `is_resized`: by old node, it goes since another size is wanted
-    /// (likewise); beside such nodes inner ones that would keep few of their tets keep none.
+    /// (likewise); beside such nodes inner ones that would keep few of their tets keep none. `places`: where nodes lie
+    /// on the new shape; where that is not given a ray tells on which side of its faces a region is.
     KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::span<const CarriedRegion> regions,
              const Brep& old_brep, const Brep& new_brep, std::span<const char> near_change = {},
-             std::span<const char> untouched_solids = {}, std::span<const char> is_resized = {});
+             std::span<const char> untouched_solids = {}, std::span<const char> is_resized = {},
+             const KeptEntities* places = nullptr);
 
     /// Old tets that do not stay, in order.
     std::span<const std::int32_t> dropped_tets() const { return dropped_; }
@@ -61,6 +66,7 @@ class KeptTets {
     void mark_rim();
     bool drop_frayed();
     bool settle_at_rim(const Brep& new_brep);
+    SolidId solid_at(const std::vector<std::int32_t>& piece, const SolidLocator& locator) const;
     std::vector<std::vector<std::int32_t>> pieces_of_rim(SolidId solid) const;
     void drop_islands(const std::vector<std::vector<std::int32_t>>& rims);
     bool is_settled() const;
@@ -71,6 +77,7 @@ class KeptTets {
     std::span<const std::int32_t> motions_;
     std::span<const CarriedRegion> regions_;
     std::span<const char> near_change_, untouched_solids_, is_resized_;
+    const KeptEntities* places_;
     std::size_t solid_count_;
     std::vector<char> occurs_;  // by motion: a node has it
     std::vector<char> is_kept_, is_rim_, is_used_;

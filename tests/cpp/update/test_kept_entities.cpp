@@ -109,6 +109,36 @@ TEST_CASE("triangles and segments of placed nodes find their face and edge, neit
     CHECK(segments > 40);
 }
 
+TEST_CASE("a node inside a face knows the solid behind it, that nothing is before it, and not what is beside it") {
+    Edit edit(plate(20), plate(23));
+    const Mesh& mesh = edit.mesh();
+    KeptEntities kept(edit.all_under(0));
+    std::vector<char> is_placed(mesh.node_count(), 0);
+    for (std::size_t n = 0; n < mesh.node_count(); ++n) is_placed[n] = mesh.entities[n].dim == 2 && kept.place(n);
+    std::size_t told = 0;
+    for (const auto& tet : mesh.tets)
+        for (const NodeId n : tet) {
+            if (mesh.entities[n.index()].dim == 3) CHECK_FALSE(kept.solid_beside(n.index(), Vec3{30, 15, 3}));
+            if (!is_placed[n.index()]) continue;
+            const Vec3 p = mesh.point(n),
+                       middle = (mesh.point(tet[0]) + mesh.point(tet[1]) + mesh.point(tet[2]) + mesh.point(tet[3])) / 4;
+            const auto behind = kept.solid_beside(n.index(), middle),
+                       before = kept.solid_beside(n.index(), 2 * p - middle);
+            REQUIRE(behind.has_value() == before.has_value());
+            if (!behind) continue;
+            ++told;
+            CHECK(*behind == SolidId(0));
+            CHECK_FALSE(before->is_valid());
+        }
+    CHECK(told > 1000);
+    const auto on_top = std::find_if(mesh.points.begin(), mesh.points.end(), [&](const Vec3& p) {
+        const std::size_t n = std::size_t(&p - mesh.points.data());
+        return is_placed[n] && p.z > 6 - 1e-9;
+    });
+    REQUIRE(on_top != mesh.points.end());
+    CHECK_FALSE(kept.solid_beside(std::size_t(on_top - mesh.points.begin()), *on_top + Vec3{1, 1, -0.1}));
+}
+
 TEST_CASE("under the motion of a hole its nodes are placed on the moved hole") {
     Edit edit(plate(20), plate(23));
     const auto& regions = edit.difference().regions;
