@@ -13,6 +13,7 @@
 #include <csignal>
 #include <ctime>
 #include <string>
+#include <thread>
 
 #include "core/errors.h"
 #include "core/messages.h"
@@ -34,17 +35,8 @@ namespace {
 /// The last byte of what is written, so that nothing depends on whether the program waits for children of its own.
 constexpr std::byte complete{42};
 
-/// In the copy: nothing of it reaches the caller but what is written to `out`.
-[[noreturn]] void work_and_end(const Work& work, const Patience& patience, int out) {
-#ifdef __linux__
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
-    // a crash is no news for the handlers of the program
-    for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU}) std::signal(signal, SIG_DFL);
-    const rlimit no_core{0, 0};
-    setrlimit(RLIMIT_CORE, &no_core);
-    const rlimit seconds{patience.processor_seconds, patience.processor_seconds + 1};
-    setrlimit(RLIMIT_CPU, &seconds);
+/// Ends the process.
+[[noreturn]] void work_and_write(const Work& work, int out) {
     try {
         std::vector<std::byte> bytes = work(RunContext());
         bytes.push_back(complete);
@@ -58,6 +50,27 @@ constexpr std::byte complete{42};
     } catch (...) {
         _exit(1);
     }
+}
+
+/// In the copy: nothing of it reaches the caller but what is written to `out`.
+[[noreturn]] void work_and_end(const Work& work, const Patience& patience, int out) {
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+    // a crash is no news for the handlers of the program
+    for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU}) std::signal(signal, SIG_DFL);
+    const rlimit no_core{0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);
+    const rlimit seconds{patience.processor_seconds, patience.processor_seconds + 1};
+    setrlimit(RLIMIT_CPU, &seconds);
+    try {
+        // On a thread of its own it gets memory of its own. What the program has freed lies in pages that the two
+        // share, and each would be copied for a few bytes of it.
+        std::thread([&] { work_and_write(work, out); }).join();
+    } catch (...) {
+        work_and_write(work, out);
+    }
+    _exit(1);
 }
 
 class Child {
