@@ -95,6 +95,21 @@ bool ConeCavity::grow(std::span<const int> start, int apex, const Vec3& point) {
     return true;
 }
 
+void ConeCavity::open(std::span<const int> start, const Vec3& point) {
+    apex_ = -1;
+    point_ = point;
+    reset(start);
+}
+
+void ConeCavity::describe(const Value& before, const Value& after, const Price& price, Change& change) {
+    change.before = before, change.after = after, change.price = price;
+    change.removed = tets_;
+    const auto made = cones(apex_ < 0 ? static_cast<int>(complex_.points.size()) : apex_);
+    change.added.assign(made.begin(), made.end());
+    change.points.clear();
+    if (apex_ < 0) change.points.push_back(point_);
+}
+
 void ConeCavity::rebuild(std::size_t count) {
     order_.assign(tets_.begin(), tets_.begin() + static_cast<std::ptrdiff_t>(count));
     reset(order_);

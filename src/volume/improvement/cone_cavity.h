@@ -26,6 +26,9 @@ class ConeCavity {
     /// it replaces.
     bool grow(std::span<const int> start, int apex, const Vec3& point);
 
+    /// Takes these tets and no others, to be filled from a new point that climbs from here.
+    void open(std::span<const int> start, const Vec3& point);
+
     /// For tets that are too thin: grows until a new point sees the whole outside, moves the point, and takes in the
     /// tets behind the thinnest cones, in turns; up to 240 tets. Calls `consider` for every cavity that may do.
     template <class Consider>
@@ -44,6 +47,8 @@ class ConeCavity {
     Value after();
     /// The cones; `apex` stands for a new vertex.
     std::span<const Tet> cones(int apex);
+    /// Puts the refill into the change, with what it is worth.
+    void describe(const Value& before, const Value& after, const Price& price, Change& change);
 
   private:
     struct Face {
@@ -80,13 +85,21 @@ class ConeCavity {
     StarShape shape_;
 };
 
+/// Calls try_at(tets, point) for the tet's middle and for those of its inner edges: where a new vertex may help.
+template <class TryAt>
+void visit_starts(const TetComplex& complex, int tet, Footprint& footprint, const TryAt& try_at) {
+    const auto& [a, b, c, d] = complex.tets[tet];
+    const auto& p = complex.points;
+    try_at(std::array{tet}, (p[a] + p[b] + p[c] + p[d]) / 4);
+    visit_rings(complex, tet, footprint,
+                [&](const EdgeRing& ring) { try_at(ring.all_tets(), (p[ring.from] + p[ring.to]) / 2); });
+}
+
 template <class Consider>
 void ConeCavity::make_room(std::span<const int> start, const Vec3& point, const Consider& consider) {
     constexpr int rounds = 10;
-    apex_ = -1;
-    point_ = point;
     worst_after_ = inverted_flatness;
-    reset(start);
+    open(start, point);
     for (int round = 0; round < rounds && worst_after_ > 1; ++round) {
         if (!make_visible()) return;
         if (!loses_fixed_vertex()) {

@@ -47,19 +47,12 @@ class ConeRefill : public Operation {
     bool is_wanting() const { return best_->after.worst > objective_.target(); }
 
     void consider() {
-        const int apex = cavity_.apex();
-        const Price price = apex < 0 ? price_of_new_vertex : Price{};
+        const Price price = cavity_.apex() < 0 ? price_of_new_vertex : Price{};
         if (cavity_.worst_after() >=
             std::min(best_->after.worst, Objective::improved(cavity_.worst_before(), price.angle)))
             return;
         const Value before = cavity_.before(), after = cavity_.after();
-        if (!objective_.is_better(before, after, price)) return;
-        best_->before = before, best_->after = after, best_->price = price;
-        best_->removed.assign(cavity_.removed().begin(), cavity_.removed().end());
-        const auto cones = cavity_.cones(apex < 0 ? static_cast<int>(complex_.points.size()) : apex);
-        best_->added.assign(cones.begin(), cones.end());
-        best_->points.clear();
-        if (apex < 0) best_->points.push_back(cavity_.point());
+        if (objective_.is_better(before, after, price)) cavity_.describe(before, after, price, *best_);
     }
 
     void fill_from_corners(int tet) {
@@ -86,22 +79,9 @@ class ConeRefill : public Operation {
         }
     }
 
-    /// Calls try_at(tets, point) for the tet's middle and for those of its inner edges.
-    template <class TryAt>
-    void visit_starts(int tet, const TryAt& try_at) {
-        const Tet& v = complex_.tets[tet];
-        const auto& p = complex_.points;
-        try_at(std::array{tet}, (p[v[0]] + p[v[1]] + p[v[2]] + p[v[3]]) / 4);
-        for (const auto& [from, to] : edge_corners) {
-            EdgeRing ring;
-            const bool is_inside = find_ring(complex_, tet, from, to, ring);
-            footprint_->add(ring.all_tets());
-            if (is_inside) try_at(ring.all_tets(), (p[ring.from] + p[ring.to]) / 2);
-        }
-    }
-
     void insert(int tet) {
-        visit_starts(tet, [&](std::span<const int> start, const Vec3& point) { insert_at(start, point); });
+        visit_starts(complex_, tet, *footprint_,
+                     [&](std::span<const int> start, const Vec3& point) { insert_at(start, point); });
     }
 
     void insert_above(int tet) {
@@ -130,7 +110,7 @@ class ConeRefill : public Operation {
     /// Where boundary nodes alone make a tet, as across a thin wall with a short edge at either wall.
     void insert_with_room(int tet) {
         if (options_.most_large_cavities != any_number) --options_.most_large_cavities;
-        visit_starts(tet, [&](std::span<const int> start, const Vec3& point) {
+        visit_starts(complex_, tet, *footprint_, [&](std::span<const int> start, const Vec3& point) {
             if (best_->after.worst > 1) cavity_.make_room(start, point, [&] { consider(); });
         });
     }

@@ -22,28 +22,24 @@ class EdgeRingOperation : public Operation {
 
     bool plan(int tet, Change& change, Footprint& footprint) override {
         double least = inverted_flatness;
-        for (const auto& [from, to] : edge_corners) {
-            EdgeRing ring;
-            const bool is_inside = find_ring(complex_, tet, from, to, ring);
-            footprint.add(ring.all_tets());
-            if (!is_inside) continue;
+        visit_rings(complex_, tet, footprint, [&](const EdgeRing& ring) {
             const double limit = std::min(least, Objective::improved(worst_of(ring.all_tets()), change.price.angle));
             const RingTriangulation<> found = triangulate_ring<WorstOf>(ring.size, limit, [&](int i, int j, int k) {
                 const int a = ring.vertices[i], b = ring.vertices[j], c = ring.vertices[k];
                 const double upper = objective_.flaw(complex_, {a, b, c, ring.to});
                 return upper >= limit ? upper : std::max(upper, objective_.flaw(complex_, {b, a, c, ring.from}));
             });
-            if (std::isinf(found.cost)) continue;
+            if (std::isinf(found.cost)) return;
             std::array<Tet, 2 * EdgeRing::max_size> added;
             const std::span<const Tet> fresh{added.data(),
                                              static_cast<std::size_t>(tets_of_triangulation(ring, found, added))};
             const Value before = objective_.value(complex_, ring.all_tets()), after = objective_.value(complex_, fresh);
-            if (!objective_.is_better(before, after, change.price)) continue;
+            if (!objective_.is_better(before, after, change.price)) return;
             least = found.cost;
             change.before = before, change.after = after;
             change.removed.assign(ring.all_tets().begin(), ring.all_tets().end());
             change.added.assign(fresh.begin(), fresh.end());
-        }
+        });
         return !change.removed.empty();
     }
 

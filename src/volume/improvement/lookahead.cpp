@@ -99,38 +99,40 @@ class Lookahead : public Operation {
         shapes_in_patch_ = Objective(options);
     }
 
-    MovableSurface surface_of(Patch& patch) const {
-        return {std::move(patch.surface), projector_, mesh_.surface().is_for_curved_tets};
+    /// Calls work(mesh, context) on the copy.
+    template <class Work>
+    void work_on(Patch& patch, const Work& work) const {
+        RunContext alone;
+        alone.end_with(context_);
+        LocalMesh mesh(patch.complex, {std::move(patch.surface), projector_, mesh_.surface().is_for_curved_tets});
+        work(mesh, alone);
+        patch.surface = mesh.release_surface();
     }
 
     /// The same loop on the copy.
     void improve_patch(Patch& patch) const {
-        RunContext alone;
-        alone.end_with(context_);
-        LocalMesh mesh(patch.complex, surface_of(patch));
-        improve(mesh, in_patch_,
-                list_of(edge_ring(mesh, in_patch_), vertex_move(mesh, in_patch_),
-                        cone_refill(mesh, in_patch_, {.is_last_resort = true})),
-                {}, {.dear_plans = most_refills_of_patch}, alone);
-        patch.surface = mesh.release_surface();
+        work_on(patch, [&](LocalMesh& mesh, RunContext& context) {
+            improve(mesh, in_patch_,
+                    list_of(edge_ring(mesh, in_patch_), vertex_move(mesh, in_patch_),
+                            cone_refill(mesh, in_patch_, {.is_last_resort = true})),
+                    {}, {.dear_plans = most_refills_of_patch}, context);
+        });
     }
 
     /// Better angles tend to cost mean shape.
     void round_shapes(Patch& patch) const {
-        RunContext alone;
-        alone.end_with(context_);
-        LocalMesh mesh(patch.complex, surface_of(patch));
-        improve(mesh, shapes_in_patch_, list_of(vertex_move(mesh, shapes_in_patch_)), {}, {.passes = 3}, alone);
-        patch.surface = mesh.release_surface();
+        work_on(patch, [&](LocalMesh& mesh, RunContext& context) {
+            improve(mesh, shapes_in_patch_, list_of(vertex_move(mesh, shapes_in_patch_)), {}, {.passes = 3}, context);
+        });
     }
 
     /// Moves a corner of the patch's first tet to where this tet is good, or nearer to that, whatever it does to the
     /// angles of the others; none is turned over.
     bool move_for_tet(Patch& patch, int corner) const {
-        LocalMesh mesh(patch.complex, surface_of(patch));
         Change change;
-        if (plan_move_for_tet(mesh, corner, change)) mesh.apply(change);
-        patch.surface = mesh.release_surface();
+        work_on(patch, [&](LocalMesh& mesh, RunContext&) {
+            if (plan_move_for_tet(mesh, corner, change)) mesh.apply(change);
+        });
         return !change.moves.empty();
     }
 

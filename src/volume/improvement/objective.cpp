@@ -83,26 +83,21 @@ double Objective::thickness(const std::array<Vec3, 4>& p) const {
     return std::min(six_volumes / (6 * options_.least_volume), six_volumes / (least_share * lengths));
 }
 
+Value Objective::value(const TetComplex& complex, const Tet& tet) const {
+    const double of = flaw(complex, tet);
+    const std::array<Vec3, 4> p = corners_of(complex, tet);
+    return {of, penalty(of), radius_ratio(p[0], p[1], p[2], p[3]), 1};
+}
+
 Value Objective::value(const TetComplex& complex, std::span<const Tet> tets) const {
     Value sum;
-    for (const Tet& tet : tets) {
-        const double flaw_here = flaw(complex, tet);
-        const std::array<Vec3, 4> p = corners_of(complex, tet);
-        sum.worst = std::max(sum.worst, flaw_here);
-        sum.penalty += penalty(flaw_here);
-        sum.shape += radius_ratio(p[0], p[1], p[2], p[3]);
-    }
-    sum.count = static_cast<double>(tets.size());
+    for (const Tet& tet : tets) sum += value(complex, tet);
     return sum;
 }
 
 Value Objective::value(const TetComplex& complex, std::span<const int> tets) const {
     Value sum;
-    for (const int t : tets) {
-        const Value one = value(complex, std::span(&complex.tets[t], 1));
-        sum.worst = std::max(sum.worst, one.worst);
-        sum.penalty += one.penalty, sum.shape += one.shape, sum.count += 1;
-    }
+    for (const int t : tets) sum += value(complex, complex.tets[t]);
     return sum;
 }
 

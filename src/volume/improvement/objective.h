@@ -22,6 +22,11 @@ struct Value {
     double shape = 0;    ///< sum of the radius ratios 3 r / R
     double count = 0;    ///< of tets
     double mean_shape() const { return count > 0 ? shape / count : 1; }
+    Value& operator+=(const Value& other) {
+        worst = std::max(worst, other.worst);
+        penalty += other.penalty, shape += other.shape, count += other.count;
+        return *this;
+    }
 };
 
 /// What a change has to gain.
@@ -85,6 +90,7 @@ class Objective {
         return options_.is_steep ? of_flaw - of_target : std::sqrt(of_flaw) - std::sqrt(of_target);
     }
 
+    Value value(const TetComplex& complex, const std::array<int, 4>& tet) const;
     Value value(const TetComplex& complex, std::span<const std::array<int, 4>> tets) const;
     Value value(const TetComplex& complex, std::span<const int> tets) const;
 

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "volume/improvement/objective.h"
+#include "volume/tets/cavity_editor.h"
+#include "volume/tets/tet_complex.h"
 #include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
@@ -49,6 +51,17 @@ class Footprint {
     bool is_kept_ = false;
     std::vector<int> tets_;
 };
+
+/// Calls visit(ring) for the inner edges of the tet. Whatever rings are looked at join the footprint.
+template <class Visit>
+void visit_rings(const TetComplex& complex, int tet, Footprint& footprint, const Visit& visit) {
+    for (const auto& [from, to] : edge_corners) {
+        EdgeRing ring;
+        const bool is_inside = find_ring(complex, tet, from, to, ring);
+        footprint.add(ring.all_tets());
+        if (is_inside) visit(ring);
+    }
+}
 
 class Operation {
   public:

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "volume/improvement/objective.h"
+#include "volume/tets/radius_ratios.h"
+#include "volume/tets/tet_complex.h"
 
 namespace featuremesh {
 
@@ -21,19 +23,13 @@ class StarShape {
         faces_.push_back({{a, b, c}, is_on_boundary});
     }
     void gather(const TetComplex& complex, std::span<const int> star, int vertex);
-    std::size_t size() const { return faces_.size(); }
 
     /// The worst tet's flaw; stops early, with some value >= limit, once it reaches `limit`.
     double worst(const Vec3& point, double limit = 2 * inverted_flatness) const;
     Value value(const Vec3& point) const;
 
-    /// Sum of the tets' radius ratios 3 r / R, and the way in which it grows; without volume a tet adds nothing.
-    struct Ratios {
-        double sum = 0;
-        Vec3 gradient{};
-    };
-    Ratios radius_ratios(const Vec3& point) const;
-    double sum_of_radius_ratios(const Vec3& point) const;
+    RadiusRatios radius_ratios(const Vec3& point) const { return featuremesh::radius_ratios(point, faces_); }
+    double sum_of_radius_ratios(const Vec3& point) const { return featuremesh::sum_of_radius_ratios(point, faces_); }
 
     /// Mean distance from the point, and from the middle of what it sees.
     double mean_height(const Vec3& point) const;
@@ -46,15 +42,8 @@ class StarShape {
     /// The same in all directions.
     double climb(Vec3& point, double good_enough) const;
 
-    /// Tets looked at so far: what a search has cost.
-    std::size_t evaluations() const { return evaluations_; }
-
   private:
-    struct Face {
-        std::array<Vec3, 3> corners;
-        std::array<bool, 3> is_on_boundary;
-    };
-    double flaw_at(const Vec3& point, const Face& face) const {
+    double flaw_at(const Vec3& point, const SeenTriangle& face) const {
         const auto& [a, b, c] = face.corners;
         const auto& on = face.is_on_boundary;
         return objective_.flaw({point, a, b, c}, {is_on_boundary_, on[0], on[1], on[2]});
@@ -62,10 +51,8 @@ class StarShape {
 
     const Objective& objective_;
     bool is_on_boundary_ = false;
-    mutable std::size_t evaluations_ = 0;
-    // the triangle that refused last is the likeliest to refuse again and moves to the front: results do not depend on
-    // the order
-    mutable std::vector<Face> faces_;
+    // the triangle that refused last is the likeliest to refuse again and moves to the front
+    mutable std::vector<SeenTriangle> faces_;
 };
 
 /// Directions spread evenly over the sphere.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "volume/improvement/opposite_walls.h"
+#include "volume/opposite_walls.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "volume/improvement/lean_needles.h"
+#include "volume/lean_needles.h"
 
 #include <algorithm>
 #include <array>
