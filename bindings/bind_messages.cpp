@@ -47,10 +47,11 @@ py::object to_python(const Message& message) {
     if (message.empty()) return py::none();
     const MessageTemplate& words = template_of(message.code());
     py::dict parameters;
-    std::string_view rest = words.english, before;
+    std::string_view rest = words.english;
     for (const Parameter& parameter : message.parameters()) {
-        const std::string_view placeholder = next_placeholder(rest, before);
-        parameters[py::str(placeholder.substr(0, placeholder.find(':')))] = std::visit(ToPython(), parameter);
+        Placeholder next = next_placeholder(rest);
+        while (next.is_choice()) next = next_placeholder(rest);
+        parameters[py::str(next.name)] = std::visit(ToPython(), parameter);
     }
     return py::dict(py::arg("code") = words.name, py::arg("template") = words.english,
                     py::arg("parameters") = parameters);

@@ -26,11 +26,13 @@ NETGEN_PACKAGES = ("python3-netgen",)
 WINDOWS_PACKAGES = ("g++-mingw-w64-x86-64-posix",)
 WINDOW_PACKAGES = ("freecad", "python3-pivy")
 PACKAGING_PACKAGES = ("patchelf", "binutils", "debhelper", "dpkg-dev", "lintian", "fakeroot")
+STYLE_OF_1_1_PACKAGES = ("qt6-svg-plugins",)   # FreeCAD 1.1 draws check marks and arrows by it, and Debian only recommends it
 # What roots of other Debian releases have: those for the tests, and those that are as FreeCAD's users have them.
-FOR_TESTS = BUILD_PACKAGES + RUN_PACKAGES + PICTURE_PACKAGES + PEER_PACKAGES + READER_PACKAGES + STUDY_PACKAGES + SOLVER_PACKAGES
+FOR_TESTS = BUILD_PACKAGES + RUN_PACKAGES + PICTURE_PACKAGES + PEER_PACKAGES + READER_PACKAGES + STUDY_PACKAGES + SOLVER_PACKAGES \
+    + STYLE_OF_1_1_PACKAGES
 FOR_USERS = ("freecad", "freecad-python3", "python3-numpy", "python3-pip", "xvfb", "xauth", "libgl1-mesa-dri", "unzip")
-# Not in Debian 13 (CalculiX) or of Debian 12 only; what needs them is skipped where the program is not there otherwise.
-NOT_EVERYWHERE = ("calculix-ccx", "clang-format-14")
+# Not in Debian 13 (CalculiX), of Debian 12 only (clang-format) or not in Debian 12 (Qt 6's plugin); what needs them is skipped where the program is not there otherwise.
+NOT_EVERYWHERE = ("calculix-ccx", "clang-format-14", *STYLE_OF_1_1_PACKAGES)
 
 REASONS = (
     (BUILD_PACKAGES, "to build the engine"),
@@ -47,6 +49,7 @@ REASONS = (
     (NETGEN_PACKAGES, "to measure Netgen, too"),
     (WINDOWS_PACKAGES, "to see that parts of the engine compile for Windows"),
     (PACKAGING_PACKAGES, "to make packages"),
+    (STYLE_OF_1_1_PACKAGES, "to see FreeCAD's window as its users do"),
     (WINDOW_PACKAGES, "to open FreeCAD's window"),
 )
 

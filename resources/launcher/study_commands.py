@@ -23,6 +23,13 @@ def workbench():
     return study
 
 
+def english(message):
+    """A message of the workbench in words."""
+    workbench()
+    from freecad.featuremesh import messages
+    return messages.english(message)
+
+
 @contextlib.contextmanager
 def errors_of_studies():
     """The workbench's errors as the launcher's."""
@@ -81,7 +88,7 @@ def new_folder(study, path):
     from freecad.featuremesh.study import beginning
     folder = beginning.begin(study, path, make_base)
     for remark in folder.facts()["remarks"]:
-        print(f"warning: {remark}", file=sys.stderr)
+        print(f"warning: {english(remark)}", file=sys.stderr)
     return folder
 
 
@@ -171,7 +178,7 @@ def tell_evaluation(case, best):
 
 def in_words(case):
     if case.state != "done":
-        return f"case {case.id} {case.state}: {case.message}"
+        return f"case {case.id} {case.state}: {english(case.message)}"
     return f"case {case.id}: " + ", ".join(f"{name} {value:.5g}" if isinstance(value, float) else f"{name} {value}"
                                            for name, value in {**case.parameters, **case.responses}.items())
 
@@ -237,7 +244,7 @@ def tell_end(folder):
     words = [f"{counts['done']} of {sum(counts.values())} cases done"] + [f"{counts[state]} {state}" for state in ("infeasible", "failed") if counts[state]]
     print(", ".join(words) + f"; see them with: featuremesh study report {shown_path(folder.path)}")
     for case in folder.database.cases("failed"):
-        print(f"warning: {case.message}", file=sys.stderr)
+        print(f"warning: case {case.id}: {english(case.message)}", file=sys.stderr)
     return 1 if counts["failed"] else 0
 
 
@@ -249,7 +256,7 @@ def status(given):
         print(f"{shown_path(study.document)}: " + ", ".join(f"{count} {state}" for state, count in counts.items()))
         for state in ("infeasible", "failed"):
             for case in folder.database.cases(state):
-                print(f"{state}: " + (case.message if case.message.startswith("case ") else f"case {case.id}: {case.message}"))
+                print(f"{state}: case {case.id}: {english(case.message)}")
         return 0
 
 

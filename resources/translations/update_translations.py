@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Brings the translations up to date with the workbench: new texts come into the .ts files, old ones go, lrelease makes the .qm files.
+"""Brings the translations up to date with the workbench: new texts come into the .ts files, old ones go, lrelease makes the .qm files. What stays keeps
+its place, so that a change shows as one.
 
     /usr/bin/python3 resources/translations/update_translations.py      # needs Debian's qttools5-dev-tools
 
@@ -21,7 +22,7 @@ LRELEASE = ("/usr/lib/qt5/bin/lrelease", "lrelease")
 
 def texts_in_workbench():
     """{(context, text)} of everything the workbench shows, as its sources and the engine's messages say it."""
-    found = {("FeatureMesh", template) for template in templates_of_engine().values() if re.search("[A-Za-z]", re.sub(r"\{.*?\}", "", template))}
+    found = {("FeatureMesh", template) for template in templates_of_engine().values() if has_words(template)}
     for path in sorted(WORKBENCH.rglob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call):
@@ -38,11 +39,24 @@ def templates_of_engine():
     return dict(re.findall(r'^MESSAGE\((\w+), "(.*)"\)$', MESSAGES.read_text(encoding="utf-8"), re.MULTILINE))
 
 
+def has_words(template):
+    """Is there anything to translate beside the parameters?"""
+    return re.search("[A-Za-z]", re.sub(r"\{.*?\}", "", template)) is not None
+
+
+def name_of(call):
+    """The name of the function that is called."""
+    return getattr(call.func, "attr", getattr(call.func, "id", ""))
+
+
 def marked(call):
-    """What translate(context, text) and QT_TRANSLATE_NOOP(context, text) mark."""
-    name = getattr(call.func, "attr", getattr(call.func, "id", ""))
+    """What translate(context, text), QT_TRANSLATE_NOOP(context, text), said(text) and addProperty(type, name, group, text) mark."""
+    if name_of(call) == "addProperty":
+        return {("App::Property", text(tooltip)) for tooltip in call.args[3:4] if text(tooltip)}
     words = [text(argument) for argument in call.args[:2]]
-    return {tuple(words)} if name in ("translate", "QT_TRANSLATE_NOOP") and len(words) == 2 and all(words) else set()
+    if name_of(call) == "said":
+        return {("FeatureMesh", words[0])} if words and words[0] and has_words(words[0]) else set()
+    return {tuple(words)} if name_of(call) in ("translate", "QT_TRANSLATE_NOOP") and len(words) == 2 and all(words) else set()
 
 
 def of_command(cls):
@@ -65,13 +79,21 @@ def read(path):
             for context in ElementTree.parse(path).getroot().iter("context") for message in context.iter("message")}
 
 
+def brought_up_to_date(known, texts):
+    """{(context, text): translation}: what is still there in its order, and each new text before the first that sorts after it."""
+    order = [key for key in known if key in texts]
+    for key in sorted(texts - set(known)):
+        order.insert(next((place for place, other in enumerate(order) if other > key), len(order)), key)
+    return {key: known.get(key, "") for key in order}
+
+
 def write(path, language, translations):
-    """Writes a .ts file, sorted, so that a change shows as one."""
+    """Writes a .ts file, in the order of the translations."""
     root = ElementTree.Element("TS", version="2.1", language=language, sourcelanguage="en")
-    for name in sorted({context for context, _ in translations}):
+    for name in dict.fromkeys(context for context, _ in translations):
         context = ElementTree.SubElement(root, "context")
         ElementTree.SubElement(context, "name").text = name
-        for source in sorted(source for where, source in translations if where == name):
+        for source in (source for where, source in translations if where == name):
             message = ElementTree.SubElement(context, "message")
             ElementTree.SubElement(message, "source").text = source
             translation = ElementTree.SubElement(message, "translation")
@@ -87,10 +109,9 @@ def main():
     texts = texts_in_workbench()
     lacking = 0
     for path in sorted(FOLDER.glob("FeatureMesh_*.ts")):
-        known = read(path)
-        translations = {key: known.get(key, "") for key in texts}
+        translations = brought_up_to_date(read(path), texts)
         write(path, re.search(r"_(\w+)\.ts$", path.name).group(1), translations)
-        for (context, source), translation in sorted(translations.items()):
+        for (context, source), translation in translations.items():
             if not translation:
                 lacking += 1
                 print(f"{path.name}: [{context}] {source}")

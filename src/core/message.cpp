@@ -2,6 +2,7 @@
 #include "core/message.h"
 
 #include <algorithm>
+#include <map>
 
 #include "core/entity_names.h"
 #include "core/messages.h"
@@ -44,12 +45,18 @@ Message::Message(Code code, std::vector<Parameter> parameters) : code_(code), pa
 
 std::string Message::in_english() const {
     std::string text;
-    std::string_view rest = template_of(code_).english, before;
-    for (const Parameter& parameter : parameters_) {
-        next_placeholder(rest, before);
-        text += std::string(before) + std::visit(InEnglish(), parameter);
+    std::string_view rest = template_of(code_).english;
+    std::map<std::string_view, const Parameter*> by_name;
+    while (!rest.empty()) {
+        const Placeholder next = next_placeholder(rest);
+        text += next.before;
+        if (next.name.empty()) continue;
+        if (!next.is_choice()) by_name[next.name] = &parameters_[by_name.size()];
+        const Parameter& parameter = *by_name.at(next.name);
+        text += next.is_choice() ? std::string(next.chosen(std::get<std::int64_t>(parameter)))
+                                 : std::visit(InEnglish(), parameter);
     }
-    return text.append(rest);
+    return text;
 }
 
 Message several(std::vector<Message> messages) {

@@ -1,15 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every panel in German, whose words are longer, in FreeCAD's dock as it is at first: nothing is cut off.
+"""Every panel in German, whose words are longer, in FreeCAD's dock as it is at first: nothing is cut off. What goes wrong is told in German, too.
 
 Run by test_window.py; see drive_window.py for the result and the pictures.
 """
 import os
 import sys
+import tempfile
+from pathlib import Path
+from unittest import mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import window  # noqa: E402
+from PySide import QtGui  # noqa: E402
 from window import figures, is_whole, panel, picture, spin  # noqa: E402
 
 
@@ -32,6 +36,79 @@ def check_panel(kind, command=None, edited=None):
 def select(obj):
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(obj)
+
+
+def check_error(name, german, work, *words):
+    """What `work` throws is shown in a box, in German."""
+    from freecad.featuremesh.gui import errors
+    try:
+        work(*words)
+    except Exception as error:
+        errors.show(error)
+    assert window.messages and window.messages[-1].startswith(german), (name, window.messages[-1:])
+    box = QtGui.QMessageBox(QtGui.QMessageBox.Warning, "FeatureMesh", german, QtGui.QMessageBox.Ok, Gui.getMainWindow())
+    box.show()
+    picture("german_error_" + name)
+    box.close()
+
+
+def check_errors(document, body, mesh, study):
+    from freecad.featuremesh import about, api, documents, edits, transfer
+    from freecad.featuremesh.study import design, study_object
+    from freecad.featuremesh.user_words import in_words
+    check_error("document", "die Datei /nirgends/x.FCStd gibt es nicht", documents.open_document, "/nirgends/x.FCStd")
+    check_error("folder", "/nirgends/x.FCStd kann nicht geschrieben werden: den Ordner /nirgends gibt es nicht", documents.save_document, document,
+                "/nirgends/x.FCStd")
+    check_error("edit", "die Änderung „Plate“ ist nicht lesbar, sie muss OBJEKT.EIGENSCHAFT=WERT sein", edits.set_parameter, document, "Plate")
+    check_error("value", "lang ist keine Zahl für Plate.Length", edits.set_parameter, document, "Plate.Length=lang")
+    check_error("property", "Plate hat keine Eigenschaft Lenght; war Length oder Length2 gemeint?", edits.set_parameter, document, "Plate.Lenght=3")
+    check_error("object", "das Dokument hat kein Objekt Plat; war Plate", edits.set_parameter, document, "Plat.Length=3")
+    check_error("transfer", "das Dokument Deutsch hat kein Ergebnis Nirgends mit Werten an den Knoten", transfer.find_result,
+                document, "Nirgends")
+    check_error("size", "die Größe muss größer als 0 mm sein, nicht -1", api.add_mesh, body, -1.0)
+    check_error("study", "nichts ändert sich: ein Maß anhaken und ihm einen Bereich geben", study_object.study_of, study, "")
+    check_error("range", "der Bereich von Plate.Length muss steigen, nicht 9:5; das untere Ende zuerst schreiben", design.check, design.Study(
+        "", [design.parse_parameter("Plate.Length=9:5")], [], cases=3))
+    assert "in einem eigenen Prozess" in about.text(in_words) and "in a process of its own" in about.text(), about.text(in_words)
+
+
+def check_study_results(document, study, folder):
+    """The window and the page of a study, some of whose cases were done, failed or could not be made."""
+    from freecad.featuremesh.gui import study_window
+    from freecad.featuremesh.messages import said
+    from freecad.featuremesh.study import design
+    from freecad.featuremesh.study.folder import StudyFolder
+    path = os.path.join(folder, "study")
+    made = StudyFolder(path, new=True)
+    for place in (made.base_path, os.path.join(folder, "part.FCStd")):
+        document.saveCopy(place)
+    plan = design.Study(os.path.join(folder, "part.FCStd"), [design.parse_parameter("Plate.Length=50:70")], [design.parse_response("mass")], cases=9)
+
+    def fill(made):
+        ids = made.database.add_cases([({"Plate.Length": 50.0 + n}, said("the constraint {constraint:text} is not kept", constraint="Plate.Length < 58")
+                                        if n == 8 else None) for n in range(9)], "lhs")
+        for n, case in enumerate(ids[:7]):
+            made.database.finish(case, {"state": "done", "responses": {"mass": 1.0 + 0.1 * n}, "mesh": {"kept_share": 0.9}, "seconds": {"total": 1.5}})
+        made.database.finish(ids[7], {"state": "failed", "message": said("it was ended from outside ({signal:text})", signal="SIGKILL")})
+    made.create(plan, {"nodes": 1200, "elements": 1, "solver": "live", "remarks": [], "base_values": {"Plate.Length": 60.0}}, fill)
+    study.Folder = path
+    results = study_window.show(study)
+    results.tabs.setCurrentIndex(3)
+    spin()
+    texts = [results.table.item(row, column).text() for row in range(9) for column in (1, 4)]
+    assert texts[-4:] == ["fehlgeschlagen", "er wurde von außen beendet (SIGKILL)", "nicht machbar", "die Bedingung Plate.Length < 58 ist nicht eingehalten"], texts
+    picture("german_study_cases")
+    results.tabs.setCurrentIndex(2)
+    window.wait_for(lambda: results.plots[2].canvas is not None)
+    assert "Änderung von" in results.plots[2].canvas.figure.axes[0].get_xlabel()
+    picture("german_study_tornado")
+    with mock.patch.object(QtGui.QDesktopServices, "openUrl"):
+        window.click(results.report_button)
+    page = Path(path, "report.html").read_text(encoding="utf-8")
+    words = ("Studie von part.FCStd", "7 fertig, 1 nicht machbar, 1 fehlgeschlagen", "(1200 Knoten, 1 Element); mitlaufend gelöst", "Was wichtig ist", "Haupteffekt",
+             "kleinster Wert 1 in Fall 1", "er wurde von außen beendet")
+    assert not [text for text in words if text not in page], page[:4000]
+    results.close()
 
 
 def drive():
@@ -59,6 +136,9 @@ def drive():
     check_panel("StudyPanel", edited=study)
     if not engine_lacks_statics():
         check_panel("LivePanel", "FeatureMesh_LiveResult")
+    check_errors(document, body, mesh, study)
+    with tempfile.TemporaryDirectory() as folder:
+        check_study_results(document, study, folder)
 
 
 def engine_lacks_statics():

@@ -43,7 +43,7 @@ class Templates(unittest.TestCase):
 
     def test_each_is_put_into_words_with_parameters_of_its_kinds(self):
         for template in update_translations.templates_of_engine().values():
-            names = {name: kind for _, name, kind, _ in string.Formatter().parse(template) if name}
+            names = {name: kind for _, name, kind, _ in string.Formatter().parse(template) if name and "|" not in kind}
             said = {"template": template, "parameters": {name: OF_EACH_KIND[kind] for name, kind in names.items()}}
             self.assertNotRegex(messages.english(said), r"\{\w+:|\}\}")
             self.assertEqual(user_words.in_words(said), messages.english(said))   # without a translation, and in mm
@@ -55,6 +55,17 @@ class Templates(unittest.TestCase):
 
 
 class Messages(unittest.TestCase):
+    def test_one_is_in_the_singular(self):
+        def folded(count):
+            return messages.said("{triangles:count} {triangles:triangle is|triangles are} folded", triangles=count)
+        self.assertEqual([messages.english(folded(count)) for count in (0, 1, 2)], ["0 triangles are folded", "1 triangle is folded", "2 triangles are folded"])
+        with translated({folded(1)["template"]: "{triangles:count} {triangles:Dreieck ist|Dreiecke sind} gefaltet"}):
+            self.assertEqual([user_words.in_words(folded(count)) for count in (1, 2)], ["1 Dreieck ist gefaltet", "2 Dreiecke sind gefaltet"])
+
+    def test_a_message_of_one_element_is_the_engines(self):
+        template = engine.load().message_templates()["misfit_outside"]
+        self.assertEqual(messages.english(messages.said(template, elements=1)), "1 element is outside the part")
+
     def test_each_kind_of_parameter(self):
         template = "; ".join("{a%s:%s}" % (kind, kind) for kind in OF_EACH_KIND if kind != "messages")
         said = {"template": template, "parameters": {"a" + kind: value for kind, value in OF_EACH_KIND.items()}}

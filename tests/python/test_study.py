@@ -87,7 +87,7 @@ class Studies(StudyTest):
         self.response_file("return float('nan') if case.id == 2 else 1.0")
         out, err = self.study("run", "study.toml", code=1)
         self.assertIn("3 of 4 cases done, 1 failed", out)
-        self.assertIn("warning: case 2, response own is not a number: nan", err)
+        self.assertIn("warning: case 2: response own is not a number: nan", err)
 
     def test_the_same_bits_by_one_process_by_two_and_in_another_order(self):
         self.toml('responses = ["max_mises"]', 'solver = "ccx"')

@@ -116,7 +116,7 @@ class Faults(StudyTest):
         self.response_file("os.kill(os.getpid(), 9) if case.id == 2 else None", "return 1.0")
         out, err = self.study("run", "study.toml", code=1)
         self.assertIn("3 of 4 cases done, 1 failed", out)
-        self.assertIn("case 2 was ended 2 times", err)
+        self.assertIn("case 2: it was ended 2 times", err)
 
     def test_calculix_is_killed(self):
         """A program in CalculiX's place that is ended the first time that it is to solve, and CalculiX then. FreeCAD starts it without a model to see that it is there."""

@@ -15,21 +15,25 @@ constexpr bool takes_these(std::string_view english) {
     return takes(english, std::array<std::size_t, sizeof...(Values)>{kind_of<Values>()...});
 }
 
-/// The name of the first code whose template is broken: a brace too many, no name, two of one name, an unknown kind.
-std::string_view broken_template() {
-    for (const MessageTemplate& words : message_templates) {
-        std::string_view rest = words.english, before;
-        std::map<std::string_view, int> names;
-        while (!rest.empty()) {
-            const std::string_view found = next_placeholder(rest, before);
-            if (before.find('}') != std::string_view::npos) return words.name;
-            if (found.empty()) continue;
-            const std::size_t colon = found.find(':');
-            if (colon == 0 || colon == std::string_view::npos || names[found.substr(0, colon)]++ > 0) return words.name;
-            const auto end = std::end(kinds_of_parameters);
-            if (std::find(std::begin(kinds_of_parameters), end, found.substr(colon + 1)) == end) return words.name;
-        }
+/// A brace too many, no name, two of one name, an unknown kind, a choice of words for what is no count before it.
+bool is_broken(std::string_view english) {
+    std::map<std::string_view, std::string_view> kinds;
+    while (!english.empty()) {
+        const bool begins = english.find('{') != std::string_view::npos;
+        const Placeholder found = next_placeholder(english);
+        if (found.before.find('}') != std::string_view::npos || begins == found.name.empty()) return true;
+        if (!begins) continue;
+        if (found.is_choice() ? kinds[found.name] != "count" : !kinds.emplace(found.name, found.kind).second)
+            return true;
+        const auto end = std::end(kinds_of_parameters);
+        if (!found.is_choice() && std::find(std::begin(kinds_of_parameters), end, found.kind) == end) return true;
     }
+    return false;
+}
+
+std::string_view broken_template() {
+    for (const MessageTemplate& words : message_templates)
+        if (is_broken(words.english)) return words.name;
     return {};
 }
 
@@ -37,6 +41,10 @@ std::string_view broken_template() {
 
 TEST_CASE("every message has words, with named parameters of known kinds") {
     CHECK(broken_template() == "");
+    for (const std::string_view broken : {"a}", "{}", "{:count}", "{a}", "{a:weight}", "{a:count}{a:count}",
+                                          "{a:one|many}", "{a:length}{a:one|many}", "{a:one|many}{a:count}"})
+        CHECK(is_broken(broken));
+    CHECK_FALSE(is_broken("{a:count} {a:one|many} {b:text}"));
     for (const MessageTemplate& words : message_templates) {
         INFO(words.name);
         CHECK(words.english.empty() == (words.name == "none"));
@@ -55,6 +63,8 @@ TEST_CASE("a message takes the parameters of its template and no others") {
     STATIC_REQUIRE(takes_these<FaceId, std::vector<EdgeId>>("{face:entities}{edges:entities}"));
     STATIC_REQUIRE(takes_these<int, std::size_t>("{a:count}{b:count}"));
     STATIC_REQUIRE(takes_these<Message, std::vector<Message>>("{a:messages}{b:messages}"));
+    STATIC_REQUIRE(takes_these<int, double>("{a:count} {a:node is|nodes are} {b:number} {a:|s}"));
+    STATIC_REQUIRE_FALSE(takes_these<int, int>("{a:count} {a:node|nodes}"));
 }
 
 TEST_CASE("a message in English") {
@@ -67,6 +77,17 @@ TEST_CASE("a message in English") {
     CHECK(say<Code::with_itself>(FaceId(2)).in_english() == "Face3 and itself");
     CHECK(Message().empty());
     CHECK(Message().in_english().empty());
+}
+
+TEST_CASE("a message of one is in the singular") {
+    const auto anew = [](int count) {
+        return say<Code::elements_made_anew>(count, 9, say<Code::other_faces>()).in_english();
+    };
+    CHECK(anew(1) == "1 of 9 elements does not fit the part and was made anew: other faces");
+    CHECK(anew(2) == "2 of 9 elements do not fit the part and were made anew: other faces");
+    CHECK(anew(0) == "0 of 9 elements do not fit the part and were made anew: other faces");
+    CHECK(say<Code::misfit_nodes>(1).in_english() == "1 boundary node is off the surface");
+    CHECK(say<Code::values_misfit>(1, 3).in_english() == "1 value does not fit the 3 nodes of the old mesh.");
 }
 
 TEST_CASE("of many faces six are named") {

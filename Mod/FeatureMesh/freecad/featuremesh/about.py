@@ -8,54 +8,61 @@ import Part
 
 from . import __version__, engine, log, versions
 from .errors import EngineMissing
+from .messages import english, of_error, said
 
 _PACKAGE = os.path.dirname(os.path.abspath(__file__))
 _WORKBENCH = os.path.dirname(os.path.dirname(_PACKAGE))
 
 
-def facts():
-    """[(name, value)] in the order to be shown. An engine that cannot be used is told as such."""
-    return [("FeatureMesh", "%s, %s, in %s" % (__version__, _how_the_addon_came(), _WORKBENCH)), *_of_engine(),
-            ("FreeCAD", "%s with OCCT %s" % (versions.text(), Part.OCC_VERSION)),
-            ("Python", "%s, numpy %s" % (platform.python_version(), _numpy())),
-            ("System", platform.platform()),
-            ("Log", log.path() if log.is_written() else "none, %s cannot be written" % log.path())]
+def facts(say=english):
+    """[(name, value)] in the order to be shown, as `say` puts messages into words. An engine that cannot be used is told as such."""
+    return [tuple(map(say, fact)) for fact in _facts()]
 
 
-def text():
+def text(say=english):
     """The facts as lines."""
-    return "\n".join("%-15s %s" % (name + ":", value) for name, value in facts())
+    return "\n".join("%-17s %s" % (name + ":", value) for name, value in facts(say))
+
+
+def _facts():
+    addon = said("{version:text}, {came:messages}, in {folder:text}", version=__version__, came=_how_the_addon_came(), folder=_WORKBENCH)
+    return [("FeatureMesh", addon), *_of_engine(),
+            ("FreeCAD", said("{version:text} with OCCT {occt:text}", version=versions.text(), occt=Part.OCC_VERSION)),
+            ("Python", said("{version:text}, numpy {numpy:messages}", version=platform.python_version(), numpy=_numpy())),
+            (said("System"), platform.platform()),
+            (said("Log"), log.path() if log.is_written() else said("none, {path:text} cannot be written", path=log.path()))]
 
 
 def _of_engine():
     try:
         place = engine.chosen()
-        said = engine.about()
+        known = engine.about()
     except EngineMissing as error:
-        return [("Engine", str(error))]
-    where = "in a process of its own" if engine.runs_in_worker() else "in FreeCAD's process"
-    return [("Engine", "%s, protocol %d, %s, in %s, runs %s" % (said["version"], said["protocol"], _how_the_engine_came(place), place.folder, where)),
-            ("Its libraries", "OCCT %s, CGAL %s, %s" % (said["occt"], said["cgal"], "oneTBB " + said["tbb"]))]
+        return [(said("Engine"), of_error(error))]
+    where = said("in a process of its own") if engine.runs_in_worker() else said("in FreeCAD's process")
+    return [(said("Engine"), said("{version:text}, protocol {protocol:count}, {came:messages}, in {folder:text}, runs {where:messages}",
+                                  version=known["version"], protocol=known["protocol"], came=_how_the_engine_came(place), folder=place.folder, where=where)),
+            (said("Its libraries"), "OCCT %s, CGAL %s, oneTBB %s" % (known["occt"], known["cgal"], known["tbb"]))]
 
 
 def _how_the_addon_came():
     if os.path.isfile(os.path.join(_WORKBENCH, "..", "..", "CMakeLists.txt")):
-        return "from a clone"
+        return said("from a clone")
     if _WORKBENCH.startswith("/usr/"):
-        return "installed by the system's packages"
+        return said("installed by the system's packages")
     if os.path.isdir(os.path.join(_WORKBENCH, "engines")):
-        return "unpacked from the portable zip"
-    return "installed as an addon"
+        return said("unpacked from the portable zip")
+    return said("installed as an addon")
 
 
 def _how_the_engine_came(place):
     if place.folder == os.path.join(_WORKBENCH, "engines"):
-        return "from the portable zip"
+        return said("from the portable zip")
     if place.brings_its_libraries():
-        return "from a wheel"
+        return said("from a wheel")
     if place.folder.startswith("/usr/"):
-        return "installed by the system's packages"
-    return "built from source"
+        return said("installed by the system's packages")
+    return said("built from source")
 
 
 def _numpy():
@@ -63,4 +70,4 @@ def _numpy():
         import numpy
         return numpy.__version__
     except ImportError:
-        return "is missing"
+        return said("is missing")

@@ -6,11 +6,13 @@ import numpy as np
 
 from . import engine
 from .errors import UserError
+from .messages import said
 from .hand_over import SMESH_TET
 from .job import MeshJob
 from .reading import describe
 
 translate = FreeCAD.Qt.translate
+_IN_WORDS = {"tets": said("tetrahedra"), "triangles": said("triangles"), "segments": said("segments")}
 _SIDES = [(0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)]
 
 
@@ -36,7 +38,7 @@ def arrays_of(obj):
     fem_mesh = obj.FemMesh
     tets = _elements(fem_mesh, fem_mesh.Volumes, obj, (4, 10), "tets")
     if not len(tets[0]):
-        raise UserError(translate("FeatureMesh", "%s has no tetrahedra; it has to be a volume mesh") % describe(obj))
+        raise UserError(said("{object:text} has no tetrahedra; it has to be a volume mesh", object=describe(obj)))
     order = 2 if tets[1].shape[1] == 10 else 1
     triangles = _elements(fem_mesh, fem_mesh.Faces, obj, (3, 6), "triangles")
     segments = _elements(fem_mesh, fem_mesh.Edges, obj, (2, 3), "segments")
@@ -80,8 +82,9 @@ def _elements(fem_mesh, numbers, obj, counts, what):
     rows = [fem_mesh.getElementNodes(number) for number in numbers]
     lengths = {len(row) for row in rows}
     if len(lengths) > 1 or not lengths <= set(counts):
-        raise UserError(translate("FeatureMesh", "%s has other elements than 4-node or 10-node tetrahedra (%s with %s nodes); only tetrahedra can be adopted")
-                        % (describe(obj), what, ", ".join(map(str, sorted(lengths)))))
+        raise UserError(said("{object:text} has other elements than 4-node or 10-node tetrahedra ({kind:messages} with {counts:text} nodes); only "
+                             "tetrahedra can be adopted",
+                             object=describe(obj), kind=_IN_WORDS[what], counts=", ".join(map(str, sorted(lengths)))))
     if not rows:
         return np.empty(0, dtype=np.int64), np.empty((0, counts[0]), dtype=np.int64)
     table = np.array(rows, dtype=np.int64)

@@ -12,11 +12,12 @@ import ObjectsFem
 
 from . import requirements
 requirements.check()   # before what cannot be imported otherwise
-from . import (adopt, analyses, assembled, difference_drawing, documents, edits, engine, export, load_cases, mesh_drawing, messages, overlays, reading,
+from . import (adopt, analyses, assembled, difference_drawing, documents, edits, engine, export, load_cases, mesh_drawing, overlays, reading,
                resolving, section, size_zone, solve_guard, solving, statics, statics_result, transfer, versions)
 from . import live_result as live_results
 from .about import facts
 from .errors import StateError, UserError
+from .messages import of_error, said
 from .mesh_object import FeatureMesh, is_feature_mesh, options_of
 from .mesh_properties import DIMENSIONS, FROM_SHAPE
 from .reports import plain
@@ -40,9 +41,9 @@ def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=
     """
     reading.refuse_gone(part)
     if order not in (1, 2):
-        raise UserError(translate("FeatureMesh", "the order is 1 (4-node) or 2 (10-node), not %s") % order)
+        raise UserError(said("the order is 1 (4-node) or 2 (10-node), not {order:text}", order=str(order)))
     if dimension not in DIMENSIONS:
-        raise UserError(translate("FeatureMesh", "the dimension is one of %s, not %s") % (", ".join(DIMENSIONS), dimension))
+        raise UserError(said("the dimension is one of {dimensions:text}, not {dimension:text}", dimensions=", ".join(DIMENSIONS), dimension=str(dimension)))
     if assembled.is_to_be_shown(part):
         if not assembled.is_container(part):
             reading.refuse_unmeshable(part)
@@ -57,11 +58,11 @@ def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=
     mesh.Size, mesh.Order, mesh.Threads, mesh.Automatic = size, "2nd" if order == 2 else "1st", threads, automatic
     mesh.Dimension, mesh.IgnoreBelow = dimension, ignore_below
     if join_analysis:
-        analysis, said = analyses.for_new_mesh(part, active_analysis)
+        analysis, remark = analyses.for_new_mesh(part, active_analysis)
         if analysis is not None:
             analysis.addObject(mesh)
-        if said:
-            FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, said))
+        if remark:
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, remark))
     return mesh
 
 
@@ -81,13 +82,14 @@ def adopt_mesh(foreign, part=None, size=None, progress=None):
     the report. Throws UserError.
     """
     if is_feature_mesh(foreign):
-        raise UserError(translate("FeatureMesh", "%s is FeatureMesh's own already") % reading.describe(foreign))
+        raise UserError(said("{foreign:text} is FeatureMesh's own already", foreign=reading.describe(foreign)))
     if not foreign.isDerivedFrom("Fem::FemMeshObject"):
-        raise UserError(translate("FeatureMesh", "%s is no FEM mesh") % reading.describe(foreign))
+        raise UserError(said("{foreign:text} is no FEM mesh", foreign=reading.describe(foreign)))
     part = part or adopt.part_of(foreign) or reading.find_meshable(foreign.Document)
     others = [mesh for mesh in meshes_of(foreign.Document) if versions.part_of(mesh) is part]
     if others:
-        raise UserError(translate("FeatureMesh", "%s has a mesh already: %s; delete one of the two") % (reading.describe(part), reading.describe(others[0])))
+        raise UserError(said("{part:text} has a mesh already: {mesh:text}; delete one of the two",
+                             part=reading.describe(part), mesh=reading.describe(others[0])))
     arrays = adopt.arrays_of(foreign)
     order = 2 if len(arrays["tet_mids"]) else 1
     mesh = add_mesh(part, adopt.typical_size(arrays) if size is None else size, order, join_analysis=False)
@@ -113,7 +115,7 @@ def renumber_mesh(mesh):
     try:
         return mesh.Proxy.renumber(mesh)
     except (StateError, engine.load().StateError) as error:
-        raise UserError(translate("FeatureMesh", "%s cannot be renumbered: %s") % (reading.describe(mesh), error)) from error
+        raise UserError(said("{mesh:text} cannot be renumbered: {why:messages}", mesh=reading.describe(mesh), why=of_error(error))) from error
 
 
 def recompute(document):
@@ -132,7 +134,7 @@ def recompute(document):
         part = versions.part_of(mesh)
         for obj in (reading.dependencies(part) if part is not None else []):
             if reading.error_of(obj) and obj not in before:
-                raise UserError(translate("FeatureMesh", "FreeCAD cannot recompute %s: %s") % (reading.describe(obj), reading.error_of(obj)))
+                raise UserError(said("FreeCAD cannot recompute {object:text}: {error:text}", object=reading.describe(obj), error=reading.error_of(obj)))
         if mesh.Report != reports[mesh]:
             seconds -= mesh.Seconds
     return max(seconds, 0.0)
@@ -167,7 +169,7 @@ def difference_to_file(part, path):
         try:
             shutil.copyfile(path, copy)
         except OSError as error:
-            raise UserError(translate("FeatureMesh", "cannot read %s: %s") % (path, error)) from error
+            raise UserError(said("cannot read {path:text}: {why:messages}", path=path, why=of_error(error))) from error
         document = documents.open_document(copy)
         try:
             old = reading.find_meshable(document, part.Name if document.getObject(part.Name) else None)
@@ -219,11 +221,11 @@ def add_size_zone(mesh, kind="Box", references=None, placement=None, inner=None,
     measures. It is a document object; its property Suppressed leaves it out. Throws UserError.
     """
     if kind not in size_zone.KINDS:
-        raise UserError(translate("FeatureMesh", "a refinement zone is one of %s, not %s") % (", ".join(size_zone.KINDS), kind))
+        raise UserError(said("a refinement zone is one of {kinds:text}, not {kind:text}", kinds=", ".join(size_zone.KINDS), kind=kind))
     names = _refined_names(mesh, references) if kind == size_zone.DISTANCE else []
     unknown = set(measures) - {name.lower() for name in size_zone.MEASURES[kind]}
     if unknown:
-        raise UserError(translate("FeatureMesh", "a zone of the kind %s has no %s") % (kind, sorted(unknown)[0]))
+        raise UserError(said("a zone of the kind {kind:text} has no {property:text}", kind=kind, property=sorted(unknown)[0]))
     zone = size_zone.add(mesh, kind, mesh.Size.Value / 2 if inner is None else inner)
     zone.OuterSize, zone.Transition, zone.References = outer, transition, _references(mesh, names)
     size_zone.fit_to(zone, versions.part_of(mesh).Shape.BoundBox)
@@ -245,7 +247,7 @@ def add_group(mesh, references, name="MeshGroup"):
 
     `references` as for add_local_size; a whole object stands for its solids. Throws UserError when there are none, or when they are not on the part.
     """
-    names = _names_on_part(mesh, references, translate("FeatureMesh", "select solids, faces, edges or vertices of %s%s"))
+    names = _names_on_part(mesh, references, QT_TRANSLATE_NOOP("FeatureMesh", "select solids, faces, edges or vertices of {part:text}{foreign:messages}"))
     group = ObjectsFem.makeMeshGroup(mesh.Document, mesh, name=name)
     group.References = _references(mesh, names)
     return group
@@ -326,7 +328,7 @@ def solve_analysis(analysis, which=None, threads=0, keep="", progress=None):
         if which == "live":
             raise
         report = calculix.solve(analysis)
-        report["warnings"].append(messages.said(QT_TRANSLATE_NOOP("FeatureMesh", "solved with CalculiX: {why:messages}"), why=messages.of_error(error)))
+        report["warnings"].append(said("solved with CalculiX: {why:messages}", why=of_error(error)))
         return report
     start = time.perf_counter()
     result = statics_result.show(analysis, statics.arrays_of(analysis), fields)
@@ -341,7 +343,7 @@ def live_result(analysis):
     it is. In the window it is solved beside FreeCAD's own thread, in a script at once. `Status` says whether it is up to date."""
     reading.refuse_gone(analysis)
     if not analysis.isDerivedFrom("Fem::FemAnalysis"):
-        raise UserError(translate("FeatureMesh", "%s is no analysis") % reading.describe(analysis))
+        raise UserError(said("{analysis:text} is no analysis", analysis=reading.describe(analysis)))
     live = live_results.add(analysis)
     if live.Status != live_results.UP_TO_DATE:
         solve_live(live)
@@ -372,9 +374,11 @@ def find_analysis(document, name=None):
     """The document's analysis, the one of that name where there are several. Throws UserError."""
     found = [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemAnalysis") and (not name or name in (obj.Name, obj.Label))]
     if not found:
-        raise UserError("the document %s has no analysis%s; add one in FreeCAD's FEM workbench" % (document.Label, " " + name if name else ""))
+        raise UserError(said("the document {document:text} has no analysis{name:text}; add one in FreeCAD's FEM workbench",
+                             document=document.Label, name=" " + name if name else ""))
     if len(found) > 1:
-        raise UserError("the document has several analyses, name one with --analysis: %s" % ", ".join(reading.describe(obj) for obj in found))
+        raise UserError(said("the document has several analyses, name one with --analysis: {analyses:text}",
+                             analyses=", ".join(reading.describe(obj) for obj in found)))
     return found[0]
 
 
@@ -419,18 +423,18 @@ def find_mesh(document, part_name=None):
         part = reading.find_object(document, part_name)
         meshes = [mesh for mesh in meshes if part in (mesh, versions.part_of(mesh))]
     if not meshes:
-        raise UserError(translate("FeatureMesh", "the document %s has no mesh%s; make one with `featuremesh mesh`")
-                        % (document.Label, translate("FeatureMesh", " of %s") % part_name if part_name else ""))
+        raise UserError(said("the document {document:text} has no mesh{of_part:messages}; make one with `featuremesh mesh`",
+                             document=document.Label, of_part=said(" of {part:text}", part=part_name) if part_name else ""))
     if len(meshes) > 1:
-        raise UserError(translate("FeatureMesh", "the document has several meshes, select one or name it with --object: %s")
-                        % ", ".join(reading.describe(mesh) for mesh in meshes))
+        raise UserError(said("the document has several meshes, select one or name it with --object: {meshes:text}",
+                             meshes=", ".join(reading.describe(mesh) for mesh in meshes)))
     return meshes[0]
 
 
 def default_size(part, elements=DEFAULT_ELEMENTS):
     """A sensible edge length for a part: its diagonal over `elements`, rounded to two digits, mm."""
     if not elements > 0:
-        raise UserError(translate("FeatureMesh", "the number of elements along the part has to be greater than 0, not %s") % elements)
+        raise UserError(said("the number of elements along the part has to be greater than 0, not {elements:text}", elements=str(elements)))
     size = part.Shape.BoundBox.DiagonalLength / elements
     digits = 1 - int(math.floor(math.log10(size))) if size > 0 else 0
     return round(size, digits)
@@ -448,7 +452,7 @@ def length_of(value):
             return quantity.Value
     except (TypeError, ValueError, ArithmeticError, OSError):
         pass
-    raise UserError(translate("FeatureMesh", "%s is no length") % value)
+    raise UserError(said("{value:text} is no length", value=str(value)))
 
 
 def plane_of(cut):
@@ -456,7 +460,7 @@ def plane_of(cut):
     try:
         return None if cut is None else section.plane_from_text(cut)
     except ValueError:
-        raise UserError(translate("FeatureMesh", "a cut is x, y or z with =, < or > and a number, such as z=5, not %s") % cut) from None
+        raise UserError(said("a cut is x, y or z with =, < or > and a number, such as z=5, not {cut:text}", cut=str(cut))) from None
 
 
 def _names_on_part(mesh, references, request):
@@ -468,14 +472,14 @@ def _names_on_part(mesh, references, request):
     meant = [(obj, sub, resolver.names(obj, sub)) for obj, sub in references]
     foreign = [resolving.describe(obj, sub) for obj, sub, names in meant if not names]
     if not references or foreign:
-        raise UserError(request % (reading.describe(part), translate("FeatureMesh", ", not of %s") % foreign[0] if foreign else ""))
+        raise UserError(said(request, part=reading.describe(part), foreign=said(", not of {foreign:text}", foreign=foreign[0]) if foreign else ""))
     return list(dict.fromkeys(name for _, _, names in meant for name in names))
 
 
 def _refined_names(mesh, references):
-    names = _names_on_part(mesh, references, translate("FeatureMesh", "select faces, edges or vertices of %s%s"))
+    names = _names_on_part(mesh, references, QT_TRANSLATE_NOOP("FeatureMesh", "select faces, edges or vertices of {part:text}{foreign:messages}"))
     if any(name.startswith("Solid") for name in names):
-        raise UserError(translate("FeatureMesh", "a local size is for faces, edges or vertices; the size of a whole part is the mesh's own"))
+        raise UserError(said("a local size is for faces, edges or vertices; the size of a whole part is the mesh's own"))
     return names
 
 
@@ -487,7 +491,7 @@ def check_size(size, part):
     """Throws UserError for a size that is not positive or larger than the part."""
     diagonal = part.Shape.BoundBox.DiagonalLength
     if not size > 0 or math.isinf(size):
-        raise UserError(translate("FeatureMesh", "the size has to be greater than 0 mm, not %g") % size)
+        raise UserError(said("the size has to be greater than 0 mm, not {size:number}", size=size))
     if size > diagonal:
-        raise UserError(translate("FeatureMesh", "the size %g mm is larger than the part (%g mm across); try %g mm")
-                        % (size, diagonal, default_size(part)))
+        raise UserError(said("the size {size:length} is larger than the part ({diagonal:length} across); try {better:length}",
+                             size=size, diagonal=diagonal, better=default_size(part)))

@@ -13,7 +13,9 @@ import Part
 
 from . import reading
 from .errors import FailedUpdate, UserError
+from .messages import of_error, said
 from .proxies import Stateless, add_missing
+from .user_words import in_words
 
 translate = FreeCAD.Qt.translate
 _CONTAINERS = ("App::Part", "App::DocumentObjectGroup")   # FreeCAD 1.x's assemblies are App::Parts, too
@@ -42,15 +44,15 @@ class AssembledParts(Stateless):
         try:
             self.assemble(obj)
         except UserError as error:
-            raise FailedUpdate(obj.Label, str(error)) from None
+            raise FailedUpdate(obj.Label, in_words(of_error(error))) from None
 
     def assemble(self, obj):
         """Puts the parts of the container together as they are now. Throws UserError."""
         if obj.Container is None:
-            raise UserError(translate("FeatureMesh", "%s has no container, set its property Container") % reading.describe(obj))
+            raise UserError(said("{object:text} has no container, set its property Container", object=reading.describe(obj)))
         parts = parts_in(obj.Container)
         if not parts:
-            raise UserError(translate("FeatureMesh", "%s has no part with a solid") % reading.describe(obj.Container))
+            raise UserError(said("{container:text} has no part with a solid", container=reading.describe(obj.Container)))
         if parts != obj.Parts:
             obj.Parts = parts
         shapes = [reading.shape_in_place(part) for part in parts]
@@ -78,8 +80,8 @@ def joined(parts, shapes):
     for index, own in enumerate(solids):
         for other in range(index):
             if any(solid.isSame(known) for solid in own for known in solids[other]):
-                raise UserError(translate("FeatureMesh", "%s and %s overlap; parts that are joined may only touch") % (
-                    reading.describe(parts[other]), reading.describe(parts[index])))
+                raise UserError(said("{one:text} and {other:text} overlap; parts that are joined may only touch",
+                                     one=reading.describe(parts[other]), other=reading.describe(parts[index])))
     return [own[0] if len(own) == 1 else Part.makeCompound(own) for own in solids]
 
 
@@ -135,7 +137,7 @@ def of(container):
     if known:
         return known[0]
     if not parts_in(container):
-        raise UserError(translate("FeatureMesh", "%s has no part with a solid") % reading.describe(container))
+        raise UserError(said("{container:text} has no part with a solid", container=reading.describe(container)))
     obj = container.Document.addObject("Part::FeaturePython", "AssembledParts")
     AssembledParts(obj)
     obj.Label = (translate("FeatureMesh", "Parts of %s") if is_container(container) else translate("FeatureMesh", "%s in its place")) % container.Label

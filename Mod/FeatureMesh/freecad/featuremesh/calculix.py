@@ -45,7 +45,7 @@ def solve(analysis):
         matrix_solver = amend(tools.inp_file_name, solver, known)
         written = time.perf_counter()
         if tools.ccx_run():
-            raise UserError(said(QT_TRANSLATE_NOOP("FeatureMesh", "CalculiX failed: {why:text}"), why=" ".join(tools.ccx_stdout[-_SHOWN:].split())))
+            raise UserError(said("CalculiX failed: {why:text}", why=" ".join(tools.ccx_stdout[-_SHOWN:].split())))
         solved = time.perf_counter()
         base = tools.inp_file_name[:-len("inp")]
         read = _read_arrays(analysis, known, base + "frd") if known is not None else None
@@ -58,7 +58,7 @@ def solve(analysis):
         with open(base + "dat", encoding="utf-8") as stream:
             printed = stream.read()
     if result is None:
-        raise UserError(said(QT_TRANSLATE_NOOP("FeatureMesh", "CalculiX gave no result for {analysis:text}"), analysis=describe(analysis)))
+        raise UserError(said("CalculiX gave no result for {analysis:text}", analysis=describe(analysis)))
     return {"solver": "CalculiX", "matrix_solver": matrix_solver, "result": result.Name,
             "responses": {**_responses(analysis, result, read is not None), "reactions_n": read[1] if read is not None else printed_reactions(printed, analysis),
                           "mass_kg": statics.mass(known) if known is not None and known.has_density else _figure(_MASS, printed, statics.TONNE),
@@ -73,8 +73,8 @@ def remarks(is_solid, solver):
     """What the stresses of shells and beams do not say."""
     if is_solid or getattr(solver, "BeamShellResultOutput3D", False):
         return []
-    return [said(QT_TRANSLATE_NOOP("FeatureMesh", "the stresses of shells and beams are those in the middle of the thickness, where bending makes none; switch "
-                                   "BeamShellResultOutput3D of {solver:text} on for those on the outside"), solver=describe(solver))]
+    return [said("the stresses of shells and beams are those in the middle of the thickness, where bending makes none; switch "
+                                   "BeamShellResultOutput3D of {solver:text} on for those on the outside", solver=describe(solver))]
 
 
 def as_arrays(analysis):
@@ -91,11 +91,11 @@ def write_input(tools, folder, analysis):
     tools.update_objects()
     problem = tools.check_prerequisites()
     if problem:
-        raise UserError(said(QT_TRANSLATE_NOOP("FeatureMesh", "CalculiX cannot solve {analysis:text}: {why:text}"), analysis=describe(analysis), why=" ".join(problem.split())))
+        raise UserError(said("CalculiX cannot solve {analysis:text}: {why:text}", analysis=describe(analysis), why=" ".join(problem.split())))
     tools.purge_results()
     tools.write_inp_file()
     if not tools.inp_file_name or not os.path.isfile(tools.inp_file_name):
-        raise UserError(said(QT_TRANSLATE_NOOP("FeatureMesh", "FreeCAD could not write CalculiX's input for {analysis:text}; its report view says why"),
+        raise UserError(said("FreeCAD could not write CalculiX's input for {analysis:text}; its report view says why",
                              analysis=describe(analysis)))
 
 
@@ -173,7 +173,7 @@ def program():
     chosen = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Fem/Ccx").GetString("ccxBinaryPath", "")
     found = chosen or shutil.which("ccx")
     if not found:
-        raise UserError(said(QT_TRANSLATE_NOOP("FeatureMesh", "CalculiX (ccx) is not installed; on Debian its package is calculix-ccx")))
+        raise UserError(said("CalculiX (ccx) is not installed; on Debian its package is calculix-ccx"))
     return found
 
 

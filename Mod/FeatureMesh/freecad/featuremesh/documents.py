@@ -10,31 +10,32 @@ import FreeCAD
 
 from . import reading, versions
 from .errors import UserError
+from .messages import of_error, said
 
 
 def open_document(path):
     """Opens the .FCStd file hidden. Throws UserError: missing, not a document, damaged."""
     if not os.path.isfile(path):
-        raise UserError("there is no file %s" % path)
+        raise UserError(said("there is no file {path:text}", path=path))
     if not zipfile.is_zipfile(path):
-        raise UserError("%s is not a FreeCAD document (or its end is cut off)" % path)
+        raise UserError(said("{path:text} is not a FreeCAD document (or its end is cut off)", path=path))
     try:
         with zipfile.ZipFile(path) as archive:
             if "Document.xml" not in archive.namelist():
-                raise UserError("%s is not a FreeCAD document: it has no Document.xml" % path)
+                raise UserError(said("{path:text} is not a FreeCAD document: it has no Document.xml", path=path))
             damaged = archive.testzip()
     except (zipfile.BadZipFile, OSError, EOFError, ValueError, NotImplementedError) as error:
-        raise UserError("%s is damaged: %s" % (path, error)) from error
+        raise UserError(said("{path:text} is damaged: {why:messages}", path=path, why=of_error(error))) from error
     except Exception as error:
         if type(error).__name__ == "error" and type(error).__module__ == "zlib":
-            raise UserError("%s is damaged: %s" % (path, error)) from error
+            raise UserError(said("{path:text} is damaged: {why:messages}", path=path, why=of_error(error))) from error
         raise
     if damaged:
-        raise UserError("%s is damaged: %s in it cannot be read" % (path, damaged))
+        raise UserError(said("{path:text} is damaged: {member:text} in it cannot be read", path=path, member=damaged))
     try:
         return FreeCAD.openDocument(path, True)
     except Exception as error:
-        raise UserError("FreeCAD cannot open %s: %s" % (path, error)) from error
+        raise UserError(said("FreeCAD cannot open {path:text}: {why:messages}", path=path, why=of_error(error))) from error
 
 
 def save_document(document, path):
@@ -44,7 +45,7 @@ def save_document(document, path):
     """
     folder = os.path.dirname(os.path.abspath(path))
     if not os.path.isdir(folder):
-        raise UserError("cannot write %s: there is no folder %s" % (path, folder))
+        raise UserError(said("cannot write {path:text}: there is no folder {folder:text}", path=path, folder=folder))
     _sweep(folder, os.path.basename(path))
     temporary = os.path.join(folder, ".%s.%d.FCStd" % (os.path.basename(path), os.getpid()))
     try:
@@ -56,8 +57,8 @@ def save_document(document, path):
         os.replace(temporary, path)
         _to_disk(folder)
     except Exception as error:
-        if isinstance(error, (OSError, zipfile.BadZipFile, RuntimeError)):
-            raise UserError("cannot write %s: %s" % (path, error)) from error
+        if isinstance(error, (OSError, zipfile.BadZipFile, RuntimeError, UserError)):
+            raise UserError(said("cannot write {path:text}: {why:messages}", path=path, why=of_error(error))) from error
         raise
     finally:
         _remove([name for name in os.listdir(folder) if name.startswith(os.path.basename(temporary))], folder)
@@ -67,10 +68,10 @@ def _refuse_half_written(path):
     """FreeCAD says nothing when the disk is full: every member is read back, with its checksum."""
     with zipfile.ZipFile(path) as archive:
         if "Document.xml" not in archive.namelist():
-            raise OSError("FreeCAD wrote no document")
+            raise UserError(said("FreeCAD wrote no document"))
         damaged = archive.testzip()
     if damaged:
-        raise OSError("%s did not arrive on the disk whole; is it full?" % damaged)
+        raise UserError(said("{member:text} did not arrive on the disk whole; is it full?", member=damaged))
 
 
 def _to_disk(path):

@@ -6,9 +6,14 @@ import math
 import FreeCAD
 
 from .errors import UserError
+from .messages import of_error, said
 from .properties import DIMENSIONS
 from .reading import close_names, describe, find_object
 
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+_NO_PROPERTY = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} has no property {name:text}{near:messages}")
+_NO_CONSTRAINT = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} has no constraint or property {name:text}{near:messages}")
+_NO_CELL = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} has no alias or cell {name:text}{near:messages}")   # of a spreadsheet
 _TRUE, _FALSE = ("true", "yes", "on", "1"), ("false", "no", "off", "0")
 
 
@@ -22,7 +27,7 @@ def set_parameter(document, assignment):
     name, dot, path = target.strip().partition(".")
     value = value.strip()
     if not (separator and dot and name and path and value):
-        raise UserError("cannot read the edit '%s', it has to be OBJECT.PROPERTY=VALUE" % assignment)
+        raise UserError(said("cannot read the edit '{edit:text}', it has to be OBJECT.PROPERTY=VALUE", edit=assignment))
     obj = find_object(document, name)
     first, _, rest = path.partition(".")
     if first in obj.PropertiesList and obj.TypeId != "Spreadsheet::Sheet":
@@ -71,14 +76,14 @@ def _value_of_property(obj, name, rest):
         return math.degrees(value)
     value = getattr(value, "Value", value)
     if not isinstance(value, (bool, int, float, str)):
-        raise UserError("%s.%s is no number, switch or choice" % (describe(obj), name))
+        raise UserError(said("{object:text}.{name:text} is no number, switch or choice", object=describe(obj), name=name))
     return value
 
 
 def _set_property(obj, name, rest, text):
     _refuse_expression(obj, ".".join(filter(None, (name, rest))))
     if obj.getEditorMode(name) and "ReadOnly" in obj.getEditorMode(name):
-        raise UserError("%s.%s is read-only" % (describe(obj), name))
+        raise UserError(said("{object:text}.{name:text} is read-only", object=describe(obj), name=name))
     old = getattr(obj, name)
     if rest:
         new = _with_part(obj, name, old, rest, text)
@@ -87,11 +92,13 @@ def _set_property(obj, name, rest, text):
     try:
         setattr(obj, name, new)
     except Exception as error:
-        raise UserError("FreeCAD refuses %s for %s.%s: %s" % (text, describe(obj), name, error)) from error
+        raise UserError(said("FreeCAD refuses {value:text} for {object:text}.{name:text}: {why:messages}",
+                             value=text, object=describe(obj), name=name, why=of_error(error))) from error
     if not rest and not _same(getattr(obj, name), new):
         got = getattr(obj, name)
         setattr(obj, name, old)
-        raise UserError("FreeCAD refuses %s for %s.%s (it would take %s)" % (text, describe(obj), name, got))
+        raise UserError(said("FreeCAD refuses {value:text} for {object:text}.{name:text} (it would take {taken:text})",
+                             value=text, object=describe(obj), name=name, taken=str(got)))
     if name == "Placement" and obj.isDerivedFrom("PartDesign::Feature"):
         obj.touch()  # by its placement alone FreeCAD 0.20 moves the whole body's shape and does not compute the feature
 
@@ -120,8 +127,9 @@ def _with_part(obj, name, old, path, text):
             angle = FreeCAD.Units.Quantity(new.Rotation.Angle, "rad").getValueAs("deg")
             new.Rotation = FreeCAD.Rotation(axis, float(angle))
             return new
-    raise UserError("cannot set %s; of placements it can be Base.x, Base.y, Base.z, Rotation.Angle, Rotation.Axis.x "
-                    "and so on, of vectors x, y and z" % where)
+    raise UserError(said("cannot set {target:text}; of placements it can be Base.x, Base.y, Base.z, Rotation.Angle, Rotation.Axis.x and so on, of vectors "
+                         "x, y and z",
+                         target=where))
 
 
 def _parse_like(obj, name, old, text):
@@ -133,18 +141,18 @@ def _parse_like(obj, name, old, text):
     if kind == "App::PropertyEnumeration":
         known = obj.getEnumerationsOfProperty(name)
         if text not in known:
-            raise UserError("%s cannot be %s, only one of: %s" % (where, text, ", ".join(known)))
+            raise UserError(said("{target:text} cannot be {value:text}, only one of: {known:text}", target=where, value=text, known=", ".join(known)))
         return text
     if isinstance(old, int):
         number = _number(text, "", where)
         if number != int(number):
-            raise UserError("%s has to be a whole number, not %s" % (where, text))
+            raise UserError(said("{target:text} has to be a whole number, not {value:text}", target=where, value=text))
         return int(number)
     if isinstance(old, float):
         return _number(text, "", where)
     if isinstance(old, FreeCAD.Units.Quantity):
         return _quantity(text, old.Unit, where)
-    raise UserError("%s is no number, switch or choice (%s), it cannot be set this way" % (where, kind))
+    raise UserError(said("{target:text} is no number, switch or choice ({kind:text}), it cannot be set this way", target=where, kind=kind))
 
 
 def _set_constraint(sketch, name, text):
@@ -152,20 +160,21 @@ def _set_constraint(sketch, name, text):
     constraint = sketch.Constraints[index]
     where = "%s.%s" % (describe(sketch), name)
     if not constraint.Driving:
-        raise UserError("%s is a reference dimension, it only measures" % where)
+        raise UserError(said("{target:text} is a reference dimension, it only measures", target=where))
     _refuse_driven(sketch, index, name)
     unit = "deg" if constraint.Type == "Angle" else "mm"
     quantity = FreeCAD.Units.Quantity("%.17g %s" % (_number(text, unit, where), unit))
     try:
         sketch.setDatum(index, quantity)
     except Exception as error:
-        raise UserError("FreeCAD refuses %s for %s: %s" % (text, where, error)) from error
+        raise UserError(said("FreeCAD refuses {value:text} for {target:text}: {why:messages}", value=text, target=where, why=of_error(error))) from error
 
 
 def _refuse_driven(sketch, index, name):
     for path, expression in sketch.ExpressionEngine:
         if path.lstrip(".") in ("Constraints.%s" % name, "Constraints[%d]" % index):
-            raise UserError("%s.%s is driven by the expression %s, change that instead" % (describe(sketch), name, expression))
+            raise UserError(said("{object:text}.{name:text} is driven by the expression {expression:text}, change that instead",
+                                 object=describe(sketch), name=name, expression=expression))
 
 
 def _constraint_index(sketch, name):
@@ -177,7 +186,7 @@ def _constraint_index(sketch, name):
     if name.startswith("Constraints."):
         name = name[len("Constraints."):]
     if name not in dimensions:
-        raise _unknown(sketch, name, dimensions, "constraint or property")
+        raise _unknown(sketch, name, dimensions, _NO_CONSTRAINT)
     return dimensions[name]
 
 
@@ -187,10 +196,10 @@ def _set_cell(sheet, name, text):
         cell = name
     if cell is None:
         aliases = [sheet.getAlias(p) for p in sheet.PropertiesList if sheet.getTypeOfProperty(p) and _alias(sheet, p)]
-        raise _unknown(sheet, name, aliases, "alias or cell")
+        raise _unknown(sheet, name, aliases, _NO_CELL)
     _refuse_computed(sheet, cell, name)
     if not _is_quantity(text):
-        raise UserError("%s is no number for %s.%s" % (text, describe(sheet), name))
+        raise UserError(said("{value:text} is no number for {target:text}", value=text, target="%s.%s" % (describe(sheet), name)))
     if text[:1] not in "=" and any(letter.isalpha() for letter in text.replace("e", "")):
         text = "=" + text
     sheet.set(cell, text)
@@ -199,7 +208,8 @@ def _set_cell(sheet, name, text):
 def _refuse_computed(sheet, cell, name):
     content = sheet.getContents(cell)
     if content.startswith("=") and any(letter.isalpha() for letter in content[1:]) and not _is_quantity(content[1:]):
-        raise UserError("%s.%s is computed (%s), change what it depends on" % (describe(sheet), name, content))
+        raise UserError(said("{object:text}.{name:text} is computed ({content:text}), change what it depends on",
+                             object=describe(sheet), name=name, content=content))
 
 
 def _alias(sheet, name):
@@ -212,12 +222,12 @@ def _alias(sheet, name):
 def _refuse_expression(obj, path):
     for bound, expression in obj.ExpressionEngine:
         if bound.lstrip(".") == path or bound.lstrip(".").startswith(path + "."):
-            raise UserError("%s.%s is driven by the expression %s, change that instead"
-                            % (describe(obj), path, expression))
+            raise UserError(said("{object:text}.{name:text} is driven by the expression {expression:text}, change that instead",
+                                 object=describe(obj), name=path, expression=expression))
 
 
-def _unknown(obj, name, known, what="property"):
-    return UserError("%s has no %s %s%s" % (describe(obj), what, name, close_names(name, list(known))))
+def _unknown(obj, name, known, words=_NO_PROPERTY):
+    return UserError(said(words, object=describe(obj), name=name, near=close_names(name, list(known))))
 
 
 def _bool(text, where):
@@ -225,7 +235,7 @@ def _bool(text, where):
         return True
     if text.lower() in _FALSE:
         return False
-    raise UserError("%s is a switch, it can be true or false, not %s" % (where, text))
+    raise UserError(said("{target:text} is a switch, it can be true or false, not {value:text}", target=where, value=text))
 
 
 def _number(text, unit, where):
@@ -239,17 +249,17 @@ def _number(text, unit, where):
     wanted = {"mm": FreeCAD.Units.Length, "deg": FreeCAD.Units.Angle}.get(unit)
     if wanted is not None and number is None and _is_quantity(text):
         return float(_quantity(text, wanted, where).Value)
-    raise UserError("%s is no number for %s" % (text, where))
+    raise UserError(said("{value:text} is no number for {target:text}", value=text, target=where))
 
 
 def _quantity(text, unit, where):
     if not _is_quantity(text):
-        raise UserError("%s is no number for %s" % (text, where))
+        raise UserError(said("{value:text} is no number for {target:text}", value=text, target=where))
     quantity = FreeCAD.Units.Quantity(text)
     if quantity.Unit == FreeCAD.Units.Unit():
         return FreeCAD.Units.Quantity(quantity.Value, unit)
     if quantity.Unit != unit:
-        raise UserError("%s has the wrong unit for %s" % (text, where))
+        raise UserError(said("{value:text} has the wrong unit for {target:text}", value=text, target=where))
     return quantity
 
 

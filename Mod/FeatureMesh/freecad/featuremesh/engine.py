@@ -13,6 +13,8 @@ import FreeCAD
 
 from . import __version__, engine_places, log, versions, worker
 from .errors import EngineMissing
+from .messages import of_error
+from .user_words import in_words
 
 translate = FreeCAD.Qt.translate
 # The numbers of the interface between this package and the engine (`featuremesh_engine.protocol`) that it can speak.
@@ -55,9 +57,9 @@ def load():
     except worker.CannotStart as error:
         if alone:
             raise EngineMissing(translate("FeatureMesh", "FeatureMesh's engine in %s could not be loaded: %s. To install it anew: %s") % (
-                place.folder, error, how_to_install())) from error
+                place.folder, in_words(of_error(error)), how_to_install())) from error
         FreeCAD.Console.PrintWarning(translate(
-            "FeatureMesh", "FeatureMesh cannot start its worker process and runs inside FreeCAD: %s") % error + "\n")
+            "FeatureMesh", "FeatureMesh cannot start its worker process and runs inside FreeCAD: %s") % in_words(of_error(error)) + "\n")
         run_here()
         return _load_here(place)
     return _worker

@@ -6,13 +6,17 @@ import sys
 from .messages import english, is_message
 
 
-class UserError(ValueError):
-    """What was asked cannot be done; it says what, where and what to try: a text, or a message with parameters as the engine's errors have."""
+class Said:
+    """Of an error whose `message` says it with parameters, as those of the engine's errors do; a text from elsewhere is said as it is."""
 
     def __init__(self, said=""):
         super().__init__(english(said))
         if is_message(said):
             self.message = said
+
+
+class UserError(Said, ValueError):
+    """What was asked cannot be done; it says what, where and what to try."""
 
 
 class _NamedAsTheMesh(type):
@@ -42,12 +46,8 @@ class FailedUpdate(UserError, metaclass=_NamedAsTheMesh):
             del sys.tracebacklimit
 
 
-class StateError(RuntimeError):
-    """A saved mesh state is damaged, foreign or from a newer program; `message` says it with parameters, as the engine's errors do."""
-
-    def __init__(self, message):
-        super().__init__(english(message))
-        self.message = message
+class StateError(Said, RuntimeError):
+    """A saved mesh state is damaged, foreign or from a newer program."""
 
 
 class EngineMissing(RuntimeError):

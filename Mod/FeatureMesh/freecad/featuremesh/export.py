@@ -13,6 +13,7 @@ import numpy as np
 
 from . import state
 from .errors import UserError
+from .messages import of_error, said
 from .formats import bdf, fillings_of, inp, msh, stl, vtk, vtu
 
 translate = FreeCAD.Qt.translate
@@ -27,18 +28,19 @@ def write(mesh, path, file_format):
     """Writes `mesh` to `path`, whole or not at all. Throws UserError for an unknown format or a mesh object without a mesh."""
     file_format = file_format.lower()
     if file_format not in FORMATS:
-        raise UserError(translate("FeatureMesh", "cannot export to %s, only to %s") % (file_format or path, ", ".join(FORMATS)))
+        raise UserError(said("cannot export to {format:text}, only to {formats:text}", format=file_format or path, formats=", ".join(FORMATS)))
     if not mesh.FemMesh.NodeCount:
-        raise UserError(translate("FeatureMesh", "%s has no mesh yet") % mesh.Label)
+        raise UserError(said("{mesh:text} has no mesh yet", mesh=mesh.Label))
     if file_format in _WITHOUT_BEAMS and not mesh.FemMesh.FaceCount:
-        raise UserError(translate("FeatureMesh", "%s has no form for a mesh of edges; export it as inp, vtu, vtk, msh, unv or med") % file_format)
+        raise UserError(said("{format:text} has no form for a mesh of edges; export it as inp, vtu, vtk, msh, unv or med", format=file_format))
     if file_format == "z88" and not mesh.FemMesh.VolumeCount and mesh.Order == "1st" and mesh.FemMesh.FaceCount:
-        raise UserError(translate("FeatureMesh", "z88 has no 3-node triangles; mesh with 6-node triangles, or export it as inp, vtu, vtk, msh, unv or med"))
+        raise UserError(said("z88 has no 3-node triangles; mesh with 6-node triangles, or export it as inp, vtu, vtk, msh, unv or med"))
     _refuse_beside_others(mesh, file_format)
     name = os.path.splitext(os.path.basename(path))[0]
     if file_format == "med" and len(name.encode()) > _LONGEST_MED_NAME:
-        raise UserError(translate("FeatureMesh", "a MED file keeps its mesh under the file's own name, which may have %d characters at most; "
-                                                 "choose a shorter one than %s") % (_LONGEST_MED_NAME, name))
+        raise UserError(said("a MED file keeps its mesh under the file's own name, which may have {most:count} characters at most; choose a shorter one "
+                             "than {name:text}",
+                             most=_LONGEST_MED_NAME, name=name))
     try:
         with tempfile.TemporaryDirectory(prefix=".featuremesh-", dir=os.path.dirname(os.path.abspath(path))) as folder:
             temporary = os.path.join(folder, name + "." + file_format)   # FreeCAD reads a MED mesh by its file's name only
@@ -49,7 +51,7 @@ def write(mesh, path, file_format):
                 writer.write(temporary, state.load(mesh.SavedState).arrays, groups_in(mesh.FemMesh))
             os.replace(temporary, path)
     except OSError as error:
-        raise UserError(translate("FeatureMesh", "cannot write %s: %s") % (path, error.strerror or error)) from error
+        raise UserError(said("cannot write {path:text}: {why:messages}", path=path, why=error.strerror or of_error(error))) from error
 
 
 def _refuse_beside_others(mesh, file_format):
@@ -58,10 +60,9 @@ def _refuse_beside_others(mesh, file_format):
         return
     kinds = [names[0] for names, _ in fillings_of(state.load(mesh.SavedState).arrays)]
     if len(kinds) > 1 and (file_format == "z88" or "segments" in kinds):
-        raise UserError((translate("FeatureMesh", "%s would lose the beams of this mesh; export it as inp, vtu, vtk, msh, unv or med")
-                         if kinds[-1] == "segments" else
-                         translate("FeatureMesh", "%s would lose the shells of this mesh; export it as inp, vtu, vtk, msh, unv or med"))
-                        % file_format)
+        raise UserError(said("{format:text} would lose the beams of this mesh; export it as inp, vtu, vtk, msh, unv or med", format=file_format)
+                        if kinds[-1] == "segments" else
+                        said("{format:text} would lose the shells of this mesh; export it as inp, vtu, vtk, msh, unv or med", format=file_format))
 
 
 def groups_in(fem_mesh):

@@ -8,6 +8,7 @@ import FreeCAD
 
 from . import analyses, engine, mesh_object, messages, results, solve_guard, state, statics, statics_model, statics_result, user_words
 from .errors import StateError, UserError
+from .messages import said
 from .mesh_properties import failed
 from .reading import describe
 
@@ -114,7 +115,7 @@ class LiveResult:
         """Reads what is to be solved. Returns a statics.SolveJob."""
         analysis = self.analysis(live)
         if analysis is None:
-            raise UserError(translate("FeatureMesh", "%s belongs to no analysis") % describe(live))
+            raise UserError(said("{live:text} belongs to no analysis", live=describe(live)))
         mesh = statics.mesh_of(analysis)
         solve_guard.refuse(analysis)
         self.set_status(live, SOLVING)

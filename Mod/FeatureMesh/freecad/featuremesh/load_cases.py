@@ -5,6 +5,7 @@ import FreeCAD
 
 from . import analyses, reading, shared_mesh, statics_model
 from .errors import UserError
+from .messages import said
 
 translate = FreeCAD.Qt.translate
 # What becomes of the mesh in a copy of an analysis.
@@ -14,22 +15,22 @@ MESHES = ("shared", "own", "none")
 def share(mesh, analysis):
     """Lets a second analysis be solved with the mesh `mesh`. Returns the object in it. Throws UserError when it has a mesh already."""
     if not analysis.isDerivedFrom("Fem::FemAnalysis"):
-        raise UserError(translate("FeatureMesh", "%s is no analysis") % reading.describe(analysis))
+        raise UserError(said("{analysis:text} is no analysis", analysis=reading.describe(analysis)))
     there = analyses.meshes_of(analysis)
     if there:
-        raise UserError(translate("FeatureMesh", "%s has %s already, and an analysis is solved with one mesh")
-                        % (reading.describe(analysis), reading.describe(there[0])))
+        raise UserError(said("{analysis:text} has {mesh:text} already, and an analysis is solved with one mesh",
+                             analysis=reading.describe(analysis), mesh=reading.describe(there[0])))
     return shared_mesh.share(analyses.source_of(mesh), analysis)
 
 
 def copy(analysis, name, mesh):
     """A copy of the analysis with copies of its loads, supports, materials and solvers, without results. Throws UserError."""
     if mesh not in MESHES:
-        raise UserError(translate("FeatureMesh", "the mesh of a copy is one of %s, not %s") % (", ".join(MESHES), mesh))
+        raise UserError(said("the mesh of a copy is one of {kinds:text}, not {kind:text}", kinds=", ".join(MESHES), kind=mesh))
     document = analysis.Document
     ours = next((analyses.source_of(member) for member in analyses.meshes_of(analysis) if analyses.is_ours(member)), None)
     if ours is None and mesh != "none":
-        raise UserError(translate("FeatureMesh", "%s has no mesh of FeatureMesh to copy along") % reading.describe(analysis))
+        raise UserError(said("{analysis:text} has no mesh of FeatureMesh to copy along", analysis=reading.describe(analysis)))
     made = document.addObject("Fem::FemAnalysis", name or analysis.Name)
     for member in analysis.Group:
         if member.isDerivedFrom("Fem::FemMeshObject") or statics_model.is_result(member):

@@ -138,8 +138,8 @@ class FeatureMesh:
         start = time.perf_counter()
         part = versions.part_of(mesh)
         if part is None:
-            raise UserError(translate("FeatureMesh", "%s has no part to mesh, set its property %s")
-                            % (describe(mesh), versions.part_property(mesh)))
+            raise UserError(said("{mesh:text} has no part to mesh, set its property {property:text}",
+                                 mesh=describe(mesh), property=versions.part_property(mesh)))
         raw = read_document(part)
         old, saved, problem = self._old(mesh)
         if full:
@@ -195,7 +195,7 @@ class FeatureMesh:
         """The job's report, after references were moved with their faces."""
         report = plain(job.report)
         if job.problem:
-            add_fallback(report, said(QT_TRANSLATE_NOOP("FeatureMesh", "meshed from scratch: {why:messages}"), why=job.problem))
+            add_fallback(report, said("meshed from scratch: {why:messages}", why=job.problem))
         moved = job.remarks + self._follow(mesh, self._dependents(mesh), job.raw, lambda: self._followed_faces(job))
         report["warnings"] = report.get("warnings", []) + moved
         self.settle(mesh, self._referring(mesh), job.raw)
@@ -353,7 +353,7 @@ class FeatureMesh:
         At most one of the three is not None, none for a first mesh.
         """
         if self._part_mesh is None and not mesh.SavedState:
-            return None, None, (None if not mesh.FemMesh.NodeCount else said(QT_TRANSLATE_NOOP("FeatureMesh", "the document holds no mesh state")))
+            return None, None, (None if not mesh.FemMesh.NodeCount else said("the document holds no mesh state"))
         if self._has_in_memory(state.checksum_of(mesh.SavedState)):
             return self._part_mesh, None, None
         try:
@@ -369,7 +369,7 @@ class FeatureMesh:
         """The saved state. Throws StateError."""
         saved, part = state.load(mesh.SavedState), versions.part_of(mesh)
         if part is not None and saved.part_name != part.Name:
-            raise StateError(said(QT_TRANSLATE_NOOP("FeatureMesh", "the saved mesh state belongs to {other:text}, not to {part:text}"), other=saved.part_name, part=part.Name))
+            raise StateError(said("the saved mesh state belongs to {other:text}, not to {part:text}", other=saved.part_name, part=part.Name))
         if self._elements is not None:
             saved.raw = with_elements(saved.raw, self._elements)
         self._raw = saved.raw
@@ -429,8 +429,7 @@ class FeatureMesh:
                 if id(then) not in numberings:
                     old = then or self._raw
                     if old is None:
-                        lines.append(said(
-                            QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} could not be followed from the last mesh, whose state is gone; check what it refers to"),
+                        lines.append(said("{object:text} could not be followed from the last mesh, whose state is gone; check what it refers to",
                             object=obj.Label))
                         continue
                     numberings[id(then)] = Numbering(engine.load().followed_faces(then, raw) if then else faces(),
@@ -461,9 +460,10 @@ class FeatureMesh:
                 checksum = state.save(path, saved)
                 mesh.SavedState = path, _file_name(mesh, checksum)
             if state.checksum_of(mesh.SavedState) != checksum:
-                raise OSError("the copy in %s is not whole" % os.path.dirname(mesh.SavedState))
-        except (OSError, RuntimeError) as error:
-            raise UserError(translate("FeatureMesh", "the new mesh's state cannot be stored (%s), the old mesh stays; is the disk full?") % one_line(error)) from error
+                raise UserError(said("the copy in {folder:text} is not whole", folder=os.path.dirname(mesh.SavedState)))
+        except (OSError, RuntimeError, UserError) as error:
+            raise UserError(said("the new mesh's state cannot be stored ({why:messages}), the old mesh stays; is the disk full?",
+                                 why=messages.of_error(error))) from error
         self._checksum = self._shown = checksum
         self._part_mesh, self._raw = job.part_mesh, job.raw
 
@@ -532,8 +532,8 @@ def options_of(mesh, part, raw=None, refined=None):
     options = {option: float(getattr(getattr(mesh, name), "Value", getattr(mesh, name)))
                for name, option in OPTION_OF.items()}
     if not 0 <= mesh.QualityTarget <= _HIGHEST_TARGET:
-        raise UserError(translate("FeatureMesh", "the property QualityTarget of %s has to lie between 0 and %g degrees, not %g")
-                        % (describe(mesh), _HIGHEST_TARGET, mesh.QualityTarget))
+        raise UserError(said("the property QualityTarget of {mesh:text} has to lie between 0 and {highest:number} degrees, not {target:number}",
+                             mesh=describe(mesh), highest=_HIGHEST_TARGET, target=mesh.QualityTarget))
     options["threads"] = int(options["threads"]) or os.cpu_count() or 1
     options["order"] = 2 if mesh.Order == "2nd" else 1
     if mesh.Dimension != FROM_SHAPE:

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the engine and our documents have to say, and how it is put into words; user_words.py does so in the user's language. Needs no FreeCAD.
 
-A message is {"template": English words with {name:kind} where a parameter goes, "parameters": {name: value}}; the engine's have their "code", too
-(src/core/messages.def), and "owners" where it is known which features own the faces and edges that it names: {"Face12": ["Fillet"]}, by their labels.
-So it is kept in documents. Older documents hold English sentences, which stay as they are.
+A message is {"template": English words with {name:kind} where a parameter goes, "parameters": {name: value}}; behind a count
+{name:element|elements} takes the first words for one, the others for any other number. The engine's have their "code", too
+(src/core/messages.def), and "owners" where it is known which features own the faces and edges that it names:
+{"Face12": ["Fillet"]}, by their labels. So it is kept in documents. Older documents hold English sentences, which stay as they are.
 """
 
 import string
@@ -14,7 +15,7 @@ AND_MORE, INSIDE = "%s and %d more", "the inside"
 
 
 def said(template, /, **parameters):
-    """A message of our own; `template` is marked for translation."""
+    """A message of our own; a `template` that stands here in quotes is translated (update_translations.py)."""
     return {"template": template, "parameters": parameters}
 
 
@@ -22,6 +23,11 @@ def several(messages):
     """Several messages as one, None where there is none."""
     messages = [message for message in messages if message]
     return messages[0] if len(messages) == 1 else said("{all:messages}", all=messages) if messages else None
+
+
+def alternatives(names):
+    """"A or B or C", as a parameter of a message."""
+    return names[0] if len(names) == 1 else said("{one:text} or {others:messages}", one=names[0], others=alternatives(names[1:]))
 
 
 def of_error(error):
@@ -103,6 +109,8 @@ class Words(string.Formatter):
         return self.vformat(self._translated(message["template"]), (), {name: _owned_names(value, owners) for name, value in message["parameters"].items()})
 
     def format_field(self, value, kind):
+        if "|" in kind:
+            return kind.split("|")[value != 1]
         return getattr(self, "_" + kind)(value)
 
     def _text(self, value):

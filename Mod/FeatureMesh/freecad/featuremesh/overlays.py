@@ -8,6 +8,7 @@ import numpy as np
 
 from . import preferences
 from .errors import UserError
+from .messages import said
 from .formats import connectivity, filling_of
 from .quality import MEASURES, mean_edge_length
 from .section import seen_of
@@ -60,7 +61,7 @@ def kept(mesh):
     part_mesh = mesh.Proxy.last_part_mesh(mesh)
     origin = np.asarray(part_mesh.tet_origin())
     if not len(origin) or not (origin >= 0).any():
-        raise UserError(translate("FeatureMesh", "%s was not updated since the document was opened, all its elements are as they were") % mesh.Label)
+        raise UserError(said("{mesh:text} was not updated since the document was opened, all its elements are as they were", mesh=mesh.Label))
     kept_colour, new_colour, _ = kept_legend()
     is_kept = origin >= 0
     return Overlay(colours=np.where(is_kept[:, None], [kept_colour], [new_colour]), kept=is_kept,
@@ -75,9 +76,9 @@ def kept_legend():
 def quality(mesh, measure="dihedral_angle", limits=None):
     """The elements by one of quality.MEASURES; `limits` (what is bad, what is good) are by default the measure's own. Throws UserError."""
     if measure not in MEASURES:
-        raise UserError(translate("FeatureMesh", "there is no measure %s, only %s") % (measure, ", ".join(MEASURES)))
+        raise UserError(said("there is no measure {measure:text}, only {measures:text}", measure=measure, measures=", ".join(MEASURES)))
     if limits is not None and (not np.isfinite(limits).all() or limits[0] == limits[1]):
-        raise UserError(translate("FeatureMesh", "the two limits of %s have to differ") % measure)
+        raise UserError(said("the two limits of {measure:text} have to differ", measure=measure))
     arrays = mesh.Proxy.arrays(mesh)
     values = values_of(mesh, measure, arrays)
     return Overlay(colours=MEASURES[measure].colours(values, limits), values=values, **_mesh_of(arrays))
@@ -107,7 +108,7 @@ def size_ratio(mesh, points, elements):
 def _filling_to_look_at(arrays):
     names = filling_of(arrays)
     if names[0] == "segments":
-        raise UserError(translate("FeatureMesh", "the mesh of edges has segments only, which have no shape to judge and nothing to colour"))
+        raise UserError(said("the mesh of edges has segments only, which have no shape to judge and nothing to colour"))
     return names
 
 

@@ -5,18 +5,18 @@ import os
 import subprocess
 import tempfile
 
-import FreeCAD
 import numpy
 
 from . import worker
 from .errors import UserError
+from .messages import said
 
 _FOLDER = os.path.dirname(os.path.abspath(__file__))
 
 
 def draw(program, arrays, path):
     """Runs a program of this folder on the arrays; it writes the picture. Throws UserError when no interpreter can draw it."""
-    said = "no Python interpreter was found"
+    why = said("no Python interpreter was found")
     with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
         task = os.path.join(folder, "task.npz")
         numpy.savez(task, **arrays)
@@ -26,8 +26,8 @@ def draw(program, arrays, path):
                 done = _run(python, program, task, path)
             if done.returncode == 0:
                 return
-            said = (done.stderr.strip().splitlines() or ["it ended with code %d" % done.returncode])[-1]
-    raise UserError(FreeCAD.Qt.translate("FeatureMesh", "the picture could not be drawn: %s") % said)
+            why = (done.stderr.strip().splitlines() or [said("it ended with code {code:count}", code=done.returncode)])[-1]
+    raise UserError(said("the picture could not be drawn: {why:messages}", why=why))
 
 
 def _run(python, program, task, path):

@@ -18,6 +18,7 @@ import Sketcher
 
 from . import versions
 from .errors import UserError
+from .messages import alternatives, said
 from .properties import (
     document_of, matrix_entries, name_of, objects_out_of, properties_of, property_if_any, property_of, state_of, type_of,
 )
@@ -40,7 +41,7 @@ def read_document(part):
     Shapes and frames are given in the frame in which FEM sees `part.Shape`. Throws UserError when it has no shape.
     """
     if not has_shape(part):
-        raise UserError(translate("FeatureMesh", "%s has no shape to mesh") % describe(part) + _what_leaves_nothing(part))
+        raise UserError(_no_shape(part))
     walk = _Walk(part)
     shapes = _ShapeList(_lowest_meshed_in(_shape_of(part)))
     home = part.Document
@@ -85,10 +86,10 @@ def find_meshable(document, name=None):
         return _checked_part(find_object(document, name))
     final = final_parts(document)
     if not final:
-        raise UserError(translate("FeatureMesh", "the document %s has no solid to mesh") % document.Label)
+        raise UserError(said("the document {document:text} has no solid to mesh", document=document.Label))
     if len(final) > 1:
-        raise UserError(translate("FeatureMesh", "the document has several solids, select one or name it with --object: %s")
-                        % ", ".join(describe(obj) for obj in final))
+        raise UserError(said("the document has several solids, select one or name it with --object: {solids:text}",
+                             solids=", ".join(describe(obj) for obj in final)))
     return final[0]
 
 
@@ -113,16 +114,16 @@ def _final_objects(objects, kind):
     return [obj for obj in candidates if obj not in used]
 
 
-def _what_leaves_nothing(part):
-    """", ... leaves nothing of it" with the first feature that has no shape though one before it had; since 1.0 that is no error."""
+def _no_shape(part):
+    """That the part has no shape, with the first feature that has none though one before it had; since 1.0 that is no error."""
     before = False
     for obj in dependencies(part):
         if obj is part or not obj.isDerivedFrom("PartDesign::Feature"):
             continue
         if before and not has_shape(obj):
-            return translate("FeatureMesh", ": %s leaves nothing of it") % describe(obj)
+            return said("{part:text} has no shape to mesh: {feature:text} leaves nothing of it", part=describe(part), feature=describe(obj))
         before = before or has_shape(obj)
-    return ""
+    return said("{part:text} has no shape to mesh", part=describe(part))
 
 
 def find_object(document, name):
@@ -134,16 +135,16 @@ def find_object(document, name):
     if len(labelled) == 1:
         return labelled[0]
     if labelled:
-        raise UserError(translate("FeatureMesh", "%d objects have the label %s, use a name: %s")
-                        % (len(labelled), name, ", ".join(obj.Name for obj in labelled)))
-    raise UserError(translate("FeatureMesh", "the document has no object %s%s") % (name, close_names(name, [o.Name for o in document.Objects])))
+        raise UserError(said("{count:count} objects have the label {label:text}, use a name: {names:text}",
+                             count=len(labelled), label=name, names=", ".join(obj.Name for obj in labelled)))
+    raise UserError(said("the document has no object {name:text}{near:messages}", name=name, near=close_names(name, [o.Name for o in document.Objects])))
 
 
 def close_names(name, known):
-    """", did you mean ..." with the known names nearest to `name`, or nothing."""
+    """The known names nearest to `name`, as a message that goes on with a sentence; "" where none is near."""
     import difflib
     near = difflib.get_close_matches(name, known, 3, 0.5)
-    return "; did you mean %s?" % " or ".join(near) if near else ""
+    return said("; did you mean {names:messages}?", names=alternatives(near)) if near else ""
 
 
 def describe(obj):
@@ -178,17 +179,17 @@ def error_of(obj):
 def refuse_errors(part):
     """Throws UserError when the part itself is in error, with FreeCAD's message."""
     if error_of(part):
-        raise UserError(translate("FeatureMesh", "FreeCAD could not compute %s: %s") % (describe(part), error_of(part)))
+        raise UserError(said("FreeCAD could not compute {part:text}: {error:text}", part=describe(part), error=error_of(part)))
 
 
 def refuse_gone(obj):
     """Throws UserError for what is no object of an open document."""
     if not isinstance(obj, FreeCAD.DocumentObject):
-        raise UserError(translate("FeatureMesh", "%s is no object of a document; give a body, or a Part object with a solid") % (obj,))
+        raise UserError(said("{object:text} is no object of a document; give a body, or a Part object with a solid", object=str(obj)))
     try:
         obj.Name
     except ReferenceError:
-        raise UserError(translate("FeatureMesh", "the object is gone: it was deleted, or its document was closed")) from None
+        raise UserError(said("the object is gone: it was deleted, or its document was closed")) from None
 
 
 def refuse_unmeshable(part):
@@ -198,8 +199,8 @@ def refuse_unmeshable(part):
     if has_shape(part):
         return
     if _shape_of(part) is None and "Touched" in part.State:
-        raise UserError(translate("FeatureMesh", "%s has no shape yet; recompute the document first") % describe(part))
-    raise UserError(translate("FeatureMesh", "%s has no shape to mesh") % describe(part) + _what_leaves_nothing(part))
+        raise UserError(said("{part:text} has no shape yet; recompute the document first", part=describe(part)))
+    raise UserError(_no_shape(part))
 
 
 def dependencies(part):
@@ -554,11 +555,11 @@ def _shape_of(obj):
 
 def _checked_part(obj):
     if obj.isDerivedFrom("App::Part") or obj.isDerivedFrom("App::DocumentObjectGroup"):
-        raise UserError(translate("FeatureMesh", "%s is a group, name one of its objects: %s")
-                        % (describe(obj), ", ".join(member.Name for member in obj.Group)))
+        raise UserError(said("{object:text} is a group, name one of its objects: {members:text}",
+                             object=describe(obj), members=", ".join(member.Name for member in obj.Group)))
     shape = _shape_of(obj)
     if not _has(shape, "Edge" if not obj.isDerivedFrom("Part::Part2DObject") else "Face"):
-        raise UserError(translate("FeatureMesh", "%s has no solid%s") % (describe(obj), ": " + error_of(obj) if error_of(obj) else ""))
+        raise UserError(said("{object:text} has no solid{error:text}", object=describe(obj), error=": " + error_of(obj) if error_of(obj) else ""))
     return obj
 
 

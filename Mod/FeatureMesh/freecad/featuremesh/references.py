@@ -13,6 +13,8 @@ from . import assembled, versions
 from .messages import said
 from .resolving import CLICKED, LOST, describe, pairs_of
 
+translate = FreeCAD.Qt.translate
+
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 # Is a task panel of the object open? It keeps its own list of references, so nobody else may change them. Set by the window's side.
 is_in_edit = None
@@ -124,7 +126,7 @@ def elsewhere(objects, resolver):
 def unmended(analysis):
     """(object, sentence) for every member of the analysis that has lost all it referred to: the analysis must not be solved until each has
     been given new references."""
-    return [(member, "%s refers to %s, which is gone; choose another face, edge or solid for it" % (member.Label, ", ".join(getattr(member, MARK))))
+    return [(member, translate("FeatureMesh", "%s refers to %s, which is gone; choose another face, edge or solid for it") % (member.Label, ", ".join(getattr(member, MARK))))
             for member in analysis.Group if getattr(member, MARK, None) and not getattr(member, "References", None)]
 
 
@@ -158,15 +160,15 @@ def _not_a_stranger(name, chosen, numbering):
 
 def _what_happened(obj, name, found, numbering, chosen):
     if len(found) > 1:
-        return [said(QT_TRANSLATE_NOOP("FeatureMesh", "{object:text}: {before:entities} was split into {now:entities}, it is on all of them now"),
+        return [said("{object:text}: {before:entities} was split into {now:entities}, it is on all of them now",
                      object=obj.Label, before=[name], now=found)]
     lines = []
     if found and found != [name]:
-        lines.append(said(QT_TRANSLATE_NOOP("FeatureMesh", "{object:text}: {before:entities} is now {now:entities}, its reference was changed"),
+        lines.append(said("{object:text}: {before:entities} is now {now:entities}, its reference was changed",
                           object=obj.Label, before=[name], now=found))
     others = [other for other in (numbering.was(found[0]) if found else []) if other not in chosen]
     if others:
-        lines.append(said(QT_TRANSLATE_NOOP("FeatureMesh", "{object:text}: {one:entities} has become one with {others:entities}, it is on all of that now"),
+        lines.append(said("{object:text}: {one:entities} has become one with {others:entities}, it is on all of that now",
                           object=obj.Label, one=[name], others=others))
     return lines
 

@@ -33,12 +33,12 @@ def read(mesh, part, raw=None):
     found, resolver = Refinements(), Resolver(part, raw)
     for obj in mesh.MeshRegionList:
         if size_zone.is_suppressed(obj):
-            found.notes.append(said(QT_TRANSLATE_NOOP("FeatureMesh", "The refinement {zone:text} is suppressed and left out."), zone=obj.Label))
+            found.notes.append(said("The refinement {zone:text} is suppressed and left out.", zone=obj.Label))
             continue
         names, foreign = resolver.of_object(obj)
         if foreign:
-            raise UserError(translate("FeatureMesh", "the refinement %s refers to %s, which is not on %s; refer to faces of that one")
-                            % (describe(obj), resolving.describe(*foreign[0]), describe(part)))
+            raise UserError(said("the refinement {refinement:text} refers to {place:text}, which is not on {part:text}; refer to faces of that one",
+                                 refinement=describe(obj), place=resolving.describe(*foreign[0]), part=describe(part)))
         _take(obj, names, found)
     return found
 
@@ -46,17 +46,15 @@ def read(mesh, part, raw=None):
 def _take(obj, names, found):
     wish = size_zone.wish_of(obj, names)
     if wish is None and not hasattr(obj, "CharacteristicLength"):
-        found.notes.append(said(
-            QT_TRANSLATE_NOOP("FeatureMesh", "The refinement {zone:text} is of a kind that is not understood and left out. Use a refinement zone instead."),
+        found.notes.append(said("The refinement {zone:text} is of a kind that is not understood and left out. Use a refinement zone instead.",
             zone=obj.Label))
     elif not names and (wish is None or "entities" in wish):
-        found.notes.append(said(
-            QT_TRANSLATE_NOOP("FeatureMesh", "The refinement {zone:text} refers to nothing and is left out. Choose faces, edges or vertices for it, or "
-                              "suppress it."), zone=obj.Label))
+        found.notes.append(said("The refinement {zone:text} refers to nothing and is left out. Choose faces, edges or vertices for it, or "
+                              "suppress it.", zone=obj.Label))
     elif wish is not None:
         found.zones.append((wish, obj))
     elif obj.CharacteristicLength.Value <= 0:
-        found.notes.append(said(QT_TRANSLATE_NOOP("FeatureMesh", "The refinement {zone:text} has no size and is left out. Give it one, or suppress it."),
+        found.notes.append(said("The refinement {zone:text} has no size and is left out. Give it one, or suppress it.",
                                 zone=obj.Label))
     else:
         found.local += [(name, obj.CharacteristicLength.Value, obj) for name in names]

@@ -12,6 +12,7 @@ import ObjectsFem
 
 from . import reading, solve_guard
 from .errors import UserError
+from .messages import said
 
 translate = FreeCAD.Qt.translate
 _TYPE = "Fem::SolverCcxTools"
@@ -29,16 +30,16 @@ def solve(analysis):
     from femtools import ccxtools
     reading.refuse_gone(analysis)
     if not analysis.isDerivedFrom("Fem::FemAnalysis"):
-        raise UserError(translate("FeatureMesh", "%s is no analysis") % reading.describe(analysis))
+        raise UserError(said("{analysis:text} is no analysis", analysis=reading.describe(analysis)))
     solve_guard.refuse(analysis)
     program = shutil.which("ccx")
     if not program:
-        raise UserError(translate("FeatureMesh", "CalculiX (ccx) is not installed"))
+        raise UserError(said("CalculiX (ccx) is not installed"))
     with contextlib.redirect_stdout(sys.__stderr__):   # FreeCAD's tools print what they write
         _run(ccxtools.FemToolsCcx(analysis, solver_of(analysis), test_mode=False), analysis, program)
     results = [member for member in analysis.Group if member.isDerivedFrom("Fem::FemResultObject")]
     if not results:
-        raise UserError(translate("FeatureMesh", "CalculiX gave no result for %s") % reading.describe(analysis))
+        raise UserError(said("CalculiX gave no result for {analysis:text}", analysis=reading.describe(analysis)))
     return Solution(results[-1], figures_of(results[-1]))
 
 
@@ -50,11 +51,11 @@ def _run(tools, analysis, program):
         tools.setup_ccx(ccx_binary=program)
         problem = tools.check_prerequisites()
         if problem:
-            raise UserError(translate("FeatureMesh", "%s cannot be solved: %s") % (reading.describe(analysis), " ".join(problem.split())))
+            raise UserError(said("{analysis:text} cannot be solved: {why:text}", analysis=reading.describe(analysis), why=" ".join(problem.split())))
         tools.write_inp_file()
         if tools.ccx_run():
-            said = [line for line in tools.ccx_stdout.splitlines() if "ERROR" in line.upper()] or ["it says nothing of why"]
-            raise UserError(translate("FeatureMesh", "CalculiX could not solve %s: %s") % (reading.describe(analysis), said[0].strip()))
+            complaints = [line.strip() for line in tools.ccx_stdout.splitlines() if "ERROR" in line.upper()] or [said("it says nothing of why")]
+            raise UserError(said("CalculiX could not solve {analysis:text}: {why:messages}", analysis=reading.describe(analysis), why=complaints[0]))
         tools.load_results()
 
 

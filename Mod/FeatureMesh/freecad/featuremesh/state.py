@@ -19,7 +19,7 @@ from .errors import StateError
 from .messages import said
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
-_DAMAGED = QT_TRANSLATE_NOOP("FeatureMesh", "the saved mesh state is damaged ({why:text})")
+_DAMAGED = QT_TRANSLATE_NOOP("FeatureMesh", "the saved mesh state is damaged ({why:messages})")
 SCHEMA = 2
 
 
@@ -82,12 +82,11 @@ def load(path):
     members = _read_members(path)
     checksum = members.pop("checksum", None)
     if checksum is None or checksum.tobytes() != _digest(members):
-        raise StateError(said(_DAMAGED, why="its checksum is wrong"))
+        raise StateError(said(_DAMAGED, why=said("its checksum is wrong")))
     meta = json.loads(members.pop("meta").tobytes())
     if meta["schema"] > SCHEMA:
-        raise StateError(said(
-            QT_TRANSLATE_NOOP("FeatureMesh", "the saved mesh state is from a newer FeatureMesh ({program:text}, schema {schema:count}; this one reads up "
-                              "to {newest:count})"), program=meta["program"], schema=meta["schema"], newest=SCHEMA))
+        raise StateError(said("the saved mesh state is from a newer FeatureMesh ({program:text}, schema {schema:count}; this one reads up "
+                              "to {newest:count})", program=meta["program"], schema=meta["schema"], newest=SCHEMA))
     for schema in range(meta["schema"], SCHEMA):
         meta, members = MIGRATIONS[schema](meta, members)
     arrays = {name[len("array."):]: values for name, values in members.items() if name.startswith("array.")}
@@ -95,7 +94,7 @@ def load(path):
         raw = {"final_object": meta["final_object"], "records": meta["records"], "shapes": members["shapes"].tobytes()}
         return State(raw, meta["options"], arrays, meta["references"])
     except KeyError as error:
-        raise StateError(said(_DAMAGED, why="it lacks its %s" % error.args[0])) from error
+        raise StateError(said(_DAMAGED, why=said("it lacks its {part:text}", part=error.args[0]))) from error
 
 
 def checksum_of(path):
@@ -118,11 +117,11 @@ def next_numbers_of(path):
 
 def _read_members(path):
     if not path or not os.path.isfile(path):
-        raise StateError(said(QT_TRANSLATE_NOOP("FeatureMesh", "the document holds no mesh state")))
+        raise StateError(said("the document holds no mesh state"))
     try:
         with np.load(path, allow_pickle=False) as archive:
             if "meta" not in archive.files or "shapes" not in archive.files:
-                raise StateError(said(QT_TRANSLATE_NOOP("FeatureMesh", "the file is not a FeatureMesh state")))
+                raise StateError(said("the file is not a FeatureMesh state"))
             return {name: archive[name] for name in archive.files}
     except StateError:
         raise

@@ -29,7 +29,7 @@ def mesh_of(analysis):
     meshes = [member for member in statics_model.members_of(analysis)
               if member.isDerivedFrom("Fem::FemMeshObject") and not member.Name.startswith("ResultMesh")]
     if len(meshes) != 1 or analyses.source_of(meshes[0]) is None:
-        raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "the live solver needs one mesh of FeatureMesh in the analysis {analysis:text}"), analysis=describe(analysis)))
+        raise NotUnderstood(said("the live solver needs one mesh of FeatureMesh in the analysis {analysis:text}", analysis=describe(analysis)))
     return analyses.source_of(meshes[0])
 
 
@@ -77,8 +77,8 @@ class SolveJob:
         start, statics = time.perf_counter(), self.statics
         missing = engine.load().statics_missing()
         if missing:
-            raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "the live solver needs PETSc: install Debian's package libpetsc-real-dev, then any command of "
-                                                       "./featuremesh in a clone builds the solver with it")))
+            raise NotUnderstood(said("the live solver needs PETSc: install Debian's package libpetsc-real-dev, then any command of "
+                                                       "./featuremesh in a clone builds the solver with it"))
         statics.add_up()
         refuse_free_motions(statics)
         read = self._read + time.perf_counter() - start
@@ -97,7 +97,7 @@ def refuse_free_motions(statics):
     """Throws CanMove when the part can move as a rigid body."""
     motions, centre, scale = statics_supports.free_motions(statics.arrays, statics.held)
     if motions is None:
-        raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "the mesh falls into more pieces than the live solver looks at")))
+        raise NotUnderstood(said("the mesh falls into more pieces than the live solver looks at"))
     how = statics_supports.in_words(motions)
     if how:
         raise CanMove(said(_CAN_MOVE if len(motions) == 1 else _PIECE_CAN_MOVE, how=how), statics_supports.moved(statics.arrays, motions, centre, scale))

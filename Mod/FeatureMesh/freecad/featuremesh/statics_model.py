@@ -47,7 +47,7 @@ class Statics:
         for name, (described, make) in self.load_makers.items():
             load = make()
             if not np.abs(load).max(initial=0.0) > 0:
-                self.warnings.append(said(QT_TRANSLATE_NOOP("FeatureMesh", "{load:text} loads nothing"), load=described))
+                self.warnings.append(said("{load:text} loads nothing", load=described))
             self.load_of[name] = load
             self.loads += load
         self.load_makers = {}
@@ -81,7 +81,7 @@ class _Reader:
         self.resolver = Resolver(self.part)
         self.arrays = mesh.Proxy.arrays(mesh)
         if not len(self.arrays["tets"]):
-            raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "the live solver knows solids only; {mesh:text} is of shells or beams, which CalculiX solves"),
+            raise NotUnderstood(said("the live solver knows solids only; {mesh:text} is of shells or beams, which CalculiX solves",
                                      mesh=describe(mesh)))
         self.statics = Statics(self.arrays)
         self.entities = EntityGroups(self.arrays)
@@ -95,24 +95,24 @@ class _Reader:
                 continue
             read = next((read for kind, read in _READERS if femutils.is_of_type(member, kind)), None)
             if read is None:
-                raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "the live solver does not know {member:text} ({kind:text})"), member=describe(member),
+                raise NotUnderstood(said("the live solver does not know {member:text} ({kind:text})", member=describe(member),
                                          kind=_kind_of(member)))
             if getattr(member, "EnableAmplitude", False):
-                raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "the live solver does not know the amplitude of {member:text}"), member=describe(member)))
+                raise NotUnderstood(said("the live solver does not know the amplitude of {member:text}", member=describe(member)))
             read(self, member)
 
     # Materials
 
     def _read_materials(self, materials):
         if not materials:
-            raise UserError(said(QT_TRANSLATE_NOOP("FeatureMesh", "the analysis has no material: add one")))
+            raise UserError(said("the analysis has no material: add one"))
         statics = self.statics
         statics.materials = np.array([self._material(material) for material in materials])
         if len(materials) == 1:
             return
         groups = {name: numbers for name, _, numbers in material_groups(materials, self.resolver, self.entities)}
         if not groups:
-            raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "the live solver cannot tell which solid has which of the {materials:count} materials"),
+            raise NotUnderstood(said("the live solver cannot tell which solid has which of the {materials:count} materials",
                                      materials=len(materials)))
         for row, material in enumerate(materials):
             statics.tet_materials[np.isin(self.arrays["tet_numbers"], groups[material.Name + "_Volumes"])] = row
@@ -120,19 +120,19 @@ class _Reader:
     def _material(self, material):
         values = material.Material
         if getattr(material, "Category", "Solid") != "Solid":
-            raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "the live solver knows solids only, not the fluid {material:text}"), material=describe(material)))
+            raise NotUnderstood(said("the live solver knows solids only, not the fluid {material:text}", material=describe(material)))
         try:
             young = float(FreeCAD.Units.Quantity(values["YoungsModulus"]).getValueAs("MPa").Value)
             poisson = float(values["PoissonRatio"])
         except (KeyError, ValueError, ArithmeticError) as error:
-            raise UserError(said(QT_TRANSLATE_NOOP("FeatureMesh", "the material {material:text} has no readable Young's modulus or Poisson's ratio ({why:text})"),
+            raise UserError(said("the material {material:text} has no readable Young's modulus or Poisson's ratio ({why:text})",
                                  material=describe(material), why=str(error))) from error
         if young < _LOWEST_MODULUS:
-            raise UserError(said(QT_TRANSLATE_NOOP("FeatureMesh", "Young's modulus of the material {material:text} is {young:number} MPa: check its unit"),
+            raise UserError(said("Young's modulus of the material {material:text} is {young:number} MPa: check its unit",
                                  material=describe(material), young=young))
         if not -1 < poisson <= _HIGHEST_POISSON:
-            raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "the material {material:text} is nearly incompressible (Poisson's ratio {poisson:number}), for "
-                                                       "which these elements are too stiff"), material=describe(material), poisson=poisson))
+            raise NotUnderstood(said("the material {material:text} is nearly incompressible (Poisson's ratio {poisson:number}), for "
+                                                       "which these elements are too stiff", material=describe(material), poisson=poisson))
         density = values.get("Density")
         if density is None:
             self.statics.has_density = False
@@ -147,7 +147,7 @@ class _Reader:
         held, given = np.zeros(3, dtype=bool), np.zeros(3)
         for axis, letter in enumerate("xyz"):
             if getattr(member, "has%sFormula" % letter.upper(), False):
-                raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "the live solver does not know the formula of {member:text}"), member=describe(member)))
+                raise NotUnderstood(said("the live solver does not know the formula of {member:text}", member=describe(member)))
             if getattr(member, letter + "Fix", False):
                 held[axis] = True
             elif not getattr(member, letter + "Free"):
@@ -158,7 +158,7 @@ class _Reader:
         statics, rows = self.statics, self._rows(member)
         before = statics.held[rows] & held
         if (before & (np.abs(statics.given[rows] - given) > 0)).any():
-            raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "{support:text} gives nodes another displacement than a support before it"), support=describe(member)))
+            raise NotUnderstood(said("{support:text} gives nodes another displacement than a support before it", support=describe(member)))
         mine = np.zeros_like(statics.held)
         mine[rows] = held & ~statics.held[rows]   # what several supports hold counts with the first, so that reactions add up
         statics.supports[member.Name] = mine
@@ -171,7 +171,7 @@ class _Reader:
         names, force = self._names(member), amount(member.Force, "N")
         kinds = {name.rstrip("0123456789") for name in names}
         if len(kinds) != 1 or not kinds <= {"Face", "Edge", "Vertex"}:
-            raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "the live solver knows forces on faces, on edges or on vertices, not {force:text}"), force=describe(member)))
+            raise NotUnderstood(said("the live solver knows forces on faces, on edges or on vertices, not {force:text}", force=describe(member)))
         along = force * np.array(tuple(member.DirectionVector))
         if kinds == {"Vertex"}:
             share = self._shares_of_vertices(member)
@@ -197,7 +197,7 @@ class _Reader:
         value = amount(member.Pressure, "MPa") * (-1 if member.Reversed else 1)
         names = self._names(member)
         if any(not name.startswith("Face") for name in names):
-            raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "the live solver knows pressure on faces only, not {pressure:text}"), pressure=describe(member)))
+            raise NotUnderstood(said("the live solver knows pressure on faces only, not {pressure:text}", pressure=describe(member)))
         names = list(dict.fromkeys(names))
         for name in names:
             self._refuse_inner_face(member, name)
@@ -206,7 +206,7 @@ class _Reader:
 
     def read_self_weight(self, member):
         if not self.statics.has_density:
-            raise UserError(said(QT_TRANSLATE_NOOP("FeatureMesh", "{weight:text} needs the density of every material"), weight=describe(member)))
+            raise UserError(said("{weight:text} needs the density of every material", weight=describe(member)))
         statics, along = self.statics, list(gravity(member))
         self._load(member, lambda: engine.load().statics_weight(self.arrays, statics.materials, statics.tet_materials, along))
 
@@ -219,7 +219,7 @@ class _Reader:
             return
         face = self.part.Shape.getElement(name)
         if sum(any(face.isSame(other) for other in solid.Faces) for solid in solids) > 1:
-            raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "{pressure:text} presses on {face:entities}, which lies between two solids"), pressure=describe(member),
+            raise NotUnderstood(said("{pressure:text} presses on {face:entities}, which lies between two solids", pressure=describe(member),
                                      face=[name]))
 
     # References
@@ -227,10 +227,10 @@ class _Reader:
     def _names(self, member):
         names, foreign = self.resolver.of_object(member)
         if foreign:
-            raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "{member:text} refers to another object than the meshed part {part:text}"), member=describe(member),
+            raise NotUnderstood(said("{member:text} refers to another object than the meshed part {part:text}", member=describe(member),
                                      part=describe(self.part)))
         if not names:
-            raise UserError(said(QT_TRANSLATE_NOOP("FeatureMesh", "{member:text} refers to nothing: choose faces, edges or vertices for it"), member=describe(member)))
+            raise UserError(said("{member:text} refers to nothing: choose faces, edges or vertices for it", member=describe(member)))
         return names
 
     def _rows(self, member):
@@ -239,8 +239,8 @@ class _Reader:
     def _rows_of(self, member, name):
         numbers = self.entities.nodes(name)
         if not len(numbers):
-            raise UserError(said(QT_TRANSLATE_NOOP("FeatureMesh", "{member:text} refers to {face:entities}, which has no nodes in the mesh: update the mesh, or choose "
-                                                                  "another face"), member=describe(member), face=[name]))
+            raise UserError(said("{member:text} refers to {face:entities}, which has no nodes in the mesh: update the mesh, or choose "
+                                                                  "another face", member=describe(member), face=[name]))
         return self.row_of[numbers]
 
     def _elements(self, member, name):
@@ -271,7 +271,7 @@ def gravity(member):
         direction = FreeCAD.Vector(member.Gravity_x, member.Gravity_y, member.Gravity_z)
         size = int(FreeCAD.Units.Quantity(constants.gravity()).getValueAs("mm/s^2"))
     if not direction.Length > 0:
-        raise UserError(said(QT_TRANSLATE_NOOP("FeatureMesh", "{weight:text} has no direction"), weight=describe(member)))
+        raise UserError(said("{weight:text} has no direction", weight=describe(member)))
     return np.array(tuple(direction)) * (size / direction.Length)
 
 
@@ -296,7 +296,7 @@ def _check_solver(solver):
         if isinstance(found, bool):   # a switch since FreeCAD 1.1
             found = "nonlinear" if found else "linear"
         if found != value:
-            raise NotUnderstood(said(QT_TRANSLATE_NOOP("FeatureMesh", "the live solver knows linear statics only, and {solver:text} asks for {setting:text} = {value:text}"),
+            raise NotUnderstood(said("the live solver knows linear statics only, and {solver:text} asks for {setting:text} = {value:text}",
                                      solver=describe(solver), setting=name, value=str(found)))
 
 

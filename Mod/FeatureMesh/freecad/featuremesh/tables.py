@@ -3,7 +3,7 @@
 
 import FreeCAD
 
-from .messages import english
+from .messages import english, said
 from .user_words import in_users_units, in_words
 
 translate = FreeCAD.Qt.translate
@@ -25,9 +25,15 @@ def rows_of_difference(found):
         volumes = old if old == new else "%s -> %s" % (old, new)
         rows.append((feature_name(feature), verdict_in_words(feature["verdict"]), english(feature["detail"]), volumes,
                      _faces(feature["old_faces"]), _faces(feature["new_faces"])))
-    return ("feature", "what happened", "by how much", "volume mm^3", "old faces", "new faces"), rows
+    return tuple(translate("FeatureMesh", title) for title in _OF_DIFFERENCE), rows
 
 
+# The columns.
+_OF_DIFFERENCE = (QT_TRANSLATE_NOOP("FeatureMesh", "feature"), QT_TRANSLATE_NOOP("FeatureMesh", "what happened"), QT_TRANSLATE_NOOP("FeatureMesh", "by how much"),
+                  QT_TRANSLATE_NOOP("FeatureMesh", "volume mm^3"), QT_TRANSLATE_NOOP("FeatureMesh", "old faces"), QT_TRANSLATE_NOOP("FeatureMesh", "new faces"))
+_OF_TREE = (QT_TRANSLATE_NOOP("FeatureMesh", "feature"), QT_TRANSLATE_NOOP("FeatureMesh", "type"), QT_TRANSLATE_NOOP("FeatureMesh", "role"),
+            QT_TRANSLATE_NOOP("FeatureMesh", "volumes"), "mm^3", QT_TRANSLATE_NOOP("FeatureMesh", "from"), QT_TRANSLATE_NOOP("FeatureMesh", "depends on"),
+            QT_TRANSLATE_NOOP("FeatureMesh", "remark"))
 _VERDICTS = {
     "same": QT_TRANSLATE_NOOP("FeatureMesh", "same"),
     "moved": QT_TRANSLATE_NOOP("FeatureMesh", "moved"),
@@ -57,6 +63,29 @@ _INNER_COUNTS = {
 }
 
 
+# What the engine calls features, and where it has their volumes from.
+_ROLES = {
+    "additive": QT_TRANSLATE_NOOP("FeatureMesh", "additive"),
+    "subtractive": QT_TRANSLATE_NOOP("FeatureMesh", "subtractive"),
+    "common": QT_TRANSLATE_NOOP("FeatureMesh", "common"),
+    "dress-up": QT_TRANSLATE_NOOP("FeatureMesh", "dress-up"),
+    "pattern": QT_TRANSLATE_NOOP("FeatureMesh", "pattern"),
+    "boolean": QT_TRANSLATE_NOOP("FeatureMesh", "boolean"),
+    "transform": QT_TRANSLATE_NOOP("FeatureMesh", "transform"),
+    "base": QT_TRANSLATE_NOOP("FeatureMesh", "base"),
+    "reference": QT_TRANSLATE_NOOP("FeatureMesh", "reference"),
+    "opaque": QT_TRANSLATE_NOOP("FeatureMesh", "opaque"),
+    "unknown": QT_TRANSLATE_NOOP("FeatureMesh", "unknown"),
+}
+_SOURCES = {
+    "own": QT_TRANSLATE_NOOP("FeatureMesh", "own"),
+    "before and after": QT_TRANSLATE_NOOP("FeatureMesh", "before and after"),
+    "instances": QT_TRANSLATE_NOOP("FeatureMesh", "instances"),
+    "copies": QT_TRANSLATE_NOOP("FeatureMesh", "copies"),
+    "shape": QT_TRANSLATE_NOOP("FeatureMesh", "shape"),
+}
+
+
 def verdict_in_words(verdict, inner=False):
     """The engine's verdict on a feature or a face in the user's language; `inner`: it lies in the material of the other state."""
     words = _INNER_VERDICTS if inner and verdict in _INNER_VERDICTS else _VERDICTS
@@ -66,8 +95,8 @@ def verdict_in_words(verdict, inner=False):
 def difference_note(found):
     """How many features and faces changed, and the engine's notes."""
     changed = sum(feature["verdict"] != "same" for feature in found["features"])
-    line = translate("FeatureMesh", "%d features changed, %d did not; faces: %s") % (
-        changed, len(found["features"]) - changed, _counts(found["faces"]))
+    line = in_words(said("{changed:count} {changed:feature|features} changed, {others:count} did not; faces: {faces:text}",
+                         changed=changed, others=len(found["features"]) - changed, faces=_counts(found["faces"])))
     if "edges" in found:
         line += translate("FeatureMesh", "; edges: %s") % _counts(found["edges"])
     return "\n".join([line] + [translate("FeatureMesh", "note: ") + in_words(note) for note in found.get("notes", [])])
@@ -94,17 +123,18 @@ def rows_of_tree(found):
     rows = []
     for feature in found["features"]:
         volume = sum(entry["volume"] for entry in feature["volumes"])
-        rows.append((feature_name(feature), feature["type"], feature["role"],
-                     "%d" % len(feature["volumes"]), _volume(volume), feature["volume_source"],
-                     ", ".join(feature["depends_on"]), "suppressed" if feature["suppressed"] else feature["error"]))
-    return ("feature", "type", "role", "volumes", "mm^3", "from", "depends on", "remark"), rows
+        rows.append((feature_name(feature), feature["type"], translate("FeatureMesh", _ROLES.get(feature["role"], feature["role"])),
+                     "%d" % len(feature["volumes"]), _volume(volume), translate("FeatureMesh", _SOURCES.get(feature["volume_source"], "")),
+                     ", ".join(feature["depends_on"]), translate("FeatureMesh", "suppressed") if feature["suppressed"] else feature["error"]))
+    return tuple(translate("FeatureMesh", title) for title in _OF_TREE), rows
 
 
 def tree_note(found):
     """The books: cells and material against FreeCAD's volume, and the engine's notes."""
-    line = translate("FeatureMesh", "%s: %d features in %d pieces, volume %.10g mm^3 (FreeCAD: %.10g mm^3)") % (
-        found["object"], len(found["features"]), found["cells"], found["material_volume"], found["final_volume"])
-    return "\n".join([in_users_units(line)] + [translate("FeatureMesh", "note: ") + in_words(note) for note in found.get("notes", [])])
+    line = said("{object:text}: {features:count} {features:feature|features} in {pieces:count} {pieces:piece|pieces}, volume {volume:text} (FreeCAD: {other:text})",
+                object=found["object"], features=len(found["features"]), pieces=found["cells"], volume=_exactly(found["material_volume"]),
+                other=_exactly(found["final_volume"]))
+    return "\n".join([in_words(line)] + [translate("FeatureMesh", "note: ") + in_words(note) for note in found.get("notes", [])])
 
 
 def face_names(faces):
@@ -118,13 +148,17 @@ def feature_name(feature):
     return name if name == label else "%s (%s)" % (name, label)
 
 
+def _exactly(volume):
+    return in_users_units("%.10g mm^3" % volume)
+
+
 def _volume(value):
     return "%.6g" % value if value else ""
 
 
 def _faces(faces):
     names = face_names(faces)
-    return ", ".join(names[:6]) + (" and %d more" % (len(names) - 6) if len(names) > 6 else "")
+    return in_words(said("{faces:entities}", faces=names)) if names else ""
 
 
 def _table(header, rows):

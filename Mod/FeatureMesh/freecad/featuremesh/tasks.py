@@ -10,9 +10,9 @@ import traceback
 from . import about, api, documents, engine, reading, tables, versions
 from .errors import UserError
 from .transfer import find_result
-from .mesh_object import element_count, one_line
+from .mesh_object import element_count
 from .mesh_properties import FROM_SHAPE
-from .messages import english, in_english, said
+from .messages import english, in_english, of_error, said
 from .reports import add_fallback, plain
 from .quality import MEASURES
 
@@ -142,7 +142,7 @@ def run(task):
     names = {"api": api, "document": documents.open_document(task["part"]) if task.get("part") else None}
     sys.argv = [task["script"], *([task["part"]] if task.get("part") else [])]
     sys.path.insert(0, os.path.dirname(task["script"]))
-    said = sys.stdout
+    shown = sys.stdout
     if task.get("output") is not None:
         sys.stdout = open(task["output"], "w", encoding="utf-8", buffering=1)
     try:
@@ -151,14 +151,15 @@ def run(task):
         raise
     except SystemExit as end:
         if end.code not in (None, 0):
-            raise UserError("%s ended with %s" % (os.path.basename(task["script"]), end.code)) from None
+            raise UserError(said("{script:text} ended with {code:text}", script=os.path.basename(task["script"]), code=str(end.code))) from None
     except Exception as error:
         if is_users_fault(error):
             raise
-        raise UserError("%s: %s: %s" % (_place_in(task["script"], error), type(error).__name__, one_line(error))) from error
+        raise UserError(said("{path:text}: {kind:text}: {why:messages}",
+                             path=_place_in(task["script"], error), kind=type(error).__name__, why=of_error(error))) from error
     finally:
         sys.stdout.flush()
-        sys.stdout = said
+        sys.stdout = shown
     return "", {}
 
 
@@ -224,7 +225,7 @@ def _save(document, task, report):
             with open(task["json"], "w", encoding="utf-8") as stream:
                 json.dump(in_english(report), stream, indent=1, sort_keys=True)
         except OSError as error:
-            raise UserError("saved %s, but cannot write the report: %s" % (out, one_line(error))) from error
+            raise UserError(said("saved {path:text}, but cannot write the report: {why:messages}", path=out, why=of_error(error))) from error
     return os.path.relpath(out) if not os.path.relpath(out).startswith("..") else out
 
 

@@ -10,6 +10,7 @@ import math
 import FreeCAD
 
 from .errors import UserError
+from .messages import said
 
 translate = FreeCAD.Qt.translate
 MOST = 50e6             # elements; the engine refuses more, too
@@ -26,8 +27,9 @@ def refuse_too_fine(shape, size, growth, refinements):
     `refinements` are (entity such as "Face12", size in mm, name of the refinement).
     """
     if _PER_CUBE * _box_volume(shape) > _COUNTLESS * size ** 3 > 0 and _PER_CUBE * shape.Volume > _COUNTLESS * size ** 3:
-        raise UserError(translate("FeatureMesh", "a size of %g mm would make more than a million million elements; at most %d million are made. "
-                                                 "Choose a larger size") % (size, MOST / 1e6))
+        raise UserError(said("a size of {size:length} would make more than a million million elements; at most {most:count} million are made. Choose a "
+                             "larger size",
+                             size=size, most=round(MOST / 1e6)))
     counts = {}
     for entity, (local, name) in _smallest(refinements).items():
         if 0 < local < size:
@@ -36,15 +38,17 @@ def refuse_too_fine(shape, size, growth, refinements):
         return
     total, (entity, local, name) = sum(counts.values()), max(counts, key=counts.get)
     if counts[entity, local, name] > MOST_AROUND and not entity.startswith("Solid"):
-        _refuse(counts[entity, local, name], entity, local, name, translate("FeatureMesh", "around one face or edge at most %d million are made") % (MOST_AROUND / 1e6))
+        _refuse(counts[entity, local, name], entity, local, name,
+                said("around one face or edge at most {most:count} million are made", most=round(MOST_AROUND / 1e6)))
     if total > _MARGIN * MOST:
-        _refuse(total, entity, local, name, translate("FeatureMesh", "at most %d million are made") % (MOST / 1e6))
+        _refuse(total, entity, local, name, said("at most {most:count} million are made", most=round(MOST / 1e6)))
 
 
 def _refuse(count, entity, local, name, limit):
-    many = translate("FeatureMesh", "about %d million") % round(count / 1e6) if count < _COUNTLESS else translate("FeatureMesh", "more than a million million")
-    raise UserError(translate("FeatureMesh", "the refinement %s with %g mm at %s would make %s elements; %s. Choose a larger size there")
-                    % (name, local, entity, many, limit))
+    many = said("about {millions:count} million", millions=round(count / 1e6)) if count < _COUNTLESS else said("more than a million million")
+    raise UserError(said("the refinement {refinement:text} with {size:length} at {place:text} would make {many:messages} elements; {limit:messages}. "
+                         "Choose a larger size there",
+                         refinement=name, size=local, place=entity, many=many, limit=limit))
 
 
 def _smallest(refinements):

@@ -8,6 +8,7 @@ import ObjectsFem
 
 from . import adopt, engine, results
 from .errors import UserError
+from .messages import said
 from .reading import describe
 
 SAME_NODE, INSIDE, OUTSIDE = 0, 1, 2
@@ -47,12 +48,12 @@ def result(old, mesh, name=None):
     """
     new_arrays = mesh.Proxy.arrays(mesh)
     if not len(new_arrays["tets"]):
-        raise UserError("old results are carried over between meshes of solids only, not to %s" % describe(mesh))
+        raise UserError(said("old results are carried over between meshes of solids only, not to {mesh:text}", mesh=describe(mesh)))
     old_arrays, order = _mesh_of(old)
     diagonal = float(np.linalg.norm(np.ptp(old_arrays["points"], axis=0)))
     fields = _fields_of(old)
     if not fields:
-        raise UserError("%s has no values per node" % describe(old))
+        raise UserError(said("{result:text} has no values per node", result=describe(old)))
     columns = np.column_stack([np.asarray(values, dtype=float).reshape(len(order), -1) for values in fields.values()])[order]
     found = field(old_arrays, new_arrays, columns, _RESULT_DIGITS * diagonal)
     new = _add_result(mesh, name or old.Name + "_transferred")
@@ -78,22 +79,24 @@ def find_result(document, name=None):
     if name:
         results = [obj for obj in results if name in (obj.Name, obj.Label)]
     if not results:
-        raise UserError("the document %s has no result%s with values per node" % (document.Label, " " + name if name else ""))
+        raise UserError(said("the document {document:text} has no result{name:text} with values per node",
+                             document=document.Label, name=" " + name if name else ""))
     if len(results) > 1:
-        raise UserError("the document has several results, name one with --result: %s" % ", ".join(describe(obj) for obj in results))
+        raise UserError(said("the document has several results, name one with --result: {results:text}", results=", ".join(describe(obj) for obj in results)))
     return results[0]
 
 
 def _mesh_of(old):
     """The arrays of a result's mesh with the numbers that were solved, and the row of the result for each of its nodes."""
     if old.Mesh is None:
-        raise UserError("%s has no mesh" % describe(old))
+        raise UserError(said("{result:text} has no mesh", result=describe(old)))
     arrays = adopt.arrays_of(old.Mesh)
     solved = np.array(old.NodeNumbers, dtype=np.int64)
     rows = np.argsort(solved, kind="stable")
     by_number = np.argsort(arrays["node_numbers"], kind="stable")
     if len(solved) != len(by_number):
-        raise UserError("%s has values for %d nodes, its mesh %s has %d" % (describe(old), len(solved), describe(old.Mesh), len(by_number)))
+        raise UserError(said("{result:text} has values for {values:count} {values:node|nodes}, its mesh {mesh:text} has {nodes:count}",
+                             result=describe(old), values=len(solved), mesh=describe(old.Mesh), nodes=len(by_number)))
     # FreeCAD closes the gaps between the numbers of a mesh when it opens a document; the result still knows the true ones.
     order = np.empty(len(solved), dtype=np.int64)
     order[by_number] = rows

@@ -22,6 +22,8 @@ import weakref
 import FreeCAD
 
 from . import log
+from .errors import Said
+from .messages import of_error, said, several
 from .waiting import let_the_window_live
 from .worker_main import read_message, write_message
 
@@ -70,7 +72,7 @@ class WorkerDied(Error):
     """The process ended in the middle of something; the next call starts another."""
 
 
-class CannotStart(RuntimeError):
+class CannotStart(Said, RuntimeError):
     """No process with the engine can be started here."""
 
 
@@ -243,8 +245,8 @@ def start_process(folder):
         try:
             return _Process(python, folder)
         except CannotStart as error:
-            reasons.append("%s: %s" % (python, error))
-    raise CannotStart("; ".join(reasons) or "no Python interpreter was found")
+            reasons.append(said("{python:text}: {why:messages}", python=python, why=of_error(error)))
+    raise CannotStart(several(reasons) or said("no Python interpreter was found"))
 
 
 def interpreters():
@@ -269,7 +271,7 @@ class _Process:
                 creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0))
         except OSError as error:
             self._close_last_words()
-            raise CannotStart(str(error)) from error
+            raise CannotStart(of_error(error)) from error
         self._messages = queue.SimpleQueue()
         self.engine = None   # whose meshes it makes
         self.grace = None
@@ -301,7 +303,7 @@ class _Process:
         try:
             data = self._next_message(_START_SECONDS)
             if data is None:
-                reason = "it does not answer"
+                reason = said("it does not answer")
             else:
                 kind, words = pickle.loads(data)
                 if kind == "ready":
@@ -310,7 +312,7 @@ class _Process:
                     return
                 reason = words
         except (EOFError, OSError, pickle.UnpicklingError):
-            reason = "it ended at once"
+            reason = said("it ended at once")
         self.kill()
         raise CannotStart(reason)
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-import FreeCAD
 import FreeCADGui as Gui
 
 from .. import api, versions
 from ..errors import UserError
+from ..messages import said
 from ..mesh_object import is_feature_mesh
 from .base import MeshCommand
 
@@ -19,8 +19,7 @@ class Command(MeshCommand):
     def run(self, document):
         selected = _foreign_meshes(Gui.Selection.getSelection(document.Name)) or _foreign_meshes(document.Objects)
         if len(selected) != 1:
-            raise UserError(FreeCAD.Qt.translate("FeatureMesh", "the document has several meshes, select the one to adopt: %s")
-                            % ", ".join(mesh.Label for mesh in selected))
+            raise UserError(said("the document has several meshes, select the one to adopt: {meshes:text}", meshes=", ".join(mesh.Label for mesh in selected)))
         mesh, _ = api.adopt_mesh(selected[0])
         for obj in (selected[0], versions.part_of(mesh)):
             obj.ViewObject.Visibility = False   # two things in one place flicker

@@ -6,6 +6,7 @@ from PySide import QtGui
 
 from .. import api, assembled, preferences, versions
 from ..errors import UserError
+from ..messages import said
 from .base import MeshCommand, selected_container, selected_part
 
 translate = FreeCAD.Qt.translate
@@ -58,4 +59,4 @@ class Command(MeshCommand):
 
 def _open(mesh):
     if not Gui.getDocument(mesh.Document).setEdit(mesh.Name):
-        raise UserError(translate("FeatureMesh", "the settings of %s cannot be opened; close the open panel first") % mesh.Label)
+        raise UserError(said("the settings of {mesh:text} cannot be opened; close the open panel first", mesh=mesh.Label))

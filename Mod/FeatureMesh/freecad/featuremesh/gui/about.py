@@ -6,13 +6,14 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import about
+from ..user_words import in_words
 
 translate = FreeCAD.Qt.translate
 
 
 def show():
     """Shows the window; gives it."""
-    window = _About(about.text())
+    window = _About(about.text(in_words))
     window.show()
     return window
 
@@ -29,7 +30,7 @@ class _About(QtGui.QDialog):
         self.text.setFont(QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.FixedFont))
         buttons = QtGui.QDialogButtonBox(QtGui.QDialogButtonBox.Close)
         self.copy = buttons.addButton(translate("FeatureMesh", "Copy for a bug report"), QtGui.QDialogButtonBox.ActionRole)
-        self.copy.clicked.connect(lambda: QtGui.QApplication.clipboard().setText(text))
+        self.copy.clicked.connect(lambda: QtGui.QApplication.clipboard().setText(about.text()))   # in English, for whoever reads it
         buttons.rejected.connect(self.close)
         layout = QtGui.QVBoxLayout(self)
         layout.addWidget(self.text)

@@ -5,6 +5,7 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from ..errors import UserError
+from ..messages import said
 from ..study import design
 
 translate = FreeCAD.Qt.translate
@@ -51,9 +52,9 @@ class DimensionList(QtGui.QTreeWidget):
                 try:
                     low, high = map(float, item.text(_RANGE).replace(",", ".").split(":"))
                 except ValueError:
-                    raise UserError(translate("FeatureMesh", "the range of %s has to be two numbers, such as 3 : 5") % target) from None
+                    raise UserError(said("the range of {target:text} has to be two numbers, such as 3 : 5", target=target)) from None
                 if not low < high:
-                    raise UserError(translate("FeatureMesh", "the range of %s has to rise") % target)
+                    raise UserError(said("the range of {target:text} has to rise", target=target))
                 found.append("%s=%r:%r" % (target, low, high))
         return found
 

@@ -5,6 +5,8 @@ import FreeCAD
 from PySide import QtGui
 
 from .. import overlays
+from ..messages import said
+from ..user_words import in_words
 from .overlay_panel import OverlayPanel
 
 translate = FreeCAD.Qt.translate
@@ -33,9 +35,10 @@ class KeptPanel(OverlayPanel):
         texts = ["", "", ""]
         if self.overlay is not None:
             count, kept = len(self.overlay.kept), int(self.overlay.kept.sum())
-            texts = [translate("FeatureMesh", "kept: %d elements (%.1f %%)") % (kept, 100 * kept / count),
-                     translate("FeatureMesh", "new: %d elements") % (count - kept),
-                     translate("FeatureMesh", "active: %d nodes kept as start positions, free to move") % len(self.overlay.active)]
+            texts = [in_words(message) for message in (
+                said("kept: {elements:count} {elements:element|elements} ({share:text} %)", elements=kept, share="%.1f" % (100 * kept / count)),
+                said("new: {elements:count} {elements:element|elements}", elements=count - kept),
+                said("active: {nodes:count} {nodes:node kept as start position|nodes kept as start positions}, free to move", nodes=len(self.overlay.active)))]
         for label, text in zip(self.labels, texts):
             label.setText(text)
 

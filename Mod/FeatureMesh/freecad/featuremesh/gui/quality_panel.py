@@ -7,7 +7,9 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 from .. import overlays
+from ..messages import said
 from ..quality import MEASURES
+from ..user_words import in_words
 from . import narrow
 from .overlay_panel import OverlayPanel
 
@@ -15,6 +17,7 @@ translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 _LIMITS = QT_TRANSLATE_NOOP("FeatureMesh", "bad"), QT_TRANSLATE_NOOP("FeatureMesh", "good")
 _LIMITS_OF_SIZE = QT_TRANSLATE_NOOP("FeatureMesh", "too short"), QT_TRANSLATE_NOOP("FeatureMesh", "too long")
+_DEGREES = QT_TRANSLATE_NOOP("FeatureMesh", " deg")   # the only unit of a measure
 _BINS = 15
 _WORST = 20
 _MARK = (0.8, 0.0, 0.8)
@@ -77,12 +80,13 @@ class QualityPanel(OverlayPanel):
             values, measure = self.overlay.values, self._measure()
             self._rows = measure.worst(values, _WORST)
             for row in self._rows.tolist():
-                self.worst.addItem("%d:  %s" % (self.overlay.numbers[row], measure.in_words(values[row])))
+                self.worst.addItem("%d:  %s" % (self.overlay.numbers[row], self._in_words(values[row])))
                 self.worst.item(self.worst.count() - 1).setSelected(int(self.overlay.numbers[row]) in numbers)
             self.histogram.show_values(values, measure, self._limits())
-            self.summary.setText(translate("FeatureMesh", "least %s, mean %s, greatest %s;\n%d of %d elements are beyond the limit") % (
-                *(measure.in_words(value) for value in (values.min(), values.mean(), values.max())),
-                measure.count_bad(values, self._limits()), len(values)))
+            least, mean, greatest = (self._in_words(value) for value in (values.min(), values.mean(), values.max()))
+            self.summary.setText(in_words(said("least {least:text}, mean {mean:text}, greatest {greatest:text};\n{bad:count} of {all:count} {all:element|elements} "
+                                               "{bad:is|are} beyond the limit", least=least, mean=mean, greatest=greatest,
+                                               bad=measure.count_bad(values, self._limits()), all=len(values))))
         self.worst.blockSignals(False)
 
     def marked(self):
@@ -97,6 +101,12 @@ class QualityPanel(OverlayPanel):
     def _measure(self):
         return MEASURES[self._name()]
 
+    def _unit(self):
+        return translate("FeatureMesh", _DEGREES) if self._measure().unit else ""
+
+    def _in_words(self, value):
+        return "%.*f%s" % (self._measure().digits, value, self._unit())
+
     def _limits(self):
         return self.bad.value(), self.good.value()
 
@@ -109,7 +119,7 @@ class QualityPanel(OverlayPanel):
             box.blockSignals(True)
             box.setDecimals(self._measure().digits)
             box.setSingleStep(abs(self._measure().limits[1] - self._measure().limits[0]) / 20)
-            box.setSuffix(self._measure().unit)
+            box.setSuffix(self._unit())
             box.setValue(value)
             box.blockSignals(False)
 

@@ -5,8 +5,9 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import mesh_object, user_words, view_provider, versions
+from .. import user_words, view_provider, versions
 from ..errors import UserError
+from ..messages import of_error, said
 from ..study import design, response_words, study_object, window_run
 from . import errors, narrow, study_runs
 from .closes_with_object import ClosesWithObject
@@ -188,7 +189,7 @@ class StudyPanel(ClosesWithObject):
         self.cases.setEnabled(self.sampling.itemData(self.sampling.currentIndex()) in design.COUNTED)
         if running and not total:
             return translate("FeatureMesh", "making the mesh that all cases start from")
-        words = translate("FeatureMesh", "%d of %d cases done") % (done, total) if total else translate("FeatureMesh", "not run yet")
+        words = user_words.in_words(said("{done:count} of {all:count} {all:case|cases} done", done=done, all=total)) if total else translate("FeatureMesh", "not run yet")
         if running:
             return words + _time_left(left)
         problem = run.problem() if run is not None else ""
@@ -201,7 +202,7 @@ class StudyPanel(ClosesWithObject):
             study.Parameters = self.dimensions.parameters()
             self._wrong = ""
         except UserError as error:
-            self._wrong = mesh_object.one_line(error)
+            self._wrong = user_words.in_words(of_error(error))
             self.refresh()
             return
         rows = [self.responses.item(row) for row in range(self.responses.count())]

@@ -5,6 +5,7 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from ..study import answers
+from ..user_words import in_words
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -69,7 +70,7 @@ class PlotTab(QtGui.QScrollArea):
         if not found:
             self._say(translate("FeatureMesh", "There are too few cases to tell what matters; add some."))
             return None
-        return data, responses, found
+        return data, responses, found, in_words
 
     def _say(self, text):
         label = QtGui.QLabel(text)

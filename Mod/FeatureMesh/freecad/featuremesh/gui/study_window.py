@@ -11,6 +11,7 @@ from .. import api, view_provider
 from ..errors import UserError
 from ..study import answers, report, response_words, study_object, table
 from ..study.folder import StudyFolder
+from ..user_words import in_words
 from . import errors
 from .study_plots import PlotTab
 from .undo import undo_step
@@ -142,7 +143,7 @@ class StudyWindow(QtGui.QDialog):
         self.table.setRowCount(len(self._cases))
         for row, case in enumerate(self._cases):
             values = {**case.parameters, **case.responses}
-            cells = [str(case.id), translate("FeatureMesh", _STATES[case.state]), *(_shown(values.get(name, "")) for name in names), case.message]
+            cells = [str(case.id), translate("FeatureMesh", _STATES[case.state]), *(_shown(values.get(name, "")) for name in names), in_words(case.message)]
             for column, text in enumerate(cells):
                 self.table.setItem(row, column, QtGui.QTableWidgetItem(text))
         self.table.resizeColumnsToContents()
@@ -152,7 +153,7 @@ class StudyWindow(QtGui.QDialog):
         units = {response.name: " " + response.unit if response.unit else "" for response in self._design.responses}
         names = [entry.name for entry in (*self._design.parameters, *self._design.responses) if entry.name in values]
         words = ", ".join("%s %s%s" % (name, _shown(values[name]), units.get(name, "")) for name in names)
-        return translate("FeatureMesh", "Case %d: %s") % (case.id, case.message if case.state in ("failed", "infeasible") else words)
+        return translate("FeatureMesh", "Case %d: %s") % (case.id, in_words(case.message) if case.state in ("failed", "infeasible") else words)
 
     def _open_selected(self):
         rows = [index.row() for index in self.table.selectionModel().selectedRows()]
@@ -190,7 +191,7 @@ class StudyWindow(QtGui.QDialog):
         folder = StudyFolder(self.study.Folder)
         path = os.path.join(folder.path, "report.html")
         try:
-            report.write(folder, path)
+            report.write(folder, path, say=in_words)
         except UserError as error:
             errors.show(error)
             return

@@ -20,10 +20,8 @@ _ICONS = {"added": "Added", "appeared": "Added", "removed": "Removed", "vanished
 
 def show_tree(part, found):
     """Shows the features of `part` as the engine reads them."""
-    _, rows = tables.rows_of_tree(found)
-    header = [translate("FeatureMesh", "feature"), translate("FeatureMesh", "type"), translate("FeatureMesh", "role"),
-              translate("FeatureMesh", "volumes"), translate("FeatureMesh", "volume"), translate("FeatureMesh", "taken from"),
-              translate("FeatureMesh", "depends on"), translate("FeatureMesh", "remark")]
+    header, rows = tables.rows_of_tree(found)
+    header = [*header[:4], translate("FeatureMesh", "volume"), *header[5:]]   # in the user's units
     window = _Window("%s: %s" % (translate("FeatureMesh", "Feature tree"), part.Label), header, tables.tree_note(found), part)
     for row in rows:
         window.tree.addTopLevelItem(_item((*row[:4], _volume(row[4]), *row[5:])))
@@ -32,9 +30,8 @@ def show_tree(part, found):
 
 def show_difference(part, found):
     """Shows what changed, feature by feature and below them face by face; `part` is the new state."""
-    _, rows = tables.rows_of_difference(found)
-    header = [translate("FeatureMesh", "feature"), translate("FeatureMesh", "what happened"), translate("FeatureMesh", "by how much"),
-              translate("FeatureMesh", "volume"), translate("FeatureMesh", "old faces"), translate("FeatureMesh", "new faces")]
+    header, rows = tables.rows_of_difference(found)
+    header = [*header[:3], translate("FeatureMesh", "volume"), *header[4:]]   # in the user's units
     title = "%s: %s" % (translate("FeatureMesh", "What changed"), part.Label)
     window = _Window(title, header, tables.difference_note(found), part)
     for row, feature in zip(rows, found["features"]):

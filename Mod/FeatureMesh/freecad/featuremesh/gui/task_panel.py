@@ -13,7 +13,7 @@ from .. import analyses, api, assembled, log, reading, versions
 from ..mesh_object import is_cancelled
 from ..reports import remarks_of
 from ..mesh_properties import AUTOMATIC_SHARE, DIMENSIONS, NOT_MESHED, OPTION_OF, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
-from ..messages import of_error
+from ..messages import of_error, said
 from ..view_provider import drawn_icon
 from . import narrow
 from .errors import select_named
@@ -347,7 +347,8 @@ class MeshPanel:
         mesh, lines = self.mesh, []
         self._show_status()
         if mesh.TetCount:
-            lines = [translate("FeatureMesh", "%d nodes, %d elements in %.2f s") % (mesh.NodeCount, mesh.TetCount, mesh.Seconds),
+            lines = [in_words(said("{nodes:count} {nodes:node|nodes}, {elements:count} {elements:element|elements} in {seconds:text}\u00a0s",
+                                   nodes=mesh.NodeCount, elements=mesh.TetCount, seconds="%.2f" % mesh.Seconds)),
                      translate("FeatureMesh", "smallest angle %.1f deg, mean radius ratio %.3f") % (mesh.MinDihedral.Value, mesh.MeanRadiusRatio)]
             if mesh.KeptNodes:
                 lines.append(translate("FeatureMesh", "kept by the last update: %d %% of the nodes, %d %% of the elements")

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import UserError
+from ..messages import said
 from . import surface
 from .database import DONE
 from .expressions import Expression, Limit
@@ -42,7 +43,7 @@ def data_of(folder):
     """The finished cases. Throws UserError when there are none."""
     study, cases = folder.study(), folder.database.cases(DONE)
     if not cases:
-        raise UserError("the study in %s has no finished case yet" % folder.path)
+        raise UserError(said("the study in {folder:text} has no finished case yet", folder=folder.path))
     columns, limits, names = [], [], []
     for parameter in study.parameters:
         column = np.array([_number(parameter, case.parameters[parameter.name]) for case in cases])
@@ -113,7 +114,7 @@ def pareto(data, first, second):
 
 def best(data, goal, limits=()):
     """The case with the least value of the expression `goal` among those that keep all `limits`, or None. Throws UserError."""
-    objective, kept = Expression(goal, "the goal"), [Limit(text) for text in limits]
+    objective, kept = Expression(goal, said("the goal")), [Limit(text) for text in limits]
     allowed = [case for case in data.cases if all(limit.is_kept(all_values(case)) for limit in kept)]
     return min(allowed, key=lambda case: objective.value(all_values(case)), default=None)
 

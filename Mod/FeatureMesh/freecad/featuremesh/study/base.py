@@ -7,6 +7,7 @@ from femtools import femutils
 
 from .. import api, documents, edits, engine, formats, live_result, mesh_object, reading, statics, statics_model, versions
 from ..errors import UserError
+from ..messages import said
 from . import places, response_words, responses
 from .design import from_plain
 
@@ -68,7 +69,8 @@ def _refuse_unknown_places(study, part):
 def _refuse_volume(study, part):
     for response in study.responses:
         if response.kind == "volume" and not part.Shape.Solids:
-            raise UserError("the response %s needs a solid, and %s has none; ask for its mass or area" % (response.name, reading.describe(part)))
+            raise UserError(said("the response {response:text} needs a solid, and {part:text} has none; ask for its mass or area",
+                                 response=response.name, part=reading.describe(part)))
 
 
 def _refuse_mixed(document, study, part, arrays):
@@ -78,8 +80,9 @@ def _refuse_mixed(document, study, part, arrays):
     members = statics_model.members_of(api.find_analysis(document, study.analysis))
     skins = [member for member in members for kind in ("Fem::ElementGeometry1D", "Fem::ElementGeometry2D") if femutils.is_of_type(member, kind)]
     if len(formats.fillings_of(arrays)) > 1 or (len(arrays["tets"]) and skins):
-        raise UserError("a study asks for figures of solids, of shells or of beams alone, and %s has several of them in one analysis; study a part of one "
-                        "kind, or ask for its volume or area only" % reading.describe(part))
+        raise UserError(said("a study asks for figures of solids, of shells or of beams alone, and {part:text} has several of them in one analysis; study "
+                             "a part of one kind, or ask for its volume or area only",
+                             part=reading.describe(part)))
 
 
 def _remarks(document, study, solver, is_solid):
@@ -96,11 +99,12 @@ def _solver(document, study, mesh):
         return None
     analysis = api.find_analysis(document, study.analysis)
     if mesh not in analysis.Group:
-        raise UserError("the analysis %s has another mesh than %s" % (reading.describe(analysis), reading.describe(mesh)))
+        raise UserError(said("the analysis {analysis:text} has another mesh than {mesh:text}",
+                             analysis=reading.describe(analysis), mesh=reading.describe(mesh)))
     chosen = study.solver or ("live" if _live_can(analysis, mesh, study) else "ccx")
     if chosen == "live":
         if engine.load().statics_missing():
-            raise UserError("the live solver needs PETSc: %s" % engine.load().statics_missing())
+            raise UserError(said("the live solver needs PETSc: {why:messages}", why=engine.load().statics_missing()))
         statics.refuse_free_motions(statics_model.read(analysis, mesh))
         responses.refuse_unfit(study.responses, "static", True)
     else:

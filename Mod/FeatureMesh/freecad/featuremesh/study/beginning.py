@@ -2,6 +2,7 @@
 """Begins a study: its folder with the base document and the planned cases."""
 
 from ..errors import UserError
+from ..messages import said
 from . import planning
 from .folder import StudyFolder, hash_of_file
 
@@ -13,6 +14,6 @@ def begin(study, path, make_base):
     before = hash_of_file(study.document)
     facts = make_base(study.to_plain(), folder.base_path)
     if hash_of_file(study.document) != before:
-        raise UserError("%s was changed while its base mesh was made; start the study again" % study.document)
+        raise UserError(said("{document:text} was changed while its base mesh was made; start the study again", document=study.document))
     folder.create(study, facts, planning.plan)
     return folder

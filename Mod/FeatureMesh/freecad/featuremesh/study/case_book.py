@@ -4,6 +4,7 @@
 import time
 
 from ..errors import UserError
+from ..messages import said
 from .database import WAITING, DiskFull
 from .folder import DocumentWatch, made_of
 from .steps import PROCESSORS
@@ -33,8 +34,9 @@ class CaseBook:
 
     def refuse_changed_document(self):
         if self._watch and self._watch.has_changed():
-            raise Stopped("%s was changed since the study began; its cases are of the document as it was then (base.FCStd in its folder). "
-                          "`study resume %s --keep-base` goes on with that" % (self.study.document, self.folder.path))
+            raise Stopped(said("{document:text} was changed since the study began; its cases are of the document as it was then (base.FCStd in its "
+                               "folder). `study resume {folder:text} --keep-base` goes on with that",
+                               document=self.study.document, folder=self.folder.path))
 
     def start(self, case):
         """What a worker needs to know of the case, which runs from now on."""
@@ -47,8 +49,8 @@ class CaseBook:
     def keep(self, case, result, seconds):
         """Keeps what a case gave. Returns whether it is to be run again. Throws DiskFull."""
         if result["state"] == "disk full":
-            raise DiskFull("the disk of %s is full (%s); every finished case is safe. Make room, then go on with `study resume`"
-                           % (self.folder.path, result["message"]))
+            raise DiskFull(said("the disk of {folder:text} is full ({why:messages}); every finished case is safe. Make room, then go on with `study resume`",
+                                folder=self.folder.path, why=result["message"]))
         if result["state"] == "killed" and case.attempts < MOST_ATTEMPTS:
             self.database.wait_again(case.id)
             return True
@@ -59,9 +61,8 @@ class CaseBook:
     def _final(self, case, result):
         """The case's row: a case that was killed too often has failed."""
         if result["state"] == "killed":
-            result = {**result, "state": "failed", "message": "case %d was ended %d times: %s" % (case.id, case.attempts, result["message"])}
-        if result["state"] == "failed" and not result["message"].startswith("case "):
-            result = {**result, "message": "case %d: %s" % (case.id, result["message"])}
+            result = {**result, "state": "failed", "message": said("it was ended {times:count} {times:time|times}: {why:messages}",
+                                                                   times=case.attempts, why=result["message"])}
         seconds = dict(result.get("seconds", {}))
         if "elapsed" in result:
             seconds["total"] = result["elapsed"]

@@ -11,8 +11,8 @@ import traceback
 
 from .. import api, documents, engine, reading, versions
 from ..errors import UserError
-from ..messages import english
-from ..mesh_object import element_count, one_line
+from ..messages import of_error, said, several
+from ..mesh_object import element_count
 from . import case_solver, places, response_words, responses
 from .database import DONE, FAILED, INFEASIBLE
 from .design import from_plain
@@ -23,7 +23,7 @@ _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 _NO_ROOM = 1 << 20   # bytes; a disk with less is full
 
 
-class Infeasible(Exception):
+class Infeasible(UserError):
     """FreeCAD cannot make the part that the parameters ask for."""
 
 
@@ -50,21 +50,19 @@ def run(base, case):
     try:
         return _run(base, case, seconds)
     except Infeasible as error:
-        return {"state": INFEASIBLE, "message": one_line(error), "seconds": seconds}
+        return {"state": INFEASIBLE, "message": of_error(error), "seconds": seconds}
     except case_solver.Killed as error:
-        return {"state": KILLED, "message": one_line(error)}
+        return {"state": KILLED, "message": of_error(error)}
     except OSError as error:
         state = DISK_FULL if error.errno in _FULL or _has_no_room(case["folder"]) else FAILED
-        return {"state": state, "message": one_line(error), "seconds": seconds}
+        return {"state": state, "message": of_error(error), "seconds": seconds}
     except MemoryError:
-        return {"state": FAILED, "message": "case %d: the memory was not enough" % case["id"], "seconds": seconds}
+        return {"state": FAILED, "message": said("the memory was not enough"), "seconds": seconds}
     except Exception as error:
         if not isinstance(error, (UserError, engine.load().Error)):
             traceback.print_exc()
-        message = one_line(error)
-        if _has_no_room(case["folder"]):   # CalculiX and FreeCAD tell of a full disk in words of their own
-            return {"state": DISK_FULL, "message": message, "seconds": seconds}
-        return {"state": FAILED, "seconds": seconds, "message": message if message.startswith("case ") else "case %d: %s" % (case["id"], message)}
+        is_full = _has_no_room(case["folder"])   # CalculiX and FreeCAD tell of a full disk in words of their own
+        return {"state": DISK_FULL if is_full else FAILED, "message": of_error(error), "seconds": seconds}
 
 
 def _has_no_room(folder):
@@ -88,9 +86,9 @@ def _run(base, case, seconds):
     with step(seconds, "hashes"):
         mesh_hash = hash_of(arrays)
         hashes = {"mesh": mesh_hash, "result": _hash_of_values(mesh_hash, values)}
-    return {"state": DONE, "responses": values, "seconds": seconds, "message": "; ".join(map(english, report["warnings"])),
+    return {"state": DONE, "responses": values, "seconds": seconds, "message": several(report["warnings"]) or "",
             "mesh": {"nodes": report["nodes"], "elements": element_count(report), "kept_share": (report.get("kept") or {}).get("nodes_share", 0.0),
-                     "fallback": english(report["fallback"]) or None},
+                     "fallback": report["fallback"]},
             "hashes": hashes}
 
 
@@ -102,9 +100,9 @@ def edit(base, case):
         reading.refuse_errors(base.part)
         reading.refuse_unmeshable(base.part)
     except UserError as error:
-        raise Infeasible(one_line(error)) from error
+        raise Infeasible(of_error(error)) from error
     if not base.part.Shape.isValid():
-        raise Infeasible("FreeCAD made a shape of %s that is not valid" % reading.describe(base.part))
+        raise Infeasible(said("FreeCAD made a shape of {part:text} that is not valid", part=reading.describe(base.part)))
 
 
 def _mesh(base, seconds):
@@ -113,7 +111,7 @@ def _mesh(base, seconds):
         try:
             job.run()
         except engine.load().InputError as error:
-            raise Infeasible(one_line(error)) from error
+            raise Infeasible(of_error(error)) from error
     with step(seconds, "hand_over"):
         needs_freecad = base.solver == "ccx" or "mesh" in base.study.keep
         report = base.mesh.Proxy.take_over(base.mesh, job, needs_freecad)

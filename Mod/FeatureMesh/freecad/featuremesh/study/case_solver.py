@@ -12,13 +12,14 @@ import numpy as np
 from femtools import ccxtools
 
 from .. import calculix, formats, frd, statics
-from ..errors import UserError
+from ..errors import Said, UserError
+from ..messages import of_error, said
 from ..reading import describe
 from . import modes, parent_process
 from .steps import step
 
 
-class Killed(RuntimeError):
+class Killed(Said, RuntimeError):
     """Somebody ended the solver; the case may be tried again."""
 
 
@@ -74,9 +75,9 @@ def _read(base, analysis, arrays, known):
         found = frd.read(base + ".frd", {"DISP": 3, "STRESS": 6, "FORC": 3, "NDTEMP": 1})
         swollen = _rows_of_swollen(base + ".frd", arrays) if _is_swollen(found, arrays) else None
     except (OSError, ValueError) as error:
-        raise UserError("CalculiX left no readable result: %s" % error) from error
+        raise UserError(said("CalculiX left no readable result: {why:messages}", why=of_error(error))) from error
     if "DISP" not in found:
-        raise UserError("CalculiX gave no displacements for %s" % describe(analysis))
+        raise UserError(said("CalculiX gave no displacements for {analysis:text}", analysis=describe(analysis)))
     return _fields(found, swollen, printed, analysis, arrays, known)
 
 
@@ -121,9 +122,9 @@ def _run(base, threads):
         code = subprocess.run([program, "-i", os.path.basename(base)], cwd=os.path.dirname(base), env=environment, stdin=subprocess.DEVNULL,
                               stdout=stream, stderr=subprocess.STDOUT, preexec_fn=lambda: parent_process.end_with(parent)).returncode
     if code in (-signal.SIGKILL, -signal.SIGTERM):
-        raise Killed("CalculiX was ended from outside (%s)" % signal.Signals(-code).name)
+        raise Killed(said("CalculiX was ended from outside ({signal:text})", signal=signal.Signals(-code).name))
     if code:
-        raise UserError("CalculiX failed (exit code %d): %s" % (code, _complaint(log)))
+        raise UserError(said("CalculiX failed (exit code {code:count}): {why:messages}", code=code, why=_complaint(log)))
 
 
 def _complaint(log):
@@ -132,7 +133,7 @@ def _complaint(log):
     for number, line in enumerate(lines):
         if "*ERROR" in line:
             return " ".join(" ".join(lines[number:number + 3]).split())
-    return " ".join(" ".join(lines[-3:]).split()) or "it says nothing of why"
+    return " ".join(" ".join(lines[-3:]).split()) or said("it says nothing of why")
 
 
 def _by_number(numbers, values, wanted):

@@ -8,6 +8,7 @@ import time
 from dataclasses import dataclass
 
 from ..errors import UserError
+from ..messages import of_error, said
 from . import memory
 from .case_book import CaseBook, Stopped
 
@@ -41,7 +42,8 @@ class DaskRunner:
         try:
             self._run(self._book.waiting(case_ids))
         except (OSError, TimeoutError) as error:
-            raise Stopped("the Dask scheduler %s is gone (%s); go on with `study resume`" % (self._cluster.scheduler, error)) from error
+            raise Stopped(said("the Dask scheduler {scheduler:text} is gone ({why:messages}); go on with `study resume`",
+                               scheduler=self._cluster.scheduler, why=of_error(error))) from error
 
     def _run(self, waiting):
         self._client.upload_file(_WORKER_FILE)
@@ -75,11 +77,11 @@ class DaskRunner:
         try:
             from distributed import Client
         except ImportError as error:
-            raise UserError("--scheduler needs Dask: install Debian's package python3-distributed") from error
+            raise UserError(said("--scheduler needs Dask: install Debian's package python3-distributed")) from error
         try:
             return Client(address, timeout=_PATIENCE, set_as_default=False)
         except (OSError, TimeoutError, ValueError) as error:
-            raise UserError("no Dask scheduler answers at %s (%s)" % (address, error)) from error
+            raise UserError(said("no Dask scheduler answers at {address:text} ({why:messages})", address=address, why=of_error(error))) from error
 
     def _threads(self):
         return sum(worker["nthreads"] for worker in self._client.scheduler_info()["workers"].values())
@@ -124,7 +126,7 @@ class DaskRunner:
         if future.status == "finished":
             result = future.result()
         elif future.status in _LOST:
-            result = {"state": "killed", "message": "the Dask workers that had its base document are gone"}
+            result = {"state": "killed", "message": said("the Dask workers that had its base document are gone")}
         else:   # Dask's own word when the worker died as often as Dask allows, or when a task raised
             result = {"state": "failed", "message": "Dask: %r" % (future.exception() if future.status == "error" else future.status)}
         again = self._book.keep(case, result, time.monotonic() - start)

@@ -38,10 +38,10 @@ def run_case(study, base, case):
     except from_workbench.WorkerDied as error:
         if worker is not None:
             worker.end()
-        return {"state": "killed", "message": str(error)}
+        return {"state": "killed", "message": from_workbench.of_error(error)}
     except from_workbench.BaseBroken as error:
         worker.end()
-        return {"state": "failed", "message": "a worker cannot open the base document: %s" % error}
+        return {"state": "failed", "message": from_workbench.said("a worker cannot open the base document: {why:messages}", why=from_workbench.of_error(error))}
     with _lock:
         _idle.setdefault(key, []).append(worker)
     return result

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 
 from ..errors import UserError
+from ..messages import is_message, of_error, said
 
 SCHEMA = 1
 WAITING, RUNNING, DONE, INFEASIBLE, FAILED = "waiting", "running", "done", "infeasible", "failed"
@@ -29,7 +30,7 @@ class Case:
     state: str
     parameters: dict
     responses: dict = field(default_factory=dict)
-    message: str = ""
+    message: object = ""                          # of messages.py, or a text as older programs kept it
     seconds: dict = field(default_factory=dict)   # of each step (see steps.py)
     mesh: dict = field(default_factory=dict)      # nodes, tets, kept share
     hashes: dict = field(default_factory=dict)    # made_of: document, parameters, settings; result: mesh and responses
@@ -59,9 +60,10 @@ class Database:
                         self._link.execute("insert into study values ('schema', ?)", (json.dumps(SCHEMA),))
             schema = self.value("schema")
         except sqlite3.DatabaseError as error:
-            raise UserError("%s is no study's database: %s" % (path, error)) from error
+            raise UserError(said("{path:text} is no study's database: {why:messages}", path=path, why=of_error(error))) from error
         if schema != SCHEMA:
-            raise UserError("%s is of a newer FeatureMesh (schema %s, this one reads %d)" % (path, schema, SCHEMA))
+            raise UserError(said("{path:text} is of a newer FeatureMesh (schema {schema:text}, this one reads {newest:count})",
+                                 path=path, schema=schema, newest=SCHEMA))
 
     def close(self):
         self._link.close()
@@ -83,7 +85,7 @@ class Database:
         with self._transaction():
             for parameters, message in cases:
                 self._link.execute("insert or ignore into cases (state, parameters, message, maker) values (?, ?, ?, ?)",
-                                   (INFEASIBLE if message else WAITING, _key(parameters), message or "", maker))
+                                   (INFEASIBLE if message else WAITING, _key(parameters), _message(message), maker))
             for key, value in (values or {}).items():
                 self._link.execute("insert or replace into study values (?, ?)", (key, json.dumps(value)))
         return [self._link.execute("select id from cases where parameters = ?", (_key(parameters),)).fetchone()[0] for parameters, _ in cases]
@@ -102,7 +104,7 @@ class Database:
         """Keeps what a case gave."""
         with self._transaction():
             self._link.execute("update cases set state = ?, responses = ?, message = ?, seconds = ?, mesh = ?, hashes = ? where id = ?",
-                               (result["state"], _plain(result.get("responses")), result.get("message", ""), _plain(result.get("seconds")),
+                               (result["state"], _plain(result.get("responses")), _message(result.get("message")), _plain(result.get("seconds")),
                                 _plain(result.get("mesh")), _plain(result.get("hashes")), case_id))
 
     def forget_running(self):
@@ -152,8 +154,8 @@ def _disk_errors(path):
         yield
     except sqlite3.OperationalError as error:
         if any(words in str(error) for words in ("disk is full", "disk I/O error", "readonly database", "unable to open")):
-            raise DiskFull("%s cannot be written: %s; every finished case is safe. Make room, then go on with `study resume`"
-                           % (path, error)) from error
+            raise DiskFull(said("{path:text} cannot be written: {why:messages}; every finished case is safe. Make room, then go on with `study resume`",
+                                path=path, why=of_error(error))) from error
         raise
 
 
@@ -165,5 +167,10 @@ def _plain(value):
     return json.dumps(value or {}, sort_keys=True)
 
 
+def _message(value):
+    return json.dumps(value, sort_keys=True) if is_message(value) else value or ""
+
+
 def _case(row):
-    return Case(**{name: json.loads(value) if name in _JSON else value for name, value in row.items()})
+    known = {name: json.loads(value) if name in _JSON else value for name, value in row.items()}
+    return Case(**{**known, "message": json.loads(row["message"]) if row["message"].startswith('{"') else row["message"]})

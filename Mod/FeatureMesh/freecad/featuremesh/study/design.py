@@ -6,6 +6,7 @@ import re
 from dataclasses import asdict, dataclass, field
 
 from ..errors import UserError
+from ..messages import of_error, said
 from .expressions import Expression
 from .response_words import Response, parse_response
 
@@ -20,7 +21,8 @@ _KEYS = {"document": str, "object": str, "analysis": str, "solver": str, "thread
 _MESH_KEYS = {"size": _NUMBER, "order": int}
 _LIMIT_KEYS = {"seconds": _NUMBER, "memory_gb": _NUMBER}
 _PARAMETER_KEYS = {"set": str, "name": str, "range": list, "values": list, "unit": str, "levels": int, "integer": bool}
-_IN_WORDS = {str: "a text in quotes", int: "a whole number", _NUMBER: "a number", list: "a list in square brackets", dict: "a table", bool: "true or false"}
+_IN_WORDS = {str: said("a text in quotes"), int: said("a whole number"), _NUMBER: said("a number"), list: said("a list in square brackets"),
+             dict: said("a table"), bool: said("true or false")}
 
 
 @dataclass
@@ -68,7 +70,7 @@ class Study:
     def constraint_not_kept(self, values):
         """The first constraint that the parameters' values break, or None. Throws UserError for one that cannot be evaluated."""
         for text in self.constraints:
-            if not Expression(text, "the constraint").value(values):
+            if not Expression(text, said("the constraint")).value(values):
                 return text
         return None
 
@@ -84,27 +86,27 @@ def read_toml(path):
     try:
         import tomllib
     except ImportError as error:
-        raise UserError("files of studies need Python 3.11 or newer, which this FreeCAD has not") from error
+        raise UserError(said("files of studies need Python 3.11 or newer, which this FreeCAD has not")) from error
     try:
         with open(path, "rb") as stream:
-            said = tomllib.load(stream)
+            given = tomllib.load(stream)
     except tomllib.TOMLDecodeError as error:
-        raise UserError("%s cannot be read: %s" % (path, error)) from error
-    _refuse_wrong(said, _KEYS, path)
+        raise UserError(said("{path:text} cannot be read: {why:messages}", path=path, why=of_error(error))) from error
+    _refuse_wrong(given, _KEYS, path)
     folder = os.path.dirname(os.path.abspath(path))
     for key in ("document", "parameters", "responses"):
-        if not said.get(key):
-            raise UserError("%s has no %s; a study's file needs document, parameters and responses" % (path, key))
-    mesh, limits = said.get("mesh", {}), said.get("limits", {})
+        if not given.get(key):
+            raise UserError(said("{path:text} has no {key:text}; a study's file needs document, parameters and responses", path=path, key=key))
+    mesh, limits = given.get("mesh", {}), given.get("limits", {})
     _refuse_wrong(mesh, _MESH_KEYS, path + ", [mesh]")
     _refuse_wrong(limits, _LIMIT_KEYS, path + ", [limits]")
     study = Study(
-        document=os.path.join(folder, said["document"]), parameters=[_parameter(entry, path) for entry in said["parameters"]],
-        responses=[parse_response(entry) for entry in said["responses"]], object=said.get("object"), analysis=said.get("analysis"),
-        solver=said.get("solver"), sampling=said.get("sampling", "lhs"), cases=said.get("cases", 0),
-        rows=os.path.join(folder, said["rows"]) if said.get("rows") else None, seed=said.get("seed", 1),
-        constraints=said.get("constraints", []), mesh_size=mesh.get("size"), mesh_order=mesh.get("order"), threads=said.get("threads", 1),
-        keep=said.get("keep", []), seconds_limit=limits.get("seconds", 3600.0), memory_limit_gb=limits.get("memory_gb"))
+        document=os.path.join(folder, given["document"]), parameters=[_parameter(entry, path) for entry in given["parameters"]],
+        responses=[parse_response(entry) for entry in given["responses"]], object=given.get("object"), analysis=given.get("analysis"),
+        solver=given.get("solver"), sampling=given.get("sampling", "lhs"), cases=given.get("cases", 0),
+        rows=os.path.join(folder, given["rows"]) if given.get("rows") else None, seed=given.get("seed", 1),
+        constraints=given.get("constraints", []), mesh_size=mesh.get("size"), mesh_order=mesh.get("order"), threads=given.get("threads", 1),
+        keep=given.get("keep", []), seconds_limit=limits.get("seconds", 3600.0), memory_limit_gb=limits.get("memory_gb"))
     for response in study.responses:
         if response.file:
             response.file = os.path.join(folder, response.file)
@@ -135,70 +137,75 @@ def parse_parameter(text):
 def check(study):
     """Throws UserError for what makes no sense, before anything is started."""
     if study.sampling not in SAMPLINGS:
-        raise UserError("the sampling is one of %s, not %s" % (", ".join(SAMPLINGS), study.sampling))
+        raise UserError(said("the sampling is one of {samplings:text}, not {sampling:text}", samplings=", ".join(SAMPLINGS), sampling=study.sampling))
     if study.sampling in COUNTED and not study.cases > 0:
-        raise UserError("the sampling %s needs a number of cases, such as --cases 32 (in a study's file cases = 32)" % study.sampling)
+        raise UserError(said("the sampling {sampling:text} needs a number of cases, such as --cases 32 (in a study's file cases = 32)",
+                             sampling=study.sampling))
     if study.sampling == "csv" and not study.rows:
-        raise UserError("the sampling csv needs a file of rows: --rows ROWS.csv (in a study's file rows = \"ROWS.csv\")")
+        raise UserError(said("the sampling csv needs a file of rows: --rows ROWS.csv (in a study's file rows = \"ROWS.csv\")"))
     if study.sampling == "box_behnken" and len(study.parameters) < 3:
-        raise UserError("Box-Behnken needs at least three parameters, not %d; take central_composite" % len(study.parameters))
+        raise UserError(said("Box-Behnken needs at least three parameters, not {count:count}; take central_composite", count=len(study.parameters)))
     if study.solver not in (None, *SOLVERS):
-        raise UserError("the solver is live or ccx, not %s" % study.solver)
+        raise UserError(said("the solver is live or ccx, not {solver:text}", solver=study.solver))
     if study.threads < 1:
-        raise UserError("a case needs at least one thread, not %d" % study.threads)
+        raise UserError(said("a case needs at least one thread, not {threads:count}", threads=study.threads))
     if study.seed < 0:
-        raise UserError("the seed is 0 or larger, not %d" % study.seed)
+        raise UserError(said("the seed is 0 or larger, not {seed:count}", seed=study.seed))
     check_limits(study)
     for name in study.keep:
         if name not in KEPT_FILES:
-            raise UserError("of a case can be kept: %s, not %s" % (", ".join(KEPT_FILES), name))
+            raise UserError(said("of a case can be kept: {kinds:text}, not {kind:text}", kinds=", ".join(KEPT_FILES), kind=name))
     for parameter in study.parameters:
         _check_parameter(parameter)
     names = [entry.name for entry in study.parameters + study.responses]
     for name in names:
         if names.count(name) > 1:
-            raise UserError("two columns are named %s; give one of them another name" % name)
+            raise UserError(said("two columns are named {name:text}; give one of them another name", name=name))
     for text in study.constraints:
-        Expression(text, "the constraint")
+        Expression(text, said("the constraint"))
 
 
 def check_limits(study):
     """Throws UserError for a limit that no case could keep to."""
     if not study.seconds_limit > 0:
-        raise UserError("the time limit of a case is more than 0 s, not %g" % study.seconds_limit)
+        raise UserError(said("the time limit of a case is more than 0 s, not {seconds:number}", seconds=study.seconds_limit))
     if study.memory_limit_gb is not None and not study.memory_limit_gb > 0:
-        raise UserError("the memory limit of a case is more than 0 GB, not %g; leave it out where the whole machine may be used" % study.memory_limit_gb)
+        raise UserError(said("the memory limit of a case is more than 0 GB, not {gigabytes:number}; leave it out where the whole machine may be used",
+                             gigabytes=study.memory_limit_gb))
 
 
-def _refuse_wrong(said, known, where):
+def _refuse_wrong(given, known, where):
     """Throws UserError for a key that means nothing, or that holds another kind of value than `known` says."""
-    for key, value in said.items():
+    for key, value in given.items():
         if key not in known:
-            raise UserError("%s: there is no %s; known are %s" % (where, key, ", ".join(sorted(known))))
+            raise UserError(said("{where:text}: there is no {key:text}; known are {known:text}", where=where, key=key, known=", ".join(sorted(known))))
         if not isinstance(value, known[key]) or (isinstance(value, bool) and known[key] is not bool):
-            raise UserError("%s: %s is %s, not %r" % (where, key, _IN_WORDS[known[key]], value))
+            raise UserError(said("{where:text}: {key:text} is {kind:messages}, not {value:text}",
+                                 where=where, key=key, kind=_IN_WORDS[known[key]], value=repr(value)))
 
 
 def _check_parameter(parameter):
     if bool(parameter.bounds) == bool(parameter.values):
-        raise UserError("the parameter %s needs a range of two numbers or a list of values" % parameter.name)
+        raise UserError(said("the parameter {parameter:text} needs a range of two numbers or a list of values", parameter=parameter.name))
     if parameter.bounds and not parameter.bounds[0] < parameter.bounds[1]:
-        raise UserError("the range of %s has to rise, not %g:%g; write its low end first" % (parameter.name, *parameter.bounds))
+        low, high = parameter.bounds
+        raise UserError(said("the range of {name:text} has to rise, not {low:number}:{high:number}; write its low end first",
+                             name=parameter.name, low=low, high=high))
     if parameter.levels < 2:
-        raise UserError("%s needs at least two levels, not %d" % (parameter.name, parameter.levels))
+        raise UserError(said("{parameter:text} needs at least two levels, not {levels:count}", parameter=parameter.name, levels=parameter.levels))
 
 
-def _parameter(said, path):
-    if not isinstance(said, dict):
-        raise UserError("%s: a parameter is a table [[parameters]] with set = \"OBJECT.PROPERTY\", not %r" % (path, said))
-    _refuse_wrong(said, _PARAMETER_KEYS, "%s, [[parameters]]" % path)
-    if not said.get("set"):
-        raise UserError("%s: a parameter has no set = \"OBJECT.PROPERTY\"" % path)
-    bounds = said.get("range", [])
+def _parameter(given, path):
+    if not isinstance(given, dict):
+        raise UserError(said('{path:text}: a parameter is a table [[parameters]] with set = "OBJECT.PROPERTY", not {entry:text}', path=path, entry=repr(given)))
+    _refuse_wrong(given, _PARAMETER_KEYS, "%s, [[parameters]]" % path)
+    if not given.get("set"):
+        raise UserError(said('{path:text}: a parameter has no set = "OBJECT.PROPERTY"', path=path))
+    bounds = given.get("range", [])
     if bounds and (len(bounds) != 2 or not all(isinstance(entry, (int, float)) for entry in bounds)):
-        raise UserError("%s: the range of %s is two numbers" % (path, said["set"]))
-    return Parameter(said["set"], said.get("name", said["set"]), tuple(map(float, bounds)), list(said.get("values", [])), said.get("unit", ""),
-                     said.get("levels", 3), said.get("integer", False))
+        raise UserError(said("{path:text}: the range of {parameter:text} is two numbers", path=path, parameter=given["set"]))
+    return Parameter(given["set"], given.get("name", given["set"]), tuple(map(float, bounds)), list(given.get("values", [])), given.get("unit", ""),
+                     given.get("levels", 3), given.get("integer", False))
 
 
 def _value(text):
@@ -209,4 +216,4 @@ def _value(text):
 
 
 def _unreadable(text):
-    return UserError("cannot read '%s'; a parameter is OBJECT.PROPERTY=LOW:HIGH, with :LEVELS for a grid, or OBJECT.PROPERTY=A,B,C" % text)
+    return UserError(said("cannot read '{text:text}'; a parameter is OBJECT.PROPERTY=LOW:HIGH, with :LEVELS for a grid, or OBJECT.PROPERTY=A,B,C", text=text))

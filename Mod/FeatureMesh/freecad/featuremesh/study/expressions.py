@@ -6,6 +6,7 @@ import math
 from types import SimpleNamespace
 
 from ..errors import UserError
+from ..messages import english, said
 
 _FUNCTIONS = {name: getattr(math, name) for name in dir(math) if not name.startswith("_")}
 _FUNCTIONS.update({function.__name__: function for function in (abs, min, max, sum, round)})
@@ -15,19 +16,21 @@ class Expression:
     """An expression of a study's file or of a command line, which is its owner's own program."""
 
     def __init__(self, text, what):
-        """`what` says in messages what it is. Throws UserError for what is no expression."""
+        """`what` is a message that says what it is. Throws UserError for what is no expression."""
         self.text, self._what = text, what
         try:
-            self._code = compile(text, "<%s>" % what, "eval")
+            self._code = compile(text, "<%s>" % english(what), "eval")
         except (SyntaxError, TypeError, ValueError) as error:
-            raise UserError("%s %s cannot be read: %s" % (what, text, getattr(error, "msg", error))) from error
+            raise UserError(said("{what:messages} {text:text} cannot be read: {why:text}",
+                                 what=what, text=text, why=str(getattr(error, "msg", error)))) from error
 
     def value(self, values):
         """Its value where each name in `values` has that value. Throws UserError."""
         try:
             return eval(self._code, {"__builtins__": {}, **_FUNCTIONS, **_by_dots(values)})
         except Exception as error:
-            raise UserError("%s %s cannot be evaluated: %s; it may use %s" % (self._what, self.text, error, ", ".join(values))) from error
+            raise UserError(said("{what:messages} {text:text} cannot be evaluated: {why:messages}; it may use {names:text}",
+                                 what=self._what, text=self.text, why=str(error), names=", ".join(values))) from error
 
 
 class Limit:
@@ -35,12 +38,12 @@ class Limit:
 
     def __init__(self, text):
         """Throws UserError for what is no comparison of two things."""
-        self.text, self._whole = text, Expression(text, "the limit")
+        self.text, self._whole = text, Expression(text, said("the limit"))
         node = ast.parse(text.strip(), mode="eval").body
         if not isinstance(node, ast.Compare) or len(node.ops) != 1 or not isinstance(node.ops[0], (ast.LtE, ast.Lt, ast.GtE, ast.Gt)):
-            raise UserError("the limit %s has to compare two things by <=, <, >= or >" % text)
+            raise UserError(said("the limit {limit:text} has to compare two things by <=, <, >= or >", limit=text))
         self._sign = 1 if isinstance(node.ops[0], (ast.LtE, ast.Lt)) else -1
-        self._left, self._right = (Expression(ast.unparse(side), "the limit") for side in (node.left, node.comparators[0]))
+        self._left, self._right = (Expression(ast.unparse(side), said("the limit")) for side in (node.left, node.comparators[0]))
 
     def is_kept(self, values):
         return bool(self._whole.value(values))

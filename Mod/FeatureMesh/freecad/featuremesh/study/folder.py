@@ -8,6 +8,7 @@ import os
 import shutil
 
 from ..errors import UserError
+from ..messages import said
 from .database import Database
 from .design import from_plain
 
@@ -24,9 +25,10 @@ class StudyFolder:
         self.base_path = os.path.join(self.path, "base.FCStd")
         there = os.path.isfile(self.database_path)
         if new and there:
-            raise UserError("%s holds a study already: go on with `study resume`, extend it with `study add`, or name another --folder" % path)
+            raise UserError(said("{path:text} holds a study already: go on with `study resume`, extend it with `study add`, or name another --folder",
+                                 path=path))
         if not new and not there:
-            raise UserError("%s holds no study; begin one there with `study run ... --folder %s`" % (path, path))
+            raise UserError(said("{path:text} holds no study; begin one there with `study run ... --folder {folder:text}`", path=path, folder=path))
         if new:
             self._make()
         self._lock = None
@@ -36,7 +38,8 @@ class StudyFolder:
         try:
             os.makedirs(os.path.join(self.path, "cases"), exist_ok=True)
         except (FileExistsError, NotADirectoryError, PermissionError) as error:
-            raise UserError("%s cannot be made a study's folder (%s); name another --folder" % (self.path, error.strerror)) from error
+            raise UserError(said("{path:text} cannot be made a study's folder ({why:text}); name another --folder",
+                                 path=self.path, why=error.strerror)) from error
 
     def create(self, study, facts, plan):
         """Makes the database, once the base document is there. `facts` are what base.make gave; `plan(folder)` adds the cases. The study is there with all
@@ -81,7 +84,7 @@ class StudyFolder:
             stream.seek(0)
             owner = stream.read().strip() or "unknown"
             stream.close()
-            raise UserError("the study in %s is being run already, by process %s" % (self.path, owner)) from None
+            raise UserError(said("the study in {folder:text} is being run already, by process {process:text}", folder=self.path, process=owner)) from None
         stream.truncate(0)
         stream.write("%d\n" % os.getpid())
         stream.flush()
@@ -95,7 +98,7 @@ class StudyFolder:
     def refuse_damaged_base(self):
         """Throws UserError when the base document is not the one that the cases before were made from."""
         if not os.path.isfile(self.base_path) or hash_of_file(self.base_path) != self.database.value("base_hash"):
-            raise UserError("%s is not as the study made it; start the study anew in another folder" % self.base_path)
+            raise UserError(said("{path:text} is not as the study made it; start the study anew in another folder", path=self.base_path))
 
 
 class DocumentWatch:

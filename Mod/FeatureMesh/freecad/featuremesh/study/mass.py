@@ -9,11 +9,12 @@ from femtools import femutils
 
 from .. import formats, materials, statics, statics_model
 from ..errors import UserError
+from ..messages import said
 from ..hand_over import EntityGroups
 from ..reading import describe
 from ..resolving import Resolver
 
-_SECTIONS = {"triangles": ("Fem::ElementGeometry2D", "thickness"), "segments": ("Fem::ElementGeometry1D", "section")}
+_SECTIONS = {"triangles": ("Fem::ElementGeometry2D", said("thickness")), "segments": ("Fem::ElementGeometry1D", said("section"))}
 _AREAS = {   # of FreeCAD's sections of beams, mm^2
     "Rectangular": lambda width, height: width * height,
     "Circular": lambda diameter: math.pi / 4 * diameter ** 2,
@@ -36,7 +37,7 @@ def of_part(part, analysis, arrays):
     def by_element(fem_type, what, value_of, numbers_of):
         found = [member for member in members if femutils.is_of_type(member, fem_type)]
         if not found:
-            raise UserError("the mass needs an analysis with a %s" % what)
+            raise UserError(said("the mass needs an analysis with a {what:messages}", what=what))
         return _by_element(arrays[own], what, [(numbers, value_of(member)) for member, numbers in zip(found, numbers_of(found))])
 
     def named(found):
@@ -46,7 +47,7 @@ def of_part(part, analysis, arrays):
         groups = {name: numbers for name, _, numbers in materials.material_groups(found, resolver, entities)}
         return [groups.get(member.Name + "_Volumes", ()) for member in found]
 
-    each = by_element("Fem::MaterialCommon", "material", _density, of_solids if kind == "tets" else named) * _sizes(arrays, kind)
+    each = by_element("Fem::MaterialCommon", said("material"), _density, of_solids if kind == "tets" else named) * _sizes(arrays, kind)
     if kind in _SECTIONS:
         each *= by_element(*_SECTIONS[kind], _thickness if kind == "triangles" else _section, named)
     return float(each.sum()) * whole(part, kind) / float(_sizes(arrays, kind).sum()) * statics.TONNE
@@ -77,7 +78,8 @@ def _by_element(own, what, claims):
     for value in [value for numbers, value in claims if numbers is None][:1]:
         values[np.isnan(values)] = value
     if np.isnan(values).any():
-        raise UserError("the mass needs a %s for all of the part, and %d elements have none" % (what, np.isnan(values).sum()))
+        raise UserError(said("the mass needs a {what:messages} for all of the part, and {count:count} {count:element has|elements have} none",
+                             what=what, count=int(np.isnan(values).sum())))
     return values
 
 
@@ -93,7 +95,7 @@ def _density(material):
     """t/mm^3."""
     text = material.Material.get("Density")
     if text is None:
-        raise UserError("the material %s has no density" % describe(material))
+        raise UserError(said("the material {material:text} has no density", material=describe(material)))
     return float(FreeCAD.Units.Quantity(text).getValueAs("t/mm^3").Value)
 
 
@@ -105,5 +107,6 @@ def _thickness(member):
 def _section(member):
     """mm^2."""
     if member.SectionType not in _AREAS:
-        raise UserError("the mass of a beam with the section %s of %s is not known" % (member.SectionType, describe(member)))
+        raise UserError(said("the mass of a beam with the section {section:text} of {member:text} is not known",
+                             section=member.SectionType, member=describe(member)))
     return _AREAS[member.SectionType](*(statics_model.amount(getattr(member, name), "mm") for name in _MEASURES[member.SectionType]))

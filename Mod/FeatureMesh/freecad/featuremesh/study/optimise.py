@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..messages import said
 from . import answers, planning, surface
 from .database import DONE
 from .expressions import Expression, Limit
@@ -33,7 +34,7 @@ class Optimiser:
     def __init__(self, folder, goal, limits=(), seed=1):
         """Throws UserError for expressions that cannot be read or that use what the study has not."""
         self._folder, self._study = folder, folder.study()
-        self._goal, self._limits, self._seed = Expression(goal, "the goal"), [Limit(text) for text in limits], seed
+        self._goal, self._limits, self._seed = Expression(goal, said("the goal")), [Limit(text) for text in limits], seed
         integers = folder.facts()["integers"]
         for parameter in self._study.parameters:
             parameter.integer = parameter.integer or parameter.name in integers

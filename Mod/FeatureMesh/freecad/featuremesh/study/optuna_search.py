@@ -2,6 +2,7 @@
 """Optuna in place of the surfaces: for goals that surfaces cannot follow. Every trial is a case of the study."""
 
 from ..errors import UserError
+from ..messages import said
 from . import answers
 from .database import DONE
 from .optimise import Found, Optimiser
@@ -17,7 +18,7 @@ class OptunaOptimiser(Optimiser):
         try:
             import optuna
         except ImportError as error:
-            raise UserError("--method optuna needs Optuna: install Debian's package python3-optuna") from error
+            raise UserError(said("--method optuna needs Optuna: install Debian's package python3-optuna")) from error
         optuna.logging.set_verbosity(optuna.logging.WARNING)
         sampler = optuna.samplers.TPESampler(seed=self._seed, constraints_func=lambda trial: trial.user_attrs.get(_EXCESS, (1.0,)))
         trials = optuna.create_study(sampler=sampler, direction="minimize")

@@ -11,6 +11,7 @@ import ObjectsFem
 
 from .. import formats, resolving
 from ..errors import UserError
+from ..messages import said
 from ..hand_over import EntityGroups
 
 _ELEMENT = re.compile(r"(Face|Edge|Vertex|Solid)\d+$")
@@ -31,7 +32,7 @@ def add_groups(mesh, part, responses):
     for number, place in enumerate(of_nodes(responses), 1):
         resolver = resolving.Resolver(part)
         if not _has(part.Shape, place):
-            raise UserError("the part has no %s, where a response is asked for" % place)
+            raise UserError(said("the part has no {place:text}, where a response is asked for", place=place))
         group = ObjectsFem.makeMeshGroup(part.Document, mesh, False, _GROUP % number)
         group.Label = "Place of a response: " + place
         group.References = [(resolver.bearer or part, place)]
@@ -72,7 +73,7 @@ class Places:
         names, _ = resolving.Resolver(self._part).of_object(group)
         rows = self._rows_of_names(names)
         if not len(rows):
-            raise UserError("%s, where a response is asked for, is gone" % at)
+            raise UserError(said("{place:text}, where a response is asked for, is gone", place=at))
         return rows
 
     def _of_feature(self, at):
@@ -81,7 +82,7 @@ class Places:
         tets = [self._rows_of_elements(numbers) for name, numbers in self._part_mesh.owners_of_tets() if name == obj.Name]
         rows = np.unique(np.concatenate([self._rows_of_names(faces), *tets]))
         if not len(rows):
-            raise UserError("%s, where a response is asked for, has no face and no element of the part" % at)
+            raise UserError(said("{place:text}, where a response is asked for, has no face and no element of the part", place=at))
         return rows
 
     def _rows_of_names(self, names):
@@ -97,7 +98,7 @@ def feature(part, name):
     """The feature of that name or label. Throws UserError."""
     obj = part.Document.getObject(name) or next(iter(part.Document.getObjectsByLabel(name)), None)
     if obj is None:
-        raise UserError("there is no face, edge, vertex, point or feature %s, where a response is asked for" % name)
+        raise UserError(said("there is no face, edge, vertex, point or feature {place:text}, where a response is asked for", place=name))
     return obj
 
 
@@ -121,14 +122,14 @@ def refuse_points_outside(arrays, responses):
 def _interpolated(arrays, values, point):
     """The field at a point, by the shape functions of the tet it lies in. Throws UserError for a point outside of the part."""
     if not len(arrays["tets"]):
-        raise UserError("the part has no solid that the point %g,%g,%g mm could be in; ask at a face, edge or vertex" % tuple(point))
+        raise UserError(said("the part has no solid that the point {point:point} could be in; ask at a face, edge or vertex", point=point.tolist()))
     corners = arrays["points"][arrays["tets"]]
     matrix = np.moveaxis(corners[:, 1:] - corners[:, :1], 1, 2)
     inner = np.linalg.solve(matrix, (point - corners[:, 0])[..., None])[..., 0]
     shares = np.column_stack([1 - inner.sum(axis=1), inner])
     tet = int(shares.min(axis=1).argmax())
     if shares[tet].min() < _OUTSIDE:
-        raise UserError("the point %g,%g,%g mm, where a response is asked for, is not in the part" % tuple(point))
+        raise UserError(said("the point {point:point}, where a response is asked for, is not in the part", point=point.tolist()))
     share = shares[tet]
     if not len(arrays["tet_mids"]):
         return share @ values[arrays["tets"][tet]]

@@ -2,6 +2,7 @@
 """Puts the cases of a study into its database: those of its sampling, more of the same sequence, rows of one's own."""
 
 from ..errors import UserError
+from ..messages import alternatives, said
 from . import sampling
 from .design import COUNTED
 
@@ -22,7 +23,8 @@ def extend(folder, count=None, csv_path=None):
         database.add_cases(_with_messages(study, sampling.read_rows(study, csv_path)), "csv")
         return sum(database.counts().values()) - before
     if study.sampling not in COUNTED:
-        raise UserError("the sampling %s is complete; add rows of a CSV file, or start a study with %s" % (study.sampling, " or ".join(COUNTED)))
+        raise UserError(said("the sampling {sampling:text} is complete; add rows of a CSV file, or start a study with {others:messages}",
+                             sampling=study.sampling, others=alternatives(COUNTED)))
     sampled, batches = database.value("sampled"), database.value("batches")
     rows = sampling.rows(study, folder.facts()["base_values"], count, sampled, batches)
     database.add_cases(_with_messages(study, rows), study.sampling, {"sampled": sampled + count, "batches": batches + 1})
@@ -50,5 +52,5 @@ def _with_messages(study, rows):
     for row in rows:
         values = dict(zip([parameter.name for parameter in study.parameters], row))
         broken = study.constraint_not_kept(values)
-        found.append((values, "the constraint %s is not kept" % broken if broken else None))
+        found.append((values, said("the constraint {constraint:text} is not kept", constraint=broken) if broken else None))
     return found

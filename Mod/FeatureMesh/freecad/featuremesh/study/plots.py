@@ -10,6 +10,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
+from ..messages import english, said
+
 _MOST_DIGITS = 12
 _RESOLUTION = 0.02   # of the range between two numbers, to which both are written
 _SHADES = 200
@@ -59,8 +61,8 @@ def _told_apart(low, high):
     return "%.*g" % (digits, low), "%.*g" % (digits, high)
 
 
-def tornado(figure, data, responses, all_effects):
-    """The main effects, the largest on top."""
+def tornado(figure, data, responses, all_effects, say=english):
+    """The main effects, the largest on top. `say` puts messages into words."""
     rows, columns = -(-len(all_effects) // _ACROSS), min(len(all_effects), _ACROSS)
     figure.set_size_inches(4.2 * columns, (0.5 * len(data.names) + 1.2) * rows)
     axes = figure.subplots(rows, columns, squeeze=False)
@@ -74,15 +76,15 @@ def tornado(figure, data, responses, all_effects):
         plot.xaxis.set_major_locator(MaxNLocator(3))
         plot.xaxis.set_major_formatter(FuncFormatter(lambda value, _: "%.3g" % value))
         plot.tick_params(labelsize=8)
-        plot.set_xlabel("change of\n" + units[found.response].title)
+        plot.set_xlabel(say(said("change of")) + "\n" + units[found.response].title)
 
 
-def pareto(figure, data, front, first, second):
+def pareto(figure, data, front, first, second, say=english):
     """All cases in the plane of two responses, and those that no other beats."""
     figure.set_size_inches(5.2, 3.8)
     plot = figure.subplots()
-    plot.scatter(data.values(first.name), data.values(second.name), s=16, color=_GREY, label="cases")
-    plot.plot([case.responses[first.name] for case in front], [case.responses[second.name] for case in front], "o-", color=_ORANGE, label="not beaten")
+    plot.scatter(data.values(first.name), data.values(second.name), s=16, color=_GREY, label=say(said("cases")))
+    plot.plot([case.responses[first.name] for case in front], [case.responses[second.name] for case in front], "o-", color=_ORANGE, label=say(said("not beaten")))
     plot.set_xlabel(first.title)
     plot.set_ylabel(second.title)
     plot.legend()

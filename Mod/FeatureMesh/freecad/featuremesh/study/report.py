@@ -7,110 +7,142 @@ import os
 import numpy as np
 
 from ..errors import UserError
+from ..messages import english, said
 from . import answers, plots
 
 _MOST_ROWS = 200
+_STATES = {"waiting": said("waiting"), "running": said("running"), "done": said("done"), "infeasible": said("infeasible"), "failed": said("failed")}
+_SURFACES = {"linear": said("linear"), "quadratic": said("quadratic"), "thin-plate spline": said("thin-plate spline")}
+_SOLVED = {"ccx": said("solved by CalculiX"), "live": said("solved live"), None: said("not solved")}
 _STYLE = ("body{font:15px/1.45 sans-serif;max-width:1100px;margin:2em auto;padding:0 1em;color:#1a202c}"
           "table{border-collapse:collapse;font-size:13px}td,th{padding:3px 9px;border-bottom:1px solid #e2e8f0;text-align:right}"
           "th{background:#f7fafc}td:last-child{text-align:left}img{max-width:100%}.note{color:#4a5568}")
 
 
-def write(folder, path, pair=None, goal=None, limits=()):
-    """Writes the page. `pair` are the two responses of the Pareto front, `goal` and `limits` expressions for the best case. Throws UserError."""
-    data = answers.data_of(folder)
-    responses = data.study.responses
-    parts = [_head(folder, data), _best_cases(data, goal, limits)]
-    all_effects = [found for found in (answers.effects(data, response.name) for response in responses) if found]
-    if all_effects:
-        parts += ["<h2>What matters</h2>", _image(plots.png(plots.tornado, data, responses, all_effects), "tornado"), _effects_table(data, all_effects)]
-    else:
-        parts.append("<p class=note>There are too few cases for response surfaces of %d parameters; add some.</p>" % len(data.names))
-    if data.names:
-        parts += ["<h2>Responses over parameters</h2>", _image(plots.png(plots.scatter, data, responses), "scatter"),
-                  "<h2>All cases at once</h2>", _image(plots.png(plots.parallel, data, responses), "parallel coordinates")]
-    parts += _pareto(data, pair)
-    parts += ["<h2>Cases</h2>", _cases_table(folder, data)]
-    page = "<!DOCTYPE html><html lang=en><meta charset=utf-8><title>%s</title><style>%s</style><body>%s</body></html>\n" % (
-        html.escape(_title(folder)), _STYLE, "\n".join(parts))
+def write(folder, path, pair=None, goal=None, limits=(), say=english):
+    """Writes the page. `pair` are the two responses of the Pareto front, `goal` and `limits` expressions for the best case, `say` puts messages into words.
+    Throws UserError."""
+    page = _Page(folder, say).made(pair, goal, limits)
     try:
         with open(path + ".tmp", "w", encoding="utf-8") as stream:
             stream.write(page)
         os.replace(path + ".tmp", path)
     except OSError as error:
-        raise UserError("cannot write %s: %s" % (path, error.strerror)) from error
+        raise UserError(said("cannot write {path:text}: {why:messages}", path=path, why=error.strerror)) from error
 
 
-def _title(folder):
-    return "Study of " + os.path.basename(folder.study().document)
+class _Page:
+    """The page's parts, each as HTML."""
 
+    def __init__(self, folder, say):
+        self._folder, self._say, self._data = folder, say, answers.data_of(folder)
 
-def _head(folder, data):
-    counts, facts = folder.database.counts(), folder.facts()
-    study = data.study
-    remarks = "".join("<p class=note>%s.</p>" % html.escape(remark) for remark in facts["remarks"])
-    return "<h1>%s</h1><p>%s: %s. Every case starts from one base mesh (%d nodes, %d elements); %s.</p>" % (
-        html.escape(_title(folder)), html.escape(study.sampling), ", ".join("%d %s" % (count, state) for state, count in counts.items() if count),
-        facts["nodes"], facts["elements"], {"ccx": "solved by CalculiX", "live": "solved live", None: "not solved"}[facts["solver"]]) + remarks
+    def made(self, pair, goal, limits):
+        """All of it."""
+        data = self._data
+        parts = [self._head(), self._best_cases(goal, limits), *self._what_matters()]
+        if data.names:
+            parts += [*self._picture(said("Responses over parameters"), plots.scatter, data, data.study.responses),
+                      *self._picture(said("All cases at once"), plots.parallel, data, data.study.responses)]
+        parts += [*self._pareto(pair), self._title(said("Cases")), self._cases_table()]
+        return "<!DOCTYPE html><html><meta charset=utf-8><title>%s</title><style>%s</style><body>%s</body></html>\n" % (
+            self._heading(), _STYLE, "\n".join(parts))
 
+    def _words(self, message):
+        return html.escape(self._say(message))
 
-def _best_cases(data, goal, limits):
-    rows = []
-    if goal:
-        case = answers.best(data, goal, limits)
-        what = html.escape(" and ".join(["least " + goal, *limits]))
-        rows.append("<li>%s: %s</li>" % (what, _case_in_words(data, case) if case else "no case keeps that"))
-    for response in data.study.responses:
-        least, largest = (pick(data.cases, key=lambda case: case.responses[response.name]) for pick in (min, max))
-        rows.append("<li>%s: least %.5g in case %d, largest %.5g in case %d</li>" % (
-            html.escape(response.name), least.responses[response.name], least.id, largest.responses[response.name], largest.id))
-    return "<ul>%s</ul>" % "".join(rows)
+    def _title(self, message):
+        return "<h2>%s</h2>" % self._words(message)
 
+    def _picture(self, message, draw, *shown):
+        return [self._title(message), '<img alt="%s" src="%s">' % (self._words(message), plots.png(draw, *shown))]
 
-def _case_in_words(data, case):
-    values = {**case.parameters, **case.responses}
-    return "case %d (%s)" % (case.id, html.escape(", ".join("%s %s" % (name, _shown(value)) for name, value in values.items())))
+    def _note(self, message):
+        return "<p class=note>%s</p>" % self._words(message)
 
+    def _row_of_titles(self, messages):
+        return "<tr>%s</tr>" % "".join("<th>" + self._words(message) for message in messages)
 
-def _effects_table(data, all_effects):
-    head = "<tr><th>response<th>parameter<th>main effect<th>first-order index<th>total index<th>surface, left-out error</tr>"
-    rows = []
-    for found in all_effects:
-        for place, name in enumerate(data.names):
-            rows.append("<tr><td>%s<td>%s<td>%.4g<td>%.3f<td>%.3f<td>%s</tr>" % (
-                html.escape(found.response), html.escape(name), found.main[place], _index(found.first[place]), _index(found.total[place]),
-                "%s, %.3g (%.1f %% of the spread)" % (found.surface.kind, found.surface.error, 100 * found.surface.relative_error) if not place else ""))
-    return ("<table>%s%s</table><p class=note>The main effect is the response's mean change from a parameter's lowest to its highest value; the "
-            "indices are Sobol's shares of the variance. All are of the response surface: they mean no more than its error allows, which is that "
-            "of cases left out of the fit.</p>" % (head, "".join(rows)))
+    def _heading(self):
+        return self._words(said("Study of {document:text}", document=os.path.basename(self._data.study.document)))
 
+    def _head(self):
+        counts, facts = self._folder.database.counts(), self._folder.facts()
+        states = ", ".join("%d %s" % (count, self._say(_STATES[state])) for state, count in counts.items() if count)
+        what = said("{sampling:text}: {states:text}. Every case starts from one base mesh ({nodes:count} {nodes:node|nodes}, {elements:count} "
+                    "{elements:element|elements}); {solved:messages}.", sampling=self._data.study.sampling, states=states, nodes=facts["nodes"],
+                    elements=facts["elements"], solved=_SOLVED[facts["solver"]])
+        return "<h1>%s</h1><p>%s</p>" % (self._heading(), self._words(what)) + "".join("<p class=note>%s.</p>" % self._words(remark) for remark in facts["remarks"])
 
-def _pareto(data, pair):
-    responses = {response.name: response for response in data.study.responses}
-    names = pair or list(responses)[:2]
-    for name in names:
-        if name not in responses:
-            raise UserError("the study has no response %s; it has %s" % (name, ", ".join(responses)))
-    if len(names) != 2:
-        return []
-    front = answers.pareto(data, *names)
-    return ["<h2>Compromises between %s and %s</h2>" % tuple(map(html.escape, names)),
-            _image(plots.png(plots.pareto, data, front, *(responses[name] for name in names)), "Pareto front"),
-            "<p>Less of both: %s.</p>" % ", ".join("case %d" % case.id for case in front)]
+    def _best_cases(self, goal, limits):
+        data, rows = self._data, []
+        if goal:
+            case = answers.best(data, goal, limits)
+            rows.append(said("least {goal:text}: {case:messages}", goal=" & ".join([goal, *limits]),
+                             case=_case_in_words(case) if case else said("no case keeps that")))
+        for response in data.study.responses:
+            least, largest = (pick(data.cases, key=lambda case: case.responses[response.name]) for pick in (min, max))
+            rows.append(said("{response:text}: least {least:text} in case {case:count}, largest {largest:text} in case {other:count}", response=response.name,
+                             least=_shown(least.responses[response.name]), case=least.id, largest=_shown(largest.responses[response.name]), other=largest.id))
+        return "<ul>%s</ul>" % "".join("<li>%s</li>" % self._words(row) for row in rows)
 
+    def _what_matters(self):
+        data = self._data
+        found = [effects for effects in (answers.effects(data, response.name) for response in data.study.responses) if effects]
+        if not found:
+            return [self._note(said("There are too few cases for response surfaces of {parameters:count} {parameters:parameter|parameters}; add some.",
+                                    parameters=len(data.names)))]
+        return [*self._picture(said("What matters"), plots.tornado, data, data.study.responses, found, self._say), self._effects_table(found)]
 
-def _cases_table(folder, data):
-    study, cases = data.study, folder.database.cases()
-    names = [parameter.name for parameter in study.parameters] + [response.name for response in study.responses]
-    titles = [parameter.name for parameter in study.parameters] + [response.title for response in study.responses]
-    head = "<tr>%s</tr>" % "".join("<th>%s" % html.escape(title) for title in ("case", "state", *titles, "time, s", "nodes kept", "message"))
-    rows = []
-    for case in cases[:_MOST_ROWS]:
+    def _effects_table(self, all_effects):
+        head = self._row_of_titles([said("response"), said("parameter"), said("main effect"), said("first-order index"), said("total index"),
+                                    said("surface, left-out error")])
+        rows = ["<tr><td>%s<td>%s<td>%.4g<td>%.3f<td>%.3f<td>%s</tr>" % (
+            html.escape(found.response), html.escape(name), found.main[place], _index(found.first[place]), _index(found.total[place]),
+            self._words(_surface(found)) if not place else "") for found in all_effects for place, name in enumerate(self._data.names)]
+        return "<table>%s%s</table>%s" % (head, "".join(rows), self._note(said(
+            "The main effect is the response's mean change from a parameter's lowest to its highest value; the indices are Sobol's shares of the variance. "
+            "All are of the response surface: they mean no more than its error allows, which is that of cases left out of the fit.")))
+
+    def _pareto(self, pair):
+        data = self._data
+        responses = {response.name: response for response in data.study.responses}
+        names = pair or list(responses)[:2]
+        for name in names:
+            if name not in responses:
+                raise UserError(said("the study has no response {response:text}; it has {responses:text}", response=name, responses=", ".join(responses)))
+        if len(names) != 2:
+            return []
+        front = answers.pareto(data, *names)
+        title = said("Compromises between {one:text} and {other:text}", one=names[0], other=names[1])
+        return [*self._picture(title, plots.pareto, data, front, *(responses[name] for name in names), self._say),
+                "<p>%s</p>" % self._words(said("Less of both: {cases:text}.", cases=", ".join(
+                    self._say(said("case {case:count}", case=case.id)) for case in front)))]
+
+    def _cases_table(self):
+        study, cases = self._data.study, self._folder.database.cases()
+        names = [parameter.name for parameter in study.parameters] + [response.name for response in study.responses]
+        titles = [parameter.name for parameter in study.parameters] + [response.title for response in study.responses]
+        head = self._row_of_titles([said("case"), said("state"), *titles, said("time, s"), said("nodes kept"), said("message")])
+        more = self._note(said("{count:count} more are in the table that `study export` writes.", count=len(cases) - _MOST_ROWS)) \
+            if len(cases) > _MOST_ROWS else ""
+        return "<table>%s%s</table>%s" % (head, "".join(self._case_row(case, names) for case in cases[:_MOST_ROWS]), more)
+
+    def _case_row(self, case, names):
         values = {**case.parameters, **case.responses}
-        cells = [str(case.id), case.state, *(_shown(values.get(name, "")) for name in names), _shown(case.seconds.get("total", "")),
-                 "%.0f %%" % (100 * case.mesh["kept_share"]) if case.mesh else "", html.escape(case.message)]
-        rows.append("<tr>%s</tr>" % "".join("<td>" + cell for cell in cells))
-    more = "<p class=note>%d more are in the table that `study export` writes.</p>" % (len(cases) - _MOST_ROWS) if len(cases) > _MOST_ROWS else ""
-    return "<table>%s%s</table>%s" % (head, "".join(rows), more)
+        cells = [str(case.id), self._say(_STATES[case.state]), *(_shown(values.get(name, "")) for name in names), _shown(case.seconds.get("total", "")),
+                 "%.0f %%" % (100 * case.mesh["kept_share"]) if case.mesh else "", self._say(case.message)]
+        return "<tr>%s</tr>" % "".join("<td>" + html.escape(cell) for cell in cells)
+
+
+def _case_in_words(case):
+    values = ", ".join("%s %s" % (name, _shown(value)) for name, value in {**case.parameters, **case.responses}.items())
+    return said("case {case:count} ({values:text})", case=case.id, values=values)
+
+
+def _surface(found):
+    return said("{kind:messages}, {error:text} ({percent:text} % of the spread)", kind=_SURFACES[found.surface.kind],
+                error="%.3g" % found.surface.error, percent="%.1f" % (100 * found.surface.relative_error))
 
 
 def _index(value):
@@ -119,8 +151,4 @@ def _index(value):
 
 
 def _shown(value):
-    return "%.5g" % value if isinstance(value, (float, np.floating)) else html.escape(str(value))
-
-
-def _image(source, what):
-    return '<img alt="%s" src="%s">' % (what, source)
+    return "%.5g" % value if isinstance(value, (float, np.floating)) else str(value)

@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 
 from ..errors import UserError
+from ..messages import said
 from .expressions import Expression
 
 # Kind -> what it is and its unit.
@@ -42,22 +43,23 @@ class Response:
         return "%s, %s" % (self.name, self.unit) if self.unit else self.name
 
 
-def parse_response(said):
+def parse_response(given):
     """A response from its text or table. Throws UserError."""
-    if not isinstance(said, (str, dict)):
-        raise UserError("a response is a text such as \"max_mises\" or a table, not %r" % (said,))
-    response = _from_table(said) if isinstance(said, dict) else _from_text(said)
+    if not isinstance(given, (str, dict)):
+        raise UserError(said('a response is a text such as "max_mises" or a table, not {response:text}', response=repr(given)))
+    response = _from_table(given) if isinstance(given, dict) else _from_text(given)
     if response.kind is None and bool(response.expression) == bool(response.file):
-        raise UserError("the response %s needs a kind, an expression or a file" % response.name)
+        raise UserError(said("the response {response:text} needs a kind, an expression or a file", response=response.name))
     if response.kind is not None and response.kind not in KINDS:
         near = difflib.get_close_matches(response.kind, KINDS, 1)
-        raise UserError("there is no response %s%s; there are %s" % (response.kind, ", did you mean %s?" % near[0] if near else "", ", ".join(KINDS)))
+        raise UserError(said("there is no response {kind:text}{near:messages}; there are {kinds:text}",
+                             kind=response.kind, near=said(", did you mean {name:text}?", name=near[0]) if near else "", kinds=", ".join(KINDS)))
     if response.percentile is not None and (response.kind not in _OF_NODES or not 0 <= response.percentile <= 100):
-        raise UserError("the response %s cannot have a percentile, or one outside of 0 to 100" % response.name)
+        raise UserError(said("the response {response:text} cannot have a percentile, or one outside of 0 to 100", response=response.name))
     if response.at and response.kind not in _OF_NODES and not (response.kind or "").startswith("reaction"):
-        raise UserError("the response %s is of the whole part, not at %s" % (response.name, response.at))
+        raise UserError(said("the response {response:text} is of the whole part, not at {place:text}", response=response.name, place=response.at))
     if response.expression:
-        Expression(response.expression, "the response")
+        Expression(response.expression, said("the response"))
     return response
 
 
@@ -71,14 +73,14 @@ def needs_solution(responses):
     return any(response.kind not in OF_PART and not response.expression for response in responses)
 
 
-def _from_table(said):
-    for key in said:
+def _from_table(given):
+    for key in given:
         if key not in _KEYS:
-            raise UserError("a response has no %s; known are %s" % (key, ", ".join(sorted(_KEYS))))
-    name = said.get("name") or said.get("kind") or said.get("file")
+            raise UserError(said("a response has no {key:text}; known are {known:text}", key=key, known=", ".join(sorted(_KEYS))))
+    name = given.get("name") or given.get("kind") or given.get("file")
     if not name:
-        raise UserError("a response has no name: %s" % said)
-    return Response(**{"name": name, **said})
+        raise UserError(said("a response has no name: {response:text}", response=str(given)))
+    return Response(**{"name": name, **given})
 
 
 def _from_text(text):
@@ -86,7 +88,7 @@ def _from_text(text):
     words = rest if equals else text
     found = re.fullmatch(r"\s*([a-z_]+?)(?:_?(\d+))?(?:@(.+?))?(?::p([\d.]+))?\s*", words)
     if not found or (found.group(2) and found.group(1) not in _BY_MODE):
-        raise UserError("cannot read the response '%s'; it is KIND, KIND@PLACE or KIND:p95" % text)
+        raise UserError(said("cannot read the response '{response:text}'; it is KIND, KIND@PLACE or KIND:p95", response=text))
     kind, mode, place, percentile = found.groups()
     return Response(own_name.strip() if equals else words.strip(), kind, place, float(percentile) if percentile else None, int(mode or 1))
 

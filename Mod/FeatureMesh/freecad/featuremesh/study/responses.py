@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..errors import UserError
+from ..messages import alternatives, of_error, said
 from ..statics_result import principal, von_mises
 from . import mass
 from .expressions import Expression
@@ -39,27 +40,28 @@ def refuse_unfit(responses, kind, live):
             continue
         needed = _NEEDS.get(response.kind, _OF_STATICS)
         if kind not in needed:
-            raise UserError("the response %s needs an analysis of the kind %s, not %s" % (response.name, " or ".join(needed), kind))
+            raise UserError(said("the response {response:text} needs an analysis of the kind {kinds:messages}, not {kind:text}",
+                                 response=response.name, kinds=alternatives(needed), kind=kind))
         if live and response.kind in _ONLY_CCX:
-            raise UserError("the response %s needs CalculiX; take solver = \"ccx\"" % response.name)
+            raise UserError(said('the response {response:text} needs CalculiX; take solver = "ccx"', response=response.name))
 
 
 def evaluate(responses, case):
-    """{name: number}. Throws UserError that names the case and the response."""
+    """{name: number}. Throws UserError that names the response."""
     for response in responses:
         try:
             value = _value(response, case)
         except UserError as error:
-            raise UserError("case %d, response %s: %s" % (case.id, response.name, error)) from error
+            raise UserError(said("response {response:text}: {why:messages}", response=response.name, why=of_error(error))) from error
         if isinstance(value, bool) or not isinstance(value, (int, float, np.number)) or not math.isfinite(value):
-            raise UserError("case %d, response %s is not a number: %s" % (case.id, response.name, value))
+            raise UserError(said("response {response:text} is not a number: {value:text}", response=response.name, value=str(value)))
         case.responses[response.name] = float(value)
     return case.responses
 
 
 def _value(response, case):
     if response.expression:
-        return Expression(response.expression, "the response").value({**case.parameters, **case.responses})
+        return Expression(response.expression, said("the response")).value({**case.parameters, **case.responses})
     if response.file:
         return _of_file(response.file, case)
     if response.kind == "volume":
@@ -71,7 +73,7 @@ def _value(response, case):
     if response.kind.startswith("reaction"):
         return _reaction(response, case.fields)
     if response.kind == "strain_energy":
-        return _given(case.fields.strain_energy, "strain energy")
+        return _given(case.fields.strain_energy, said("strain energy"))
     if response.kind in ("frequency", "buckling_factor"):
         return _mode(response, case.fields)
     return _of_nodes(response, case)
@@ -84,11 +86,11 @@ def _of_nodes(response, case):
         return case.places.values(response.at, _given(values, what), fields.rows)
 
     if response.kind.endswith("temperature"):
-        values, sign = there(fields.temperatures, "temperature"), -1 if response.kind[:3] == "min" else 1
+        values, sign = there(fields.temperatures, said("temperature")), -1 if response.kind[:3] == "min" else 1
     elif "displacement" in response.kind:
-        values, sign = _displacements(response.kind, there(fields.displacements, "displacement")), 1
+        values, sign = _displacements(response.kind, there(fields.displacements, said("displacement"))), 1
     else:
-        values, sign = _stresses(response.kind, there(fields.stresses, "stress")), -1 if response.kind[:3] == "min" else 1
+        values, sign = _stresses(response.kind, there(fields.stresses, said("stress"))), -1 if response.kind[:3] == "min" else 1
     if response.percentile is not None:
         return float(np.percentile(values, response.percentile))
     return float(values[np.argmax(np.abs(values))] if response.kind.startswith("displacement_") else sign * (sign * values).max())
@@ -111,10 +113,11 @@ def _stresses(kind, stresses):
 def _reaction(response, fields):
     """Of the support, or of all supports together: the length of the force, or one component."""
     if response.at and response.at not in fields.reactions:
-        raise UserError("no support %s has a reaction; there are %s" % (response.at, ", ".join(fields.reactions) or "none"))
+        raise UserError(said("no support {support:text} has a reaction; there are {supports:messages}",
+                             support=response.at, supports=", ".join(fields.reactions) or said("none")))
     found = [fields.reactions[response.at]] if response.at else list(fields.reactions.values())
     if not found:
-        raise UserError("no support has a reaction")
+        raise UserError(said("no support has a reaction"))
     total = np.sum(found, axis=0)
     return float(np.linalg.norm(total) if response.kind == "reaction" else total["xyz".index(response.kind[-1])])
 
@@ -122,13 +125,13 @@ def _reaction(response, fields):
 def _mode(response, fields):
     found = fields.frequencies if response.kind == "frequency" else fields.buckling_factors
     if response.mode > len(found):
-        raise UserError("CalculiX found %d modes; ask its solver for more" % len(found))
+        raise UserError(said("CalculiX found {modes:count} {modes:mode|modes}; ask its solver for more", modes=len(found)))
     return found[response.mode - 1]
 
 
 def _given(value, what):
     if value is None:
-        raise UserError("the analysis gives no %s" % what)
+        raise UserError(said("the analysis gives no {what:messages}", what=what))
     return value
 
 
@@ -138,4 +141,4 @@ def _of_file(path, case):
     except (UserError, OSError):
         raise
     except Exception as error:
-        raise UserError("%s: %s: %s" % (path, type(error).__name__, error)) from error
+        raise UserError(said("{path:text}: {kind:text}: {why:messages}", path=path, kind=type(error).__name__, why=of_error(error))) from error

@@ -19,20 +19,21 @@ def main():
     parent_process.end_with(said["parent"])
     signal.signal(signal.SIGTERM, _interrupt)
     from freecad.featuremesh.errors import UserError
+    from freecad.featuremesh.messages import of_error
     try:
         _run(said)
         state, message = "ended", ""
     except KeyboardInterrupt:
         state, message = "stopped", ""
     except UserError as error:
-        state, message = "failed", str(error)
+        state, message = "failed", of_error(error)
     except Exception as error:
         traceback.print_exc()
-        state, message = "failed", str(error) or type(error).__name__
+        state, message = "failed", of_error(error)
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     path = os.path.join(said["folder"], "run.json")
     with open(path + ".tmp", "w", encoding="utf-8") as stream:
-        json.dump({"state": state, "message": " ".join(message.split())}, stream)
+        json.dump({"state": state, "message": message}, stream)
     os.replace(path + ".tmp", path)
 
 

@@ -6,6 +6,7 @@ import select
 import time
 from dataclasses import dataclass
 
+from ..messages import of_error, said
 from . import memory
 from .case_book import CaseBook, Stopped
 from .worker_process import BaseBroken, WorkerDied, WorkerProcess
@@ -72,8 +73,8 @@ class Runner:
         needed, available = memory.of_case(self._book.facts), memory.available_bytes()
         fitting = memory.jobs_that_fit(jobs, needed, available)
         if not fitting:
-            raise Stopped("a case needs about %.1f GB of memory, and %.1f GB are free; take a coarser mesh, or free memory"
-                          % (needed / 1e9, available / 1e9))
+            raise Stopped(said("a case needs about {needed:text} GB of memory, and {free:text} GB are free; take a coarser mesh, or free memory",
+                               needed="%.1f" % (needed / 1e9), free="%.1f" % (available / 1e9)))
         return fitting
 
     def _start(self, case, worker):
@@ -102,12 +103,13 @@ class Runner:
             worker.answer()
         except BaseBroken as error:
             worker.end()
-            raise Stopped("a worker cannot open the base document: %s" % error) from error
+            raise Stopped(said("a worker cannot open the base document: {why:messages}", why=of_error(error))) from error
         except WorkerDied as error:
             worker.end()
             self._ended_early += 1
             if self._ended_early >= _MOST_STARTS:
-                raise Stopped("a worker cannot start: %s; see the worker logs in %s" % (error, self._book.folder.path)) from error
+                raise Stopped(said("a worker cannot start: {why:messages}; see the worker logs in {folder:text}",
+                                   why=of_error(error), folder=self._book.folder.path)) from error
             return
         self._ended_early = 0
         self._idle.append(worker)
@@ -118,7 +120,7 @@ class Runner:
             result, worker = busy.worker.answer(), busy.worker
         except WorkerDied as error:
             busy.worker.end()
-            result, worker = {"state": "killed", "message": str(error)}, None
+            result, worker = {"state": "killed", "message": of_error(error)}, None
         again = self._book.keep(busy.case, result, time.monotonic() - busy.start)
         self._busy.remove(busy)
         self._idle += [worker] if worker else []

@@ -8,6 +8,7 @@ import warnings
 import numpy as np
 
 from ..errors import UserError
+from ..messages import said
 from .classic_designs import box_behnken, central_composite
 from .design import COUNTED
 
@@ -47,12 +48,12 @@ def read_rows(study, path):
             reader = csv.DictReader(stream)
             missing = [entry.name for entry in study.parameters if entry.name not in (reader.fieldnames or [])]
             if missing:
-                raise UserError("%s has no column %s" % (path, missing[0]))
+                raise UserError(said("{path:text} has no column {column:text}", path=path, column=missing[0]))
             found = [[_value(entry, row[entry.name], path, number) for entry in study.parameters] for number, row in enumerate(reader, 2)]
     except OSError as error:
-        raise UserError("cannot read %s: %s" % (path, error.strerror)) from error
+        raise UserError(said("cannot read {path:text}: {why:messages}", path=path, why=error.strerror)) from error
     if not found:
-        raise UserError("%s has no rows" % path)
+        raise UserError(said("{path:text} has no rows", path=path))
     return found
 
 
@@ -62,7 +63,8 @@ def _value(parameter, text, path, line):
     try:
         value = float(text)
     except (TypeError, ValueError):
-        raise UserError("%s, line %d: %s is no number for %s" % (path, line, text, parameter.name)) from None
+        raise UserError(said("{path:text}, line {line:count}: {text:text} is no number for {parameter:text}",
+                             path=path, line=line, text=text, parameter=parameter.name)) from None
     return int(value) if parameter.integer and value == int(value) else value
 
 
@@ -113,5 +115,6 @@ def _one_at_a_time(study, base):
 def _limited(product, study):
     found = [list(row) for row in itertools.islice(product, _MOST_CASES + 1)]
     if len(found) > _MOST_CASES:
-        raise UserError("the grid of %d parameters has more than %d cases; take fewer levels, or sobol" % (len(study.parameters), _MOST_CASES))
+        raise UserError(said("the grid of {parameters:count} {parameters:parameter|parameters} has more than {most:count} cases; take fewer levels, or sobol",
+                             parameters=len(study.parameters), most=_MOST_CASES))
     return found

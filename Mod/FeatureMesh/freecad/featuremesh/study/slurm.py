@@ -4,6 +4,7 @@
 from contextlib import contextmanager
 
 from ..errors import UserError
+from ..messages import said
 from . import memory
 
 
@@ -16,9 +17,9 @@ def slurm_cluster(jobs, study, facts):
     try:
         from dask_jobqueue import SLURMCluster
     except ImportError as error:
-        raise UserError("--slurm needs dask-jobqueue, which is not among Debian's packages: python3 -m pip install dask-jobqueue") from error
+        raise UserError(said("--slurm needs dask-jobqueue, which is not among Debian's packages: python3 -m pip install dask-jobqueue")) from error
     if jobs < 1:
-        raise UserError("--slurm %d: at least one job is needed" % jobs)
+        raise UserError(said("--slurm {jobs:count}: at least one job is needed", jobs=jobs))
     gigabytes = study.memory_limit_gb or memory.of_case(facts) / 1e9
     cluster = SLURMCluster(cores=study.threads, processes=1, memory="%.2fGB" % gigabytes, worker_extra_args=[
         "--nthreads", "1", "--resources", "cores=%d GB=%.2f" % (study.threads, gigabytes)])

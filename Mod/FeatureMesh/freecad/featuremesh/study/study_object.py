@@ -7,6 +7,7 @@ import FreeCAD
 
 from .. import api, documents, engine, preferences, resolving, statics, statics_model, versions
 from ..errors import UserError
+from ..messages import said
 from ..proxies import Stateless, add_missing
 from ..reading import describe
 from . import dimensions, study_file, window_run
@@ -94,11 +95,11 @@ def kind_of(analysis):
 def study_of(obj, document_path):
     """The design.Study that the object asks for, of the document in that file. Throws UserError."""
     if obj.Part is None:
-        raise UserError(translate("FeatureMesh", "%s has no part") % describe(obj))
+        raise UserError(said("{study:text} has no part", study=describe(obj)))
     if not obj.Parameters:
-        raise UserError(translate("FeatureMesh", "nothing is varied: tick a dimension and give it a range"))
+        raise UserError(said("nothing is varied: tick a dimension and give it a range"))
     if not obj.Responses:
-        raise UserError(translate("FeatureMesh", "nothing is asked for: tick what each case is to tell"))
+        raise UserError(said("nothing is asked for: tick what each case is to tell"))
     study = Study(document_path, [parse_parameter(text) for text in obj.Parameters], [parse_response(text) for text in obj.Responses], object=obj.Part.Name,
                   analysis=obj.Analysis.Name if obj.Analysis else None, solver=None if obj.Solver == _ANY_SOLVER else obj.Solver,
                   sampling=obj.Sampling, cases=obj.Cases if obj.Sampling in COUNTED else 0, seed=obj.Seed, constraints=list(obj.Constraints),
@@ -159,7 +160,7 @@ def place_on_part(obj, clicked, element):
     """Name on the study's part of what was clicked: an element of an object. Throws UserError for what is not on the part."""
     names = resolving.Resolver(obj.Part).names(clicked, element)
     if not names:
-        raise UserError(translate("FeatureMesh", "select faces, edges or vertices of %s") % describe(obj.Part))
+        raise UserError(said("select faces, edges or vertices of {part:text}", part=describe(obj.Part)))
     return names[0]
 
 

@@ -7,6 +7,7 @@ import os
 from dataclasses import asdict
 
 from ..errors import UserError
+from ..messages import english, in_english, said
 
 
 def write(folder, path, file_format=None):
@@ -14,14 +15,14 @@ def write(folder, path, file_format=None):
     file_format = file_format or os.path.splitext(path)[1].lstrip(".")
     writers = {"csv": _write_csv, "json": _write_json}
     if file_format not in writers:
-        raise UserError("a table is written as csv or json, not %s" % (file_format or path))
+        raise UserError(said("a table is written as csv or json, not {format:text}", format=file_format or path))
     cases = folder.database.cases()
     try:
         with open(path + ".tmp", "w", newline="", encoding="utf-8") as stream:
             writers[file_format](folder.study(), cases, stream)
         os.replace(path + ".tmp", path)
     except OSError as error:
-        raise UserError("cannot write %s: %s" % (path, error.strerror)) from error
+        raise UserError(said("cannot write {path:text}: {why:messages}", path=path, why=error.strerror)) from error
     return len(cases)
 
 
@@ -31,8 +32,8 @@ def _write_csv(study, cases, stream):
     writer.writerow(["case", "state", *parameters, *responses, "seconds", "kept_share", "message"])
     for case in cases:
         writer.writerow([case.id, case.state, *(case.parameters[name] for name in parameters), *(case.responses.get(name, "") for name in responses),
-                         case.seconds.get("total", ""), case.mesh.get("kept_share", ""), case.message])
+                         case.seconds.get("total", ""), case.mesh.get("kept_share", ""), english(case.message)])
 
 
 def _write_json(study, cases, stream):
-    json.dump({"study": study.to_plain(), "cases": [asdict(case) for case in cases]}, stream, indent=1, sort_keys=True)
+    json.dump({"study": study.to_plain(), "cases": [in_english(asdict(case)) for case in cases]}, stream, indent=1, sort_keys=True)

@@ -13,6 +13,8 @@ import FreeCAD
 
 from .. import engine
 from ..errors import UserError
+from ..messages import said
+from ..user_words import in_words
 from . import progress
 from .folder import StudyFolder
 
@@ -27,16 +29,16 @@ class WindowRun:
     def __init__(self, folder, jobs=0, more=0):
         """`jobs` cases at once, 0: as many as the processors; `more` cases of the same sampling are added. Throws UserError."""
         if not sys.platform.startswith("linux"):
-            raise UserError(translate("FeatureMesh", "studies run on Linux only"))
+            raise UserError(said("studies run on Linux only"))
         self.folder = folder
         self.jobs = min(jobs or os.cpu_count(), len(os.sched_getaffinity(0)))
         self._result = os.path.join(folder, "run.json")
         if os.path.exists(self._result):
             os.unlink(self._result)
-        said = {"folder": folder, "jobs": self.jobs, "more": more, "freecad": program(), "parent": os.getpid()}
-        environment = {**os.environ, "FEATUREMESH_STUDY_RUN": json.dumps(said), "FEATUREMESH_ENGINE": engine.folder(), "LC_ALL": "C.UTF-8"}
+        order = {"folder": folder, "jobs": self.jobs, "more": more, "freecad": program(), "parent": os.getpid()}
+        environment = {**os.environ, "FEATUREMESH_STUDY_RUN": json.dumps(order), "FEATUREMESH_ENGINE": engine.folder(), "LC_ALL": "C.UTF-8"}
         with open(os.path.join(folder, "run.log"), "wb") as log:
-            self._process = subprocess.Popen([said["freecad"], _SCRIPT], stdin=subprocess.DEVNULL, stdout=log, stderr=log, start_new_session=True,
+            self._process = subprocess.Popen([order["freecad"], _SCRIPT], stdin=subprocess.DEVNULL, stdout=log, stderr=log, start_new_session=True,
                                              env=environment)
 
     def is_running(self):
@@ -58,10 +60,10 @@ class WindowRun:
             return ""
         try:
             with open(self._result, encoding="utf-8") as stream:
-                said = json.load(stream)
+                ended = json.load(stream)
         except (OSError, ValueError):
             return translate("FeatureMesh", "the study's process ended; see %s") % os.path.join(self.folder, "run.log")
-        return translate("FeatureMesh", "stopped") if said["state"] == "stopped" else said["message"]
+        return translate("FeatureMesh", "stopped") if ended["state"] == "stopped" else in_words(ended["message"])
 
 
 def how_far(folder, jobs=1):
@@ -86,7 +88,7 @@ def program():
     for path in filter(None, found):
         if os.path.isfile(path) and os.access(path, os.X_OK):
             return path
-    raise UserError(translate("FeatureMesh", "FreeCAD's program freecadcmd was not found; set FREECADCMD to it"))
+    raise UserError(said("FreeCAD's program freecadcmd was not found; set FREECADCMD to it"))
 
 
 def new_folder(document_path, name):

@@ -24,12 +24,13 @@ def main():
     from freecad.featuremesh.study import parent_process
     parent_process.end_with(said["parent"])
     requests, answers = os.fdopen(said["requests"], "r", encoding="utf-8"), os.fdopen(said["answers"], "w", encoding="utf-8")
+    from freecad.featuremesh.messages import of_error
     from freecad.featuremesh.study import case_run
     try:
         base = case_run.Base(said["base"], said["study"], said["solver"])
     except Exception as error:
         traceback.print_exc()
-        _answer(answers, {"broken": " ".join(str(error).split())})
+        _answer(answers, {"broken": of_error(error)})
         return
     _answer(answers, {"ready": os.getpid()})
     for line in requests:
@@ -77,7 +78,8 @@ def _in_copy(work, parent, folder, writer):
 
 def _wait(reader, copy, end, seconds_limit, memory_limit):
     """(what the copy said, why it was ended): one of the two, or neither when it ended by itself."""
-    said = b""
+    from freecad.featuremesh.messages import said
+    heard = b""
     while True:
         left = max(0.0, end - time.monotonic())
         ready, _, _ = select.select([reader], [], [], min(left, _LOOK_EVERY) if memory_limit else left)
@@ -85,14 +87,16 @@ def _wait(reader, copy, end, seconds_limit, memory_limit):
             chunk = os.read(reader, 1 << 16)
             if not chunk:
                 os.close(reader)
-                return said, None
-            said += chunk
+                return heard, None
+            heard += chunk
         elif time.monotonic() >= end:
             os.close(reader)
-            return b"", "it took longer than the limit of %g s; try `study resume --retry-failed` with a longer --time-limit" % seconds_limit
+            return b"", said("it took longer than the limit of {seconds:number} s; try `study resume --retry-failed` with a longer --time-limit",
+                            seconds=seconds_limit)
         elif memory_limit and memory_of_group(copy) > memory_limit:
             os.close(reader)
-            return b"", "it took more memory than the limit of %.3g GB; try `study resume --retry-failed` with a larger --memory-limit" % (memory_limit / 1e9)
+            return b"", said("it took more memory than the limit of {limit:number} GB; try `study resume --retry-failed` with a larger --memory-limit",
+                            limit=memory_limit / 1e9)
 
 
 def memory_of_group(group):
@@ -118,12 +122,13 @@ def _end_group(group):
 
 
 def _how_it_ended(status):
+    from freecad.featuremesh.messages import said
     code = os.waitstatus_to_exitcode(status)
     if -code in _ASKED_TO_END:
-        return {"state": "killed", "message": "it was ended from outside (%s)" % signal.Signals(-code).name}
+        return {"state": "killed", "message": said("it was ended from outside ({signal:text})", signal=signal.Signals(-code).name)}
     if code < 0:
-        return {"state": "failed", "message": "FreeCAD crashed (%s)" % signal.Signals(-code).name}
-    return {"state": "failed", "message": "FreeCAD ended with exit code %d" % code}
+        return {"state": "failed", "message": said("FreeCAD crashed ({signal:text})", signal=signal.Signals(-code).name)}
+    return {"state": "failed", "message": said("FreeCAD ended with exit code {code:count}", code=code)}
 
 
 def _answer(stream, value):

@@ -8,15 +8,18 @@ import signal
 import subprocess
 import time
 
+from ..errors import Said
+from ..messages import of_error, said
+
 WORKER_SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worker_main.py")
 _GRACE = 30.0   # s that a worker has beyond a case's limit to end the case itself
 
 
-class WorkerDied(RuntimeError):
+class WorkerDied(Said, RuntimeError):
     """The worker's process ended before it answered."""
 
 
-class BaseBroken(RuntimeError):
+class BaseBroken(Said, RuntimeError):
     """The worker cannot open the base document."""
 
 
@@ -60,16 +63,16 @@ class WorkerProcess:
             self._out.write(json.dumps(case) + "\n")
             self._out.flush()
         except OSError as error:
-            raise WorkerDied("FreeCAD ended (%s)" % error) from error
+            raise WorkerDied(said("FreeCAD ended ({why:messages})", why=of_error(error))) from error
 
     def answer(self):
         """Its next answer, waited for until it is overdue. Throws WorkerDied, BaseBroken."""
         while b"\n" not in self._buffer:
             if not select.select([self._in], [], [], max(0.0, self._end - time.monotonic()))[0]:
-                raise WorkerDied("FreeCAD does not answer")
+                raise WorkerDied(said("FreeCAD does not answer"))
             chunk = os.read(self._in, 1 << 16)
             if not chunk:
-                raise WorkerDied("FreeCAD ended")
+                raise WorkerDied(said("FreeCAD ended"))
             self._buffer += chunk
         line, _, self._buffer = self._buffer.partition(b"\n")
         answer = json.loads(line)

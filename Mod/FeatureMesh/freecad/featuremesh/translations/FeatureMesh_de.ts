@@ -5,7 +5,7 @@
     <name>App::Property</name>
     <message>
       <source>1st: 4-node tetrahedra; 2nd: 10-node tetrahedra with their mid-side nodes on the surface</source>
-      <translation>1st: Tetraeder mit 4 Knoten; 2nd: Tetraeder mit 10 Knoten, deren Kantenmittelknoten auf der Oberfläche liegen</translation>
+      <translation>1st: 4-Knoten-Tetraeder; 2nd: 10-Knoten-Tetraeder, deren Mittelknoten auf der Oberfläche liegen</translation>
     </message>
     <message>
       <source>A case that takes longer is ended</source>
@@ -25,7 +25,7 @@
     </message>
     <message>
       <source>Cases at once; 0: as many as the processors</source>
-      <translation>Fälle zugleich; 0: so viele wie Prozessoren</translation>
+      <translation>Fälle gleichzeitig; 0: so viele wie Prozessorkerne</translation>
     </message>
     <message>
       <source>Edge length to which it grows outside; 0: the size of the mesh</source>
@@ -37,7 +37,7 @@
     </message>
     <message>
       <source>Edges, steps and strips of faces smaller than this get no elements of their own; 0: those below a thousandth of Size where the part cannot be meshed with them; negative: none</source>
-      <translation>Kanten, Absätze und Flächenstreifen, die kleiner sind, bekommen keine eigenen Elemente; 0: solche unter einem Tausendstel von Size, wo das Teil mit ihnen nicht vernetzt werden kann; negativ: keine</translation>
+      <translation>Kanten, Absätze und Flächenstreifen, die kleiner sind, bekommen keine eigenen Elemente; 0: solche unter einem Tausendstel von Size, wo das Bauteil mit ihnen nicht vernetzt werden kann; negativ: keine</translation>
     </message>
     <message>
       <source>Elements across thin walls and slots; 0: sizes do not follow thickness</source>
@@ -61,7 +61,7 @@
     </message>
     <message>
       <source>Faces, edges and vertices from which the distance is measured</source>
-      <translation>Flächen, Kanten und Ecken, von denen aus der Abstand gemessen wird</translation>
+      <translation>Flächen, Kanten und Eckpunkte, von denen aus der Abstand gemessen wird</translation>
     </message>
     <message>
       <source>Files to keep of each case: mesh, inp, frd</source>
@@ -81,7 +81,7 @@
     </message>
     <message>
       <source>How the cases are chosen</source>
-      <translation>Wie die Fälle gewählt werden</translation>
+      <translation>Wie die Fälle ausgewählt werden</translation>
     </message>
     <message>
       <source>Largest displacement, mm</source>
@@ -89,7 +89,7 @@
     </message>
     <message>
       <source>Largest von Mises stress, MPa</source>
-      <translation>Größte Vergleichsspannung nach von Mises, MPa</translation>
+      <translation>Größte Vergleichsspannung (von Mises), MPa</translation>
     </message>
     <message>
       <source>Leaves the refinement out</source>
@@ -113,7 +113,7 @@
     </message>
     <message>
       <source>Number of cases, where the sampling takes any number</source>
-      <translation>Anzahl der Fälle, wo die Auswahl jede Anzahl zulässt</translation>
+      <translation>Anzahl der Fälle, wo der Versuchsplan jede Anzahl zulässt</translation>
     </message>
     <message>
       <source>Over how much it grows to the outer size; 0: as fast as the mesh's Growth allows</source>
@@ -121,15 +121,15 @@
     </message>
     <message>
       <source>Parts that lie on one another share faces, and the mesh its nodes there</source>
-      <translation>Teile, die aufeinander liegen, teilen sich Flächen, und das Netz dort seine Knoten</translation>
+      <translation>Bauteile, die aufeinander liegen, teilen sich Flächen, und das Netz dort seine Knoten</translation>
     </message>
     <message>
       <source>Processor threads to use; 0: all. The mesh is the same for any number</source>
-      <translation>Zu nutzende Prozessor-Threads; 0: alle. Das Netz ist für jede Anzahl dasselbe</translation>
+      <translation>Prozessorkerne, die rechnen; 0: alle. Das Netz ist für jede Anzahl dasselbe</translation>
     </message>
     <message>
       <source>Processor threads to use; 0: all. The result is the same for any number</source>
-      <translation>Prozessorfäden; 0: alle. Das Ergebnis ist für jede Zahl dasselbe</translation>
+      <translation>Prozessorkerne, die rechnen; 0: alle. Das Ergebnis ist für jede Anzahl dasselbe</translation>
     </message>
     <message>
       <source>Radius of the sphere or the cylinder</source>
@@ -149,7 +149,7 @@
     </message>
     <message>
       <source>Smallest angle in degrees that new elements are improved towards; below 30 is faster, above 35 is rarely reached</source>
-      <translation>Kleinster Winkel in Grad, auf den hin neue Elemente verbessert werden; unter 30 geht es schneller, über 35 wird selten erreicht</translation>
+      <translation>Kleinster Winkel in Grad, bis zu dem neue Elemente verbessert werden; unter 30 geht es schneller, über 35 wird selten erreicht</translation>
     </message>
     <message>
       <source>Smallest edge length that curvature, thin gaps and growth may ask for; 0: a tenth of Size</source>
@@ -161,7 +161,7 @@
     </message>
     <message>
       <source>Solves the cases; automatic: live where that is enough</source>
-      <translation>Löst die Fälle; automatic: live, wo das reicht</translation>
+      <translation>Löst die Fälle; automatic: mitlaufend, wo das reicht</translation>
     </message>
     <message>
       <source>The analysis that is solved for each case</source>
@@ -169,19 +169,35 @@
     </message>
     <message>
       <source>The container whose parts these are, or the link that is shown</source>
-      <translation>Der Container, dessen Teile dies sind, oder die Verknüpfung, die gezeigt wird</translation>
+      <translation>Der Container, dessen Bauteile dies sind, oder die Verknüpfung, die gezeigt wird</translation>
     </message>
     <message>
       <source>The faces that joined parts share</source>
-      <translation>Die Flächen, die verbundene Teile sich teilen</translation>
+      <translation>Die Flächen, die verbundene Bauteile sich teilen</translation>
+    </message>
+    <message>
+      <source>The mesh object whose mesh this analysis is solved with</source>
+      <translation>Das Netzobjekt, mit dessen Netz diese Analyse gelöst wird</translation>
+    </message>
+    <message>
+      <source>The meshed part</source>
+      <translation>Das vernetzte Bauteil</translation>
     </message>
     <message>
       <source>The part that is varied</source>
-      <translation>Das Teil, das verändert wird</translation>
+      <translation>Das Bauteil, das verändert wird</translation>
+    </message>
+    <message>
+      <source>The part to mesh</source>
+      <translation>Das zu vernetzende Bauteil</translation>
     </message>
     <message>
       <source>The parts, in the order of the solids of the shape</source>
-      <translation>Die Teile, in der Reihenfolge der Volumenkörper der Form</translation>
+      <translation>Die Bauteile, in der Reihenfolge der Volumenkörper der Form</translation>
+    </message>
+    <message>
+      <source>The state of the mesh that was solved</source>
+      <translation>Der Stand des Netzes, das gelöst wurde</translation>
     </message>
     <message>
       <source>Time the last mesh or update took</source>
@@ -209,15 +225,23 @@
     </message>
     <message>
       <source>What is meshed: solids with tetrahedra, faces with triangles (shells), edges with segments (beams); From shape: solids and what is beside them, else faces, else edges</source>
-      <translation>Was vernetzt wird: Solids: Körper mit Tetraedern; Faces: Flächen mit Dreiecken (Schalen); Edges: Kanten mit Balkenelementen; From shape: Körper und was neben ihnen ist, sonst Flächen, sonst Kanten</translation>
+      <translation>Was vernetzt wird: Solids: Volumenkörper mit Tetraedern; Faces: Flächen mit Dreiecken (Schalen); Edges: Kanten mit Balkenelementen; From shape: Volumenkörper und was neben ihnen ist, sonst Flächen, sonst Kanten</translation>
     </message>
     <message>
       <source>What is varied, such as Fillet.Radius=2:6</source>
       <translation>Was verändert wird, etwa Fillet.Radius=2:6</translation>
     </message>
     <message>
+      <source>What it referred to and is gone; it needs new references</source>
+      <translation>Worauf es sich bezog und was es nicht mehr gibt; es braucht neue Referenzen</translation>
+    </message>
+    <message>
       <source>What loads, supports, materials and refinements referred to, as JSON</source>
-      <translation>Worauf sich Lasten, Lager, Materialien und Verfeinerungen bezogen, als JSON</translation>
+      <translation>Worauf sich Lasten, Lager, Werkstoffe und Verfeinerungen bezogen, als JSON</translation>
+    </message>
+    <message>
+      <source>What of its references was clicked through a link, with the path to it</source>
+      <translation>Welche seiner Referenzen über eine Verknüpfung angeklickt wurden, mit dem Pfad dorthin</translation>
     </message>
     <message>
       <source>What of the analysis is solved: mesh, materials, supports, loads</source>
@@ -275,108 +299,1142 @@
       <translation> (vor der letzten Änderung)</translation>
     </message>
     <message>
-      <source> of %s</source>
-      <translation> von %s</translation>
+      <source> deg</source>
+      <translation>°</translation>
     </message>
     <message>
-      <source>%d features changed, %d did not; faces: %s</source>
-      <translation>%d Features haben sich geändert, %d nicht; Flächen: %s</translation>
+      <source> of {part:text}</source>
+      <translation> von {part:text}</translation>
     </message>
     <message>
-      <source>%d nodes, %d elements in %.2f s</source>
-      <translation>%d Knoten, %d Elemente in %.2f s</translation>
+      <source>%s refers to %s, which is gone; choose another face, edge or solid for it</source>
+      <translation>%s bezieht sich auf %s, das es nicht mehr gibt; dafür eine andere Fläche, eine andere Kante oder einen anderen Volumenkörper wählen</translation>
     </message>
     <message>
-      <source>%d objects have the label %s, use a name: %s</source>
-      <translation>%d Objekte haben die Bezeichnung %s, bitte einen Namen angeben: %s</translation>
+      <source>, did you mean {name:text}?</source>
+      <translation>, war {name:text} gemeint?</translation>
     </message>
     <message>
-      <source>%d of %d cases done</source>
-      <translation>%d von %d Fällen fertig</translation>
+      <source>, not of {foreign:text}</source>
+      <translation>, nicht von {foreign:text}</translation>
+    </message>
+    <message>
+      <source>--method optuna needs Optuna: install Debian's package python3-optuna</source>
+      <translation>--method optuna braucht Optuna: Debians Paket python3-optuna installieren</translation>
+    </message>
+    <message>
+      <source>--scheduler needs Dask: install Debian's package python3-distributed</source>
+      <translation>--scheduler braucht Dask: Debians Paket python3-distributed installieren</translation>
+    </message>
+    <message>
+      <source>--slurm needs dask-jobqueue, which is not among Debian's packages: python3 -m pip install dask-jobqueue</source>
+      <translation>--slurm braucht dask-jobqueue, das nicht unter Debians Paketen ist: python3 -m pip install dask-jobqueue</translation>
+    </message>
+    <message>
+      <source>--slurm {jobs:count}: at least one job is needed</source>
+      <translation>--slurm {jobs:count}: mindestens ein Job ist nötig</translation>
+    </message>
+    <message>
+      <source>; did you mean {names:messages}?</source>
+      <translation>; war {names:messages} gemeint?</translation>
+    </message>
+    <message>
+      <source>All cases at once</source>
+      <translation>Alle Fälle zugleich</translation>
+    </message>
+    <message>
+      <source>Box-Behnken needs at least three parameters, not {count:count}; take central_composite</source>
+      <translation>Box-Behnken braucht mindestens drei Parameter, nicht {count:count}; stattdessen central_composite nehmen</translation>
+    </message>
+    <message>
+      <source>CalculiX failed (exit code {code:count}): {why:messages}</source>
+      <translation>CalculiX ist gescheitert (Rückgabewert {code:count}): {why:messages}</translation>
+    </message>
+    <message>
+      <source>CalculiX found {modes:count} {modes:mode|modes}; ask its solver for more</source>
+      <translation>CalculiX fand {modes:count} {modes:Eigenform|Eigenformen}; von seinem Löser mehr verlangen</translation>
+    </message>
+    <message>
+      <source>CalculiX gave no displacements for {analysis:text}</source>
+      <translation>CalculiX ergab keine Verschiebungen für {analysis:text}</translation>
+    </message>
+    <message>
+      <source>CalculiX left no readable result: {why:messages}</source>
+      <translation>CalculiX hinterließ kein lesbares Ergebnis: {why:messages}</translation>
+    </message>
+    <message>
+      <source>CalculiX was ended from outside ({signal:text})</source>
+      <translation>CalculiX wurde von außen beendet ({signal:text})</translation>
+    </message>
+    <message>
+      <source>Compromises between {one:text} and {other:text}</source>
+      <translation>Kompromisse zwischen {one:text} und {other:text}</translation>
+    </message>
+    <message>
+      <source>Details of the part far smaller than the elements force an angle below 2 degrees on {elements:count} {elements:element|elements}: {details:messages}. Results there are poor. Take them out of the features that make them (points of a sketch that nearly coincide, a step as shallow), or mesh finer there.</source>
+      <translation>Einzelheiten des Bauteils, die viel kleiner als die Elemente sind, erzwingen einen Winkel unter 2 Grad an {elements:count} {elements:Element|Elementen}: {details:messages}. Ergebnisse dort sind ungenau. Sie aus den Formelementen entfernen, die sie erzeugen (Skizzenpunkte, die fast zusammenfallen, eine ebenso flache Stufe), oder dort feiner vernetzen.</translation>
+    </message>
+    <message>
+      <source>Engine</source>
+      <translation>Rechenprogramm</translation>
+    </message>
+    <message>
+      <source>FreeCAD cannot open {path:text}: {why:messages}</source>
+      <translation>FreeCAD kann {path:text} nicht öffnen: {why:messages}</translation>
+    </message>
+    <message>
+      <source>FreeCAD crashed ({signal:text})</source>
+      <translation>FreeCAD ist abgestürzt ({signal:text})</translation>
+    </message>
+    <message>
+      <source>FreeCAD does not answer</source>
+      <translation>FreeCAD antwortet nicht</translation>
+    </message>
+    <message>
+      <source>FreeCAD ended</source>
+      <translation>FreeCAD hat geendet</translation>
+    </message>
+    <message>
+      <source>FreeCAD ended ({why:messages})</source>
+      <translation>FreeCAD hat geendet ({why:messages})</translation>
+    </message>
+    <message>
+      <source>FreeCAD ended with exit code {code:count}</source>
+      <translation>FreeCAD hat mit dem Rückgabewert {code:count} geendet</translation>
+    </message>
+    <message>
+      <source>FreeCAD made a shape of {part:text} that is not valid</source>
+      <translation>FreeCAD ergab eine ungültige Form von {part:text}</translation>
+    </message>
+    <message>
+      <source>FreeCAD refuses {value:text} for {object:text}.{name:text} (it would take {taken:text})</source>
+      <translation>FreeCAD nimmt {value:text} für {object:text}.{name:text} nicht an (es nähme {taken:text})</translation>
+    </message>
+    <message>
+      <source>FreeCAD refuses {value:text} for {object:text}.{name:text}: {why:messages}</source>
+      <translation>FreeCAD nimmt {value:text} für {object:text}.{name:text} nicht an: {why:messages}</translation>
+    </message>
+    <message>
+      <source>FreeCAD refuses {value:text} for {target:text}: {why:messages}</source>
+      <translation>FreeCAD nimmt {value:text} für {target:text} nicht an: {why:messages}</translation>
+    </message>
+    <message>
+      <source>FreeCAD wrote no document</source>
+      <translation>FreeCAD hat kein Dokument geschrieben</translation>
+    </message>
+    <message>
+      <source>Its libraries</source>
+      <translation>Bibliotheken</translation>
+    </message>
+    <message>
+      <source>Less of both: {cases:text}.</source>
+      <translation>Weniger von beidem: {cases:text}.</translation>
+    </message>
+    <message>
+      <source>Log</source>
+      <translation>Protokoll</translation>
+    </message>
+    <message>
+      <source>Responses over parameters</source>
+      <translation>Zielgrößen über Parametern</translation>
+    </message>
+    <message>
+      <source>Study of {document:text}</source>
+      <translation>Studie von {document:text}</translation>
+    </message>
+    <message>
+      <source>System</source>
+      <translation>System</translation>
+    </message>
+    <message>
+      <source>The main effect is the response's mean change from a parameter's lowest to its highest value; the indices are Sobol's shares of the variance. All are of the response surface: they mean no more than its error allows, which is that of cases left out of the fit.</source>
+      <translation>Der Haupteffekt ist die mittlere Änderung der Zielgröße vom kleinsten zum größten Wert eines Parameters; die Indizes sind die Anteile an der Varianz nach Sobol. Alle gelten für die Antwortfläche: Sie sagen nicht mehr, als deren Fehler zulässt, der an Fällen bestimmt ist, die bei der Anpassung weggelassen wurden.</translation>
+    </message>
+    <message>
+      <source>The mesh is not valid: {triangles:count} {triangles:surface triangle is|surface triangles are} turned over, the first on {face:entities} at {place:point}. The face bends too much there for this size; ask for a smaller size on it.</source>
+      <translation>Das Netz ist nicht gültig: {triangles:count} {triangles:Dreieck der Oberfläche ist|Dreiecke der Oberfläche sind} umgeklappt, das erste auf {face:entities} bei {place:point}. Die Fläche krümmt sich dort zu stark für diese Größe; auf ihr eine kleinere Größe wählen.</translation>
+    </message>
+    <message>
+      <source>There are too few cases for response surfaces of {parameters:count} {parameters:parameter|parameters}; add some.</source>
+      <translation>Es sind zu wenige Fälle für Antwortflächen von {parameters:count} {parameters:Parameter|Parametern}; weitere hinzufügen.</translation>
+    </message>
+    <message>
+      <source>What matters</source>
+      <translation>Was wichtig ist</translation>
+    </message>
+    <message>
+      <source>a case needs about {needed:text} GB of memory, and {free:text} GB are free; take a coarser mesh, or free memory</source>
+      <translation>ein Fall braucht etwa {needed:text} GB Speicher, und {free:text} GB sind frei; ein gröberes Netz nehmen oder Speicher freigeben</translation>
+    </message>
+    <message>
+      <source>a case needs at least one thread, not {threads:count}</source>
+      <translation>ein Fall braucht mindestens einen Prozessorkern, nicht {threads:count}</translation>
+    </message>
+    <message>
+      <source>a list in square brackets</source>
+      <translation>eine Liste in eckigen Klammern</translation>
+    </message>
+    <message>
+      <source>a number</source>
+      <translation>eine Zahl</translation>
+    </message>
+    <message>
+      <source>a response has no name: {response:text}</source>
+      <translation>eine Zielgröße hat keinen Namen: {response:text}</translation>
+    </message>
+    <message>
+      <source>a response has no {key:text}; known are {known:text}</source>
+      <translation>eine Zielgröße hat kein {key:text}; es gibt {known:text}</translation>
+    </message>
+    <message>
+      <source>a response is a text such as "max_mises" or a table, not {response:text}</source>
+      <translation>eine Zielgröße ist ein Text wie "max_mises" oder eine Tabelle, nicht {response:text}</translation>
+    </message>
+    <message>
+      <source>a study asks for figures of solids, of shells or of beams alone, and {part:text} has several of them in one analysis; study a part of one kind, or ask for its volume or area only</source>
+      <translation>eine Studie fragt nach Werten von Volumenkörpern, von Schalen oder von Balken allein, und {part:text} hat mehrere davon in einer Analyse; ein Bauteil einer Art untersuchen, oder nur nach seinem Volumen oder seiner Fläche fragen</translation>
+    </message>
+    <message>
+      <source>a table</source>
+      <translation>eine Tabelle</translation>
+    </message>
+    <message>
+      <source>a table is written as csv or json, not {format:text}</source>
+      <translation>eine Tabelle wird als csv oder json geschrieben, nicht als {format:text}</translation>
+    </message>
+    <message>
+      <source>a text in quotes</source>
+      <translation>ein Text in Anführungszeichen</translation>
+    </message>
+    <message>
+      <source>a whole number</source>
+      <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+      <source>a worker cannot open the base document: {why:messages}</source>
+      <translation>ein Arbeitsprozess kann das Ausgangsdokument nicht öffnen: {why:messages}</translation>
+    </message>
+    <message>
+      <source>a worker cannot start: {why:messages}; see the worker logs in {folder:text}</source>
+      <translation>ein Arbeitsprozess kann nicht starten: {why:messages}; siehe die Protokolle der Arbeitsprozesse in {folder:text}</translation>
+    </message>
+    <message>
+      <source>about {millions:count} million</source>
+      <translation>etwa {millions:count} {millions:Million|Millionen}</translation>
+    </message>
+    <message>
+      <source>active: {nodes:count} {nodes:node kept as start position|nodes kept as start positions}, free to move</source>
+      <translation>beweglich: {nodes:count} {nodes:Knoten|Knoten}, als Startlage behalten</translation>
+    </message>
+    <message>
+      <source>additive</source>
+      <translation>additiv</translation>
+    </message>
+    <message>
+      <source>around one face or edge at most {most:count} million are made</source>
+      <translation>um eine Fläche oder Kante werden höchstens {most:count} Millionen gemacht</translation>
+    </message>
+    <message>
+      <source>at most {most:count} million are made</source>
+      <translation>höchstens {most:count} Millionen werden gemacht</translation>
+    </message>
+    <message>
+      <source>base</source>
+      <translation>Basis</translation>
+    </message>
+    <message>
+      <source>before and after</source>
+      <translation>davor und danach</translation>
+    </message>
+    <message>
+      <source>boolean</source>
+      <translation>boolesch</translation>
+    </message>
+    <message>
+      <source>built from source</source>
+      <translation>aus dem Quelltext gebaut</translation>
+    </message>
+    <message>
+      <source>cannot read '{text:text}'; a parameter is OBJECT.PROPERTY=LOW:HIGH, with :LEVELS for a grid, or OBJECT.PROPERTY=A,B,C</source>
+      <translation>„{text:text}“ ist nicht lesbar; ein Parameter ist OBJEKT.EIGENSCHAFT=VON:BIS, mit :STUFEN für ein Gitter, oder OBJEKT.EIGENSCHAFT=A,B,C</translation>
+    </message>
+    <message>
+      <source>cannot read the edit '{edit:text}', it has to be OBJECT.PROPERTY=VALUE</source>
+      <translation>die Änderung „{edit:text}“ ist nicht lesbar, sie muss OBJEKT.EIGENSCHAFT=WERT sein</translation>
+    </message>
+    <message>
+      <source>cannot read the response '{response:text}'; it is KIND, KIND@PLACE or KIND:p95</source>
+      <translation>die Zielgröße „{response:text}“ ist nicht lesbar; sie ist ART, ART@ORT oder ART:p95</translation>
+    </message>
+    <message>
+      <source>cannot read {path:text}: {why:messages}</source>
+      <translation>{path:text} kann nicht gelesen werden: {why:messages}</translation>
+    </message>
+    <message>
+      <source>cannot set {target:text}; of placements it can be Base.x, Base.y, Base.z, Rotation.Angle, Rotation.Axis.x and so on, of vectors x, y and z</source>
+      <translation>{target:text} kann nicht gesetzt werden; von Platzierungen geht Base.x, Base.y, Base.z, Rotation.Angle, Rotation.Axis.x und so weiter, von Vektoren x, y und z</translation>
+    </message>
+    <message>
+      <source>cannot write {path:text}: there is no folder {folder:text}</source>
+      <translation>{path:text} kann nicht geschrieben werden: den Ordner {folder:text} gibt es nicht</translation>
+    </message>
+    <message>
+      <source>cannot write {path:text}: {why:messages}</source>
+      <translation>{path:text} kann nicht geschrieben werden: {why:messages}</translation>
+    </message>
+    <message>
+      <source>case {case:count}</source>
+      <translation>Fall {case:count}</translation>
+    </message>
+    <message>
+      <source>case {case:count} ({values:text})</source>
+      <translation>Fall {case:count} ({values:text})</translation>
+    </message>
+    <message>
+      <source>cases</source>
+      <translation>Fälle</translation>
+    </message>
+    <message>
+      <source>change of</source>
+      <translation>Änderung von</translation>
+    </message>
+    <message>
+      <source>common</source>
+      <translation>gemeinsam</translation>
+    </message>
+    <message>
+      <source>copies</source>
+      <translation>Kopien</translation>
+    </message>
+    <message>
+      <source>dress-up</source>
+      <translation>Fase, Rundung und Ähnliches</translation>
+    </message>
+    <message>
+      <source>files of studies need Python 3.11 or newer, which this FreeCAD has not</source>
+      <translation>Dateien von Studien brauchen Python 3.11 oder neuer, das dieses FreeCAD nicht hat</translation>
+    </message>
+    <message>
+      <source>first-order index</source>
+      <translation>Index erster Ordnung</translation>
+    </message>
+    <message>
+      <source>from</source>
+      <translation>entnommen aus</translation>
+    </message>
+    <message>
+      <source>from a clone</source>
+      <translation>aus einem Klon</translation>
+    </message>
+    <message>
+      <source>from a wheel</source>
+      <translation>aus einem Wheel</translation>
+    </message>
+    <message>
+      <source>from the portable zip</source>
+      <translation>aus dem portablen ZIP-Archiv</translation>
+    </message>
+    <message>
+      <source>in FreeCAD's process</source>
+      <translation>im Prozess von FreeCAD</translation>
+    </message>
+    <message>
+      <source>in a process of its own</source>
+      <translation>in einem eigenen Prozess</translation>
+    </message>
+    <message>
+      <source>infeasible</source>
+      <translation>nicht machbar</translation>
+    </message>
+    <message>
+      <source>installed as an addon</source>
+      <translation>als Addon installiert</translation>
+    </message>
+    <message>
+      <source>installed by the system's packages</source>
+      <translation>durch Pakete des Systems installiert</translation>
+    </message>
+    <message>
+      <source>instances</source>
+      <translation>Exemplare</translation>
+    </message>
+    <message>
+      <source>is missing</source>
+      <translation>fehlt</translation>
+    </message>
+    <message>
+      <source>it does not answer</source>
+      <translation>er antwortet nicht</translation>
+    </message>
+    <message>
+      <source>it ended at once</source>
+      <translation>er hat sofort geendet</translation>
+    </message>
+    <message>
+      <source>it ended with code {code:count}</source>
+      <translation>er hat mit dem Rückgabewert {code:count} geendet</translation>
+    </message>
+    <message>
+      <source>it lacks its {part:text}</source>
+      <translation>ihm fehlt {part:text}</translation>
+    </message>
+    <message>
+      <source>it says nothing of why</source>
+      <translation>es sagt nicht, warum</translation>
+    </message>
+    <message>
+      <source>it took longer than the limit of {seconds:number} s; try `study resume --retry-failed` with a longer --time-limit</source>
+      <translation>er brauchte länger als die Grenze von {seconds:number} s; `study resume --retry-failed` mit einem längeren --time-limit versuchen</translation>
+    </message>
+    <message>
+      <source>it took more memory than the limit of {limit:number} GB; try `study resume --retry-failed` with a larger --memory-limit</source>
+      <translation>er brauchte mehr Speicher als die Grenze von {limit:number} GB; `study resume --retry-failed` mit einem größeren --memory-limit versuchen</translation>
+    </message>
+    <message>
+      <source>it was ended from outside ({signal:text})</source>
+      <translation>er wurde von außen beendet ({signal:text})</translation>
+    </message>
+    <message>
+      <source>it was ended {times:count} {times:time|times}: {why:messages}</source>
+      <translation>er wurde {times:count}-mal beendet: {why:messages}</translation>
+    </message>
+    <message>
+      <source>its checksum is wrong</source>
+      <translation>seine Prüfsumme ist falsch</translation>
+    </message>
+    <message>
+      <source>kept: {elements:count} {elements:element|elements} ({share:text} %)</source>
+      <translation>behalten: {elements:count} {elements:Element|Elemente} ({share:text} %)</translation>
+    </message>
+    <message>
+      <source>least {goal:text}: {case:messages}</source>
+      <translation>kleinster Wert von {goal:text}: {case:messages}</translation>
+    </message>
+    <message>
+      <source>least {least:text}, mean {mean:text}, greatest {greatest:text};
+{bad:count} of {all:count} {all:element|elements} {bad:is|are} beyond the limit</source>
+      <translation>kleinster {least:text}, Mittel {mean:text}, größter {greatest:text};
+{bad:count} von {all:count} {all:Element|Elementen} {bad:liegt|liegen} jenseits der Grenze</translation>
+    </message>
+    <message>
+      <source>linear</source>
+      <translation>linear</translation>
+    </message>
+    <message>
+      <source>main effect</source>
+      <translation>Haupteffekt</translation>
+    </message>
+    <message>
+      <source>material</source>
+      <translation>Werkstoff</translation>
+    </message>
+    <message>
+      <source>meshed from scratch, as asked with --full</source>
+      <translation>vollständig neu vernetzt, wie mit --full verlangt</translation>
+    </message>
+    <message>
+      <source>new: {elements:count} {elements:element|elements}</source>
+      <translation>neu: {elements:count} {elements:Element|Elemente}</translation>
+    </message>
+    <message>
+      <source>no Dask scheduler answers at {address:text} ({why:messages})</source>
+      <translation>unter {address:text} antwortet kein Verteiler von Dask ({why:messages})</translation>
+    </message>
+    <message>
+      <source>no Python interpreter was found</source>
+      <translation>kein Python wurde gefunden</translation>
+    </message>
+    <message>
+      <source>no case keeps that</source>
+      <translation>kein Fall hält das ein</translation>
+    </message>
+    <message>
+      <source>no support has a reaction</source>
+      <translation>kein Lager hat eine Reaktionskraft</translation>
+    </message>
+    <message>
+      <source>no support {support:text} has a reaction; there are {supports:messages}</source>
+      <translation>kein Lager {support:text} hat eine Reaktionskraft; es gibt {supports:messages}</translation>
+    </message>
+    <message>
+      <source>nodes kept</source>
+      <translation>Knoten behalten</translation>
+    </message>
+    <message>
+      <source>none, {path:text} cannot be written</source>
+      <translation>keines, {path:text} kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+      <source>not beaten</source>
+      <translation>nicht übertroffen</translation>
+    </message>
+    <message>
+      <source>not solved</source>
+      <translation>nicht gelöst</translation>
+    </message>
+    <message>
+      <source>of a case can be kept: {kinds:text}, not {kind:text}</source>
+      <translation>von einem Fall lässt sich behalten: {kinds:text}, nicht {kind:text}</translation>
+    </message>
+    <message>
+      <source>old results are carried over between meshes of solids only, not to {mesh:text}</source>
+      <translation>alte Ergebnisse werden nur zwischen Netzen von Volumenkörpern übertragen, nicht auf {mesh:text}</translation>
+    </message>
+    <message>
+      <source>opaque</source>
+      <translation>unverstanden</translation>
+    </message>
+    <message>
+      <source>own</source>
+      <translation>eigene Form</translation>
+    </message>
+    <message>
+      <source>parameter</source>
+      <translation>Parameter</translation>
+    </message>
+    <message>
+      <source>pattern</source>
+      <translation>Muster</translation>
+    </message>
+    <message>
+      <source>quadratic</source>
+      <translation>quadratisch</translation>
+    </message>
+    <message>
+      <source>reference</source>
+      <translation>Bezug</translation>
+    </message>
+    <message>
+      <source>response</source>
+      <translation>Zielgröße</translation>
+    </message>
+    <message>
+      <source>response {response:text} is not a number: {value:text}</source>
+      <translation>die Zielgröße {response:text} ist keine Zahl: {value:text}</translation>
+    </message>
+    <message>
+      <source>response {response:text}: {why:messages}</source>
+      <translation>Zielgröße {response:text}: {why:messages}</translation>
+    </message>
+    <message>
+      <source>saved {path:text}, but cannot write the report: {why:messages}</source>
+      <translation>{path:text} ist gespeichert, aber der Bericht kann nicht geschrieben werden: {why:messages}</translation>
+    </message>
+    <message>
+      <source>section</source>
+      <translation>Querschnitt</translation>
+    </message>
+    <message>
+      <source>segments</source>
+      <translation>Balkenelemente</translation>
+    </message>
+    <message>
+      <source>select faces, edges or vertices of {part:text}{foreign:messages}</source>
+      <translation>Flächen, Kanten oder Eckpunkte von {part:text} auswählen{foreign:messages}</translation>
+    </message>
+    <message>
+      <source>select solids, faces, edges or vertices of {part:text}{foreign:messages}</source>
+      <translation>Volumenkörper, Flächen, Kanten oder Eckpunkte von {part:text} auswählen{foreign:messages}</translation>
+    </message>
+    <message>
+      <source>shape</source>
+      <translation>Form</translation>
+    </message>
+    <message>
+      <source>solved by CalculiX</source>
+      <translation>mit CalculiX gelöst</translation>
+    </message>
+    <message>
+      <source>solved live</source>
+      <translation>mitlaufend gelöst</translation>
+    </message>
+    <message>
+      <source>stress</source>
+      <translation>Spannung</translation>
+    </message>
+    <message>
+      <source>subtractive</source>
+      <translation>subtraktiv</translation>
+    </message>
+    <message>
+      <source>surface, left-out error</source>
+      <translation>Fläche, Fehler an weggelassenen Fällen</translation>
+    </message>
+    <message>
+      <source>temperature</source>
+      <translation>Temperatur</translation>
+    </message>
+    <message>
+      <source>tetrahedra</source>
+      <translation>Tetraeder</translation>
+    </message>
+    <message>
+      <source>the Dask scheduler {scheduler:text} is gone ({why:messages}); go on with `study resume`</source>
+      <translation>der Verteiler {scheduler:text} von Dask ist weg ({why:messages}); mit `study resume` weitermachen</translation>
+    </message>
+    <message>
+      <source>the Dask workers that had its base document are gone</source>
+      <translation>die Arbeitsprozesse von Dask mit seinem Ausgangsdokument sind weg</translation>
+    </message>
+    <message>
+      <source>the analysis gives no {what:messages}</source>
+      <translation>die Analyse ergibt keine Werte für: {what:messages}</translation>
+    </message>
+    <message>
+      <source>the analysis {analysis:text} has another mesh than {mesh:text}</source>
+      <translation>die Analyse {analysis:text} hat ein anderes Netz als {mesh:text}</translation>
+    </message>
+    <message>
+      <source>the constraint</source>
+      <translation>die Bedingung</translation>
+    </message>
+    <message>
+      <source>the constraint {constraint:text} is not kept</source>
+      <translation>die Bedingung {constraint:text} ist nicht eingehalten</translation>
+    </message>
+    <message>
+      <source>the copy in {folder:text} is not whole</source>
+      <translation>die Kopie in {folder:text} ist nicht vollständig</translation>
+    </message>
+    <message>
+      <source>the disk of {folder:text} is full ({why:messages}); every finished case is safe. Make room, then go on with `study resume`</source>
+      <translation>die Platte mit {folder:text} ist voll ({why:messages}); jeder fertige Fall ist gesichert. Platz schaffen, dann mit `study resume` weitermachen</translation>
+    </message>
+    <message>
+      <source>the document has several analyses, name one with --analysis: {analyses:text}</source>
+      <translation>das Dokument hat mehrere Analysen, eine mit --analysis angeben: {analyses:text}</translation>
+    </message>
+    <message>
+      <source>the document has several results, name one with --result: {results:text}</source>
+      <translation>das Dokument hat mehrere Ergebnisse, eines mit --result angeben: {results:text}</translation>
+    </message>
+    <message>
+      <source>the document {document:text} has no analysis{name:text}; add one in FreeCAD's FEM workbench</source>
+      <translation>das Dokument {document:text} hat keine Analyse{name:text}; eine in FreeCADs Arbeitsbereich FEM anlegen</translation>
+    </message>
+    <message>
+      <source>the document {document:text} has no result{name:text} with values per node</source>
+      <translation>das Dokument {document:text} hat kein Ergebnis{name:text} mit Werten an den Knoten</translation>
+    </message>
+    <message>
+      <source>the goal</source>
+      <translation>das Ziel</translation>
+    </message>
+    <message>
+      <source>the grid of {parameters:count} {parameters:parameter|parameters} has more than {most:count} cases; take fewer levels, or sobol</source>
+      <translation>das Gitter aus {parameters:count} {parameters:Parameter|Parametern} hat mehr als {most:count} Fälle; weniger Stufen nehmen, oder sobol</translation>
+    </message>
+    <message>
+      <source>the limit</source>
+      <translation>die Grenze</translation>
+    </message>
+    <message>
+      <source>the limit {limit:text} has to compare two things by &lt;=, &lt;, &gt;= or &gt;</source>
+      <translation>die Grenze {limit:text} muss zwei Dinge mit &lt;=, &lt;, &gt;= oder &gt; vergleichen</translation>
+    </message>
+    <message>
+      <source>the live solver needs PETSc: {why:messages}</source>
+      <translation>der mitlaufende Löser braucht PETSc: {why:messages}</translation>
+    </message>
+    <message>
+      <source>the mass needs a {what:messages} for all of the part, and {count:count} {count:element has|elements have} none</source>
+      <translation>für die Masse fehlt an {count:count} {count:Element|Elementen} des Bauteils: {what:messages}</translation>
+    </message>
+    <message>
+      <source>the mass needs an analysis with a {what:messages}</source>
+      <translation>für die Masse fehlt in der Analyse: {what:messages}</translation>
+    </message>
+    <message>
+      <source>the mass of a beam with the section {section:text} of {member:text} is not known</source>
+      <translation>die Masse eines Balkens mit dem Querschnitt {section:text} von {member:text} ist nicht bekannt</translation>
+    </message>
+    <message>
+      <source>the material {material:text} has no density</source>
+      <translation>der Werkstoff {material:text} hat keine Dichte</translation>
+    </message>
+    <message>
+      <source>the memory limit of a case is more than 0 GB, not {gigabytes:number}; leave it out where the whole machine may be used</source>
+      <translation>die Speichergrenze eines Falls ist größer als 0 GB, nicht {gigabytes:number}; sie weglassen, wenn der ganze Rechner genutzt werden darf</translation>
+    </message>
+    <message>
+      <source>the memory was not enough</source>
+      <translation>der Speicher reichte nicht</translation>
+    </message>
+    <message>
+      <source>the parameter {parameter:text} needs a range of two numbers or a list of values</source>
+      <translation>der Parameter {parameter:text} braucht einen Bereich aus zwei Zahlen oder eine Liste von Werten</translation>
+    </message>
+    <message>
+      <source>the part has no solid that the point {point:point} could be in; ask at a face, edge or vertex</source>
+      <translation>das Bauteil hat keinen Volumenkörper, in dem der Punkt {point:point} liegen könnte; an einer Fläche, einer Kante oder einem Eckpunkt fragen</translation>
+    </message>
+    <message>
+      <source>the part has no {place:text}, where a response is asked for</source>
+      <translation>das Bauteil hat kein {place:text}, wo nach einer Zielgröße gefragt ist</translation>
+    </message>
+    <message>
+      <source>the point {point:point}, where a response is asked for, is not in the part</source>
+      <translation>der Punkt {point:point}, an dem nach einer Zielgröße gefragt ist, liegt nicht im Bauteil</translation>
+    </message>
+    <message>
+      <source>the range of {name:text} has to rise, not {low:number}:{high:number}; write its low end first</source>
+      <translation>der Bereich von {name:text} muss steigen, nicht {low:number}:{high:number}; das untere Ende zuerst schreiben</translation>
+    </message>
+    <message>
+      <source>the response</source>
+      <translation>die Zielgröße</translation>
+    </message>
+    <message>
+      <source>the response {response:text} cannot have a percentile, or one outside of 0 to 100</source>
+      <translation>die Zielgröße {response:text} kann kein Perzentil haben, oder keines außerhalb von 0 bis 100</translation>
+    </message>
+    <message>
+      <source>the response {response:text} is of the whole part, not at {place:text}</source>
+      <translation>die Zielgröße {response:text} gilt für das ganze Bauteil, nicht an {place:text}</translation>
+    </message>
+    <message>
+      <source>the response {response:text} needs CalculiX; take solver = "ccx"</source>
+      <translation>die Zielgröße {response:text} braucht CalculiX; solver = "ccx" nehmen</translation>
+    </message>
+    <message>
+      <source>the response {response:text} needs a kind, an expression or a file</source>
+      <translation>die Zielgröße {response:text} braucht eine Art, einen Ausdruck oder eine Datei</translation>
+    </message>
+    <message>
+      <source>the response {response:text} needs a solid, and {part:text} has none; ask for its mass or area</source>
+      <translation>die Zielgröße {response:text} braucht einen Volumenkörper, und {part:text} hat keinen; nach seiner Masse oder Fläche fragen</translation>
+    </message>
+    <message>
+      <source>the response {response:text} needs an analysis of the kind {kinds:messages}, not {kind:text}</source>
+      <translation>die Zielgröße {response:text} braucht eine Analyse der Art {kinds:messages}, nicht {kind:text}</translation>
+    </message>
+    <message>
+      <source>the sampling csv needs a file of rows: --rows ROWS.csv (in a study's file rows = "ROWS.csv")</source>
+      <translation>der Versuchsplan csv braucht eine Datei mit Zeilen: --rows ZEILEN.csv (in der Datei einer Studie rows = "ZEILEN.csv")</translation>
+    </message>
+    <message>
+      <source>the sampling is one of {samplings:text}, not {sampling:text}</source>
+      <translation>der Versuchsplan ist einer von {samplings:text}, nicht {sampling:text}</translation>
+    </message>
+    <message>
+      <source>the sampling {sampling:text} is complete; add rows of a CSV file, or start a study with {others:messages}</source>
+      <translation>der Versuchsplan {sampling:text} ist vollständig; Zeilen einer CSV-Datei hinzufügen, oder eine Studie mit {others:messages} beginnen</translation>
+    </message>
+    <message>
+      <source>the sampling {sampling:text} needs a number of cases, such as --cases 32 (in a study's file cases = 32)</source>
+      <translation>der Versuchsplan {sampling:text} braucht eine Anzahl von Fällen, etwa --cases 32 (in der Datei einer Studie cases = 32)</translation>
+    </message>
+    <message>
+      <source>the saved mesh state is damaged ({why:messages})</source>
+      <translation>der gespeicherte Netzzustand ist beschädigt ({why:messages})</translation>
+    </message>
+    <message>
+      <source>the seed is 0 or larger, not {seed:count}</source>
+      <translation>der Startwert ist 0 oder größer, nicht {seed:count}</translation>
+    </message>
+    <message>
+      <source>the size has to be greater than 0 mm, not {size:number}</source>
+      <translation>die Größe muss größer als 0 mm sein, nicht {size:number}</translation>
+    </message>
+    <message>
+      <source>the solver is live or ccx, not {solver:text}</source>
+      <translation>der Löser ist live oder ccx, nicht {solver:text}</translation>
+    </message>
+    <message>
+      <source>the study has no response {response:text}; it has {responses:text}</source>
+      <translation>die Studie hat keine Zielgröße {response:text}; sie hat {responses:text}</translation>
+    </message>
+    <message>
+      <source>the study in {folder:text} has no finished case yet</source>
+      <translation>die Studie in {folder:text} hat noch keinen fertigen Fall</translation>
+    </message>
+    <message>
+      <source>the study in {folder:text} is being run already, by process {process:text}</source>
+      <translation>die Studie in {folder:text} läuft schon, im Prozess {process:text}</translation>
+    </message>
+    <message>
+      <source>the time limit of a case is more than 0 s, not {seconds:number}</source>
+      <translation>die Zeitgrenze eines Falls ist größer als 0 s, nicht {seconds:number}</translation>
+    </message>
+    <message>
+      <source>there is no face, edge, vertex, point or feature {place:text}, where a response is asked for</source>
+      <translation>es gibt keine Fläche, keine Kante, keinen Eckpunkt, keinen Punkt und kein Formelement {place:text}, wo nach einer Zielgröße gefragt ist</translation>
+    </message>
+    <message>
+      <source>there is no file {path:text}</source>
+      <translation>die Datei {path:text} gibt es nicht</translation>
+    </message>
+    <message>
+      <source>there is no response {kind:text}{near:messages}; there are {kinds:text}</source>
+      <translation>es gibt keine Zielgröße {kind:text}{near:messages}; es gibt {kinds:text}</translation>
+    </message>
+    <message>
+      <source>thickness</source>
+      <translation>Dicke</translation>
+    </message>
+    <message>
+      <source>thin-plate spline</source>
+      <translation>Plattenspline</translation>
+    </message>
+    <message>
+      <source>time, s</source>
+      <translation>Zeit, s</translation>
+    </message>
+    <message>
+      <source>total index</source>
+      <translation>Gesamtindex</translation>
+    </message>
+    <message>
+      <source>transform</source>
+      <translation>Transformation</translation>
+    </message>
+    <message>
+      <source>triangles</source>
+      <translation>Dreiecke</translation>
+    </message>
+    <message>
+      <source>true or false</source>
+      <translation>wahr oder falsch (true oder false)</translation>
+    </message>
+    <message>
+      <source>two columns are named {name:text}; give one of them another name</source>
+      <translation>zwei Spalten heißen {name:text}; einer davon einen anderen Namen geben</translation>
+    </message>
+    <message>
+      <source>unknown</source>
+      <translation>unbekannt</translation>
+    </message>
+    <message>
+      <source>unpacked from the portable zip</source>
+      <translation>aus dem portablen ZIP-Archiv entpackt</translation>
+    </message>
+    <message>
+      <source>volume mm^3</source>
+      <translation>Volumen mm^3</translation>
+    </message>
+    <message>
+      <source>{anew:count} of {all:count} {all:element|elements} {anew:does|do} not fit the part and {anew:was|were} made anew: {reasons:messages}</source>
+      <translation>{anew:count} von {all:count} {all:Element|Elementen} {anew:passt|passen} nicht zum Bauteil und {anew:wurde|wurden} neu gemacht: {reasons:messages}</translation>
+    </message>
+    <message>
+      <source>{array:text} has {entries:count} {entries:entry|entries}, not {wanted:count}</source>
+      <translation>{array:text} hat {entries:count} {entries:Eintrag|Einträge}, nicht {wanted:count}</translation>
+    </message>
+    <message>
+      <source>{changed:count} {changed:feature|features} changed, {others:count} did not; faces: {faces:text}</source>
+      <translation>{changed:count} {changed:Formelement hat|Formelemente haben} sich geändert, {others:count} nicht; Flächen: {faces:text}</translation>
+    </message>
+    <message>
+      <source>{count:count} more are in the table that `study export` writes.</source>
+      <translation>{count:count} weitere stehen in der Tabelle, die `study export` schreibt.</translation>
+    </message>
+    <message>
+      <source>{count:count} objects have the label {label:text}, use a name: {names:text}</source>
+      <translation>{count:count} Objekte haben die Bezeichnung {label:text}, einen Namen angeben: {names:text}</translation>
     </message>
     <message>
       <source>%s and %d more</source>
       <translation>%s und %d weitere</translation>
     </message>
     <message>
-      <source>%s and %s overlap; parts that are joined may only touch</source>
-      <translation>%s und %s überlappen sich; Teile, die verbunden werden, dürfen sich nur berühren</translation>
+      <source>{document:text} was changed since the study began; its cases are of the document as it was then (base.FCStd in its folder). `study resume {folder:text} --keep-base` goes on with that</source>
+      <translation>{document:text} wurde geändert, seit die Studie begann; ihre Fälle gelten für das Dokument, wie es damals war (base.FCStd in ihrem Ordner). `study resume {folder:text} --keep-base` macht damit weiter</translation>
+    </message>
+    <message>
+      <source>{document:text} was changed while its base mesh was made; start the study again</source>
+      <translation>{document:text} wurde geändert, während sein Ausgangsnetz entstand; die Studie erneut starten</translation>
+    </message>
+    <message>
+      <source>{done:count} of {all:count} {all:case|cases} done</source>
+      <translation>{done:count} von {all:count} {all:Fall|Fällen} fertig</translation>
+    </message>
+    <message>
+      <source>{elements:count} 10-node {elements:tetrahedron|tetrahedra} would be folded near {place:entities}: the face bends too much within one element. Ask for a smaller size there, or for 4-node tetrahedra.</source>
+      <translation>{elements:count} 10-Knoten-Tetraeder {elements:wäre|wären} bei {place:entities} gefaltet: Die Fläche krümmt sich innerhalb eines Elements zu stark. Dort eine kleinere Größe wählen, oder 4-Knoten-Tetraeder.</translation>
+    </message>
+    <message>
+      <source>{elements:count} 6-node {elements:triangle|triangles} would be folded near {place:entities}: the face bends too much within one element. Ask for a smaller size there, or for 3-node triangles.</source>
+      <translation>{elements:count} {elements:6-Knoten-Dreieck wäre|6-Knoten-Dreiecke wären} bei {place:entities} gefaltet: Die Fläche krümmt sich innerhalb eines Elements zu stark. Dort eine kleinere Größe wählen, oder 3-Knoten-Dreiecke.</translation>
+    </message>
+    <message>
+      <source>{elements:count} {elements:element is|elements are} inverted, flat or folded</source>
+      <translation>{elements:count} {elements:Element ist|Elemente sind} umgestülpt, flach oder gefaltet</translation>
+    </message>
+    <message>
+      <source>{elements:count} {elements:element is|elements are} outside the part</source>
+      <translation>{elements:count} {elements:Element liegt|Elemente liegen} außerhalb des Bauteils</translation>
+    </message>
+    <message>
+      <source>{elements:count} {elements:element|elements} without a volume to speak of {elements:remains|remain} at {faces:entities} beside {edges:messages}; mesh finer there, or take out what is much smaller than the rest of the part</source>
+      <translation>{elements:count} {elements:Element|Elemente} fast ohne Volumen {elements:bleibt|bleiben} bei {faces:entities} neben {edges:messages}; dort feiner vernetzen, oder weglassen, was viel kleiner als der Rest des Bauteils ist</translation>
+    </message>
+    <message>
+      <source>{elements:count} {elements:element|elements} without a volume to speak of {elements:remains|remain} at {faces:entities}; mesh finer there, or take out what is much smaller than the rest of the part</source>
+      <translation>{elements:count} {elements:Element|Elemente} fast ohne Volumen {elements:bleibt|bleiben} bei {faces:entities}; dort feiner vernetzen, oder weglassen, was viel kleiner als der Rest des Bauteils ist</translation>
+    </message>
+    <message>
+      <source>{format:text} would lose the beams of this mesh; export it as inp, vtu, vtk, msh, unv or med</source>
+      <translation>{format:text} würde die Balken dieses Netzes verlieren; es als inp, vtu, vtk, msh, unv oder med exportieren</translation>
+    </message>
+    <message>
+      <source>{format:text} would lose the shells of this mesh; export it as inp, vtu, vtk, msh, unv or med</source>
+      <translation>{format:text} würde die Schalen dieses Netzes verlieren; es als inp, vtu, vtk, msh, unv oder med exportieren</translation>
+    </message>
+    <message>
+      <source>{kind:messages}, {error:text} ({percent:text} % of the spread)</source>
+      <translation>{kind:messages}, {error:text} ({percent:text} % der Spannweite)</translation>
+    </message>
+    <message>
+      <source>{member:text} did not arrive on the disk whole; is it full?</source>
+      <translation>{member:text} kam nicht vollständig auf der Platte an; ist sie voll?</translation>
+    </message>
+    <message>
+      <source>{nodes:count} {nodes:boundary node is|boundary nodes are} off the surface</source>
+      <translation>{nodes:count} {nodes:Randknoten liegt|Randknoten liegen} abseits der Oberfläche</translation>
+    </message>
+    <message>
+      <source>{nodes:count} {nodes:mid-side node was|mid-side nodes were} off the surface and {nodes:is|are} new, on it</source>
+      <translation>{nodes:count} {nodes:Mittelknoten lag|Mittelknoten lagen} neben der Oberfläche und {nodes:ist|sind} neu, auf ihr</translation>
+    </message>
+    <message>
+      <source>{nodes:count} {nodes:node|nodes}, {elements:count} {elements:element|elements} in {seconds:text} s</source>
+      <translation>{nodes:count} Knoten, {elements:count} {elements:Element|Elemente} in {seconds:text} s</translation>
+    </message>
+    <message>
+      <source>{object:text} has no alias or cell {name:text}{near:messages}</source>
+      <translation>{object:text} hat keinen Alias und keine Zelle {name:text}{near:messages}</translation>
+    </message>
+    <message>
+      <source>{object:text} has no constraint or property {name:text}{near:messages}</source>
+      <translation>{object:text} hat keine Randbedingung und keine Eigenschaft {name:text}{near:messages}</translation>
+    </message>
+    <message>
+      <source>{object:text} has no property {name:text}{near:messages}</source>
+      <translation>{object:text} hat keine Eigenschaft {name:text}{near:messages}</translation>
+    </message>
+    <message>
+      <source>{object:text}.{name:text} is computed ({content:text}), change what it depends on</source>
+      <translation>{object:text}.{name:text} wird berechnet ({content:text}); ändern, wovon es abhängt</translation>
+    </message>
+    <message>
+      <source>{object:text}.{name:text} is driven by the expression {expression:text}, change that instead</source>
+      <translation>{object:text}.{name:text} wird durch den Ausdruck {expression:text} bestimmt; stattdessen diesen ändern</translation>
+    </message>
+    <message>
+      <source>{object:text}.{name:text} is no number, switch or choice</source>
+      <translation>{object:text}.{name:text} ist keine Zahl, kein Schalter und keine Auswahl</translation>
+    </message>
+    <message>
+      <source>{object:text}.{name:text} is read-only</source>
+      <translation>{object:text}.{name:text} ist schreibgeschützt</translation>
+    </message>
+    <message>
+      <source>{object:text}: {features:count} {features:feature|features} in {pieces:count} {pieces:piece|pieces}, volume {volume:text} (FreeCAD: {other:text})</source>
+      <translation>{object:text}: {features:count} {features:Formelement|Formelemente} in {pieces:count} {pieces:Stück|Stücken}, Volumen {volume:text} (FreeCAD: {other:text})</translation>
+    </message>
+    <message>
+      <source>{one:text} and {other:text} overlap; parts that are joined may only touch</source>
+      <translation>{one:text} und {other:text} überlappen sich; Bauteile, die verbunden werden, dürfen sich nur berühren</translation>
     </message>
     <message>
       <source>%s at %s</source>
       <translation>%s an %s</translation>
     </message>
     <message>
-      <source>%s belongs to no analysis</source>
-      <translation>%s gehört zu keiner Analyse</translation>
+      <source>{live:text} belongs to no analysis</source>
+      <translation>{live:text} gehört zu keiner Analyse</translation>
     </message>
     <message>
-      <source>%s cannot be renumbered: %s</source>
-      <translation>%s kann nicht neu nummeriert werden: %s</translation>
+      <source>{mesh:text} cannot be renumbered: {why:messages}</source>
+      <translation>{mesh:text} kann nicht neu nummeriert werden: {why:messages}</translation>
     </message>
     <message>
-      <source>%s cannot be solved: %s</source>
-      <translation>%s kann nicht gelöst werden: %s</translation>
+      <source>{analysis:text} cannot be solved: {why:text}</source>
+      <translation>{analysis:text} kann nicht gelöst werden: {why:text}</translation>
     </message>
     <message>
-      <source>%s has %s already, and an analysis is solved with one mesh</source>
-      <translation>%s hat schon %s, und eine Analyse wird mit einem Netz gelöst</translation>
+      <source>{analysis:text} has {mesh:text} already, and an analysis is solved with one mesh</source>
+      <translation>{analysis:text} hat schon {mesh:text}, und eine Analyse wird mit einem Netz gelöst</translation>
     </message>
     <message>
-      <source>%s has a mesh already: %s; delete one of the two</source>
-      <translation>%s hat schon ein Netz: %s; bitte eines von beiden löschen</translation>
+      <source>{one:text} or {others:messages}</source>
+      <translation>{one:text} oder {others:messages}</translation>
     </message>
     <message>
-      <source>%s has no container, set its property Container</source>
-      <translation>%s hat keinen Container, setzen Sie seine Eigenschaft Container</translation>
+      <source>{parameter:text} needs at least two levels, not {levels:count}</source>
+      <translation>{parameter:text} braucht mindestens zwei Stufen, nicht {levels:count}</translation>
     </message>
     <message>
-      <source>%s has no form for a mesh of edges; export it as inp, vtu, vtk, msh, unv or med</source>
-      <translation>%s kann kein Netz aus Kanten enthalten; exportieren Sie es als inp, vtu, vtk, msh, unv oder med</translation>
+      <source>{part:text} has a mesh already: {mesh:text}; delete one of the two</source>
+      <translation>{part:text} hat schon ein Netz: {mesh:text}; eines von beiden löschen</translation>
     </message>
     <message>
-      <source>%s has no mesh of FeatureMesh to copy along</source>
-      <translation>%s hat kein Netz von FeatureMesh, das mitkopiert werden könnte</translation>
+      <source>{object:text} has no container, set its property Container</source>
+      <translation>{object:text} hat keinen Container, seine Eigenschaft Container setzen</translation>
     </message>
     <message>
-      <source>%s has no mesh yet</source>
-      <translation>%s hat noch kein Netz</translation>
+      <source>{format:text} has no form for a mesh of edges; export it as inp, vtu, vtk, msh, unv or med</source>
+      <translation>{format:text} kann kein Netz aus Kanten enthalten; es als inp, vtu, vtk, msh, unv oder med exportieren</translation>
+    </message>
+    <message>
+      <source>{analysis:text} has no mesh of FeatureMesh to copy along</source>
+      <translation>{analysis:text} hat kein Netz von FeatureMesh, das mitkopiert werden könnte</translation>
+    </message>
+    <message>
+      <source>{mesh:text} has no mesh yet</source>
+      <translation>{mesh:text} hat noch kein Netz</translation>
     </message>
     <message>
       <source>%s has no mesh; let it share %s (api.share_mesh), or give it one of its own</source>
-      <translation>%s hat kein Netz; lassen Sie die Analyse %s mitbenutzen (api.share_mesh), oder geben Sie ihr ein eigenes</translation>
+      <translation>%s hat kein Netz; die Analyse %s mitbenutzen lassen (api.share_mesh), oder ihr ein eigenes geben</translation>
     </message>
     <message>
-      <source>%s has no part</source>
-      <translation>%s hat kein Teil</translation>
+      <source>{part:text} has no shape to mesh</source>
+      <translation>{part:text} hat keine Form, die vernetzt werden kann</translation>
     </message>
     <message>
-      <source>%s has no part to mesh, set its property %s</source>
-      <translation>%s hat kein Bauteil, das vernetzt werden kann; bitte die Eigenschaft %s setzen</translation>
+      <source>{part:text} has no shape to mesh: {feature:text} leaves nothing of it</source>
+      <translation>{part:text} hat keine Form, die vernetzt werden kann: {feature:text} lässt nichts davon übrig</translation>
     </message>
     <message>
-      <source>%s has no part with a solid</source>
-      <translation>%s hat kein Teil mit einem Volumenkörper</translation>
+      <source>{path:text} cannot be made a study's folder ({why:text}); name another --folder</source>
+      <translation>{path:text} kann nicht zum Ordner einer Studie werden ({why:text}); einen anderen mit --folder angeben</translation>
     </message>
     <message>
-      <source>%s has no shape to mesh</source>
-      <translation>%s hat keine Form, die vernetzt werden kann</translation>
+      <source>{path:text} cannot be read: {why:messages}</source>
+      <translation>{path:text} kann nicht gelesen werden: {why:messages}</translation>
     </message>
     <message>
-      <source>%s has no shape yet; recompute the document first</source>
-      <translation>%s hat noch keine Form; berechnen Sie zuerst das Dokument neu</translation>
+      <source>{path:text} cannot be written: {why:messages}; every finished case is safe. Make room, then go on with `study resume`</source>
+      <translation>{path:text} kann nicht geschrieben werden: {why:messages}; jeder fertige Fall ist gesichert. Platz schaffen, dann mit `study resume` weitermachen</translation>
     </message>
     <message>
-      <source>%s has no solid%s</source>
-      <translation>%s hat keinen Festkörper%s</translation>
+      <source>{path:text} has no column {column:text}</source>
+      <translation>{path:text} hat keine Spalte {column:text}</translation>
     </message>
     <message>
-      <source>%s has no tetrahedra; it has to be a volume mesh</source>
-      <translation>%s hat keine Tetraeder; es muss ein Volumennetz sein</translation>
+      <source>{path:text} has no rows</source>
+      <translation>{path:text} hat keine Zeilen</translation>
     </message>
     <message>
-      <source>%s has other elements than 4-node or 10-node tetrahedra (%s with %s nodes); only tetrahedra can be adopted</source>
-      <translation>%s hat andere Elemente als Tetraeder mit 4 oder 10 Knoten (%s mit %s Knoten); nur Tetraeder können übernommen werden</translation>
+      <source>{path:text} has no {key:text}; a study's file needs document, parameters and responses</source>
+      <translation>{path:text} hat kein {key:text}; die Datei einer Studie braucht document, parameters und responses</translation>
+    </message>
+    <message>
+      <source>{path:text} holds a study already: go on with `study resume`, extend it with `study add`, or name another --folder</source>
+      <translation>in {path:text} ist schon eine Studie: mit `study resume` weitermachen, sie mit `study add` erweitern, oder einen anderen Ordner mit --folder angeben</translation>
+    </message>
+    <message>
+      <source>{path:text} holds no study; begin one there with `study run ... --folder {folder:text}`</source>
+      <translation>in {path:text} ist keine Studie; dort mit `study run ... --folder {folder:text}` eine beginnen</translation>
+    </message>
+    <message>
+      <source>{path:text} is damaged: {member:text} in it cannot be read</source>
+      <translation>{path:text} ist beschädigt: {member:text} darin kann nicht gelesen werden</translation>
+    </message>
+    <message>
+      <source>{path:text} is damaged: {why:messages}</source>
+      <translation>{path:text} ist beschädigt: {why:messages}</translation>
+    </message>
+    <message>
+      <source>{path:text} is no study's database: {why:messages}</source>
+      <translation>{path:text} ist nicht die Datenbank einer Studie: {why:messages}</translation>
+    </message>
+    <message>
+      <source>{path:text} is not a FreeCAD document (or its end is cut off)</source>
+      <translation>{path:text} ist kein Dokument von FreeCAD (oder sein Ende fehlt)</translation>
+    </message>
+    <message>
+      <source>{path:text} is not a FreeCAD document: it has no Document.xml</source>
+      <translation>{path:text} ist kein Dokument von FreeCAD: es hat keine Document.xml</translation>
+    </message>
+    <message>
+      <source>{path:text} is not as the study made it; start the study anew in another folder</source>
+      <translation>{path:text} ist nicht, wie die Studie es gemacht hat; die Studie in einem anderen Ordner neu beginnen</translation>
+    </message>
+    <message>
+      <source>{path:text} is of a newer FeatureMesh (schema {schema:text}, this one reads {newest:count})</source>
+      <translation>{path:text} ist von einem neueren FeatureMesh (Schema {schema:text}, dieses liest {newest:count})</translation>
+    </message>
+    <message>
+      <source>{path:text}, line {line:count}: {text:text} is no number for {parameter:text}</source>
+      <translation>{path:text}, Zeile {line:count}: {text:text} ist keine Zahl für {parameter:text}</translation>
+    </message>
+    <message>
+      <source>{path:text}: a parameter has no set = "OBJECT.PROPERTY"</source>
+      <translation>{path:text}: einem Parameter fehlt set = "OBJEKT.EIGENSCHAFT"</translation>
+    </message>
+    <message>
+      <source>{path:text}: a parameter is a table [[parameters]] with set = "OBJECT.PROPERTY", not {entry:text}</source>
+      <translation>{path:text}: ein Parameter ist eine Tabelle [[parameters]] mit set = "OBJEKT.EIGENSCHAFT", nicht {entry:text}</translation>
+    </message>
+    <message>
+      <source>{path:text}: the range of {parameter:text} is two numbers</source>
+      <translation>{path:text}: der Bereich von {parameter:text} besteht aus zwei Zahlen</translation>
+    </message>
+    <message>
+      <source>{place:text}, where a response is asked for, has no face and no element of the part</source>
+      <translation>{place:text}, wo nach einer Zielgröße gefragt ist, hat keine Fläche und kein Element des Bauteils</translation>
+    </message>
+    <message>
+      <source>{place:text}, where a response is asked for, is gone</source>
+      <translation>{place:text}, wo nach einer Zielgröße gefragt ist, gibt es nicht mehr</translation>
+    </message>
+    <message>
+      <source>{response:text}: least {least:text} in case {case:count}, largest {largest:text} in case {other:count}</source>
+      <translation>{response:text}: kleinster Wert {least:text} in Fall {case:count}, größter Wert {largest:text} in Fall {other:count}</translation>
+    </message>
+    <message>
+      <source>{result:text} has no mesh</source>
+      <translation>{result:text} hat kein Netz</translation>
+    </message>
+    <message>
+      <source>{result:text} has no values per node</source>
+      <translation>{result:text} hat keine Werte an den Knoten</translation>
+    </message>
+    <message>
+      <source>{result:text} has values for {values:count} {values:node|nodes}, its mesh {mesh:text} has {nodes:count}</source>
+      <translation>{result:text} hat Werte für {values:count} Knoten, sein Netz {mesh:text} hat {nodes:count}</translation>
+    </message>
+    <message>
+      <source>{sampling:text}: {states:text}. Every case starts from one base mesh ({nodes:count} {nodes:node|nodes}, {elements:count} {elements:element|elements}); {solved:messages}.</source>
+      <translation>{sampling:text}: {states:text}. Alle Fälle gehen von einem Ausgangsnetz aus ({nodes:count} Knoten, {elements:count} {elements:Element|Elemente}); {solved:messages}.</translation>
+    </message>
+    <message>
+      <source>{script:text} ended with {code:text}</source>
+      <translation>{script:text} hat mit {code:text} geendet</translation>
+    </message>
+    <message>
+      <source>{sides:count} {sides:side between faces follows|sides between faces follow} no edge</source>
+      <translation>{sides:count} {sides:Seite zwischen Flächen folgt|Seiten zwischen Flächen folgen} keiner Kante</translation>
+    </message>
+    <message>
+      <source>{study:text} has no part</source>
+      <translation>{study:text} hat kein Bauteil</translation>
+    </message>
+    <message>
+      <source>{mesh:text} has no part to mesh, set its property {property:text}</source>
+      <translation>{mesh:text} hat kein Bauteil, das vernetzt werden kann; die Eigenschaft {property:text} setzen</translation>
+    </message>
+    <message>
+      <source>{container:text} has no part with a solid</source>
+      <translation>{container:text} hat kein Bauteil mit einem Volumenkörper</translation>
+    </message>
+    <message>
+      <source>{part:text} has no shape yet; recompute the document first</source>
+      <translation>{part:text} hat noch keine Form; zuerst das Dokument neu berechnen</translation>
+    </message>
+    <message>
+      <source>{object:text} has no solid{error:text}</source>
+      <translation>{object:text} hat keinen Volumenkörper{error:text}</translation>
+    </message>
+    <message>
+      <source>{object:text} has no tetrahedra; it has to be a volume mesh</source>
+      <translation>{object:text} hat keine Tetraeder; es muss ein Volumennetz sein</translation>
+    </message>
+    <message>
+      <source>{object:text} has other elements than 4-node or 10-node tetrahedra ({kind:messages} with {counts:text} nodes); only tetrahedra can be adopted</source>
+      <translation>{object:text} hat andere Elemente als Tetraeder mit 4 oder 10 Knoten ({kind:messages} mit {counts:text} Knoten); nur Tetraeder können übernommen werden</translation>
     </message>
     <message>
       <source>%s has the mesh %s already.</source>
@@ -391,28 +1449,60 @@
       <translation>%s ist %s; vor dem Lösen aktualisieren</translation>
     </message>
     <message>
-      <source>%s is FeatureMesh's own already</source>
-      <translation>%s gehört schon FeatureMesh</translation>
+      <source>{foreign:text} is FeatureMesh's own already</source>
+      <translation>{foreign:text} gehört schon FeatureMesh</translation>
     </message>
     <message>
-      <source>%s is a group, name one of its objects: %s</source>
-      <translation>%s ist eine Gruppe, bitte eines ihrer Objekte angeben: %s</translation>
+      <source>{object:text} is a group, name one of its objects: {members:text}</source>
+      <translation>{object:text} ist eine Gruppe, eines ihrer Objekte angeben: {members:text}</translation>
     </message>
     <message>
-      <source>%s is no FEM mesh</source>
-      <translation>%s ist kein FEM-Netz</translation>
+      <source>{foreign:text} is no FEM mesh</source>
+      <translation>{foreign:text} ist kein FEM-Netz</translation>
     </message>
     <message>
-      <source>%s is no analysis</source>
-      <translation>%s ist keine Analyse</translation>
+      <source>{analysis:text} is no analysis</source>
+      <translation>{analysis:text} ist keine Analyse</translation>
     </message>
     <message>
-      <source>%s is no length</source>
-      <translation>%s ist keine Länge</translation>
+      <source>{target:text} cannot be {value:text}, only one of: {known:text}</source>
+      <translation>{target:text} kann nicht {value:text} sein, nur eines von: {known:text}</translation>
     </message>
     <message>
-      <source>%s is no object of a document; give a body, or a Part object with a solid</source>
-      <translation>%s ist kein Objekt eines Dokuments; geben Sie einen Körper oder ein Part-Objekt mit einem Volumenkörper an</translation>
+      <source>{target:text} has to be a whole number, not {value:text}</source>
+      <translation>{target:text} muss eine ganze Zahl sein, nicht {value:text}</translation>
+    </message>
+    <message>
+      <source>{target:text} is a reference dimension, it only measures</source>
+      <translation>{target:text} ist ein Referenzmaß, es misst nur</translation>
+    </message>
+    <message>
+      <source>{target:text} is a switch, it can be true or false, not {value:text}</source>
+      <translation>{target:text} ist ein Schalter, er kann true oder false sein, nicht {value:text}</translation>
+    </message>
+    <message>
+      <source>{target:text} is no number, switch or choice ({kind:text}), it cannot be set this way</source>
+      <translation>{target:text} ist keine Zahl, kein Schalter und keine Auswahl ({kind:text}) und kann so nicht gesetzt werden</translation>
+    </message>
+    <message>
+      <source>{triangles:count} {triangles:boundary triangle lies|boundary triangles lie} on no face</source>
+      <translation>{triangles:count} {triangles:Randdreieck liegt|Randdreiecke liegen} auf keiner Fläche</translation>
+    </message>
+    <message>
+      <source>{triangles:count} {triangles:triangle has|triangles have} elements that overlap</source>
+      <translation>{triangles:count} {triangles:Dreieck hat|Dreiecke haben} Elemente, die sich überlappen</translation>
+    </message>
+    <message>
+      <source>{value:text} has the wrong unit for {target:text}</source>
+      <translation>{value:text} hat die falsche Einheit für {target:text}</translation>
+    </message>
+    <message>
+      <source>{value:text} is no length</source>
+      <translation>{value:text} ist keine Länge</translation>
+    </message>
+    <message>
+      <source>{object:text} is no object of a document; give a body, or a Part object with a solid</source>
+      <translation>{object:text} ist kein Objekt eines Dokuments; einen Körper oder ein Part-Objekt mit einem Volumenkörper angeben</translation>
     </message>
     <message>
       <source>%s is not that of the part as it is, its last update failed: %s</source>
@@ -420,31 +1510,19 @@
     </message>
     <message>
       <source>%s presses on a shell beside a solid, which FreeCAD cannot write for CalculiX; use a force there</source>
-      <translation>%s drückt auf eine Schale neben einem Körper, was FreeCAD für CalculiX nicht schreiben kann; verwenden Sie dort eine Kraft</translation>
+      <translation>%s drückt auf eine Schale neben einem Volumenkörper, was FreeCAD für CalculiX nicht schreiben kann; dort eine Kraft verwenden</translation>
     </message>
     <message>
       <source>%s shows a mesh that was deleted; delete it, too, and give the analysis another mesh</source>
-      <translation>%s zeigt ein Netz, das gelöscht wurde; löschen Sie es auch und geben Sie der Analyse ein anderes Netz</translation>
+      <translation>%s zeigt ein Netz, das gelöscht wurde; es auch löschen und der Analyse ein anderes Netz geben</translation>
     </message>
     <message>
-      <source>%s was not updated since the document was opened, all its elements are as they were</source>
-      <translation>%s wurde seit dem Öffnen des Dokuments nicht aktualisiert, alle Elemente sind, wie sie waren</translation>
-    </message>
-    <message>
-      <source>%s would lose the beams of this mesh; export it as inp, vtu, vtk, msh, unv or med</source>
-      <translation>%s würde die Balken dieses Netzes verlieren; exportieren Sie als inp, vtu, vtk, msh, unv oder med</translation>
-    </message>
-    <message>
-      <source>%s would lose the shells of this mesh; export it as inp, vtu, vtk, msh, unv or med</source>
-      <translation>%s würde die Schalen dieses Netzes verlieren; exportieren Sie als inp, vtu, vtk, msh, unv oder med</translation>
-    </message>
-    <message>
-      <source>%s: %d features in %d pieces, volume %.10g mm^3 (FreeCAD: %.10g mm^3)</source>
-      <translation>%s: %d Features in %d Stücken, Volumen %.10g mm^3 (FreeCAD: %.10g mm^3)</translation>
+      <source>{mesh:text} was not updated since the document was opened, all its elements are as they were</source>
+      <translation>{mesh:text} wurde seit dem Öffnen des Dokuments nicht aktualisiert, alle Elemente sind, wie sie waren</translation>
     </message>
     <message>
       <source>'{name:text}' is no face, edge, vertex or solid; write it as FreeCAD does, e.g. Face12.</source>
-      <translation>„{name:text}“ ist keine Fläche, keine Kante, kein Punkt und kein Volumenkörper; wie in FreeCAD zu schreiben, z. B. Face12.</translation>
+      <translation>„{name:text}“ ist keine Fläche, keine Kante, kein Eckpunkt und kein Volumenkörper; wie in FreeCAD zu schreiben, z. B. Face12.</translation>
     </message>
     <message>
       <source>, about %d min left</source>
@@ -453,10 +1531,6 @@
     <message>
       <source>, about %d s left</source>
       <translation>, noch etwa %d s</translation>
-    </message>
-    <message>
-      <source>, not of %s</source>
-      <translation>, nicht von %s</translation>
     </message>
     <message>
       <source>10-node tetrahedra</source>
@@ -484,23 +1558,19 @@
     </message>
     <message>
       <source>4-node tetrahedra are too stiff in bending and show too little stress (here the stresses are off by about {percent:count} % in the mean of the energy); 10-node tetrahedra (Order: 2nd) are far closer on the same mesh</source>
-      <translation>Tetraeder mit 4 Knoten sind bei Biegung zu steif und zeigen zu kleine Spannungen (hier liegen die Spannungen im Mittel der Energie um etwa {percent:count} % daneben); Tetraeder mit 10 Knoten (Order: 2nd) sind auf demselben Netz weit genauer</translation>
+      <translation>4-Knoten-Tetraeder sind bei Biegung zu steif und zeigen zu kleine Spannungen (hier liegen die Spannungen im Mittel der Energie um etwa {percent:count} % daneben); 10-Knoten-Tetraeder (Order: 2nd) sind auf demselben Netz weit genauer</translation>
     </message>
     <message>
       <source>4-node tetrahedra are too stiff in bending and show too little stress; 10-node tetrahedra (Order: 2nd) are far closer on the same mesh</source>
-      <translation>Tetraeder mit 4 Knoten sind bei Biegung zu steif und zeigen zu kleine Spannungen; Tetraeder mit 10 Knoten (Order: 2nd) sind auf demselben Netz weit genauer</translation>
+      <translation>4-Knoten-Tetraeder sind bei Biegung zu steif und zeigen zu kleine Spannungen; 10-Knoten-Tetraeder (Order: 2nd) sind auf demselben Netz weit genauer</translation>
     </message>
     <message>
       <source>6-node triangle that is folded: {triangles:messages}</source>
-      <translation>gefaltetes Dreieck mit 6 Knoten: {triangles:messages}</translation>
+      <translation>gefaltetes 6-Knoten-Dreieck: {triangles:messages}</translation>
     </message>
     <message>
       <source>6-node triangles</source>
       <translation>6-Knoten-Dreiecke</translation>
-    </message>
-    <message>
-      <source>: %s leaves nothing of it</source>
-      <translation>: %s lässt nichts davon übrig</translation>
     </message>
     <message>
       <source>; edges: %s</source>
@@ -516,7 +1586,7 @@
     </message>
     <message>
       <source>A double click on a case shows it: part, mesh and result. Undo takes it back.</source>
-      <translation>Ein Doppelklick auf einen Fall zeigt ihn: Teil, Netz und Ergebnis. Rückgängig nimmt das zurück.</translation>
+      <translation>Ein Doppelklick auf einen Fall zeigt ihn: Bauteil, Netz und Ergebnis. Rückgängig nimmt das zurück.</translation>
     </message>
     <message>
       <source>A material needs Young's modulus above 0 and Poisson's ratio from above -1 to below 0.5.</source>
@@ -568,7 +1638,7 @@
     </message>
     <message>
       <source>At once</source>
-      <translation>Zugleich</translation>
+      <translation>Gleichzeitig</translation>
     </message>
     <message>
       <source>Box</source>
@@ -591,16 +1661,12 @@
       <translation>CalculiX kann {analysis:text} nicht lösen: {why:text}</translation>
     </message>
     <message>
-      <source>CalculiX could not solve %s: %s</source>
-      <translation>CalculiX konnte %s nicht lösen: %s</translation>
+      <source>CalculiX could not solve {analysis:text}: {why:messages}</source>
+      <translation>CalculiX konnte {analysis:text} nicht lösen: {why:messages}</translation>
     </message>
     <message>
       <source>CalculiX failed: {why:text}</source>
       <translation>CalculiX ist gescheitert: {why:text}</translation>
-    </message>
-    <message>
-      <source>CalculiX gave no result for %s</source>
-      <translation>CalculiX ergab kein Ergebnis für %s</translation>
     </message>
     <message>
       <source>CalculiX gave no result for {analysis:text}</source>
@@ -624,11 +1690,11 @@
     </message>
     <message>
       <source>Check the shape there (Part: Check geometry), mesh from scratch, or try another size.</source>
-      <translation>Bitte die Form dort prüfen (Part: Geometrie prüfen), von Grund auf vernetzen oder eine andere Größe versuchen.</translation>
+      <translation>Die Form dort prüfen (Part: Geometrie prüfen), vollständig neu vernetzen oder eine andere Größe versuchen.</translation>
     </message>
     <message>
       <source>Chosen</source>
-      <translation>Auswahl</translation>
+      <translation>Versuchsplan</translation>
     </message>
     <message>
       <source>Colours</source>
@@ -652,11 +1718,7 @@
     </message>
     <message>
       <source>Details below {below:length} cannot be ignored; at most those below half of the mesh size of {size:length} can be.</source>
-      <translation>Einzelheiten unter {below:length} können nicht übergangen werden; höchstens solche unter der Hälfte der Netzgröße von {size:length}.</translation>
-    </message>
-    <message>
-      <source>Details of the part far smaller than the elements force an angle below 2 degrees on {elements:count} elements: {details:messages}. Results there are poor. Take them out of the features that make them (points of a sketch that nearly coincide, a step as shallow), or mesh finer there.</source>
-      <translation>Einzelheiten des Bauteils, die viel kleiner als die Elemente sind, erzwingen einen Winkel unter 2 Grad an {elements:count} Elementen: {details:messages}. Ergebnisse dort sind ungenau. Sie aus den Formelementen entfernen, die sie erzeugen (Skizzenpunkte, die fast zusammenfallen, eine ebenso flache Stufe), oder dort feiner vernetzen.</translation>
+      <translation>Einzelheiten unter {below:length} können nicht übergangen werden; höchstens solche unter der Hälfte der Elementgröße von {size:length}.</translation>
     </message>
     <message>
       <source>Distance</source>
@@ -696,7 +1758,7 @@
     </message>
     <message>
       <source>Feature tree</source>
-      <translation>Feature-Baum</translation>
+      <translation>Formelementbaum</translation>
     </message>
     <message>
       <source>FeatureMesh cannot start its worker process and runs inside FreeCAD: %s</source>
@@ -708,7 +1770,7 @@
     </message>
     <message>
       <source>FeatureMesh needs numpy, which this FreeCAD has not; install it (Debian: python3-numpy) and start FreeCAD anew.</source>
-      <translation>FeatureMesh braucht numpy, das dieses FreeCAD nicht hat; bitte installieren (Debian: python3-numpy) und FreeCAD neu starten.</translation>
+      <translation>FeatureMesh braucht numpy, das dieses FreeCAD nicht hat; es installieren (Debian: python3-numpy) und FreeCAD neu starten.</translation>
     </message>
     <message>
       <source>FeatureMesh's compiled engine (featuremesh_engine) is not installed for Python %d.%d; the mesh is shown as it was saved.</source>
@@ -716,7 +1778,7 @@
     </message>
     <message>
       <source>FeatureMesh's engine %s in %s is too new for FeatureMesh %s; update FeatureMesh with Tools, Addon manager.</source>
-      <translation>Das Rechenprogramm %s in %s ist zu neu für FeatureMesh %s; bringen Sie FeatureMesh mit Werkzeuge, Addon-Manager auf den neuesten Stand.</translation>
+      <translation>Das Rechenprogramm %s in %s ist zu neu für FeatureMesh %s; FeatureMesh mit Werkzeuge, Addon-Manager auf den neuesten Stand bringen.</translation>
     </message>
     <message>
       <source>FeatureMesh's engine %s in %s is too old for FeatureMesh %s. To install a newer one: %s</source>
@@ -735,12 +1797,12 @@
       <translation>FeatureMesh: %s, %d %% (Escape bricht ab)</translation>
     </message>
     <message>
-      <source>FreeCAD cannot recompute %s: %s</source>
-      <translation>FreeCAD kann %s nicht neu berechnen: %s</translation>
+      <source>FreeCAD cannot recompute {object:text}: {error:text}</source>
+      <translation>FreeCAD kann {object:text} nicht neu berechnen: {error:text}</translation>
     </message>
     <message>
-      <source>FreeCAD could not compute %s: %s</source>
-      <translation>FreeCAD konnte %s nicht berechnen: %s</translation>
+      <source>FreeCAD could not compute {part:text}: {error:text}</source>
+      <translation>FreeCAD konnte {part:text} nicht berechnen: {error:text}</translation>
     </message>
     <message>
       <source>FreeCAD could not write CalculiX's input for {analysis:text}; its report view says why</source>
@@ -748,7 +1810,7 @@
     </message>
     <message>
       <source>FreeCAD's program freecadcmd was not found; set FREECADCMD to it</source>
-      <translation>FreeCADs Programm freecadcmd wurde nicht gefunden; setzen Sie FREECADCMD darauf</translation>
+      <translation>FreeCADs Programm freecadcmd wurde nicht gefunden; FREECADCMD darauf setzen</translation>
     </message>
     <message>
       <source>From</source>
@@ -756,7 +1818,7 @@
     </message>
     <message>
       <source>From scratch</source>
-      <translation>Von Grund auf</translation>
+      <translation>Neu vernetzen</translation>
     </message>
     <message>
       <source>From the shape</source>
@@ -788,7 +1850,7 @@
     </message>
     <message>
       <source>In the place of another vertex within a millionth of the part, with which they share a node: {vertices:entities}.</source>
-      <translation>An der Stelle eines anderen Punktes, auf ein Millionstel des Bauteils genau, mit dem sie einen Knoten teilen: {vertices:entities}.</translation>
+      <translation>An der Stelle eines anderen Eckpunkts, auf ein Millionstel des Bauteils genau, mit dem sie einen Knoten teilen: {vertices:entities}.</translation>
     </message>
     <message>
       <source>Kept elements</source>
@@ -800,7 +1862,7 @@
     </message>
     <message>
       <source>Kept nodes of {edge:entities} belong to an edge in the same place. Mesh the part from scratch.</source>
-      <translation>Behaltene Knoten von {edge:entities} gehören zu einer Kante am selben Ort. Das Teil von Grund auf vernetzen.</translation>
+      <translation>Behaltene Knoten von {edge:entities} gehören zu einer Kante am selben Ort. Das Bauteil vollständig neu vernetzen.</translation>
     </message>
     <message>
       <source>Kind</source>
@@ -852,7 +1914,7 @@
     </message>
     <message>
       <source>Nearer to another vertex than {distance:length}, so that they share its node: {vertices:entities}.</source>
-      <translation>Näher als {distance:length} an einer anderen Ecke, sodass sie deren Knoten haben: {vertices:entities}.</translation>
+      <translation>Näher als {distance:length} an einem anderen Eckpunkt, sodass sie dessen Knoten haben: {vertices:entities}.</translation>
     </message>
     <message>
       <source>New elements</source>
@@ -880,11 +1942,11 @@
     </message>
     <message>
       <source>Not meshed, because no solid has them: {loose:entities}.</source>
-      <translation>Nicht vernetzt, weil sie zu keinem Körper gehören: {loose:entities}.</translation>
+      <translation>Nicht vernetzt, weil sie zu keinem Volumenkörper gehören: {loose:entities}.</translation>
     </message>
     <message>
       <source>Only meshes of solids can be adopted. Mesh the part's faces or edges anew.</source>
-      <translation>Nur Netze von Volumenkörpern können übernommen werden. Die Flächen oder Kanten des Teils neu vernetzen.</translation>
+      <translation>Nur Netze von Volumenkörpern können übernommen werden. Die Flächen oder Kanten des Bauteils neu vernetzen.</translation>
     </message>
     <message>
       <source>Open a part, select its body and press &lt;b&gt;Mesh a part&lt;/b&gt;. Choose a size; the panel tells how many elements it gives. Press &lt;b&gt;OK&lt;/b&gt;.</source>
@@ -912,7 +1974,7 @@
     </message>
     <message>
       <source>Parts of %s</source>
-      <translation>Teile von %s</translation>
+      <translation>Bauteile von %s</translation>
     </message>
     <message>
       <source>Per circle</source>
@@ -920,7 +1982,7 @@
     </message>
     <message>
       <source>Perhaps memory ran out: try a larger size.</source>
-      <translation>Vielleicht ging der Speicher aus: bitte eine größere Elementgröße versuchen.</translation>
+      <translation>Vielleicht ging der Speicher aus: eine größere Größe versuchen.</translation>
     </message>
     <message>
       <source>Plots need matplotlib (Debian: python3-matplotlib): %s</source>
@@ -928,7 +1990,7 @@
     </message>
     <message>
       <source>Processor threads of a new mesh; the mesh is the same for any number</source>
-      <translation>Prozessor-Threads eines neuen Netzes; das Netz ist für jede Anzahl dasselbe</translation>
+      <translation>Prozessorkerne, die ein neues Netz rechnen; das Netz ist für jede Anzahl dasselbe</translation>
     </message>
     <message>
       <source>Quality of %s</source>
@@ -968,7 +2030,7 @@
     </message>
     <message>
       <source>Select a case in the table, or click a point of a plot.</source>
-      <translation>Wählen Sie einen Fall in der Tabelle, oder klicken Sie auf einen Punkt eines Diagramms.</translation>
+      <translation>Einen Fall in der Tabelle auswählen, oder einen Punkt eines Diagramms anklicken.</translation>
     </message>
     <message>
       <source>Select a face and press &lt;b&gt;Add a local size&lt;/b&gt; where the mesh shall be finer. All of this is in FEM's Mesh menu, too.</source>
@@ -984,7 +2046,7 @@
     </message>
     <message>
       <source>Show the part as it was</source>
-      <translation>Das Teil zeigen, wie es war</translation>
+      <translation>Das Bauteil zeigen, wie es war</translation>
     </message>
     <message>
       <source>Size</source>
@@ -1004,7 +2066,7 @@
     </message>
     <message>
       <source>Solids</source>
-      <translation>Körper</translation>
+      <translation>Volumenkörper</translation>
     </message>
     <message>
       <source>Solve</source>
@@ -1048,7 +2110,7 @@
     </message>
     <message>
       <source>The geometry kernel failed while meshing: {why:text}. Try another size, or check the shape (Part: Check geometry).</source>
-      <translation>Der Geometriekern versagte beim Vernetzen: {why:text}. Eine andere Größe versuchen, oder die Form prüfen (Part: Geometrie prüfen).</translation>
+      <translation>Der Geometriekern ist beim Vernetzen gescheitert: {why:text}. Eine andere Größe versuchen, oder die Form prüfen (Part: Geometrie prüfen).</translation>
     </message>
     <message>
       <source>The geometry kernel failed: {why:text}</source>
@@ -1056,31 +2118,31 @@
     </message>
     <message>
       <source>The growth rate is {growth:number}; it must be at least 1 (1.3 is usual).</source>
-      <translation>Das Wachstum ist {growth:number}; es muss mindestens 1 sein (üblich ist 1.3).</translation>
+      <translation>Das Wachstum ist {growth:number}; es muss mindestens 1 sein (üblich ist 1,3).</translation>
     </message>
     <message>
       <source>The kept nodes of {edge:entities} are not in the order of the edge. Mesh the part from scratch.</source>
-      <translation>Die behaltenen Knoten von {edge:entities} liegen nicht in der Reihenfolge der Kante. Das Teil von Grund auf vernetzen.</translation>
+      <translation>Die behaltenen Knoten von {edge:entities} liegen nicht in der Reihenfolge der Kante. Das Bauteil vollständig neu vernetzen.</translation>
     </message>
     <message>
       <source>The kept segments of {edge:entities} do not follow the edge. Mesh the part from scratch.</source>
-      <translation>Die behaltenen Segmente von {edge:entities} folgen der Kante nicht. Das Teil von Grund auf vernetzen.</translation>
+      <translation>Die behaltenen Segmente von {edge:entities} folgen der Kante nicht. Das Bauteil vollständig neu vernetzen.</translation>
     </message>
     <message>
       <source>The live solver does not converge on this mesh; solve with CalculiX, and look for very flat elements or materials of very different stiffness.</source>
-      <translation>Der Live-Löser konvergiert auf diesem Netz nicht; mit CalculiX lösen, und nach sehr flachen Elementen oder Werkstoffen sehr verschiedener Steifigkeit suchen.</translation>
+      <translation>Der mitlaufende Löser konvergiert auf diesem Netz nicht; mit CalculiX lösen, und nach sehr flachen Elementen oder Werkstoffen sehr verschiedener Steifigkeit suchen.</translation>
     </message>
     <message>
       <source>The live solver needs PETSc: install Debian's package libpetsc-real-dev, and any command of ./featuremesh in a clone builds the solver with it ({why:text}).</source>
-      <translation>Der Live-Löser braucht PETSc: Debians Paket libpetsc-real-dev installieren, und jeder Befehl von ./featuremesh in einem Klon baut den Löser damit ({why:text}).</translation>
+      <translation>Der mitlaufende Löser braucht PETSc: Debians Paket libpetsc-real-dev installieren, und jeder Befehl von ./featuremesh in einem Klon baut den Löser damit ({why:text}).</translation>
     </message>
     <message>
       <source>The local mesh size at {entity:entities} is {size:length}; it must be larger than zero.</source>
-      <translation>Die lokale Netzgröße an {entity:entities} ist {size:length}; sie muss größer als null sein.</translation>
+      <translation>Die lokale Elementgröße an {entity:entities} ist {size:length}; sie muss größer als null sein.</translation>
     </message>
     <message>
       <source>The local size at {entity:entities} is left out: the part has no such face, edge or vertex any more. Refer the refinement to another one.</source>
-      <translation>Die lokale Größe bei {entity:entities} entfällt: Das Bauteil hat diese Fläche, Kante oder diesen Punkt nicht mehr. Die Verfeinerung auf etwas anderes beziehen.</translation>
+      <translation>Die lokale Größe bei {entity:entities} entfällt: Das Bauteil hat diese Fläche, Kante oder diesen Eckpunkt nicht mehr. Die Verfeinerung auf etwas anderes beziehen.</translation>
     </message>
     <message>
       <source>The mesh follows every recompute of the document</source>
@@ -1092,11 +2154,11 @@
     </message>
     <message>
       <source>The mesh is finer than asked at {place:entities}, because 10-node tetrahedra of that size would be folded, or nearly so, by the curved face.</source>
-      <translation>Das Netz ist bei {place:entities} feiner als verlangt, weil 10-Knoten-Tetraeder dieser Größe durch die gekrümmte Fläche ganz oder fast umklappen würden.</translation>
+      <translation>Das Netz ist bei {place:entities} feiner als verlangt, weil 10-Knoten-Tetraeder dieser Größe durch die gekrümmte Fläche ganz oder fast gefaltet würden.</translation>
     </message>
     <message>
       <source>The mesh is finer than asked at {place:entities}, because 6-node triangles of that size would be folded, or nearly so, by the curved face.</source>
-      <translation>Das Netz ist bei {place:entities} feiner als verlangt, weil Dreiecke dieser Größe mit 6 Knoten durch die gekrümmte Fläche gefaltet wären oder fast.</translation>
+      <translation>Das Netz ist bei {place:entities} feiner als verlangt, weil 6-Knoten-Dreiecke dieser Größe durch die gekrümmte Fläche ganz oder fast gefaltet würden.</translation>
     </message>
     <message>
       <source>The mesh is finer than asked at {place:entities}, because elements of that size cannot follow the part there.</source>
@@ -1112,11 +2174,11 @@
     </message>
     <message>
       <source>The mesh is in no analysis, because none of %s is active: drag it into the one that it is for.</source>
-      <translation>Das Netz liegt in keiner Analyse, weil keine von %s aktiv ist: Ziehen Sie es in die, für die es gedacht ist.</translation>
+      <translation>Das Netz liegt in keiner Analyse, weil keine von %s aktiv ist: Es in die ziehen, für die es gedacht ist.</translation>
     </message>
     <message>
       <source>The mesh is in no analysis: %s has %s already, and an analysis is solved with one mesh.</source>
-      <translation>Das Netz liegt in keiner Analyse: %s hat schon %s, und eine Analyse wird mit einem Netz gerechnet.</translation>
+      <translation>Das Netz liegt in keiner Analyse: %s hat schon %s, und eine Analyse wird mit einem Netz gelöst.</translation>
     </message>
     <message>
       <source>The mesh is not valid: {finding:messages} (and {more:count} more).</source>
@@ -1124,27 +2186,23 @@
     </message>
     <message>
       <source>The mesh is joined where these faces of one solid lie on one another: {faces:entities}.</source>
-      <translation>Das Netz ist verbunden, wo diese Flächen eines Körpers aufeinanderliegen: {faces:entities}.</translation>
+      <translation>Das Netz ist verbunden, wo diese Flächen eines Volumenkörpers aufeinanderliegen: {faces:entities}.</translation>
     </message>
     <message>
       <source>The mesh is not valid: {finding:messages}.</source>
       <translation>Das Netz ist nicht gültig: {finding:messages}.</translation>
     </message>
     <message>
-      <source>The mesh is not valid: {triangles:count} surface triangles are turned over, the first on {face:entities} at {place:point}. The face bends too much there for this size; ask for a smaller size on it.</source>
-      <translation>Das Netz ist nicht gültig: {triangles:count} Dreiecke der Oberfläche sind umgeklappt, das erste auf {face:entities} bei {place:point}. Die Fläche krümmt sich dort zu stark für diese Größe; auf ihr eine kleinere verlangen.</translation>
-    </message>
-    <message>
       <source>The mesh is too fine for the live solver, whose matrix would have more than 2 billion entries.</source>
-      <translation>Das Netz ist zu fein für den Live-Löser, dessen Matrix mehr als 2 Milliarden Einträge hätte.</translation>
+      <translation>Das Netz ist zu fein für den mitlaufenden Löser, dessen Matrix mehr als 2 Milliarden Einträge hätte.</translation>
     </message>
     <message>
       <source>The mesh size is {size:length}; it must be larger than zero. The part is {part:extent}.</source>
-      <translation>Die Netzgröße ist {size:length}; sie muss größer als null sein. Das Bauteil misst {part:extent}.</translation>
+      <translation>Die Elementgröße ist {size:length}; sie muss größer als null sein. Das Bauteil misst {part:extent}.</translation>
     </message>
     <message>
       <source>The mesh size of {size:length} is larger than the part, which is {part:extent}. Ask for a smaller size.</source>
-      <translation>Die Netzgröße von {size:length} ist größer als das Bauteil, es misst {part:extent}. Eine kleinere Größe wählen.</translation>
+      <translation>Die Elementgröße von {size:length} ist größer als das Bauteil, es misst {part:extent}. Eine kleinere Größe wählen.</translation>
     </message>
     <message>
       <source>The number of elements across gaps is {asked:number}; it must not be negative (0 turns it off).</source>
@@ -1168,23 +2226,23 @@
     </message>
     <message>
       <source>The part has faces or edges beside its solids, and only meshes of solids can be adopted. Mesh the part anew, or adopt the mesh for the solids alone (Dimension: Solids).</source>
-      <translation>Das Teil hat Flächen oder Kanten neben seinen Körpern, und nur Netze von Körpern können übernommen werden. Vernetzen Sie das Teil neu, oder übernehmen Sie das Netz nur für die Körper (Dimension: Solids).</translation>
+      <translation>Das Bauteil hat Flächen oder Kanten neben seinen Volumenkörpern, und nur Netze von Volumenkörpern können übernommen werden. Das Bauteil neu vernetzen, oder das Netz nur für die Volumenkörper übernehmen (Dimension: Solids).</translation>
     </message>
     <message>
       <source>The part is only {part:extent}, and points nearer than 1e-7 mm are one to FreeCAD's geometry: nodes could not be placed on its surface. Was it imported in another unit? Scale it up.</source>
-      <translation>Das Teil misst nur {part:extent}, und Punkte, die näher als 1e-7 mm beieinander liegen, sind für FreeCADs Geometrie einer: Knoten ließen sich nicht auf seine Oberfläche legen. Wurde es in einer anderen Einheit importiert? Dann vergrößern.</translation>
+      <translation>Das Bauteil misst nur {part:extent}, und Punkte, die näher als 1e-7 mm beieinander liegen, sind für FreeCADs Geometrie einer: Knoten ließen sich nicht auf seine Oberfläche legen. Wurde es in einer anderen Einheit importiert? Dann vergrößern.</translation>
     </message>
     <message>
       <source>The part is {thickness:length} thick at {faces:entities}: elements are smaller there than asked, so that {pieces:number} go round it.</source>
-      <translation>Das Teil ist {thickness:length} dick an {faces:entities}: Die Elemente sind dort kleiner als verlangt, damit {pieces:number} herumpassen.</translation>
+      <translation>Das Bauteil ist {thickness:length} dick an {faces:entities}: Die Elemente sind dort kleiner als verlangt, damit {pieces:number} herumpassen.</translation>
     </message>
     <message>
       <source>The refinement at {entity:entities} with a size of {size:length} would make about {millions:count} million elements; at most {most:count} million are made. Choose a larger size there.</source>
-      <translation>Die Verfeinerung an {entity:entities} mit einer Größe von {size:length} ergäbe etwa {millions:count} Millionen Elemente; höchstens {most:count} Millionen werden gemacht. Wählen Sie dort eine größere Größe.</translation>
+      <translation>Die Verfeinerung an {entity:entities} mit einer Größe von {size:length} ergäbe etwa {millions:count} Millionen Elemente; höchstens {most:count} Millionen werden gemacht. Dort eine größere Größe wählen.</translation>
     </message>
     <message>
       <source>The refinement {zone:text} changes nothing: its inner size of {inner:length} is not below the mesh size of {size:length}.</source>
-      <translation>Die Verfeinerung {zone:text} ändert nichts: ihre innere Größe von {inner:length} liegt nicht unter der Netzgröße von {size:length}.</translation>
+      <translation>Die Verfeinerung {zone:text} ändert nichts: ihre innere Größe von {inner:length} liegt nicht unter der Elementgröße von {size:length}.</translation>
     </message>
     <message>
       <source>The refinement {zone:text} grows over {transition:length}; that must not be negative (0: as fast as Growth allows).</source>
@@ -1216,23 +2274,23 @@
     </message>
     <message>
       <source>The refinement {zone:text} has an outer size of {outer:length}; it must not be negative (0: the mesh size).</source>
-      <translation>Die Verfeinerung {zone:text} hat eine äußere Größe von {outer:length}; sie darf nicht negativ sein (0: die Netzgröße).</translation>
+      <translation>Die Verfeinerung {zone:text} hat eine äußere Größe von {outer:length}; sie darf nicht negativ sein (0: die Elementgröße).</translation>
     </message>
     <message>
       <source>The refinement {zone:text} has no size and is left out. Give it one, or suppress it.</source>
-      <translation>Die Verfeinerung {zone:text} hat keine Größe und wird weggelassen. Geben Sie ihr eine, oder unterdrücken Sie sie.</translation>
+      <translation>Die Verfeinerung {zone:text} hat keine Größe und wird weggelassen. Ihr eine geben, oder sie unterdrücken.</translation>
     </message>
     <message>
       <source>The refinement {zone:text} is coarser inside ({inner:length}) than outside ({outer:length}); exchange the two sizes.</source>
-      <translation>Die Verfeinerung {zone:text} ist innen ({inner:length}) gröber als außen ({outer:length}); vertauschen Sie die beiden Größen.</translation>
+      <translation>Die Verfeinerung {zone:text} ist innen ({inner:length}) gröber als außen ({outer:length}); die beiden Größen vertauschen.</translation>
     </message>
     <message>
       <source>The refinement {zone:text} is left out: the part has nothing of what it refers to. Refer it to a face, an edge or a vertex.</source>
-      <translation>Die Verfeinerung {zone:text} wird weggelassen: das Teil hat nichts von dem, worauf sie verweist. Lassen Sie sie auf eine Fläche, eine Kante oder eine Ecke verweisen.</translation>
+      <translation>Die Verfeinerung {zone:text} wird weggelassen: das Bauteil hat nichts von dem, worauf sie sich bezieht. Sie auf eine Fläche, eine Kante oder einen Eckpunkt beziehen.</translation>
     </message>
     <message>
       <source>The refinement {zone:text} is of a kind that is not understood and left out. Use a refinement zone instead.</source>
-      <translation>Die Verfeinerung {zone:text} ist von einer Art, die nicht verstanden wird, und wird weggelassen. Nehmen Sie stattdessen eine Verfeinerungszone.</translation>
+      <translation>Die Verfeinerung {zone:text} ist von einer Art, die nicht verstanden wird, und wird weggelassen. Stattdessen eine Verfeinerungszone nehmen.</translation>
     </message>
     <message>
       <source>The refinement {zone:text} is suppressed and left out.</source>
@@ -1240,7 +2298,7 @@
     </message>
     <message>
       <source>The refinement {zone:text} lies outside the part. Move it into the part, or suppress it.</source>
-      <translation>Die Verfeinerung {zone:text} liegt außerhalb des Teils. Verschieben Sie sie in das Teil, oder unterdrücken Sie sie.</translation>
+      <translation>Die Verfeinerung {zone:text} liegt außerhalb des Bauteils. Sie in das Bauteil verschieben, oder sie unterdrücken.</translation>
     </message>
     <message>
       <source>The refinement {zone:text} reaches {reach:length}; that must not be negative.</source>
@@ -1248,11 +2306,11 @@
     </message>
     <message>
       <source>The refinement {zone:text} refers to nothing and is left out. Choose faces, edges or vertices for it, or suppress it.</source>
-      <translation>Die Verfeinerung {zone:text} verweist auf nichts und wird weggelassen. Wählen Sie Flächen, Kanten oder Ecken für sie, oder unterdrücken Sie sie.</translation>
+      <translation>Die Verfeinerung {zone:text} bezieht sich auf nichts und wird weggelassen. Flächen, Kanten oder Eckpunkte für sie wählen, oder sie unterdrücken.</translation>
     </message>
     <message>
       <source>The refinement {zone:text} with a size of {size:length} would make about {millions:count} million elements; at most {most:count} million are made. Choose a larger size there.</source>
-      <translation>Die Verfeinerung {zone:text} mit einer Größe von {size:length} ergäbe etwa {millions:count} Millionen Elemente; höchstens {most:count} Millionen werden gemacht. Wählen Sie dort eine größere Größe.</translation>
+      <translation>Die Verfeinerung {zone:text} mit einer Größe von {size:length} ergäbe etwa {millions:count} Millionen Elemente; höchstens {most:count} Millionen werden gemacht. Dort eine größere Größe wählen.</translation>
     </message>
     <message>
       <source>The report is %s</source>
@@ -1312,7 +2370,7 @@
     </message>
     <message>
       <source>The smallest mesh size is {smallest:length}; it must lie between zero and the mesh size of {size:length}.</source>
-      <translation>Die kleinste Netzgröße ist {smallest:length}; sie muss zwischen null und der Netzgröße von {size:length} liegen.</translation>
+      <translation>Die kleinste Elementgröße ist {smallest:length}; sie muss zwischen null und der Elementgröße von {size:length} liegen.</translation>
     </message>
     <message>
       <source>The value at which the colours end</source>
@@ -1324,7 +2382,7 @@
     </message>
     <message>
       <source>There are too few cases to tell what matters; add some.</source>
-      <translation>Es sind zu wenige Fälle, um zu sagen, was wichtig ist; fügen Sie welche hinzu.</translation>
+      <translation>Es sind zu wenige Fälle, um zu sagen, was wichtig ist; weitere hinzufügen.</translation>
     </message>
     <message>
       <source>There is not enough memory for this mesh. Choose a larger size.</source>
@@ -1340,19 +2398,19 @@
     </message>
     <message>
       <source>These faces touch or cross without sharing edges: {pairs:messages}. Each sheet has a mesh of its own, and no load passes between them. If that is not meant, join them (Part: Boolean Fragments).</source>
-      <translation>Diese Flächen berühren oder schneiden sich, ohne Kanten zu teilen: {pairs:messages}. Jede Schale hat ein eigenes Netz, und zwischen ihnen wird keine Last übertragen. Ist das nicht gemeint, verbinden Sie sie (Part: Boolesche Fragmente).</translation>
+      <translation>Diese Flächen berühren oder schneiden sich, ohne Kanten zu teilen: {pairs:messages}. Jede Schale hat ein eigenes Netz, und zwischen ihnen wird keine Last übertragen. Wenn das nicht gemeint ist, sie verbinden (Part: Boolesche Fragmente).</translation>
     </message>
     <message>
       <source>These shells and beams lie inside a solid and share no nodes with it there: {places:messages}. No load passes between them. Divide the solid along them (Part: Boolean Fragments).</source>
-      <translation>Diese Schalen und Balken liegen in einem Körper und haben dort keine Knoten mit ihm gemeinsam: {places:messages}. Zwischen ihnen wird keine Last übertragen. Teilen Sie den Körper an ihnen (Part: Boolesche Fragmente).</translation>
+      <translation>Diese Schalen und Balken liegen in einem Volumenkörper und haben dort keine Knoten mit ihm gemeinsam: {places:messages}. Zwischen ihnen wird keine Last übertragen. Den Volumenkörper an ihnen teilen (Part: Boolesche Fragmente).</translation>
     </message>
     <message>
       <source>These solids touch or overlap without sharing faces: {solids:messages} ({faces:messages}). Each has a mesh of its own: no load passes between them but by ties and contacts, and where they overlap the material counts twice. If that is not meant, fuse them or join them (Part: Boolean Fragments).</source>
-      <translation>Diese Körper berühren oder überlappen sich, ohne Flächen zu teilen: {solids:messages} ({faces:messages}). Jeder hat ein eigenes Netz: Zwischen ihnen geht außer durch Verbindungen (Tie) und Kontakte keine Last über, und wo sie sich überlappen, zählt das Material doppelt. Wenn das nicht gemeint ist, vereinigen oder verbinden (Part: Boolesche Fragmente).</translation>
+      <translation>Diese Volumenkörper berühren oder überlappen sich, ohne Flächen zu teilen: {solids:messages} ({faces:messages}). Jeder hat ein eigenes Netz: Zwischen ihnen geht außer durch Verbindungen (Tie) und Kontakte keine Last über, und wo sie sich überlappen, zählt der Werkstoff doppelt. Wenn das nicht gemeint ist, vereinigen oder verbinden (Part: Boolesche Fragmente).</translation>
     </message>
     <message>
       <source>Threads</source>
-      <translation>Threads</translation>
+      <translation>Kerne</translation>
     </message>
     <message>
       <source>Throws the mesh away and meshes the whole part</source>
@@ -1360,7 +2418,7 @@
     </message>
     <message>
       <source>Tick what is to vary. A click on a sketch, a feature or a face shows its dimensions.</source>
-      <translation>Haken Sie an, was sich ändern soll. Ein Klick auf eine Skizze, ein Feature oder eine Fläche zeigt deren Maße.</translation>
+      <translation>Anhaken, was sich ändern soll. Ein Klick auf eine Skizze, ein Formelement oder eine Fläche zeigt deren Maße.</translation>
     </message>
     <message>
       <source>To install it: %s; in a clone any command of `./featuremesh` builds it.</source>
@@ -1376,7 +2434,7 @@
     </message>
     <message>
       <source>Tornado</source>
-      <translation>Tornado</translation>
+      <translation>Tornadodiagramm</translation>
     </message>
     <message>
       <source>Update automatically</source>
@@ -1411,12 +2469,12 @@
       <translation>Der Elastizitätsmodul des Werkstoffs {material:text} ist {young:number} MPa: seine Einheit prüfen</translation>
     </message>
     <message>
-      <source>a MED file keeps its mesh under the file's own name, which may have %d characters at most; choose a shorter one than %s</source>
-      <translation>eine MED-Datei führt ihr Netz unter dem Namen der Datei, der höchstens %d Zeichen haben darf; wählen Sie einen kürzeren als %s</translation>
+      <source>a MED file keeps its mesh under the file's own name, which may have {most:count} characters at most; choose a shorter one than {name:text}</source>
+      <translation>eine MED-Datei führt ihr Netz unter dem Namen der Datei, der höchstens {most:count} Zeichen haben darf; einen kürzeren als {name:text} wählen</translation>
     </message>
     <message>
-      <source>a cut is x, y or z with =, &lt; or &gt; and a number, such as z=5, not %s</source>
-      <translation>ein Schnitt ist x, y oder z mit =, &lt; oder &gt; und einer Zahl, etwa z=5, nicht %s</translation>
+      <source>a cut is x, y or z with =, &lt; or &gt; and a number, such as z=5, not {cut:text}</source>
+      <translation>ein Schnitt ist x, y oder z mit =, &lt; oder &gt; und einer Zahl, etwa z=5, nicht {cut:text}</translation>
     </message>
     <message>
       <source>a kept triangle has a node (number {node:count}) that is not on the face</source>
@@ -1432,19 +2490,19 @@
     </message>
     <message>
       <source>a local size is for faces, edges or vertices; the size of a whole part is the mesh's own</source>
-      <translation>eine lokale Größe ist für Flächen, Kanten oder Punkte; die Größe für das ganze Bauteil ist die des Netzes</translation>
+      <translation>eine lokale Größe ist für Flächen, Kanten oder Eckpunkte; die Größe für das ganze Bauteil ist die des Netzes</translation>
     </message>
     <message>
       <source>a piece of the part that hangs on it by an edge, a vertex or not at all can still {how:messages}: add a support</source>
-      <translation>ein Stück des Bauteils, das nur mit einer Kante, einer Ecke oder gar nicht an ihm hängt, kann sich noch {how:messages}: ein Lager hinzufügen</translation>
+      <translation>ein Stück des Bauteils, das nur mit einer Kante, einem Eckpunkt oder gar nicht an ihm hängt, kann sich noch {how:messages}: ein Lager hinzufügen</translation>
     </message>
     <message>
-      <source>a refinement zone is one of %s, not %s</source>
-      <translation>eine Verfeinerungszone ist eines von %s, nicht %s</translation>
+      <source>a refinement zone is one of {kinds:text}, not {kind:text}</source>
+      <translation>eine Verfeinerungszone ist eines von {kinds:text}, nicht {kind:text}</translation>
     </message>
     <message>
-      <source>a size of %g mm would make more than a million million elements; at most %d million are made. Choose a larger size</source>
-      <translation>eine Größe von %g mm ergäbe mehr als eine Billion Elemente; höchstens %d Millionen werden gemacht. Wählen Sie eine größere Größe</translation>
+      <source>a size of {size:length} would make more than a million million elements; at most {most:count} million are made. Choose a larger size</source>
+      <translation>eine Größe von {size:length} ergäbe mehr als eine Billion Elemente; höchstens {most:count} Millionen werden gemacht. Eine größere Größe wählen</translation>
     </message>
     <message>
       <source>a step of the meshing does not end; try another size, or check the shape for faces that cut or touch one another</source>
@@ -1459,20 +2517,12 @@
       <translation>ein Dreieck des Volumennetzes gehört zu mehr als zwei Elementen (nahe Element {tet:count}); dort eine kleinere Größe versuchen</translation>
     </message>
     <message>
-      <source>a zone of the kind %s has no %s</source>
-      <translation>eine Zone der Art %s hat kein %s</translation>
-    </message>
-    <message>
-      <source>about %d million</source>
-      <translation>etwa %d Millionen</translation>
+      <source>a zone of the kind {kind:text} has no {property:text}</source>
+      <translation>eine Zone der Art {kind:text} hat keine Eigenschaft {property:text}</translation>
     </message>
     <message>
       <source>about %s elements</source>
       <translation>etwa %s Elemente</translation>
-    </message>
-    <message>
-      <source>active: %d nodes kept as start positions, free to move</source>
-      <translation>aktiv: %d Knoten als Startlage behalten, beweglich</translation>
     </message>
     <message>
       <source>added</source>
@@ -1488,7 +2538,7 @@
     </message>
     <message>
       <source>all nodes to fill between lie in one plane, at {place:entities}; mesh the part finer</source>
-      <translation>alle Knoten, zwischen denen zu füllen ist, liegen in einer Ebene, bei {place:entities}; das Teil feiner vernetzen</translation>
+      <translation>alle Knoten, zwischen denen zu füllen ist, liegen in einer Ebene, bei {place:entities}; das Bauteil feiner vernetzen</translation>
     </message>
     <message>
       <source>and %d more, see the property Report</source>
@@ -1515,10 +2565,6 @@
       <translation>Flächeninhalt %s mm^2</translation>
     </message>
     <message>
-      <source>around one face or edge at most %d million are made</source>
-      <translation>um eine Fläche oder Kante werden höchstens %d Millionen gemacht</translation>
-    </message>
-    <message>
       <source>around {solid:entities} {side:messages}</source>
       <translation>um {solid:entities} {side:messages}</translation>
     </message>
@@ -1539,10 +2585,6 @@
       <translation>an einer Seite von {triangle:messages}</translation>
     </message>
     <message>
-      <source>at most %d million are made</source>
-      <translation>höchstens %d Millionen werden gemacht</translation>
-    </message>
-    <message>
       <source>automatic</source>
       <translation>automatisch</translation>
     </message>
@@ -1560,7 +2602,7 @@
     </message>
     <message>
       <source>border of two solids without a triangle: {elements:messages}</source>
-      <translation>Grenze zweier Festkörper ohne Dreieck: {elements:messages}</translation>
+      <translation>Grenze zweier Volumenkörper ohne Dreieck: {elements:messages}</translation>
     </message>
     <message>
       <source>boundary of the elements without a triangle: {elements:messages}</source>
@@ -1579,16 +2621,8 @@
       <translation>nicht machbar</translation>
     </message>
     <message>
-      <source>cannot export to %s, only to %s</source>
-      <translation>Ausgabe als %s ist nicht möglich, nur als %s</translation>
-    </message>
-    <message>
-      <source>cannot read %s: %s</source>
-      <translation>%s kann nicht gelesen werden: %s</translation>
-    </message>
-    <message>
-      <source>cannot write %s: %s</source>
-      <translation>%s kann nicht geschrieben werden: %s</translation>
+      <source>cannot export to {format:text}, only to {formats:text}</source>
+      <translation>Ausgabe als {format:text} ist nicht möglich, nur als {formats:text}</translation>
     </message>
     <message>
       <source>case</source>
@@ -1596,7 +2630,7 @@
     </message>
     <message>
       <source>change since the last result</source>
-      <translation>Änderung zum letzten Mal</translation>
+      <translation>Änderung seit zuletzt</translation>
     </message>
     <message>
       <source>checking the mesh</source>
@@ -1644,7 +2678,7 @@
     </message>
     <message>
       <source>dimension, as it is</source>
-      <translation>Maß, wie es ist</translation>
+      <translation>Maß und sein Wert</translation>
     </message>
     <message>
       <source>displacement</source>
@@ -1704,7 +2738,7 @@
     </message>
     <message>
       <source>face, edge or solid out of range: {entries:messages}</source>
-      <translation>es gibt die Fläche, die Kante oder den Festkörper nicht: {entries:messages}</translation>
+      <translation>es gibt die Fläche, die Kante oder den Volumenkörper nicht: {entries:messages}</translation>
     </message>
     <message>
       <source>failed</source>
@@ -1716,11 +2750,11 @@
     </message>
     <message>
       <source>feature</source>
-      <translation>Feature</translation>
+      <translation>Formelement</translation>
     </message>
     <message>
       <source>filling the solid</source>
-      <translation>Festkörper füllen</translation>
+      <translation>Volumenkörper füllen</translation>
     </message>
     <message>
       <source>first buckling factor</source>
@@ -1740,7 +2774,7 @@
     </message>
     <message>
       <source>full mesh: {why:messages}</source>
-      <translation>ganz neu vernetzt: {why:messages}</translation>
+      <translation>vollständig neu vernetzt: {why:messages}</translation>
     </message>
     <message>
       <source>gap in a face: {sides:messages}</source>
@@ -1764,7 +2798,7 @@
     </message>
     <message>
       <source>intersecting the features</source>
-      <translation>Features verschneiden</translation>
+      <translation>Formelemente verschneiden</translation>
     </message>
     <message>
       <source>its boundary is not closed at {edge:entities}</source>
@@ -1784,7 +2818,7 @@
     </message>
     <message>
       <source>its volume does not add up with the part</source>
-      <translation>sein Volumen geht mit dem Teil nicht auf</translation>
+      <translation>sein Volumen geht mit dem Bauteil nicht auf</translation>
     </message>
     <message>
       <source>keep the other side</source>
@@ -1800,7 +2834,7 @@
     </message>
     <message>
       <source>keeping still less would take longer than meshing the part anew</source>
-      <translation>noch weniger zu behalten würde länger dauern, als das Teil neu zu vernetzen</translation>
+      <translation>noch weniger zu behalten würde länger dauern, als das Bauteil neu zu vernetzen</translation>
     </message>
     <message>
       <source>kept</source>
@@ -1809,10 +2843,6 @@
     <message>
       <source>kept by the last update: %d %% of the nodes, %d %% of the elements</source>
       <translation>von der letzten Aktualisierung behalten: %d %% der Knoten, %d %% der Elemente</translation>
-    </message>
-    <message>
-      <source>kept: %d elements (%.1f %%)</source>
-      <translation>behalten: %d Elemente (%.1f %%)</translation>
     </message>
     <message>
       <source>largest displacement</source>
@@ -1828,25 +2858,19 @@
     </message>
     <message>
       <source>largest von Mises stress</source>
-      <translation>größte Spannung (von Mises)</translation>
+      <translation>größte Vergleichsspannung</translation>
     </message>
     <message>
       <source>largest: %.4g %s on %s, node %d at (%.4g, %.4g, %.4g) mm; displacements drawn %g times</source>
       <translation>am größten: %.4g %s auf %s, Knoten %d bei (%.4g, %.4g, %.4g) mm; Verschiebungen %g-fach gezeichnet</translation>
     </message>
     <message>
-      <source>least %s, mean %s, greatest %s;
-%d of %d elements are beyond the limit</source>
-      <translation>kleinster %s, Mittel %s, größter %s;
-%d von %d Elementen liegen jenseits der Grenze</translation>
-    </message>
-    <message>
       <source>let the Addon Manager install %s, or type `%s`, or unpack FeatureMesh's portable zip into %s</source>
-      <translation>lassen Sie den Addon-Manager %s installieren, oder tippen Sie `%s`, oder entpacken Sie das portable Zip von FeatureMesh in %s</translation>
+      <translation>den Addon-Manager %s installieren lassen, oder `%s` tippen, oder das portable ZIP-Archiv von FeatureMesh in %s entpacken</translation>
     </message>
     <message>
       <source>live</source>
-      <translation>live</translation>
+      <translation>mitlaufend</translation>
     </message>
     <message>
       <source>making the mesh that all cases start from</source>
@@ -1858,7 +2882,7 @@
     </message>
     <message>
       <source>meshed from scratch: {why:messages}</source>
-      <translation>von Grund auf vernetzt: {why:messages}</translation>
+      <translation>vollständig neu vernetzt: {why:messages}</translation>
     </message>
     <message>
       <source>meshing %s</source>
@@ -1891,10 +2915,6 @@
     <message>
       <source>new faces</source>
       <translation>neue Flächen</translation>
-    </message>
-    <message>
-      <source>new: %d elements</source>
-      <translation>neu: %d Elemente</translation>
     </message>
     <message>
       <source>no element of the old mesh is clear of what changed</source>
@@ -1950,15 +2970,15 @@
     </message>
     <message>
       <source>nothing is asked for: tick what each case is to tell</source>
-      <translation>nichts ist gefragt: haken Sie an, was jeder Fall sagen soll</translation>
+      <translation>nach nichts ist gefragt: anhaken, was jeder Fall sagen soll</translation>
     </message>
     <message>
       <source>nothing is varied: tick a dimension and give it a range</source>
-      <translation>nichts ändert sich: haken Sie ein Maß an und geben Sie ihm einen Bereich</translation>
+      <translation>nichts ändert sich: ein Maß anhaken und ihm einen Bereich geben</translation>
     </message>
     <message>
       <source>nothing yet: select faces, edges or vertices</source>
-      <translation>noch nichts: wählen Sie Flächen, Kanten oder Ecken aus</translation>
+      <translation>noch nichts: Flächen, Kanten oder Eckpunkte auswählen</translation>
     </message>
     <message>
       <source>off</source>
@@ -2030,7 +3050,7 @@
     </message>
     <message>
       <source>reading the features of %s</source>
-      <translation>Lesen der Features von %s</translation>
+      <translation>Lesen der Formelemente von %s</translation>
     </message>
     <message>
       <source>reading the part</source>
@@ -2081,16 +3101,8 @@
       <translation>Segment {segment:count} auf {edge:entities} mit {node:messages}</translation>
     </message>
     <message>
-      <source>select faces, edges or vertices of %s</source>
-      <translation>wählen Sie Flächen, Kanten oder Ecken von %s</translation>
-    </message>
-    <message>
-      <source>select faces, edges or vertices of %s%s</source>
-      <translation>bitte Flächen, Kanten oder Punkte von %s auswählen%s</translation>
-    </message>
-    <message>
-      <source>select solids, faces, edges or vertices of %s%s</source>
-      <translation>bitte Körper, Flächen, Kanten oder Punkte von %s auswählen%s</translation>
+      <source>select faces, edges or vertices of {part:text}</source>
+      <translation>Flächen, Kanten oder Eckpunkte von {part:text} auswählen</translation>
     </message>
     <message>
       <source>settings changed, not meshed yet</source>
@@ -2102,7 +3114,7 @@
     </message>
     <message>
       <source>smallest angle %.1f deg, mean radius ratio %.3f</source>
-      <translation>kleinster Winkel %.1f Grad, mittleres Radienverhältnis %.3f</translation>
+      <translation>kleinster Winkel %.1f°, mittleres Radienverhältnis %.3f</translation>
     </message>
     <message>
       <source>smallest dihedral angle</source>
@@ -2110,7 +3122,7 @@
     </message>
     <message>
       <source>solids are filled with 4-node tetrahedra; the mesh given has mid-side nodes</source>
-      <translation>Volumenkörper werden mit 4-Knoten-Tetraedern gefüllt; das gegebene Netz hat Seitenmittenknoten</translation>
+      <translation>Volumenkörper werden mit 4-Knoten-Tetraedern gefüllt; das gegebene Netz hat Mittelknoten</translation>
     </message>
     <message>
       <source>solids, faces or edges are meshed that were not before</source>
@@ -2153,10 +3165,6 @@
       <translation>unterdrückt</translation>
     </message>
     <message>
-      <source>taken from</source>
-      <translation>entnommen aus</translation>
-    </message>
-    <message>
       <source>the analysis has no material: add one</source>
       <translation>die Analyse hat keinen Werkstoff: einen hinzufügen</translation>
     </message>
@@ -2169,32 +3177,32 @@
       <translation>die Analyse {analysis:text} hat mehrere Löser: nur einen CalculiX-Löser darin lassen</translation>
     </message>
     <message>
-      <source>the dimension is one of %s, not %s</source>
-      <translation>die Dimension ist eine von %s, nicht %s</translation>
+      <source>the dimension is one of {dimensions:text}, not {dimension:text}</source>
+      <translation>die Dimension ist eine von {dimensions:text}, nicht {dimension:text}</translation>
     </message>
     <message>
-      <source>the document %s has no mesh%s; make one with `featuremesh mesh`</source>
-      <translation>das Dokument %s hat kein Netz%s; bitte eines anlegen (`featuremesh mesh`)</translation>
+      <source>the document {document:text} has no mesh{of_part:messages}; make one with `featuremesh mesh`</source>
+      <translation>das Dokument {document:text} hat kein Netz{of_part:messages}; eines anlegen (`featuremesh mesh`)</translation>
     </message>
     <message>
-      <source>the document %s has no solid to mesh</source>
-      <translation>das Dokument %s hat keinen Festkörper, der vernetzt werden kann</translation>
+      <source>the document {document:text} has no solid to mesh</source>
+      <translation>das Dokument {document:text} hat keinen Volumenkörper, der vernetzt werden kann</translation>
     </message>
     <message>
-      <source>the document has no object %s%s</source>
-      <translation>das Dokument hat kein Objekt %s%s</translation>
+      <source>the document has no object {name:text}{near:messages}</source>
+      <translation>das Dokument hat kein Objekt {name:text}{near:messages}</translation>
     </message>
     <message>
-      <source>the document has several meshes, select one or name it with --object: %s</source>
-      <translation>das Dokument hat mehrere Netze, bitte eines auswählen oder mit --object angeben: %s</translation>
+      <source>the document has several meshes, select one or name it with --object: {meshes:text}</source>
+      <translation>das Dokument hat mehrere Netze, eines auswählen oder mit --object angeben: {meshes:text}</translation>
     </message>
     <message>
-      <source>the document has several meshes, select the one to adopt: %s</source>
-      <translation>das Dokument hat mehrere Netze, bitte das zu übernehmende auswählen: %s</translation>
+      <source>the document has several meshes, select the one to adopt: {meshes:text}</source>
+      <translation>das Dokument hat mehrere Netze, das zu übernehmende auswählen: {meshes:text}</translation>
     </message>
     <message>
-      <source>the document has several solids, select one or name it with --object: %s</source>
-      <translation>das Dokument hat mehrere Festkörper, bitte einen auswählen oder mit --object angeben: %s</translation>
+      <source>the document has several solids, select one or name it with --object: {solids:text}</source>
+      <translation>das Dokument hat mehrere Volumenkörper, einen auswählen oder mit --object angeben: {solids:text}</translation>
     </message>
     <message>
       <source>the document holds no mesh state</source>
@@ -2218,51 +3226,51 @@
     </message>
     <message>
       <source>the kept elements overlap at node {node:count}; mesh the part from scratch</source>
-      <translation>die behaltenen Elemente überlappen sich bei Knoten {node:count}; das Teil von Grund auf vernetzen</translation>
+      <translation>die behaltenen Elemente überlappen sich bei Knoten {node:count}; das Bauteil vollständig neu vernetzen</translation>
     </message>
     <message>
       <source>the live solver cannot tell which solid has which of the {materials:count} materials</source>
-      <translation>der Live-Löser kann nicht erkennen, welcher Volumenkörper welchen der {materials:count} Werkstoffe hat</translation>
+      <translation>der mitlaufende Löser kann nicht erkennen, welcher Volumenkörper welchen der {materials:count} Werkstoffe hat</translation>
     </message>
     <message>
       <source>the live solver does not know the amplitude of {member:text}</source>
-      <translation>der Live-Löser kennt die Amplitude von {member:text} nicht</translation>
+      <translation>der mitlaufende Löser kennt die Amplitude von {member:text} nicht</translation>
     </message>
     <message>
       <source>the live solver does not know the formula of {member:text}</source>
-      <translation>der Live-Löser kennt die Formel von {member:text} nicht</translation>
+      <translation>der mitlaufende Löser kennt die Formel von {member:text} nicht</translation>
     </message>
     <message>
       <source>the live solver does not know {member:text} ({kind:text})</source>
-      <translation>der Live-Löser kennt {member:text} ({kind:text}) nicht</translation>
+      <translation>der mitlaufende Löser kennt {member:text} ({kind:text}) nicht</translation>
     </message>
     <message>
       <source>the live solver knows forces on faces, on edges or on vertices, not {force:text}</source>
-      <translation>der Live-Löser kennt Kräfte auf Flächen, auf Kanten oder auf Ecken, nicht {force:text}</translation>
+      <translation>der mitlaufende Löser kennt Kräfte auf Flächen, auf Kanten oder auf Eckpunkten, nicht {force:text}</translation>
     </message>
     <message>
       <source>the live solver knows linear statics only, and {solver:text} asks for {setting:text} = {value:text}</source>
-      <translation>der Live-Löser kennt nur lineare Statik, und {solver:text} verlangt {setting:text} = {value:text}</translation>
+      <translation>der mitlaufende Löser kennt nur lineare Statik, und {solver:text} verlangt {setting:text} = {value:text}</translation>
     </message>
     <message>
       <source>the live solver knows pressure on faces only, not {pressure:text}</source>
-      <translation>der Live-Löser kennt Druck nur auf Flächen, nicht {pressure:text}</translation>
+      <translation>der mitlaufende Löser kennt Druck nur auf Flächen, nicht {pressure:text}</translation>
     </message>
     <message>
       <source>the live solver knows solids only, not the fluid {material:text}</source>
-      <translation>der Live-Löser kennt nur Festkörper, nicht die Flüssigkeit {material:text}</translation>
+      <translation>der mitlaufende Löser kennt nur feste Körper, nicht das Fluid {material:text}</translation>
     </message>
     <message>
       <source>the live solver knows solids only; {mesh:text} is of shells or beams, which CalculiX solves</source>
-      <translation>der Live-Löser kennt nur Volumenkörper; {mesh:text} ist aus Schalen oder Balken, die CalculiX löst</translation>
+      <translation>der mitlaufende Löser kennt nur Volumenkörper; {mesh:text} ist aus Schalen oder Balken, die CalculiX löst</translation>
     </message>
     <message>
       <source>the live solver needs PETSc: install Debian's package libpetsc-real-dev, then any command of ./featuremesh in a clone builds the solver with it</source>
-      <translation>der Live-Löser braucht PETSc: Debians Paket libpetsc-real-dev installieren, dann baut jeder Befehl von ./featuremesh in einem Klon den Löser damit</translation>
+      <translation>der mitlaufende Löser braucht PETSc: Debians Paket libpetsc-real-dev installieren, dann baut jeder Befehl von ./featuremesh in einem Klon den Löser damit</translation>
     </message>
     <message>
       <source>the live solver needs one mesh of FeatureMesh in the analysis {analysis:text}</source>
-      <translation>der Live-Löser braucht genau ein Netz von FeatureMesh in der Analyse {analysis:text}</translation>
+      <translation>der mitlaufende Löser braucht genau ein Netz von FeatureMesh in der Analyse {analysis:text}</translation>
     </message>
     <message>
       <source>the material {material:text} has no readable Young's modulus or Poisson's ratio ({why:text})</source>
@@ -2274,31 +3282,31 @@
     </message>
     <message>
       <source>the mesh falls into more pieces than the live solver looks at</source>
-      <translation>das Netz zerfällt in mehr Stücke, als der Live-Löser betrachtet</translation>
+      <translation>das Netz zerfällt in mehr Stücke, als der mitlaufende Löser betrachtet</translation>
     </message>
     <message>
-      <source>the mesh of a copy is one of %s, not %s</source>
-      <translation>das Netz einer Kopie ist eines von %s, nicht %s</translation>
+      <source>the mesh of a copy is one of {kinds:text}, not {kind:text}</source>
+      <translation>das Netz einer Kopie ist eines von {kinds:text}, nicht {kind:text}</translation>
     </message>
     <message>
       <source>the mesh of edges has segments only, which have no shape to judge and nothing to colour</source>
       <translation>das Netz aus Kanten hat nur Balkenelemente, die keine Form haben, die man beurteilen oder einfärben könnte</translation>
     </message>
     <message>
-      <source>the new mesh's state cannot be stored (%s), the old mesh stays; is the disk full?</source>
-      <translation>der Zustand des neuen Netzes kann nicht gespeichert werden (%s), das alte Netz bleibt; ist die Platte voll?</translation>
+      <source>the new mesh's state cannot be stored ({why:messages}), the old mesh stays; is the disk full?</source>
+      <translation>der Zustand des neuen Netzes kann nicht gespeichert werden ({why:messages}), das alte Netz bleibt; ist die Platte voll?</translation>
     </message>
     <message>
-      <source>the number of elements along the part has to be greater than 0, not %s</source>
-      <translation>die Zahl der Elemente entlang des Bauteils muss größer als 0 sein, nicht %s</translation>
+      <source>the number of elements along the part has to be greater than 0, not {elements:text}</source>
+      <translation>die Zahl der Elemente entlang des Bauteils muss größer als 0 sein, nicht {elements:text}</translation>
     </message>
     <message>
       <source>the object is gone: it was deleted, or its document was closed</source>
       <translation>das Objekt gibt es nicht mehr: es wurde gelöscht, oder sein Dokument wurde geschlossen</translation>
     </message>
     <message>
-      <source>the order is 1 (4-node) or 2 (10-node), not %s</source>
-      <translation>die Ordnung ist 1 (4 Knoten) oder 2 (10 Knoten), nicht %s</translation>
+      <source>the order is 1 (4-node) or 2 (10-node), not {order:text}</source>
+      <translation>die Ordnung ist 1 (4 Knoten) oder 2 (10 Knoten), nicht {order:text}</translation>
     </message>
     <message>
       <source>the outside</source>
@@ -2309,28 +3317,28 @@
       <translation>das Bauteil kann sich noch {how:messages}: ein Lager hinzufügen</translation>
     </message>
     <message>
-      <source>the picture could not be drawn: %s</source>
-      <translation>das Bild konnte nicht gezeichnet werden: %s</translation>
+      <source>the picture could not be drawn: {why:messages}</source>
+      <translation>das Bild konnte nicht gezeichnet werden: {why:messages}</translation>
     </message>
     <message>
-      <source>the property QualityTarget of %s has to lie between 0 and %g degrees, not %g</source>
-      <translation>die Eigenschaft QualityTarget von %s muss zwischen 0 und %g Grad liegen, nicht %g</translation>
+      <source>the property QualityTarget of {mesh:text} has to lie between 0 and {highest:number} degrees, not {target:number}</source>
+      <translation>die Eigenschaft QualityTarget von {mesh:text} muss zwischen 0 und {highest:number} Grad liegen, nicht {target:number}</translation>
     </message>
     <message>
-      <source>the range of %s has to be two numbers, such as 3 : 5</source>
-      <translation>der Bereich von %s muss aus zwei Zahlen bestehen, etwa 3 : 5</translation>
+      <source>the range of {target:text} has to be two numbers, such as 3 : 5</source>
+      <translation>der Bereich von {target:text} muss aus zwei Zahlen bestehen, etwa 3 : 5</translation>
     </message>
     <message>
-      <source>the range of %s has to rise</source>
-      <translation>der Bereich von %s muss steigen</translation>
+      <source>the range of {target:text} has to rise</source>
+      <translation>der Bereich von {target:text} muss steigen</translation>
     </message>
     <message>
-      <source>the refinement %s refers to %s, which is not on %s; refer to faces of that one</source>
-      <translation>die Verfeinerung %s verweist auf %s, das nicht zu %s gehört; bitte auf dessen Flächen verweisen</translation>
+      <source>the refinement {refinement:text} refers to {place:text}, which is not on {part:text}; refer to faces of that one</source>
+      <translation>die Verfeinerung {refinement:text} bezieht sich auf {place:text}, das nicht zu {part:text} gehört; sie auf dessen Flächen beziehen</translation>
     </message>
     <message>
-      <source>the refinement %s with %g mm at %s would make %s elements; %s. Choose a larger size there</source>
-      <translation>die Verfeinerung %s mit %g mm an %s ergäbe %s Elemente; %s. Wählen Sie dort eine größere Größe</translation>
+      <source>the refinement {refinement:text} with {size:length} at {place:text} would make {many:messages} elements; {limit:messages}. Choose a larger size there</source>
+      <translation>die Verfeinerung {refinement:text} mit {size:length} an {place:text} ergäbe {many:messages} Elemente; {limit:messages}. Dort eine größere Größe wählen</translation>
     </message>
     <message>
       <source>the resolution of the difference must be a positive length, not {resolution:length}</source>
@@ -2349,36 +3357,28 @@
       <translation>der gespeicherte Netzzustand gehört zu {other:text}, nicht zu {part:text}</translation>
     </message>
     <message>
-      <source>the saved mesh state is damaged ({why:text})</source>
-      <translation>der gespeicherte Netzzustand ist beschädigt ({why:text})</translation>
-    </message>
-    <message>
       <source>the saved mesh state is from a newer FeatureMesh ({program:text}, schema {schema:count}; this one reads up to {newest:count})</source>
       <translation>der gespeicherte Netzzustand ist von einem neueren FeatureMesh ({program:text}, Schema {schema:count}; dieses liest bis {newest:count})</translation>
     </message>
     <message>
-      <source>the settings of %s cannot be opened; close the open panel first</source>
-      <translation>Die Einstellungen von %s lassen sich nicht öffnen; schließen Sie erst das offene Fenster</translation>
+      <source>the settings of {mesh:text} cannot be opened; close the open panel first</source>
+      <translation>die Einstellungen von {mesh:text} lassen sich nicht öffnen; erst das offene Fenster schließen</translation>
     </message>
     <message>
       <source>the shape touches itself: nodes of {faces:entities} lie in the same place, such as {place:point}; repair it there (Part: Check geometry)</source>
       <translation>die Form berührt sich selbst: Knoten von {faces:entities} liegen an derselben Stelle, etwa bei {place:point}; dort reparieren (Part: Geometrie prüfen)</translation>
     </message>
     <message>
-      <source>the size %g mm is larger than the part (%g mm across); try %g mm</source>
-      <translation>die Größe %g mm ist größer als das Bauteil (%g mm Diagonale); Vorschlag: %g mm</translation>
-    </message>
-    <message>
-      <source>the size has to be greater than 0 mm, not %g</source>
-      <translation>die Größe muss größer als 0 mm sein, nicht %g</translation>
+      <source>the size {size:length} is larger than the part ({diagonal:length} across); try {better:length}</source>
+      <translation>die Größe {size:length} ist größer als das Bauteil ({diagonal:length} Diagonale); Vorschlag: {better:length}</translation>
     </message>
     <message>
       <source>the solids of the final shape overlap by {overlap:volume}; fuse them or mesh them one by one</source>
-      <translation>Die Körper der endgültigen Form überlappen sich um {overlap:volume}; vereinigen oder einzeln vernetzen</translation>
+      <translation>die Volumenkörper der endgültigen Form überlappen sich um {overlap:volume}; vereinigen oder einzeln vernetzen</translation>
     </message>
     <message>
       <source>the stresses of shells and beams are those in the middle of the thickness, where bending makes none; switch BeamShellResultOutput3D of {solver:text} on for those on the outside</source>
-      <translation>die Spannungen von Schalen und Balken sind die in der Mitte der Dicke, wo Biegung keine macht; für die außen BeamShellResultOutput3D von {solver:text} einschalten</translation>
+      <translation>die Spannungen von Schalen und Balken sind die in der Mitte der Dicke, in der Biegung keine bewirkt; für die außen BeamShellResultOutput3D von {solver:text} einschalten</translation>
     </message>
     <message>
       <source>the study's process ended; see %s</source>
@@ -2389,24 +3389,24 @@
       <translation>das Oberflächennetz schließt sich nicht bei {place:entities}; dort die Form prüfen, oder eine andere Größe versuchen</translation>
     </message>
     <message>
-      <source>the two limits of %s have to differ</source>
-      <translation>die beiden Grenzen von %s müssen verschieden sein</translation>
+      <source>the two limits of {measure:text} have to differ</source>
+      <translation>die beiden Grenzen von {measure:text} müssen verschieden sein</translation>
     </message>
     <message>
       <source>the two parts look unrelated: they have no feature name in common</source>
-      <translation>die beiden Bauteile haben nichts miteinander zu tun: kein Name eines Formelements ist gemeinsam</translation>
+      <translation>die beiden Bauteile haben wohl nichts miteinander zu tun: Kein Name eines Formelements kommt in beiden vor</translation>
     </message>
     <message>
       <source>the two states of the part cannot be compared ({why:text}); check the geometry of the new shape, or mesh it from scratch</source>
-      <translation>die beiden Zustände des Teils können nicht verglichen werden ({why:text}); die Geometrie der neuen Form prüfen, oder sie von Grund auf vernetzen</translation>
+      <translation>die beiden Stände des Bauteils können nicht verglichen werden ({why:text}); die Geometrie der neuen Form prüfen, oder sie vollständig neu vernetzen</translation>
     </message>
     <message>
       <source>the volume mesh cannot be made to meet the triangles of {faces:entities}; mesh finer there, or check the shape for faces that cut or touch one another</source>
       <translation>das Volumennetz lässt sich nicht an die Dreiecke von {faces:entities} anschließen; dort feiner vernetzen, oder die Form auf Flächen prüfen, die einander schneiden oder berühren</translation>
     </message>
     <message>
-      <source>there is no measure %s, only %s</source>
-      <translation>es gibt kein Maß %s, nur %s</translation>
+      <source>there is no measure {measure:text}, only {measures:text}</source>
+      <translation>es gibt kein Maß {measure:text}, nur {measures:text}</translation>
     </message>
     <message>
       <source>too long</source>
@@ -2514,7 +3514,7 @@
     </message>
     <message>
       <source>von Mises stress</source>
-      <translation>Spannung (von Mises)</translation>
+      <translation>Vergleichsspannung</translation>
     </message>
     <message>
       <source>waiting</source>
@@ -2546,7 +3546,7 @@
     </message>
     <message>
       <source>working out the stresses</source>
-      <translation>Spannungen ausrechnen</translation>
+      <translation>Spannungen berechnen</translation>
     </message>
     <message>
       <source>wrong count of corner nodes: {count:messages}</source>
@@ -2554,19 +3554,11 @@
     </message>
     <message>
       <source>wrong solid at a triangle: {triangles:messages}</source>
-      <translation>falscher Festkörper an einem Dreieck: {triangles:messages}</translation>
+      <translation>falscher Volumenkörper an einem Dreieck: {triangles:messages}</translation>
     </message>
     <message>
       <source>z88 has no 3-node triangles; mesh with 6-node triangles, or export it as inp, vtu, vtk, msh, unv or med</source>
-      <translation>z88 kennt keine Dreiecke mit 3 Knoten; vernetzen Sie mit Dreiecken mit 6 Knoten oder exportieren Sie als inp, vtu, vtk, msh, unv oder med</translation>
-    </message>
-    <message>
-      <source>{anew:count} of {all:count} elements do not fit the part and were made anew: {reasons:messages}</source>
-      <translation>{anew:count} von {all:count} Elementen passen nicht zum Bauteil und wurden neu gemacht: {reasons:messages}</translation>
-    </message>
-    <message>
-      <source>{array:text} has {entries:count} entries, not {wanted:count}</source>
-      <translation>{array:text} hat {entries:count} Einträge, nicht {wanted:count}</translation>
+      <translation>z88 kennt keine 3-Knoten-Dreiecke; mit 6-Knoten-Dreiecken vernetzen, oder es als inp, vtu, vtk, msh, unv oder med exportieren</translation>
     </message>
     <message>
       <source>{array:text} has {value:count} at place {place:count}</source>
@@ -2597,32 +3589,8 @@
       <translation>{edge:entities} liegt auf {other:entities}, beginnt und endet aber nicht dort. Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen).</translation>
     </message>
     <message>
-      <source>{elements:count} 10-node tetrahedra would be folded near {place:entities}: the face bends too much within one element. Ask for a smaller size there, or for 4-node tetrahedra.</source>
-      <translation>{elements:count} Tetraeder mit 10 Knoten wären gefaltet, bei {place:entities}: die Fläche biegt sich innerhalb eines Elements zu stark. Dort eine kleinere Größe wählen, oder Tetraeder mit 4 Knoten.</translation>
-    </message>
-    <message>
-      <source>{elements:count} 6-node triangles would be folded near {place:entities}: the face bends too much within one element. Ask for a smaller size there, or for 3-node triangles.</source>
-      <translation>{elements:count} Dreiecke mit 6 Knoten wären bei {place:entities} gefaltet: Die Fläche biegt sich innerhalb eines Elements zu stark. Verlangen Sie dort eine kleinere Größe oder Dreiecke mit 3 Knoten.</translation>
-    </message>
-    <message>
-      <source>{elements:count} elements are inverted, flat or folded</source>
-      <translation>{elements:count} Elemente sind umgestülpt, flach oder gefaltet</translation>
-    </message>
-    <message>
-      <source>{elements:count} elements are outside the part</source>
-      <translation>{elements:count} Elemente liegen außerhalb des Teils</translation>
-    </message>
-    <message>
-      <source>{elements:count} elements without a volume to speak of remain at {faces:entities} beside {edges:messages}; mesh finer there, or take out what is much smaller than the rest of the part</source>
-      <translation>{elements:count} Elemente ohne nennenswertes Volumen bleiben bei {faces:entities} neben {edges:messages}; dort feiner vernetzen, oder herausnehmen, was viel kleiner als das übrige Teil ist</translation>
-    </message>
-    <message>
-      <source>{elements:count} elements without a volume to speak of remain at {faces:entities}; mesh finer there, or take out what is much smaller than the rest of the part</source>
-      <translation>{elements:count} Elemente fast ohne Volumen bleiben bei {faces:entities}; dort feiner vernetzen, oder weglassen, was viel kleiner als der Rest des Bauteils ist</translation>
-    </message>
-    <message>
       <source>{face:entities} cannot be filled: {why:messages}. Mesh the part from scratch.</source>
-      <translation>{face:entities} kann nicht gefüllt werden: {why:messages}. Das Bauteil von Grund auf vernetzen.</translation>
+      <translation>{face:entities} kann nicht gefüllt werden: {why:messages}. Das Bauteil vollständig neu vernetzen.</translation>
     </message>
     <message>
       <source>{face:entities} cannot be meshed: its boundary crosses or touches itself ({edges:entities}). Check the feature that made it (Part: Check geometry), or try a smaller size.</source>
@@ -2650,7 +3618,7 @@
     </message>
     <message>
       <source>{feature:text}: its link to {object:text} dangles</source>
-      <translation>{feature:text}: der Verweis auf {object:text} führt ins Leere</translation>
+      <translation>{feature:text}: die Verknüpfung mit {object:text} führt ins Leere</translation>
     </message>
     <message>
       <source>{feature:text}: its operand {operand:text} has no solid and is left out</source>
@@ -2678,7 +3646,7 @@
     </message>
     <message>
       <source>{member:text} refers to nothing: choose faces, edges or vertices for it</source>
-      <translation>{member:text} bezieht sich auf nichts: Flächen, Kanten oder Ecken dafür wählen</translation>
+      <translation>{member:text} bezieht sich auf nichts: Flächen, Kanten oder Eckpunkte dafür wählen</translation>
     </message>
     <message>
       <source>{member:text} refers to {face:entities}, which has no nodes in the mesh: update the mesh, or choose another face</source>
@@ -2689,24 +3657,16 @@
       <translation>{motions:count} verschiedene Bewegungen; nur die ersten {carried:count} nehmen Teile des Netzes mit</translation>
     </message>
     <message>
-      <source>{nodes:count} boundary nodes are off the surface</source>
-      <translation>{nodes:count} Randknoten liegen abseits der Oberfläche</translation>
-    </message>
-    <message>
-      <source>{nodes:count} mid-side nodes were off the surface and are new, on it</source>
-      <translation>{nodes:count} Mittelknoten lagen neben der Oberfläche und sind neu, auf ihr</translation>
-    </message>
-    <message>
       <source>{object:text} could not be followed from the last mesh, whose state is gone; check what it refers to</source>
-      <translation>{object:text} konnte nicht vom letzten Netz her verfolgt werden, dessen Zustand fehlt; prüfen Sie, worauf es sich bezieht</translation>
+      <translation>{object:text} konnte nicht vom letzten Netz her verfolgt werden, dessen Zustand fehlt; prüfen, worauf es sich bezieht</translation>
     </message>
     <message>
       <source>{object:text} has no edge. Recompute the document, and mesh an object with edges.</source>
-      <translation>{object:text} hat keine Kante. Berechnen Sie das Dokument neu und vernetzen Sie ein Objekt mit Kanten.</translation>
+      <translation>{object:text} hat keine Kante. Das Dokument neu berechnen und ein Objekt mit Kanten vernetzen.</translation>
     </message>
     <message>
       <source>{object:text} has no face. Recompute the document, and mesh an object with faces, or its edges.</source>
-      <translation>{object:text} hat keine Fläche. Berechnen Sie das Dokument neu und vernetzen Sie ein Objekt mit Flächen oder seine Kanten.</translation>
+      <translation>{object:text} hat keine Fläche. Das Dokument neu berechnen und ein Objekt mit Flächen vernetzen oder seine Kanten.</translation>
     </message>
     <message>
       <source>{object:text} has no solid. Recompute the document, and mesh a body or a Part object whose result is a solid.</source>
@@ -2714,19 +3674,19 @@
     </message>
     <message>
       <source>{object:text} refers to {lost:entities}, which is gone; choose another edge, the analysis cannot be solved without</source>
-      <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; wählen Sie eine andere Kante, ohne lässt sich die Analyse nicht rechnen</translation>
+      <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; eine andere Kante wählen, sonst lässt sich die Analyse nicht lösen</translation>
     </message>
     <message>
       <source>{object:text} refers to {lost:entities}, which is gone; choose another face, the analysis cannot be solved without</source>
-      <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; wählen Sie eine andere Fläche, ohne lässt sich die Analyse nicht rechnen</translation>
+      <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; eine andere Fläche wählen, sonst lässt sich die Analyse nicht lösen</translation>
     </message>
     <message>
       <source>{object:text} refers to {lost:entities}, which is gone; choose another solid, the analysis cannot be solved without</source>
-      <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; wählen Sie einen anderen Körper, ohne lässt sich die Analyse nicht rechnen</translation>
+      <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; einen anderen Volumenkörper wählen, sonst lässt sich die Analyse nicht lösen</translation>
     </message>
     <message>
       <source>{object:text} refers to {lost:entities}, which is gone; choose another vertex, the analysis cannot be solved without</source>
-      <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; wählen Sie einen anderen Punkt, ohne lässt sich die Analyse nicht rechnen</translation>
+      <translation>{object:text} bezieht sich auf {lost:entities}, das es nicht mehr gibt; einen anderen Eckpunkt wählen, sonst lässt sich die Analyse nicht lösen</translation>
     </message>
     <message>
       <source>{object:text} refers to {lost:entities}, which is gone; it was taken out of the references</source>
@@ -2734,11 +3694,11 @@
     </message>
     <message>
       <source>{object:text} refers to {where:entities}, which is not on the meshed part {part:text} and has no nodes in its mesh; choose faces, edges or vertices of {part:text} instead</source>
-      <translation>{object:text} bezieht sich auf {where:entities}, das nicht am vernetzten Teil {part:text} liegt und in dessen Netz keine Knoten hat; stattdessen Flächen, Kanten oder Punkte von {part:text} wählen</translation>
+      <translation>{object:text} bezieht sich auf {where:entities}, das nicht am vernetzten Bauteil {part:text} liegt und in dessen Netz keine Knoten hat; stattdessen Flächen, Kanten oder Eckpunkte von {part:text} wählen</translation>
     </message>
     <message>
       <source>{object:text}: {before:entities} is now {now:entities}, its reference was changed</source>
-      <translation>{object:text}: {before:entities} ist jetzt {now:entities}, der Verweis wurde geändert</translation>
+      <translation>{object:text}: {before:entities} ist jetzt {now:entities}, die Referenz wurde geändert</translation>
     </message>
     <message>
       <source>{object:text}: {before:entities} was split into {now:entities}, it is on all of them now</source>
@@ -2781,10 +3741,6 @@
       <translation>{pressure:text} drückt auf {face:entities}, die zwischen zwei Volumenkörpern liegt</translation>
     </message>
     <message>
-      <source>{sides:count} sides between faces follow no edge</source>
-      <translation>{sides:count} Seiten zwischen Flächen folgen keiner Kante</translation>
-    </message>
-    <message>
       <source>{solid:entities} has no positive volume. Its faces point inwards or cross each other; check the feature that made it (Part: Check geometry).</source>
       <translation>{solid:entities} hat kein positives Volumen. Seine Flächen zeigen nach innen oder kreuzen einander; das Formelement prüfen, das ihn erzeugt hat (Part: Geometrie prüfen).</translation>
     </message>
@@ -2805,16 +3761,28 @@
       <translation>{triangle:messages} hat {solid:messages} hinter sich, nicht {wanted:messages}</translation>
     </message>
     <message>
-      <source>{triangles:count} boundary triangles lie on no face</source>
-      <translation>{triangles:count} Randdreiecke liegen auf keiner Fläche</translation>
+      <source>{value:text} is no number for {target:text}</source>
+      <translation>{value:text} ist keine Zahl für {target:text}</translation>
     </message>
     <message>
-      <source>{triangles:count} triangles have elements that overlap</source>
-      <translation>{triangles:count} Dreiecke haben Elemente, die sich überlappen</translation>
+      <source>{values:count} {values:value does|values do} not fit the {nodes:count} {nodes:node|nodes} of the old mesh.</source>
+      <translation>{values:count} {values:Wert passt|Werte passen} nicht zu den {nodes:count} Knoten des alten Netzes.</translation>
     </message>
     <message>
-      <source>{values:count} values do not fit the {nodes:count} nodes of the old mesh.</source>
-      <translation>{values:count} Werte passen nicht zu den {nodes:count} Knoten des alten Netzes.</translation>
+      <source>{version:text} with OCCT {occt:text}</source>
+      <translation>{version:text} mit OCCT {occt:text}</translation>
+    </message>
+    <message>
+      <source>{version:text}, numpy {numpy:messages}</source>
+      <translation>{version:text}, numpy {numpy:messages}</translation>
+    </message>
+    <message>
+      <source>{version:text}, protocol {protocol:count}, {came:messages}, in {folder:text}, runs {where:messages}</source>
+      <translation>{version:text}, Protokoll {protocol:count}, {came:messages}, in {folder:text}, läuft {where:messages}</translation>
+    </message>
+    <message>
+      <source>{version:text}, {came:messages}, in {folder:text}</source>
+      <translation>{version:text}, {came:messages}, in {folder:text}</translation>
     </message>
     <message>
       <source>{weight:text} has no direction</source>
@@ -2823,6 +3791,22 @@
     <message>
       <source>{weight:text} needs the density of every material</source>
       <translation>{weight:text} braucht die Dichte jedes Werkstoffs</translation>
+    </message>
+    <message>
+      <source>{what:messages} {text:text} cannot be evaluated: {why:messages}; it may use {names:text}</source>
+      <translation>{what:messages} {text:text} kann nicht ausgewertet werden: {why:messages}; erlaubt sind {names:text}</translation>
+    </message>
+    <message>
+      <source>{what:messages} {text:text} cannot be read: {why:text}</source>
+      <translation>{what:messages} {text:text} kann nicht gelesen werden: {why:text}</translation>
+    </message>
+    <message>
+      <source>{where:text}: there is no {key:text}; known are {known:text}</source>
+      <translation>{where:text}: {key:text} gibt es nicht; es gibt {known:text}</translation>
+    </message>
+    <message>
+      <source>{where:text}: {key:text} is {kind:messages}, not {value:text}</source>
+      <translation>{where:text}: {key:text} ist {kind:messages}, nicht {value:text}</translation>
     </message>
   </context>
   <context>
@@ -2844,7 +3828,7 @@
     </message>
     <message>
       <source>Makes a named set of nodes and elements of the selected solids, faces, edges or vertices, to be changed in FEM's panel of mesh groups</source>
-      <translation>Macht aus den ausgewählten Körpern, Flächen, Kanten oder Punkten eine benannte Gruppe von Knoten und Elementen, die sich in FEMs Fenster für Netzgruppen ändern lässt</translation>
+      <translation>Macht aus den ausgewählten Volumenkörpern, Flächen, Kanten oder Eckpunkten eine benannte Gruppe von Knoten und Elementen, die sich in FEMs Fenster für Netzgruppen ändern lässt</translation>
     </message>
   </context>
   <context>
@@ -2855,7 +3839,7 @@
     </message>
     <message>
       <source>Gives the selected faces, edges or vertices half the mesh size, to be changed in FEM's refinement panel</source>
-      <translation>Gibt den ausgewählten Flächen, Kanten oder Punkten die halbe Netzgröße, änderbar im Fenster der FEM-Netzverfeinerung</translation>
+      <translation>Gibt den ausgewählten Flächen, Kanten oder Eckpunkten die halbe Elementgröße, änderbar im Fenster der FEM-Netzverfeinerung</translation>
     </message>
   </context>
   <context>
@@ -2866,7 +3850,7 @@
     </message>
     <message>
       <source>Makes elements smaller in a box, a sphere or a cylinder, or near the selected faces, edges or vertices</source>
-      <translation>Macht Elemente in einem Quader, einer Kugel oder einem Zylinder kleiner, oder nahe den ausgewählten Flächen, Kanten oder Ecken</translation>
+      <translation>Macht Elemente in einem Quader, einer Kugel oder einem Zylinder kleiner, oder nahe den ausgewählten Flächen, Kanten oder Eckpunkten</translation>
     </message>
   </context>
   <context>
@@ -2888,7 +3872,7 @@
     </message>
     <message>
       <source>Tells feature by feature what changed between a saved document and the selected part</source>
-      <translation>Sagt Feature für Feature, was sich zwischen einem gespeicherten Dokument und dem ausgewählten Bauteil geändert hat</translation>
+      <translation>Sagt Formelement für Formelement, was sich zwischen einem gespeicherten Dokument und dem ausgewählten Bauteil geändert hat</translation>
     </message>
   </context>
   <context>
@@ -2917,7 +3901,7 @@
     <name>FeatureMesh_MeshPart</name>
     <message>
       <source>Adds a mesh that follows the selected part (or the only one), or all parts of the selected container, and opens its settings</source>
-      <translation>Fügt ein Netz hinzu, das dem ausgewählten Teil (oder dem einzigen) oder allen Teilen des ausgewählten Containers folgt, und öffnet seine Einstellungen</translation>
+      <translation>Fügt ein Netz hinzu, das dem ausgewählten Bauteil (oder dem einzigen) oder allen Bauteilen des ausgewählten Containers folgt, und öffnet seine Einstellungen</translation>
     </message>
     <message>
       <source>Mesh a part</source>
@@ -2950,11 +3934,11 @@
     <name>FeatureMesh_ShowTree</name>
     <message>
       <source>Lists the features of the selected part as the mesher understands them</source>
-      <translation>Listet die Features des ausgewählten Bauteils, wie der Vernetzer sie versteht</translation>
+      <translation>Listet die Formelemente des ausgewählten Bauteils, wie der Vernetzer sie versteht</translation>
     </message>
     <message>
       <source>Show the feature tree</source>
-      <translation>Feature-Baum zeigen</translation>
+      <translation>Formelementbaum zeigen</translation>
     </message>
   </context>
   <context>
@@ -2965,7 +3949,7 @@
     </message>
     <message>
       <source>Varies dimensions of the part, meshes and solves each variant, and shows what matters</source>
-      <translation>Ändert Maße des Teils, vernetzt und löst jede Variante und zeigt, was wichtig ist</translation>
+      <translation>Ändert Maße des Bauteils, vernetzt und löst jede Variante und zeigt, was wichtig ist</translation>
     </message>
   </context>
   <context>
