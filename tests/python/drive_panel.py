@@ -129,6 +129,35 @@ def check_apply_and_ok(document, body):
     return mesh
 
 
+def check_edit_while_open(document, body):
+    """Undo of a mesh shows its part again, redo the mesh. An edit of the part while the panel is open is what the panel tells of."""
+    settings = open_new(body)
+    click_in_panel("Apply")
+    wait_for(lambda: settings.running is None)
+    mesh, name = settings.mesh, settings.mesh.Name
+    before, estimated = settings.result.text(), settings.estimate.text()
+    document.openTransaction("Thicker")
+    document.getObject("Plate").Length = 12
+    document.recompute()
+    document.commitTransaction()
+    wait_for(lambda: settings.estimate.text() != estimated)
+    assert settings.result.text() != before and "%d nodes" % mesh.NodeCount in settings.result.text(), (before, settings.result.text())
+    document.undo()
+    wait_for(lambda: settings.estimate.text() == estimated)
+    assert "%d nodes" % mesh.NodeCount in settings.result.text(), settings.result.text()
+    assert mesh.Visibility and not body.Visibility
+    document.undo()
+    spin()
+    assert document.getObject(name) is None and not Gui.Control.activeDialog() and body.Visibility
+    picture("undone")
+    document.redo()
+    spin()
+    assert document.getObject(name).Visibility and not body.Visibility
+    document.removeObject(name)
+    spin()
+    assert body.Visibility
+
+
 def check_details(mesh):
     """What is ignored: automatic, a length, off; each is the property's value, and Status says that it was changed."""
     mesh.ViewObject.doubleClicked()
@@ -390,6 +419,7 @@ def drive():
     Gui.SendMsgToActiveView("ViewFit")
     check_cancel(document, document.getObject("HoleSketch"))
     check_analyses(document, body)
+    check_edit_while_open(document, body)
     mesh = check_apply_and_ok(document, body)
     check_details(mesh)
     check_units(mesh)

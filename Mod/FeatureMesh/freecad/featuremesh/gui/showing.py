@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shows a part in place of its meshes: in one place they would flicker, and hide the faces that are selected."""
+"""Shows a part in place of its meshes, or the other way round: in one place they would flicker, and hide the faces that are selected."""
 
 import FreeCAD
+from PySide import QtCore
 
-from .. import api, versions
+from .. import api, assembled, versions
+from ..mesh_object import is_feature_mesh
 
 
 def show_part(part):
@@ -23,3 +25,62 @@ def restore(before):
         obj = document.getObject(name) if document is not None else None
         if obj is not None:
             obj.ViewObject.Visibility = visible
+
+
+def show_mesh(mesh):
+    """Shows the mesh and hides what it is of."""
+    _set_visible(_meshed(mesh), False)
+    mesh.ViewObject.Visibility = True
+
+
+def install():
+    """Lets parts be seen again whose mesh is gone."""
+    FreeCAD.addDocumentObserver(_Observer())
+
+
+class _Observer:
+    """Undo and deletion take a mesh away and leave its part hidden, so that nothing would be seen; when the mesh is back, the part is hidden again."""
+
+    def __init__(self):
+        self._shown = {}   # (name of a document, name of a mesh that is gone) -> names of what is shown in its place
+
+    def slotDeletedObject(self, obj):
+        if is_feature_mesh(obj) and obj.Visibility:
+            names = [part.Name for part in _meshed(obj) if not part.Visibility]
+            place = obj.Document.Name, obj.Name
+            QtCore.QTimer.singleShot(0, lambda: self._show(place, names))   # what is shown belongs to no step of undo
+
+    def slotUndoDocument(self, document):
+        QtCore.QTimer.singleShot(0, lambda: self._hide(document.Name))
+
+    slotRedoDocument = slotUndoDocument
+
+    def slotDeletedDocument(self, document):
+        self._shown = {place: names for place, names in self._shown.items() if place[0] != document.Name}
+
+    def _show(self, place, names):
+        document = FreeCAD.listDocuments().get(place[0])
+        if document is None or document.getObject(place[1]) is not None:
+            return
+        parts = [part for part in map(document.getObject, names) if part is not None]
+        if not any(mesh.Visibility and set(_meshed(mesh)) & set(parts) for mesh in api.meshes_of(document)):
+            _set_visible(parts, True)
+            self._shown[place] = names
+
+    def _hide(self, name):
+        document = FreeCAD.listDocuments().get(name)
+        for place in [place for place in self._shown if place[0] == name and document is not None]:
+            if document.getObject(place[1]) is not None:
+                _set_visible([part for part in map(document.getObject, self._shown.pop(place)) if part is not None], False)
+
+
+def _meshed(mesh):
+    """The part of a mesh, and what that shows."""
+    part = versions.part_of(mesh)
+    shown = [part, part.Container] if part is not None and assembled.is_assembled(part) else [part]
+    return [obj for obj in shown if obj is not None]
+
+
+def _set_visible(objects, visible):
+    for obj in objects:
+        obj.ViewObject.Visibility = visible

@@ -6,7 +6,7 @@ import FreeCADGui as Gui
 from .. import assembled, assembled_view, live_result, live_view, mesh_object, size_zone, study_view, view_provider, waiting, zone_view
 from ..commands import COMMANDS, IN_FEM, register
 from ..study import study_object
-from . import clicks, fem_toolbar, live_runner, open_panels, preferences_page, running, study_runs
+from . import clicks, fem_toolbar, live_runner, open_panels, preferences_page, running, showing, study_runs
 
 
 class FeatureMeshWorkbench(Gui.Workbench):
@@ -48,3 +48,4 @@ def start():
     fem_toolbar.install(IN_FEM)
     open_panels.install()
     clicks.install()
+    showing.install()

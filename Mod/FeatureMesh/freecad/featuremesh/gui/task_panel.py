@@ -9,16 +9,16 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import analyses, api, assembled, log, reading, versions
+from .. import analyses, api, log, reading, versions, view_provider
 from ..mesh_object import is_cancelled
 from ..reports import remarks_of
 from ..mesh_properties import AUTOMATIC_SHARE, DIMENSIONS, NOT_MESHED, OPTION_OF, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
 from ..messages import of_error, said
-from ..view_provider import drawn_icon
 from . import narrow
 from .errors import select_named
 from ..user_words import in_words
 from .running import RunningJob, step_in_words
+from .showing import show_mesh
 from .undo import undo_step
 
 translate = FreeCAD.Qt.translate
@@ -43,17 +43,21 @@ class MeshPanel:
         self.job = None
         self._estimate = None
         self._written = {}   # length widget -> (mm that were written into it, the text that it shows for them)
-        self._raw = None   # the part as it was read for the last estimate; it stays the same while the panel is open
+        self._raw = None   # the part as it was read for the last estimate, until it is edited
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(mesh.Label)
-        self.form.setWindowIcon(drawn_icon("FeatureMesh"))
-        self.form.destroyed.connect(lambda: self.cancel())   # FreeCAD closes the panel with its document
+        self.form.setWindowIcon(view_provider.drawn_icon("FeatureMesh"))
+        self.form.destroyed.connect(lambda: self._leave())   # FreeCAD closes the panel with its document
         self._build()
         self._timer = QtCore.QTimer(self.form)
         self._timer.timeout.connect(self._poll)
         self._estimate_timer = QtCore.QTimer(self.form)
         self._estimate_timer.setSingleShot(True)
         self._estimate_timer.timeout.connect(self._start_estimate)
+        self._follow_timer = QtCore.QTimer(self.form)
+        self._follow_timer.setSingleShot(True)
+        self._follow_timer.timeout.connect(self._part_changed)
+        view_provider.followers.append(self._follow)
         self._show_result()
         self._settings_changed()
         QtCore.QTimer.singleShot(0, narrow.buttons)   # FreeCAD adds them when it shows the panel
@@ -284,6 +288,21 @@ class MeshPanel:
         self._set_running(True)
         self._timer.start(_POLL_MS)
 
+    def _leave(self):
+        view_provider.followers.remove(self._follow)
+        self.cancel()
+
+    def _follow(self, mesh, name):
+        if mesh is self.mesh and name in ("Status", "Report"):
+            self._follow_timer.start(0)
+
+    def _part_changed(self):
+        """The part was edited, or an edit undone, while the panel is open."""
+        if self.running is None:
+            self._raw = None
+            self._show_result()
+            self._estimate_timer.start(_ESTIMATE_MS)
+
     def cancel(self):
         """Asks the running job to end."""
         if self.running is not None:
@@ -317,15 +336,8 @@ class MeshPanel:
             document.commitTransaction()
         self.is_new = False
         self.mesh.purgeTouched()
-        self._show_mesh()
+        show_mesh(self.mesh)
         self._show_result()
-
-    def _show_mesh(self):
-        """Mesh and part at the same place would flicker, so the part is hidden, and what it shows."""
-        part = versions.part_of(self.mesh)
-        for obj in [part, part.Container] if assembled.is_assembled(part) and part.Container is not None else [part]:
-            obj.ViewObject.Visibility = False
-        self.mesh.ViewObject.Visibility = True
 
     def _set_running(self, running):
         self.full_button.setEnabled(not running)
