@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The commands and their options. Lengths in mm."""
 import argparse
-import math
 
 import commands
 import study_arguments
+from lengths import ignored_length, millimetres
 
 PROGRAM = "featuremesh"
 DESCRIPTION = "Tetrahedral FEM meshes of FreeCAD parts that are updated locally when the part is edited. Lengths in mm."
@@ -58,23 +58,10 @@ def add_test(subparsers):
     test.add_argument("--only", metavar="PATTERN", help="run only tests whose name matches this regular expression")
 
 
-def ignored_length(text):
-    """The property IgnoreBelow: mm, 0 for auto, -1 for off."""
-    if text in ("auto", "off"):
-        return 0.0 if text == "auto" else -1.0
-    try:
-        length = float(text)
-    except ValueError:
-        length = 0.0
-    if not 0 < length < math.inf:
-        raise argparse.ArgumentTypeError("'%s' is no length above zero, nor auto or off" % text)
-    return length
-
-
 def add_mesh(subparsers):
     mesh = command(subparsers, "mesh", commands.mesh, "add a mesh to a document's part")
     add_part(mesh)
-    mesh.add_argument("--size", type=float, metavar="H", help="edge length of the elements (default: chosen from the part)")
+    mesh.add_argument("--size", type=millimetres, metavar="H", help="edge length of the elements (default: chosen from the part)")
     mesh.add_argument("--order", type=int, choices=(1, 2), help="1: 4-node tetrahedra, too stiff in bending; 2: 10-node tetrahedra (default: 2, or as the document's mesh has it)")
     mesh.add_argument("--dimension", choices=("solids", "faces", "edges"), help="what is meshed: solids with tetrahedra, faces with triangles (shells), edges "
                       "with segments (beams); default: solids, else faces, else edges, as the part has them, or as the document's mesh has it")
@@ -107,7 +94,7 @@ def add_adopt(subparsers):
     adopt = command(subparsers, "adopt", commands.adopt, "make a mesh of Gmsh or another mesher in the document one that updates locally")
     add_part(adopt)
     adopt.add_argument("--mesh", required=True, metavar="NAME", help="the FEM mesh object to adopt; it stays in the document")
-    adopt.add_argument("--size", type=float, metavar="H", help="edge length for what is meshed anew (default: that of the mesh)")
+    adopt.add_argument("--size", type=millimetres, metavar="H", help="edge length for what is meshed anew (default: that of the mesh)")
     add_run(adopt)
 
 

@@ -101,7 +101,7 @@ def run(given):
 
 
 def demo(given):
-    out = written_file(given.out)
+    out = str(in_a_folder(given.out))
     if Path(out).is_file():
         raise UserError(f"{given.out} is a file; give a folder with --out")
     set_up(packages.PICTURE_PACKAGES + packages.STUDY_PACKAGES)
@@ -288,6 +288,8 @@ def finish(result, print_json=False):
 
 def existing_file(name):
     path = Path(name).expanduser()
+    if path.is_dir():
+        raise UserError(f"{name} is a folder; name a file in it")
     if not path.is_file():
         raise UserError(f"{name}: no such file")
     return str(path.resolve())
@@ -304,7 +306,15 @@ def written_file(name):
     """The absolute path of a file to write, whose folder must exist."""
     if name is None:
         return None
+    path = in_a_folder(name)
+    if path.is_dir():
+        raise UserError(f"{name} is a folder; name a file in it to write")
+    return str(path)
+
+
+def in_a_folder(name):
+    """The absolute path of what is to be written, whose folder must exist."""
     path = Path(name).expanduser().absolute()
     if not path.parent.is_dir():
         raise UserError(f"{name}: the folder {path.parent} does not exist")
-    return str(path)
+    return path

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The options of `featuremesh study ...`."""
 import study_commands
+from lengths import millimetres
 
 
 def add_commands(study, command, add_object):
@@ -23,7 +24,7 @@ def add_run(parts, command, add_object):
     run.add_argument("--responses", metavar="KIND,KIND@PLACE,KIND:p95", help="what is asked of each case, such as mass,max_mises,max_displacement@Face3")
     run.add_argument("--solver", metavar="live|ccx", help="default: live where that knows all that the analysis holds")
     run.add_argument("--analysis", metavar="NAME", help="the analysis (default: the only one of the document)")
-    run.add_argument("--size", type=float, metavar="H", help="edge length of the base mesh (default: as the document's mesh has it)")
+    run.add_argument("--size", type=millimetres, metavar="H", help="edge length of the base mesh (default: as the document's mesh has it)")
     run.add_argument("--order", type=int, choices=(1, 2), help="order of the elements (default: as the document's mesh has it, or 2)")
     run.add_argument("--keep", metavar="mesh,inp,frd", help="files to keep of each case (default: none)")
     run.add_argument("--seed", type=int, metavar="N", help="of lhs, sobol and halton (default: 1)")

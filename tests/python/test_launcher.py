@@ -44,11 +44,17 @@ class CommandLine(unittest.TestCase):
             self.assertRegex(shown.stdout, rf"\n    {command} +[a-z]")
             self.assertEqual(run(command, "--help").returncode, 0)
 
+    def test_lengths_may_have_their_unit(self):
+        for text in ("2.5", "2.5mm", " 2.5 mm"):
+            self.assertEqual(parse(["mesh", "part.FCStd", "--size", text, "--ignore-below", text]).size, 2.5)
+            self.assertEqual(parse(["mesh", "part.FCStd", "--ignore-below", text]).ignore_below, 2.5)
+
     def test_wrong_use_is_the_users_error_in_one_line(self):
         for words in ((), ("mesh",), ("mesh", "no_such.FCStd"), ("mesh", __file__, "--size", "0"), ("mesh", __file__, "--size", "-1"),
                       ("mesh", __file__, "--size", "nan"), ("mesh", __file__, "--order", "3"), ("mesh", __file__, "--threads", "0"),
                       ("update", "no_such.FCStd", "--set", "A.B=1"), ("diff", __file__), ("export", __file__, "out.vtu"),
-                      ("mesh", __file__, "--out", "no/such/folder/out.FCStd"), ("demo", "--out", __file__),
+                      ("mesh", __file__, "--out", "no/such/folder/out.FCStd"), ("mesh", __file__, "--out", str(ROOT)), ("mesh", __file__, "--json", "."),
+                      ("mesh", str(ROOT)), ("mesh", __file__, "--size", "2,5"), ("study", "run", __file__, "--size", "2 m"), ("demo", "--out", __file__),
                       ("mesh", __file__, "--ignore-below", "little"), ("mesh", __file__, "--ignore-below", "0"),
                       ("test", "--freecad", "0.12"), ("bench", "--documents", __file__), ("bench", "--documents", "no/such/folder"),
                       ("bench", "--documents", str(ROOT), "--divisor", "0"), ("bench", "--documents", str(ROOT), "--edits", "-1"), ("nothing",)):

@@ -99,7 +99,7 @@ def diff(task):
     message = tables.of_difference(found)
     if task.get("picture"):
         api.draw_difference(old, new, found, task["picture"])
-        message += "\nwrote " + task["picture"]
+        message += "\nwrote " + _shown(task["picture"])
     return message, found
 
 
@@ -116,7 +116,7 @@ def export(task):
     obj = api.find_mesh(document, task.get("object"))
     api.export_mesh(obj, task["out"], task.get("format"))
     data = {"nodes": obj.FemMesh.NodeCount, "tets": obj.TetCount, "groups": obj.FemMesh.GroupCount}
-    return "wrote %s (%d nodes, %d elements, %d groups)" % (task["out"], data["nodes"], data["tets"], data["groups"]), data
+    return "wrote %s (%d nodes, %d elements, %d groups)" % (_shown(task["out"]), data["nodes"], data["tets"], data["groups"]), data
 
 
 def about_all(task):
@@ -134,7 +134,7 @@ def picture(task):
     data = {"least": float(overlay.values.min()), "mean": float(overlay.values.mean()), "greatest": float(overlay.values.max()),
             "beyond": kind.count_bad(overlay.values, limits), "tets": len(overlay.values)}
     return "wrote %s (%s from %s to %s, mean %s; %d of %d elements beyond the limit)" % (
-        task["out"], kind.title, *(kind.in_words(data[name]) for name in ("least", "greatest", "mean")), data["beyond"], data["tets"]), data
+        _shown(task["out"]), kind.title, *(kind.in_words(data[name]) for name in ("least", "greatest", "mean")), data["beyond"], data["tets"]), data
 
 
 def run(task):
@@ -226,7 +226,13 @@ def _save(document, task, report):
                 json.dump(in_english(report), stream, indent=1, sort_keys=True)
         except OSError as error:
             raise UserError(said("saved {path:text}, but cannot write the report: {why:messages}", path=out, why=of_error(error))) from error
-    return os.path.relpath(out) if not os.path.relpath(out).startswith("..") else out
+    return _shown(out)
+
+
+def _shown(path):
+    """As short as it can be typed."""
+    relative = os.path.relpath(path)
+    return path if relative.startswith("..") else relative
 
 
 def _progress(step, share):
