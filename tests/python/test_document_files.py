@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Opening bad files and saving without ever leaving half a document."""
+import math
 import os
 import shutil
 import tempfile
@@ -111,6 +112,13 @@ class Files(unittest.TestCase):
     def test_a_document_that_shows_nothing_shows_its_parts(self):
         found = self.saved_view(None, add_mesh=False)
         self.assertEqual(found, {"Body": "true", "Hole": "true"})
+        with zipfile.ZipFile(os.path.join(self.folder, "target.FCStd")) as archive:
+            settings = ElementTree.fromstring(archive.read("GuiDocument.xml")).find("Camera").get("settings")
+        camera = {line.split()[0]: [float(number) for number in line.split()[1:]] for line in settings.splitlines()[2:-1]}
+        ahead = FreeCAD.Rotation(FreeCAD.Vector(*camera["orientation"][:3]), math.degrees(camera["orientation"][3])).multVec(FreeCAD.Vector(0, 0, -1))
+        seen = FreeCAD.Vector(*camera["position"]) + ahead * camera["focalDistance"][0]
+        self.assertLess((seen - FreeCAD.Vector(30, 20, 5)).Length, 1e-3)   # the middle of the plate
+        self.assertGreaterEqual(camera["height"][0], FreeCAD.Vector(60, 40, 10).Length - 1e-6)
 
     def saved_view(self, view, add_mesh):
         """{object: is it shown} in a document saved from a plate with this view."""

@@ -5,12 +5,16 @@ import os
 import re
 import zipfile
 from xml.etree import ElementTree
+from xml.sax.saxutils import quoteattr
 
 import FreeCAD
 
 from . import reading, versions
 from .errors import UserError
 from .messages import of_error, said
+
+_FROM_THE_CORNER = 1, -1, 1
+_TURNED_TO_IT = "0.742906 0.307722 0.594473 1.21713"   # axis and angle of FreeCAD's isometric view
 
 
 def open_document(path):
@@ -111,7 +115,7 @@ def add_view(document, path):
                 if "GuiDocument.xml" in old.namelist():
                     _copy_view(old, new, document)
                     return
-        new.writestr("GuiDocument.xml", _plain_view(_shown(document)))
+        new.writestr("GuiDocument.xml", _plain_view(_shown(document), _camera(document)))
 
 
 def _shown(document):
@@ -158,7 +162,20 @@ def _provider(name):
             '<Bool value="true"/></Property></Properties></ViewProvider>' % name)
 
 
-def _plain_view(visible):
-    """A view in which only these objects are shown."""
+def _camera(document):
+    """The settings of FreeCAD's camera that look at all parts from the corner in front, on the right and above; "" without a part."""
+    box = FreeCAD.BoundBox()
+    for part in reading.final_parts(document):
+        box.add(part.Shape.BoundBox)
+    if not box.isValid() or box.DiagonalLength == 0:
+        return ""
+    distance = box.DiagonalLength
+    place = box.Center + FreeCAD.Vector(*_FROM_THE_CORNER) * (distance / 3 ** 0.5)
+    return ("OrthographicCamera {\n  viewportMapping ADJUST_CAMERA\n  position %.9g %.9g %.9g\n  orientation %s\n  nearDistance 0\n  farDistance %.9g\n"
+            "  aspectRatio 1\n  focalDistance %.9g\n  height %.9g\n}\n" % (*place, _TURNED_TO_IT, 2 * distance, distance, distance))
+
+
+def _plain_view(visible, camera):
+    """A view in which only these objects are shown, as the camera's settings say."""
     return ('<?xml version="1.0" encoding="utf-8"?>\n<Document SchemaVersion="1"><ViewProviderData Count="%d">%s'
-            '</ViewProviderData><Camera settings=""/></Document>\n' % (len(visible), "".join(map(_provider, visible))))
+            '</ViewProviderData><Camera settings=%s/></Document>\n' % (len(visible), "".join(map(_provider, visible)), quoteattr(camera)))
