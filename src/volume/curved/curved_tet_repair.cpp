@@ -8,6 +8,8 @@
 #include "mesh/quality.h"
 #include "mesh/second_order.h"
 #include "volume/curved/curved_tet_descent.h"
+#include "volume/improvement/objective.h"
+#include "volume/tets/tet_measures.h"
 
 namespace featuremesh {
 namespace {
@@ -197,13 +199,20 @@ class Unfolding {
     }
     double worst_angle(const std::vector<TetId>& star) const {
         double low = 180;
-        for (TetId t : star) {
-            const auto& n = mesh_.tets[t.index()];
-            const DihedralRange range =
-                dihedral_range(mesh_.point(n[0]), mesh_.point(n[1]), mesh_.point(n[2]), mesh_.point(n[3]));
-            low = std::min({low, range.smallest_deg, 180 - range.largest_deg});
-        }
+        for (const TetId t : star) low = std::min(low, worst_angle_of(t));
         return low;
+    }
+    /// But for the angle that the CAD forces upon a needle, which would hide all others.
+    double worst_angle_of(TetId t) const {
+        const auto& n = mesh_.tets[t.index()];
+        const std::array<Vec3, 4> p{mesh_.point(n[0]), mesh_.point(n[1]), mesh_.point(n[2]), mesh_.point(n[3])};
+        const DihedralRange range = dihedral_range(p[0], p[1], p[2], p[3]);
+        const double angle = std::min(range.smallest_deg, 180 - range.largest_deg);
+        std::array<bool, 4> is_on_boundary;
+        for (int k = 0; k < 4; ++k) is_on_boundary[k] = mesh_.entities[n[k].index()].dim < 3;
+        const double all = flatness(p[0], p[1], p[2], p[3]);
+        const double unforced = Objective::unforced_flatness(all, p, is_on_boundary);
+        return unforced < all ? angle_of_flatness(unforced) : angle;
     }
 
     double smallest_volume(const std::vector<TetId>& star) const {

@@ -6,6 +6,7 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -19,6 +20,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Wire.hxx>
+#include <algorithm>
 
 #include "catch.h"
 #include "mesh/quality.h"
@@ -99,6 +101,34 @@ TopoDS_Shape block_with_hairpin() {
 TopoDS_Shape shaft_with_step(double height) {
     return BRepAlgoAPI_Fuse(BRepPrimAPI_MakeCylinder(10, 20).Shape(), BRepPrimAPI_MakeCylinder(10 + height, 8).Shape())
         .Shape();
+}
+
+/// A block with a bore whose rim has a chamfer as narrow as this.
+TopoDS_Shape block_with_chamfered_bore(double width) {
+    const gp_Ax2 up(gp_Pnt(20, 15, -5), gp::DZ());
+    const TopoDS_Shape block =
+        BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(40, 30, 20).Shape(), BRepPrimAPI_MakeCylinder(up, 6, 40).Shape()).Shape();
+    BRepFilletAPI_MakeChamfer chamfer(block);
+    for (TopExp_Explorer it(block, TopAbs_EDGE); it.More(); it.Next()) {
+        const BRepAdaptor_Curve curve(TopoDS::Edge(it.Current()));
+        if (curve.GetType() == GeomAbs_Circle && curve.Circle().Location().Z() > 19)
+            chamfer.Add(width, TopoDS::Edge(it.Current()));
+    }
+    return chamfer.Shape();
+}
+
+/// Degrees, of the tets without a side as short as this; large angles count as what they lack to 180.
+double worst_angle_without(const Mesh& mesh, double side) {
+    double worst = 90;
+    for (const auto& tet : mesh.tets) {
+        const std::array<Vec3, 4> p{mesh.point(tet[0]), mesh.point(tet[1]), mesh.point(tet[2]), mesh.point(tet[3])};
+        if (std::any_of(tet_sides.begin(), tet_sides.end(),
+                        [&](const auto& s) { return distance(p[s[0]], p[s[1]]) < side; }))
+            continue;
+        const DihedralRange range = dihedral_range(p[0], p[1], p[2], p[3]);
+        worst = std::min({worst, range.smallest_deg, 180 - range.largest_deg});
+    }
+    return worst;
 }
 
 Mesh straight_mesh(const Brep& brep, double size, RunContext& context) {
@@ -184,6 +214,16 @@ TEST_CASE("tets far thinner than their sides are bent follow them") {
         CHECK(measure_quality(mesh).min_scaled_jacobian > 0.199);
         CHECK(distance_from_entities(brep, mesh) < 1e-8);
     }
+}
+
+TEST_CASE("nodes beside needles do not move to where other tets are flat") {
+    const double narrow = 0.004, size = GENERATE(3.0, 5.0, 8.0);
+    INFO(size);
+    const Brep brep(block_with_chamfered_bore(narrow));
+    const Mesh mesh = curved_mesh(brep, size);
+    CHECK(measure_quality(mesh).min_dihedral < 1);
+    CHECK(worst_angle_without(mesh, 2 * narrow) > 15);
+    CHECK(measure_quality(mesh).min_scaled_jacobian > 0.199);
 }
 
 TEST_CASE("mid-side nodes of an edge that goes through other vertices lie between its nodes") {
