@@ -61,7 +61,6 @@ FaceProbe::~FaceProbe() = default;
 FaceProbe::FaceProbe(FaceProbe&&) noexcept = default;
 FaceProbe& FaceProbe::operator=(FaceProbe&&) noexcept = default;
 
-const TopoDS_Face& FaceProbe::face() const { return data_->face; }
 const Box& FaceProbe::box() const {
     if (!data_->box) data_->box = box_of(data_->face);
     return *data_->box;

@@ -22,7 +22,6 @@ class FaceProbe {
     FaceProbe(FaceProbe&&) noexcept;
     FaceProbe& operator=(FaceProbe&&) noexcept;
 
-    const TopoDS_Face& face() const;
     const Box& box() const;
     /// Distance from p to the untrimmed surface, mm.
     double distance_to_surface(const Vec3& p) const;

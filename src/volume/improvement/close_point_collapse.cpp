@@ -39,7 +39,8 @@ class ClosePointCollapse : public Operation {
     bool collapse(int v, Change& change) {
         if (!gather_star(complex_, v, star_)) return false;
         gather_neighbours(complex_, v, star_, neighbours_);
-        if (!is_too_close(v) || is_beside_needle()) return false;
+        // where volume is scarce, a vertex that blocks one change may make room for another
+        if (!is_too_close(v) || objective_.excuses_any(complex_, star_)) return false;
         change.before = objective_.value(complex_, star_);
         change.price = price_of_fewer_tets;
         change.after.worst = inverted_flatness;
@@ -66,12 +67,6 @@ class ClosePointCollapse : public Operation {
         const double least = SeedOptions{}.spacing * size_.at(p);
         return std::any_of(neighbours_.begin(), neighbours_.end(),
                            [&](int other) { return distance(p, complex_.points[other]) < least; });
-    }
-
-    /// Where volume is scarce, a vertex that blocks one change may make room for another.
-    bool is_beside_needle() const {
-        return std::any_of(star_.begin(), star_.end(),
-                           [&](int t) { return objective_.is_excused(complex_, complex_.tets[t]); });
     }
 
     const LocalMesh& mesh_;

@@ -236,13 +236,11 @@ class Lookahead : public Operation {
     void describe(const Patch& patch, Change& change) const {
         std::vector<int> points = patch.points;
         std::vector<char> has_moved(patch.complex.points.size(), 0);
-        std::map<int, std::array<double, 2>> parameters;
+        std::vector<std::array<double, 2>> parameters(points.size());
         for (const SurfaceVertex& of : patch.surface) parameters[of.vertex] = of.parameters;
         for (int v = 0; v < static_cast<int>(points.size()); ++v) {
             if (patch.complex.points[v] == complex_.points[points[v]]) continue;
-            const auto at = parameters.find(v);
-            change.moves.push_back(
-                {points[v], patch.complex.points[v], at == parameters.end() ? std::array<double, 2>{} : at->second});
+            change.moves.push_back({points[v], patch.complex.points[v], parameters[v]});
             has_moved[v] = 1;
         }
         for (std::size_t v = points.size(); v < patch.complex.points.size(); ++v) {

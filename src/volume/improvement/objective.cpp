@@ -15,6 +15,20 @@ constexpr double least_gain_of_penalty = 0.02;
 /// Share of the mean shape that is left: one angle is not worth all other shapes.
 constexpr double least_kept_shape = 0.5;
 
+/// The side, by its place in edge_corners, that makes a tet a needle: the boundary has both its ends, and it is shorter
+/// than 0.005 of the longest side. -1 for none.
+int needle_side(const std::array<Vec3, 4>& p, const std::array<bool, 4>& is_on_boundary) {
+    int shortest = -1;
+    double least = std::numeric_limits<double>::max(), most = 0;
+    for (int side = 0; side < 6; ++side) {
+        const auto& [i, j] = edge_corners[side];
+        const double squared = squared_length(p[i] - p[j]);
+        most = std::max(most, squared);
+        if (squared < least && is_on_boundary[i] && is_on_boundary[j]) least = squared, shortest = side;
+    }
+    return least < needle_share * needle_share * most ? shortest : -1;
+}
+
 /// Largest squared cosine of the dihedral angles but that opposite the side.
 double flatness_without(const std::array<Vec3, 4>& p, int side) {
     std::array<Vec3, 4> normal;
@@ -44,18 +58,6 @@ std::array<Vec3, 4> corners_of(const TetComplex& complex, const Tet& tet) {
     return {p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]};
 }
 
-int Objective::needle_side(const std::array<Vec3, 4>& p, const std::array<bool, 4>& is_on_boundary) {
-    int shortest = -1;
-    double least = std::numeric_limits<double>::max(), most = 0;
-    for (int side = 0; side < 6; ++side) {
-        const auto& [i, j] = edge_corners[side];
-        const double squared = squared_length(p[i] - p[j]);
-        most = std::max(most, squared);
-        if (squared < least && is_on_boundary[i] && is_on_boundary[j]) least = squared, shortest = side;
-    }
-    return least < needle_share * needle_share * most ? shortest : -1;
-}
-
 double Objective::unforced_flatness(double flatness, const std::array<Vec3, 4>& corners,
                                     const std::array<bool, 4>& is_on_boundary) {
     if (flatness < least_flatness_of_needle || flatness > 1) return flatness;
@@ -72,6 +74,10 @@ bool Objective::is_excused(const TetComplex& complex, const Tet& tet) const {
     const std::array<Vec3, 4> p = corners_of(complex, tet);
     const double all = flatness(p[0], p[1], p[2], p[3]);
     return unforced_flatness(all, p, are_on_boundary(complex, tet)) < all;
+}
+
+bool Objective::excuses_any(const TetComplex& complex, std::span<const int> tets) const {
+    return std::any_of(tets.begin(), tets.end(), [&](int t) { return is_excused(complex, complex.tets[t]); });
 }
 
 double Objective::thickness(const std::array<Vec3, 4>& p) const {

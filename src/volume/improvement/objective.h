@@ -74,6 +74,7 @@ class Objective {
     bool is_barred(const std::array<int, 4>& tet) const { return options_.is_barred && options_.is_barred(tet); }
     /// The tet is a needle whose worst angle is forced.
     bool is_excused(const TetComplex& complex, const std::array<int, 4>& tet) const;
+    bool excuses_any(const TetComplex& complex, std::span<const int> tets) const;
 
     /// What of a flaw is left after a gain by this share: of the squared sine of its angle, or of the thickness.
     static double improved(double flaw, double gain) {
@@ -108,9 +109,6 @@ class Objective {
     /// millionth of its other lengths; not positive without volume.
     double thickness(const std::array<Vec3, 4>& corners) const;
 
-    /// The side, by its place in edge_corners, that makes a tet a needle: the boundary has both its ends, and it is
-    /// shorter than 0.005 of the longest side. -1 for none.
-    static int needle_side(const std::array<Vec3, 4>& corners, const std::array<bool, 4>& is_on_boundary);
     /// The flatness of a needle without the angle opposite its short side: no mesh with both nodes has a larger one.
     static double unforced_flatness(double flatness, const std::array<Vec3, 4>& corners,
                                     const std::array<bool, 4>& is_on_boundary);

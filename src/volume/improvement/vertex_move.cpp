@@ -45,7 +45,8 @@ class VertexMove : public Operation {
   private:
     bool move(int vertex, Change& change) {
         if (!mesh_.gather(vertex, star_) || mesh_.is_held(vertex, star_)) return false;
-        if (mesh_.is_on_surface(vertex) && has_needle()) return false;
+        // a vertex of the surface that makes its ends drift apart would make a needle's small angle count
+        if (mesh_.is_on_surface(vertex) && objective_.excuses_any(complex_, star_.tets)) return false;
         shape_.gather(complex_, star_.tets, vertex);
         vertex_ = vertex, start_ = complex_.points[vertex];
         if (!objective_.looks_at_shapes() && shape_.worst(start_) <= objective_.target()) return false;
@@ -53,12 +54,6 @@ class VertexMove : public Operation {
         change.price = mesh_.price_of_moving(vertex);
         if (change.before.worst > objective_.target() && climb(change)) return true;
         return objective_.is_poor(change.before.mean_shape()) && go_uphill(change);
-    }
-
-    /// A vertex of the surface that makes its ends drift apart would make a needle's small angle count.
-    bool has_needle() const {
-        return std::any_of(star_.tets.begin(), star_.tets.end(),
-                           [&](int t) { return objective_.is_excused(complex_, complex_.tets[t]); });
     }
 
     /// In the worst angle, without regard to how the face or edge is curved; part of the way has a chance, too.

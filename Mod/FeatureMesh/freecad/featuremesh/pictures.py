@@ -250,12 +250,6 @@ def edge_length(points, tets):
     return float(np.median(np.linalg.norm(points[sample[:, 0]] - points[sample[:, 1]], axis=1)))
 
 
-def write_picture(path, picture):
-    """Writes a picture as PNG."""
-    from matplotlib import image
-    image.imsave(path, picture)
-
-
 def trim(pictures, border=12):
     """The pictures without the empty margins that all of them share."""
     drawn = np.any([(picture != 255).any(axis=2) for picture in pictures], axis=0)

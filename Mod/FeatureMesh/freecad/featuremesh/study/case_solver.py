@@ -37,14 +37,13 @@ class Fields:
     strain_energy: float = None        # mJ
     frequencies: list = field(default_factory=list)      # Hz
     buckling_factors: list = field(default_factory=list)
-    residual: float = None
 
 
 def solve_live(analysis, threads):
     """Linear statics by our own solver, from nothing, so that the order of cases does not matter."""
     fields, report = statics.solve(analysis, "", threads)
     return Fields(np.arange(len(fields["displacements"])), fields["displacements"], fields["stresses"], reactions=report["responses"]["reactions_n"],
-                  strain_energy=report["responses"]["strain_energy_mj"], residual=report["residual"])
+                  strain_energy=report["responses"]["strain_energy_mj"])
 
 
 def solve_ccx(analysis, arrays, folder, threads, seconds):

@@ -90,11 +90,6 @@ class StudyFolder:
         stream.flush()
         self._lock = stream
 
-    def unlock(self):
-        if self._lock is not None:
-            self._lock.close()
-            self._lock = None
-
     def refuse_damaged_base(self):
         """Throws UserError when the base document is not the one that the cases before were made from."""
         if not os.path.isfile(self.base_path) or hash_of_file(self.base_path) != self.database.value("base_hash"):
