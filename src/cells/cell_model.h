@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "core/message.h"
 #include "core/run_context.h"
 #include "features/feature_tree.h"

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cells/cell_model.h"
+#include "features/feature_tree.h"
 
 namespace featuremesh {
 

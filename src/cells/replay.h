@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cells/cell_model.h"
+#include "features/feature_tree.h"
 
 namespace featuremesh {
 

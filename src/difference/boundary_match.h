@@ -6,7 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "difference/boundary_model.h"
+#include "difference/underlying_geometry.h"
 
 namespace featuremesh {
 

@@ -8,6 +8,8 @@
 
 #include "brep/brep.h"
 #include "brep/solid_probe.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "difference/underlying_geometry.h"
 
 namespace featuremesh {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "cells/cell_model.h"
+#include "core/ids.h"
 #include "difference/feature_difference.h"
 #include "difference/volume_faces.h"
 

@@ -15,6 +15,7 @@
 #include "brep/brep.h"
 #include "cells/cell_model.h"
 #include "core/geometry.h"
+#include "core/ids.h"
 #include "core/message.h"
 #include "core/run_context.h"
 #include "features/feature_tree.h"

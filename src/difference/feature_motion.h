@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/geometry.h"
 #include "core/message.h"
 #include "difference/underlying_geometry.h"
 

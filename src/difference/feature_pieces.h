@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry.h"
 #include "difference/feature_motion.h"
+#include "difference/underlying_geometry.h"
 #include "features/feature_tree.h"
 
 namespace featuremesh {

@@ -2,6 +2,7 @@
 // What happened to each feature, by its own volumes first and by its faces in the final shape then.
 #pragma once
 
+#include "core/geometry.h"
 #include "difference/feature_difference.h"
 #include "difference/underlying_geometry.h"
 

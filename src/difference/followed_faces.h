@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/ids.h"
+#include "difference/feature_difference.h"
 #include "difference/made_faces.h"
 
 namespace featuremesh {

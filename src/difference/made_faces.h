@@ -14,8 +14,11 @@
 #include <vector>
 
 #include "brep/face_probe.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "difference/feature_difference.h"
 #include "difference/underlying_geometry.h"
+#include "features/feature_tree.h"
 
 namespace featuremesh {
 

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "difference/feature_difference.h"
 
 namespace featuremesh {

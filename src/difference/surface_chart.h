@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry.h"
 #include "difference/underlying_geometry.h"
 
 namespace featuremesh {

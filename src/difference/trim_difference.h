@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "core/geometry.h"
 #include "difference/boundary_match.h"
 #include "difference/feature_difference.h"
 

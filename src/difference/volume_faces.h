@@ -8,7 +8,9 @@
 
 #include "brep/face_probe.h"
 #include "cells/cell_model.h"
+#include "core/geometry.h"
 #include "difference/underlying_geometry.h"
+#include "features/feature_tree.h"
 
 namespace featuremesh {
 

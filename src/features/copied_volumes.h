@@ -5,8 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "core/ids.h"
 #include "features/document_view.h"
 #include "features/feature_tree.h"
+#include "features/raw_document.h"
 
 namespace featuremesh {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "features/feature_tree.h"
+#include "features/raw_document.h"
 
 namespace featuremesh {
 

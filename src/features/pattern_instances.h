@@ -7,6 +7,7 @@
 
 #include "features/document_view.h"
 #include "features/feature_tree.h"
+#include "features/raw_document.h"
 
 namespace featuremesh {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "features/document_view.h"
+#include "features/raw_document.h"
 
 namespace featuremesh {
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "core/message.h"
 #include "core/messages.h"
 
 namespace featuremesh {

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdint>
 
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "core/run_context.h"
 #include "mesh/mesh.h"
 

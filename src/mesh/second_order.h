@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "core/run_context.h"
 #include "mesh/mesh.h"
 

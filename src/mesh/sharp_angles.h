@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/ids.h"
 #include "mesh/mesh.h"
 #include "mesh/short_sides.h"
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "core/ids.h"
 #include "mesh/mesh.h"
 #include "mesh/side_table.h"
 

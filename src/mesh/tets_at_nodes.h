@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/ids.h"
 #include "mesh/mesh.h"
 
 namespace featuremesh {

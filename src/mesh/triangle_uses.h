@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/ids.h"
 #include "core/run_context.h"
 #include "mesh/mesh.h"
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/dimension.h"
+#include "core/ids.h"
 #include "core/message.h"
 #include "core/run_context.h"
 #include "mesh/mesh.h"

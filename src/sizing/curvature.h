@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "brep/brep.h"
+#include "core/ids.h"
 #include "sizing/size_provider.h"
 #include "sizing/sizing_field.h"
 

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/ids.h"
 #include "sizing/size_provider.h"
+#include "sizing/source_ball.h"
 
 namespace featuremesh {
 

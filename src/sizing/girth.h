@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "core/message.h"
 #include "sizing/size_provider.h"
 #include "sizing/sizing_field.h"

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry.h"
 #include "sizing/source_ball.h"
 
 namespace featuremesh {

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 
 namespace featuremesh {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/geometry.h"
 #include "sizing/size_zone.h"
 #include "sizing/source_tree.h"
 

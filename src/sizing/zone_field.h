@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/geometry.h"
 #include "sizing/size_zone.h"
 #include "sizing/zone_distance.h"
 

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/geometry.h"
 #include "core/message.h"
+#include "sizing/size_zone.h"
 #include "sizing/sizing_field.h"
 
 namespace featuremesh {

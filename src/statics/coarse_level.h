@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "statics/model.h"
 #include "statics/stiffness.h"
 
 namespace featuremesh {

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "mesh/mesh.h"
 
 namespace featuremesh {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry.h"
 #include "core/run_context.h"
 #include "statics/coarse_level.h"
 #include "statics/stiffness.h"

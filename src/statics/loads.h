@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry.h"
+#include "mesh/mesh.h"
 #include "statics/model.h"
 
 namespace featuremesh {

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/run_context.h"
+#include "mesh/mesh.h"
+#include "statics/model.h"
 #include "statics/stiffness.h"
 
 namespace featuremesh {

@@ -7,10 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry.h"
 #include "core/run_context.h"
+#include "mesh/mesh.h"
 #include "statics/linear_solver.h"
 #include "statics/model.h"
 #include "statics/same_rows.h"
+#include "statics/stiffness.h"
 #include "statics/stresses.h"
 
 namespace featuremesh {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/run_context.h"
+#include "mesh/mesh.h"
 #include "statics/model.h"
 
 namespace featuremesh {

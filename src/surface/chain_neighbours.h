@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "surface/projection.h"
 
 namespace featuremesh {

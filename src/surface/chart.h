@@ -7,6 +7,7 @@
 
 #include "brep/brep.h"
 #include "core/geometry.h"
+#include "core/ids.h"
 
 namespace featuremesh {
 

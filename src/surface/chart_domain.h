@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "surface/chart.h"
 #include "surface/face_boundary.h"
 #include "surface/heartbeat.h"
 #include "surface/triangle_patch.h"

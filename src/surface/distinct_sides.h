@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "core/ids.h"
 #include "mesh/mesh.h"
 #include "surface/chart.h"
 #include "surface/face_boundary.h"

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "core/run_context.h"
 #include "mesh/mesh.h"
 #include "surface/chain_neighbours.h"

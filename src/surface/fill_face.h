@@ -6,6 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry.h"
+#include "core/ids.h"
+#include "mesh/mesh.h"
 #include "surface/chart_domain.h"
 #include "surface/face_boundary.h"
 #include "surface/heartbeat.h"

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "surface/patch_improvement.h"
+#include "surface/triangle_patch.h"
 
 namespace featuremesh {
 

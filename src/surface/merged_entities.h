@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/ids.h"
 #include "core/message.h"
 #include "surface/projection.h"
 

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "surface/projection.h"
 #include "surface/wanted_length.h"
 

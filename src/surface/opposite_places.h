@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/ids.h"
 #include "core/run_context.h"
 #include "mesh/mesh.h"
 #include "surface/chart.h"

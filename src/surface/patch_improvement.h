@@ -2,6 +2,7 @@
 // Makes the triangles of a face near-equilateral on the surface.
 #pragma once
 
+#include "core/geometry.h"
 #include "surface/chart.h"
 #include "surface/heartbeat.h"
 #include "surface/triangle_patch.h"

@@ -8,6 +8,7 @@
 
 #include "brep/brep.h"
 #include "core/geometry.h"
+#include "core/ids.h"
 
 namespace featuremesh {
 

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "mesh/mesh.h"
+#include "surface/chart.h"
 #include "surface/chart_domain.h"
 #include "surface/face_boundary.h"
 #include "surface/heartbeat.h"

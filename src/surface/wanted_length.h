@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/geometry.h"
 #include "sizing/sizing_field.h"
 
 namespace featuremesh {

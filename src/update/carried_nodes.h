@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <span>
 
+#include "core/geometry.h"
+#include "core/ids.h"
+#include "difference/feature_difference.h"
 #include "update/keep.h"
 
 namespace featuremesh {

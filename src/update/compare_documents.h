@@ -7,7 +7,9 @@
 
 #include "difference/feature_difference.h"
 #include "difference/followed_faces.h"
+#include "difference/made_faces.h"
 #include "difference/place_partners.h"
+#include "features/raw_document.h"
 
 namespace featuremesh {
 

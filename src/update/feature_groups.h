@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/ids.h"
 #include "core/run_context.h"
 #include "update/part_mesh.h"
 

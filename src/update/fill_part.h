@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "core/message.h"
 #include "core/run_context.h"
 #include "mesh/mesh.h"

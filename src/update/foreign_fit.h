@@ -6,6 +6,7 @@
 
 #include "core/message.h"
 #include "core/run_context.h"
+#include "mesh/mesh.h"
 #include "update/foreign_surface.h"
 #include "update/keep.h"
 

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "core/run_context.h"
 #include "mesh/mesh.h"
 #include "update/entity_finder.h"

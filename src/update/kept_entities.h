@@ -8,8 +8,12 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry.h"
+#include "core/ids.h"
+#include "surface/merged_entities.h"
 #include "surface/projection.h"
 #include "update/carried_nodes.h"
+#include "update/keep.h"
 #include "update/shape_coverage.h"
 
 namespace featuremesh {

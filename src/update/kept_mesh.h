@@ -3,6 +3,7 @@
 #pragma once
 
 #include "update/carried_nodes.h"
+#include "update/keep.h"
 #include "update/kept_entities.h"
 #include "update/kept_tets.h"
 #include "update/kept_triangles.h"

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "difference/feature_difference.h"
 #include "mesh/mesh.h"
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/dimension.h"
+#include "mesh/mesh.h"
 #include "sizing/sizing_field.h"
 #include "volume/fill_solids.h"
 

@@ -6,8 +6,13 @@
 #include <memory>
 #include <vector>
 
+#include "core/dimension.h"
+#include "core/geometry.h"
 #include "difference/feature_difference.h"
+#include "features/feature_tree.h"
+#include "features/raw_document.h"
 #include "mesh/mesh.h"
+#include "sizing/sizing_field.h"
 #include "update/made_for.h"
 #include "update/options.h"
 #include "update/report.h"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/dimension.h"
+#include "core/geometry.h"
 #include "core/message.h"
 #include "difference/feature_difference.h"
 #include "mesh/quality.h"

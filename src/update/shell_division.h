@@ -6,6 +6,7 @@
 #include <span>
 
 #include "brep/brep.h"
+#include "core/ids.h"
 #include "mesh/mesh.h"
 
 namespace featuremesh {

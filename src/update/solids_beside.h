@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/ids.h"
 
 namespace featuremesh {
 

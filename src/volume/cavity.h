@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "mesh/mesh.h"
 #include "volume/facet.h"
 

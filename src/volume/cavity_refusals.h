@@ -9,6 +9,8 @@
 
 #include "brep/brep.h"
 #include "core/errors.h"
+#include "core/ids.h"
+#include "mesh/mesh.h"
 #include "volume/cavity.h"
 #include "volume/fill_cavity.h"
 #include "volume/obstacle.h"

@@ -7,11 +7,16 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "core/run_context.h"
+#include "mesh/mesh.h"
 #include "volume/cavity.h"
 #include "volume/delaunay/lattice_seeds.h"
 #include "volume/delaunay/triangulation.h"
+#include "volume/tets/circumsphere.h"
 #include "volume/tets/tet_complex.h"
+#include "volume/wanted_size.h"
 
 namespace featuremesh {
 

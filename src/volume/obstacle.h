@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/ids.h"
 #include "core/message.h"
 #include "sizing/sizing_field.h"
 

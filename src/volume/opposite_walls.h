@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "mesh/mesh.h"
 #include "surface/projection.h"
 

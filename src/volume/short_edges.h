@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/ids.h"
 #include "core/message.h"
 #include "mesh/mesh.h"
 

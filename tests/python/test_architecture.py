@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import unittest
+from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -71,6 +72,29 @@ class ModuleOrder(unittest.TestCase):
             text = (SOURCES / module / "CMakeLists.txt").read_text(encoding="utf-8")
             for path in (SOURCES / module).rglob("*.cpp"):
                 self.assertIn(path.relative_to(SOURCES / module).as_posix(), text)
+
+
+class Includes(unittest.TestCase):
+    """A type counts where one header declares it, outside of any other, and nothing else has its name."""
+    NO_CODE = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')
+    KINDS = r"(?:enum class|struct|class|using) "
+    OUTER = re.compile(rf"^{KINDS}([A-Z]\w*)\b(?! *;| : \w+::\w+;)", re.MULTILINE)
+    INNER = re.compile(rf"^ +{KINDS}([A-Z]\w*)\b", re.MULTILINE)
+    NAMED = re.compile(r"(?<![\w.])(?<!->)[A-Z]\w*")
+    FORWARD = re.compile(rf"^{KINDS}([A-Z]\w*)(?: : [\w:]+)?;|<class ([A-Z]\w*)|, class ([A-Z]\w*)", re.MULTILINE)
+
+    def test_a_header_includes_what_declares_the_types_that_it_names(self):
+        texts = {path.relative_to(SOURCES).as_posix(): self.NO_CODE.sub("", path.read_text(encoding="utf-8")) for path in source_files(SOURCES)}
+        declared = [(word, name) for name, text in texts.items() for word in self.OUTER.findall(text)]
+        often = Counter(word for word, _ in declared)
+        inner = {word for text in texts.values() for word in self.INNER.findall(text)}
+        home = {word: name for word, name in declared if name.endswith(".h") and often[word] == 1 and word not in inner}
+        self.assertGreater(len(home), 200)
+        for name in (name for name in texts if name.endswith(".h")):
+            known = {included for _, included in includes(SOURCES / name)} | {name}
+            own = {word for words in self.FORWARD.findall(texts[name]) for word in words}
+            named = set(self.NAMED.findall(texts[name])) & home.keys() - own
+            self.assertEqual({word: home[word] for word in named if home[word] not in known}, {}, f"{name} should include these")
 
 
 class Libraries(unittest.TestCase):

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "brep/volumes/merged_edges.h"
+#include "brep/volumes/patch_faces.h"
+#include "core/geometry.h"
 
 namespace featuremesh {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/ids.h"
 #include "core/run_context.h"
 #include "mesh/mesh.h"
 #include "sizing/sizing_field.h"

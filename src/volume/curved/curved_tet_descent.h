@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/ids.h"
 #include "core/run_context.h"
 #include "mesh/mesh.h"
 #include "surface/projection.h"

@@ -9,6 +9,8 @@
 #include "core/run_context.h"
 #include "volume/delaunay/odt_moves.h"
 #include "volume/tets/cavity_editor.h"
+#include "volume/tets/tet_complex.h"
+#include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/geometry.h"
 #include "core/run_context.h"
 #include "sizing/sizing_field.h"
 #include "volume/tets/tet_complex.h"

@@ -6,8 +6,15 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry.h"
 #include "volume/improvement/local_mesh.h"
+#include "volume/improvement/objective.h"
+#include "volume/improvement/operation.h"
 #include "volume/improvement/star_shape.h"
+#include "volume/tets/cavity_editor.h"
+#include "volume/tets/tet_complex.h"
+#include "volume/tets/tet_marks.h"
+#include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
 

@@ -10,6 +10,7 @@
 #include "volume/improvement/local_mesh.h"
 #include "volume/improvement/objective.h"
 #include "volume/improvement/operation.h"
+#include "volume/tets/tet_complex.h"
 
 namespace featuremesh {
 

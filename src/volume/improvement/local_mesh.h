@@ -9,7 +9,10 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "surface/projection.h"
+#include "volume/improvement/objective.h"
 #include "volume/improvement/operation.h"
 #include "volume/tets/cavity_editor.h"
 #include "volume/tets/tet_complex.h"

@@ -10,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "core/geometry.h"
 #include "volume/tets/tet_complex.h"
 #include "volume/tets/tet_measures.h"
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/geometry.h"
 #include "volume/improvement/objective.h"
 #include "volume/tets/cavity_editor.h"
 #include "volume/tets/tet_complex.h"

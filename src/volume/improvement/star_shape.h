@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry.h"
 #include "volume/improvement/objective.h"
 #include "volume/tets/radius_ratios.h"
 #include "volume/tets/tet_complex.h"

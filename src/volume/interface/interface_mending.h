@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "core/ids.h"
 #include "core/run_context.h"
 #include "mesh/mesh.h"
 #include "volume/improvement/objective.h"

@@ -5,9 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "core/ids.h"
 #include "mesh/mesh.h"
 #include "volume/cavity.h"
 #include "volume/improvement/local_mesh.h"
+#include "volume/improvement/objective.h"
 #include "volume/tets/tet_complex.h"
 
 namespace featuremesh {

@@ -9,12 +9,16 @@
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "core/run_context.h"
 #include "mesh/mesh.h"
 #include "surface/projection.h"
 #include "volume/cavity.h"
+#include "volume/delaunay/triangulation.h"
 #include "volume/fill_cavity.h"
 #include "volume/fill_solids.h"
+#include "volume/obstacle.h"
 #include "volume/recovery/constrained_delaunay.h"
 #include "volume/recovery/facet_split.h"
 #include "volume/wanted_size.h"

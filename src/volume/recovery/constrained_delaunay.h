@@ -7,6 +7,7 @@
 
 #include "core/geometry.h"
 #include "core/run_context.h"
+#include "volume/cavity.h"
 #include "volume/delaunay/triangulation.h"
 #include "volume/recovery/facet_split.h"
 

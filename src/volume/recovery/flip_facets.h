@@ -2,6 +2,8 @@
 // Surface diagonals that Delaunay wants the other way.
 #pragma once
 
+#include "mesh/mesh.h"
+#include "volume/cavity.h"
 #include "volume/fill_cavity.h"
 #include "volume/recovery/facet_split.h"
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "volume/cavity.h"
+#include "volume/delaunay/triangulation.h"
 #include "volume/fill_cavity.h"
 
 namespace featuremesh {

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "volume/cavity.h"
 #include "volume/fill_cavity.h"
 #include "volume/recovery/constrained_delaunay.h"
 

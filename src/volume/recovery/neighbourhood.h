@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "volume/cavity.h"
+#include "volume/delaunay/triangulation.h"
 #include "volume/fill_cavity.h"
 
 namespace featuremesh {

@@ -5,6 +5,8 @@
 #include <optional>
 #include <span>
 
+#include "core/geometry.h"
+#include "volume/cavity.h"
 #include "volume/fill_cavity.h"
 #include "volume/recovery/constrained_delaunay.h"
 

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "core/run_context.h"
+#include "volume/cavity.h"
+#include "volume/delaunay/triangulation.h"
 #include "volume/fill_cavity.h"
 
 namespace featuremesh {

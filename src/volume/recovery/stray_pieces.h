@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "volume/cavity.h"
 #include "volume/recovery/facet_split.h"
 
 namespace featuremesh {

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry.h"
 #include "volume/tets/tet_complex.h"
 #include "volume/tets/tet_marks.h"
 #include "volume/tets/tet_topology.h"

@@ -8,7 +8,9 @@
 #include <span>
 
 #include "volume/tets/cavity_editor.h"
+#include "volume/tets/tet_complex.h"
 #include "volume/tets/tet_measures.h"
+#include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
 
@@ -20,21 +22,21 @@ struct RingTriangulation {
     std::array<std::array<signed char, most>, most> apex{};
 };
 
-/// Minimises Objective::combine over the costs of the size-2 triangles: all choices are covered in O(size^3). `cost(i,
+/// Minimises Total::combine over the costs of the size-2 triangles: all choices are covered in O(size^3). `cost(i,
 /// j, k)`, i < j < k, is that of a triangle of ring places; `limit` is the cost from which on a solution is of no use.
-template <class Objective, int most = EdgeRing::max_size, class Cost>
+template <class Total, int most = EdgeRing::max_size, class Cost>
 RingTriangulation<most> triangulate_ring(int size, double limit, const Cost& cost) {
     RingTriangulation<most> result;
     std::array<std::array<double, most>, most> best;
-    for (int i = 0; i + 1 < size; ++i) best[i][i + 1] = Objective::nothing;
+    for (int i = 0; i + 1 < size; ++i) best[i][i + 1] = Total::nothing;
     for (int length = 2; length < size; ++length) {
         for (int i = 0; i + length < size; ++i) {
             const int j = i + length;
             best[i][j] = std::numeric_limits<double>::infinity();
             for (int k = i + 1; k < j; ++k) {
-                const double sides = Objective::combine(best[i][k], best[k][j]);
+                const double sides = Total::combine(best[i][k], best[k][j]);
                 if (sides >= best[i][j] || sides >= limit) continue;
-                const double whole = Objective::combine(sides, cost(i, k, j));
+                const double whole = Total::combine(sides, cost(i, k, j));
                 if (whole < best[i][j]) {
                     best[i][j] = whole;
                     result.apex[i][j] = static_cast<signed char>(k);
