@@ -132,8 +132,12 @@ def check_apply_and_ok(document, body):
 def check_edit_while_open(document, body):
     """Undo of a mesh shows its part again, redo the mesh. An edit of the part while the panel is open is what the panel tells of."""
     settings = open_new(body)
+    document.getObject("Plate").Length = 11   # in the property editor, which leaves the recompute to the end of the transaction
     click_in_panel("Apply")
     wait_for(lambda: settings.running is None)
+    assert abs(max(point.z for point in settings.mesh.FemMesh.Nodes.values()) - 11) < 1e-9 and settings.mesh.Status == "up to date"
+    wait_for(lambda: not settings._estimate_timer.isActive() and not settings._estimate.is_alive())
+    spin()
     mesh, name = settings.mesh, settings.mesh.Name
     before, estimated = settings.result.text(), settings.estimate.text()
     document.openTransaction("Thicker")

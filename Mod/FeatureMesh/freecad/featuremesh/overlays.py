@@ -61,7 +61,8 @@ def kept(mesh):
     part_mesh = mesh.Proxy.last_part_mesh(mesh)
     origin = np.asarray(part_mesh.tet_origin())
     if not len(origin) or not (origin >= 0).any():
-        raise UserError(said("{mesh:text} was not updated since the document was opened, all its elements are as they were", mesh=mesh.Label))
+        raise UserError(said("no element of {mesh:text} was kept: it was meshed from scratch, or not updated since the document was opened. Edit the part first",
+                             mesh=mesh.Label))
     kept_colour, new_colour, _ = kept_legend()
     is_kept = origin >= 0
     return Overlay(colours=np.where(is_kept[:, None], [kept_colour], [new_colour]), kept=is_kept,

@@ -278,6 +278,7 @@ class MeshPanel:
     def start(self, full):
         """Starts meshing; the window stays alive."""
         self.apply_settings()
+        self._compute_part()
         try:
             api.check_size(self.mesh.Size.Value, versions.part_of(self.mesh))
             self.job = self.mesh.Proxy.prepare(self.mesh, full)
@@ -287,6 +288,12 @@ class MeshPanel:
         self.running = RunningJob(self.job)
         self._set_running(True)
         self._timer.start(_POLL_MS)
+
+    def _compute_part(self):
+        """FreeCAD does not recompute what is edited while a new mesh waits in its transaction."""
+        part = versions.part_of(self.mesh)
+        if part is not None and any("Touched" in obj.State for obj in (part, *reading.dependencies(part))):
+            self.mesh.Document.recompute([part])
 
     def _leave(self):
         view_provider.followers.remove(self._follow)

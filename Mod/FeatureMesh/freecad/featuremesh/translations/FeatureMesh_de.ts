@@ -749,6 +749,10 @@
       <translation>kein Fall hält das ein</translation>
     </message>
     <message>
+      <source>no element of {mesh:text} was kept: it was meshed from scratch, or not updated since the document was opened. Edit the part first</source>
+      <translation>von {mesh:text} blieb kein Element: Das Netz wurde von Grund auf neu gemacht oder seit dem Öffnen des Dokuments nicht aktualisiert. Erst das Teil bearbeiten</translation>
+    </message>
+    <message>
       <source>no support has a reaction</source>
       <translation>kein Lager hat eine Reaktionskraft</translation>
     </message>
@@ -1515,10 +1519,6 @@
     <message>
       <source>%s shows a mesh that was deleted; delete it, too, and give the analysis another mesh</source>
       <translation>%s zeigt ein Netz, das gelöscht wurde; es auch löschen und der Analyse ein anderes Netz geben</translation>
-    </message>
-    <message>
-      <source>{mesh:text} was not updated since the document was opened, all its elements are as they were</source>
-      <translation>{mesh:text} wurde seit dem Öffnen des Dokuments nicht aktualisiert, alle Elemente sind, wie sie waren</translation>
     </message>
     <message>
       <source>'{name:text}' is no face, edge, vertex or solid; write it as FreeCAD does, e.g. Face12.</source>
