@@ -219,8 +219,7 @@ TEST_CASE("nodes off the surface are released with what touches them, and named"
         foreign.points[inner_node(ours->mesh, 2)] += Vec3{0.01, 0.02, 0.05};
         const auto result = adopted(plate(20), foreign);
         REQUIRE(result.report.fallbacks.size() == 1);
-        CHECK(result.report.fallbacks[0].in_english().find("1 boundary nodes are off the surface") !=
-              std::string::npos);
+        CHECK(result.report.fallbacks[0].in_english().find("1 boundary node is off the surface") != std::string::npos);
         CHECK(result.report.kept_tets_share > 0.9);
         CHECK(result.report.kept_tets_share < 1);
         check_kept(foreign, *result.part_mesh);

@@ -82,7 +82,7 @@ TEST_CASE("what touches a node off the surface is released, and the layers aroun
     const ForeignFit fit = fitted(ours->part.brep, foreign);
     CHECK(fit.released_tets >= tets_at(foreign, NodeId(moved)));
     REQUIRE_FALSE(fit.reasons.empty());
-    CHECK(fit.reasons[0].in_english() == "1 boundary nodes are off the surface");
+    CHECK(fit.reasons[0].in_english() == "1 boundary node is off the surface");
     const auto& origins = fit.kept.node_origin;
     CHECK(std::find(origins.begin(), origins.end(), std::int32_t(moved)) == origins.end());
     const ForeignFit less = fitted(ours->part.brep, foreign, 1);
