@@ -142,7 +142,7 @@ class Live(Case):
         part, analysis, live = self.cantilever()
         for refer, english, german in (
                 (edges_along(part, 1)[:1], "the part can still turn about y: add a support", "das Bauteil kann sich noch um y drehen: ein Lager hinzufügen"),
-                ([], "Fixed refers to nothing: choose faces, edges or vertices for it", "Fixed bezieht sich auf nichts: Flächen, Kanten oder Ecken dafür wählen")):
+                ([], "Fixed refers to nothing: choose faces, edges or vertices for it", "Fixed bezieht sich auf nichts: Flächen, Kanten oder Eckpunkte dafür wählen")):
             self.document.Fixed.References = [(part, refer)] if refer else []
             with in_german():
                 self.document.recompute()
