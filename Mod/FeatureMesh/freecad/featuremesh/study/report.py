@@ -54,8 +54,9 @@ class _Page:
     def _title(self, message):
         return "<h2>%s</h2>" % self._words(message)
 
-    def _picture(self, message, draw, *shown):
-        return [self._title(message), '<img alt="%s" src="%s">' % (self._words(message), plots.png(draw, *shown))]
+    def _picture(self, message, draw, *shown, what=None):
+        """With its title; `what` says what it is where the title does not."""
+        return [self._title(message), '<img alt="%s" src="%s">' % (self._words(what or message), plots.png(draw, *shown))]
 
     def _note(self, message):
         return "<p class=note>%s</p>" % self._words(message)
@@ -115,7 +116,7 @@ class _Page:
             return []
         front = answers.pareto(data, *names)
         title = said("Compromises between {one:text} and {other:text}", one=names[0], other=names[1])
-        return [*self._picture(title, plots.pareto, data, front, *(responses[name] for name in names), self._say),
+        return [*self._picture(title, plots.pareto, data, front, *(responses[name] for name in names), self._say, what=said("Pareto front")),
                 "<p>%s</p>" % self._words(said("Less of both: {cases:text}.", cases=", ".join(
                     self._say(said("case {case:count}", case=case.id)) for case in front)))]
 

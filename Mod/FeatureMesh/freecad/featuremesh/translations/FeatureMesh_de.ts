@@ -435,6 +435,10 @@
       <translation>Protokoll</translation>
     </message>
     <message>
+      <source>Pareto front</source>
+      <translation>Pareto-Front</translation>
+    </message>
+    <message>
       <source>Responses over parameters</source>
       <translation>Zielgrößen über Parametern</translation>
     </message>
