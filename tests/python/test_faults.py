@@ -11,10 +11,11 @@ import sys
 import tempfile
 import time
 import unittest
+from unittest import mock
 
 import FreeCAD
 import numpy as np
-from freecad.featuremesh import api, documents, mesh_object, state
+from freecad.featuremesh import api, documents, export, mesh_object, picture_process, state, worker
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
 from parts import new_document, plate_with_hole
@@ -184,6 +185,35 @@ class Faults(unittest.TestCase):
 
     def doCleanups_of_limit(self):
         resource.setrlimit(resource.RLIMIT_FSIZE, (resource.RLIM_INFINITY, resource.getrlimit(resource.RLIMIT_FSIZE)[1]))
+
+    def test_full_disk_while_a_mesh_is_exported(self):
+        """FreeCAD's writers for UNV, MED and Z88 do not look whether all was written."""
+        for name in export.FORMATS:
+            with self.subTest(format=name):
+                path = os.path.join(self.folder, "mesh." + name)
+                api.export_mesh(self.mesh, path)
+                with open(path, "rb") as stream:
+                    before = stream.read()
+                for share in (0.3, 0.9):
+                    self.full_disk(int(share * len(before)))
+                    with self.assertRaisesRegex(UserError, "cannot write"):
+                        api.export_mesh(self.mesh, path)
+                    self.doCleanups_of_limit()
+                    with open(path, "rb") as stream:
+                        self.assertEqual(stream.read(), before)
+                os.unlink(path)
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_a_picture_that_cannot_be_drawn_says_why(self):
+        """Of interpreters that fail the one that could draw tells the reason, not one without what drawing takes."""
+        said_by = {"/one": "OSError: [Errno 28] No space left on device", "/other": "ModuleNotFoundError: No module named 'numpy'"}
+        for interpreters in (list(said_by), list(reversed(said_by))):
+            with mock.patch.object(worker, "interpreters", lambda interpreters=interpreters: interpreters), \
+                    mock.patch.object(picture_process, "_run", lambda python, *rest: mock.Mock(returncode=1, stderr="Traceback\n" + said_by[python])), \
+                    self.assertRaisesRegex(UserError, "No space left on device"):
+                api.draw_quality(self.mesh, os.path.join(self.folder, "mesh.png"))
+        with mock.patch.object(worker, "interpreters", list), self.assertRaisesRegex(UserError, "no Python interpreter was found"):
+            api.draw_quality(self.mesh, os.path.join(self.folder, "mesh.png"))
 
     def test_full_disk_while_a_mesh_is_stored(self):
         before = {number: tuple(point) for number, point in self.mesh.FemMesh.Nodes.items()}

@@ -20,6 +20,7 @@ translate = FreeCAD.Qt.translate
 # Names of formats and of their files -> the module that writes them; None: FreeCAD does.
 FORMATS = {"vtu": vtu, "vtk": vtk, "inp": inp, "bdf": bdf, "msh": msh, "stl": stl, "unv": None, "med": None, "z88": None}
 _LONGEST_MED_NAME = 64
+_BLOCK = 65536   # bytes, more than a disk that was full has left
 # NASTRAN wants to know how the section lies, of which a mesh knows nothing; FreeCAD writes bars for Z88, without their middles.
 _WITHOUT_BEAMS = ("bdf", "stl", "z88")
 
@@ -46,12 +47,30 @@ def write(mesh, path, file_format):
             temporary = os.path.join(folder, name + "." + file_format)   # FreeCAD reads a MED mesh by its file's name only
             writer = FORMATS[file_format]
             if writer is None:
-                mesh.FemMesh.write(temporary)
+                _write_by_freecad(mesh.FemMesh, temporary)
             else:
                 writer.write(temporary, state.load(mesh.SavedState).arrays, groups_in(mesh.FemMesh))
             os.replace(temporary, path)
     except OSError as error:
         raise UserError(said("cannot write {path:text}: {why:messages}", path=path, why=error.strerror or of_error(error))) from error
+
+
+def _write_by_freecad(fem_mesh, path):
+    """FreeCAD's writers say nothing of a full disk, or name a line of their sources. Throws OSError."""
+    try:
+        fem_mesh.write(path)
+    finally:
+        _try_to_go_on(path)
+
+
+def _try_to_go_on(path):
+    """Throws OSError where the file has no room to grow, so that its end may be missing."""
+    size = os.path.getsize(path)
+    with open(path, "ab") as stream:
+        stream.write(bytes(_BLOCK))
+        stream.flush()
+        os.fsync(stream.fileno())
+    os.truncate(path, size)
 
 
 def _refuse_beside_others(mesh, file_format):

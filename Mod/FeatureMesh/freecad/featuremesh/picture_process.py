@@ -16,7 +16,7 @@ _FOLDER = os.path.dirname(os.path.abspath(__file__))
 
 def draw(program, arrays, path):
     """Runs a program of this folder on the arrays; it writes the picture. Throws UserError when no interpreter can draw it."""
-    why = said("no Python interpreter was found")
+    reasons = []
     with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
         task = os.path.join(folder, "task.npz")
         numpy.savez(task, **arrays)
@@ -26,8 +26,13 @@ def draw(program, arrays, path):
                 done = _run(python, program, task, path)
             if done.returncode == 0:
                 return
-            why = (done.stderr.strip().splitlines() or [said("it ended with code {code:count}", code=done.returncode)])[-1]
+            reasons.append((done.stderr.strip().splitlines() or [said("it ended with code {code:count}", code=done.returncode)])[-1])
+    why = min(reasons, key=_lacks_a_module, default=said("no Python interpreter was found"))   # of those that could draw, if there is one
     raise UserError(said("the picture could not be drawn: {why:messages}", why=why))
+
+
+def _lacks_a_module(reason):
+    return str(reason).startswith("ModuleNotFoundError")
 
 
 def _run(python, program, task, path):
