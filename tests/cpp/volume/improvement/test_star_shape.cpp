@@ -44,44 +44,6 @@ std::size_t count_bad(const TetComplex& complex) {
 
 }  // namespace
 
-TEST_CASE("a star's radius ratios and the way in which they grow") {
-    StarShape star(angles);
-    star.add({1, 0, 0}, {0.1, 1.2, 0}, {0, 0.1, 0.9});
-    star.add({0, 1, 0.2}, {-1, 0.1, 0}, {0.1, 0, 1.1});
-    const Vec3 p{-0.1, 0.05, -0.2};
-    const RadiusRatios ratios = star.radius_ratios(p);
-    CHECK(ratios.sum == Approx(radius_ratio(p, {1, 0, 0}, {0.1, 1.2, 0}, {0, 0.1, 0.9}) +
-                               radius_ratio(p, {0, 1, 0.2}, {-1, 0.1, 0}, {0.1, 0, 1.1})));
-    CHECK(star.sum_of_radius_ratios(p) == Approx(ratios.sum));
-    const double h = 1e-5;
-    for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
-        CHECK(dot(ratios.gradient, axis) ==
-              Approx((star.sum_of_radius_ratios(p + h * axis) - star.sum_of_radius_ratios(p - h * axis)) / (2 * h))
-                  .margin(1e-6));
-    CHECK(star.sum_of_radius_ratios({5, 5, 5}) == 0);
-}
-
-TEST_CASE("each tet of a star counts once, and by itself, whether their number is odd or even") {
-    const Vec3 p{-0.1, 0.05, -0.2};
-    const std::vector<std::array<Vec3, 3>> faces{{{{1, 0, 0}, {0.1, 1.2, 0}, {0, 0.1, 0.9}}},
-                                                 {{{0, 1, 0.2}, {-1, 0.1, 0}, {0.1, 0, 1.1}}},
-                                                 {{{0.1, 1.2, 0}, {1, 0, 0}, {0, 0.1, 0.9}}},  // turned: no volume
-                                                 {{{0.9, 0.1, 0}, {0.2, 1.3, 0}, {0, 0.2, 0.8}}},
-                                                 {{{0, 1.1, 0.1}, {-1, 0.2, 0}, {0.2, 0, 1.2}}}};
-    StarShape star(angles);
-    RadiusRatios sum;
-    for (const auto& [a, b, c] : faces) {
-        StarShape alone(angles);
-        alone.add(a, b, c), star.add(a, b, c);
-        sum.sum += alone.radius_ratios(p).sum;
-        sum.gradient += alone.radius_ratios(p).gradient;
-        const RadiusRatios together = star.radius_ratios(p);
-        CHECK(together.sum == sum.sum);  // to the last bit
-        CHECK(together.gradient == sum.gradient);
-        CHECK(star.sum_of_radius_ratios(p) == sum.sum);
-    }
-}
-
 TEST_CASE("what a star is worth is what its tets are worth") {
     TetComplex box = box_of_tets(4, 0.19, 4);
     const int centre = 62;
