@@ -214,7 +214,7 @@ Resolution resolution(const SizingField& sizing, const MeshOptions& options) {
 /// Where sizes change along an interface, the tets that have to change with them need more room.
 double margin_of(const MeshOptions& options, const SizingField& sizing) {
     if (options.keep_margin > 0) return options.keep_margin;
-    return sizing.is_uniform() ? 0.9 : 1.5;
+    return sizing.is_uniform() ? 0.9 : 1.2;
 }
 
 /// The share of the part that is not kept.
