@@ -263,6 +263,27 @@ def face_of_hole(body):
     return next("Face%d" % (i + 1) for i, face in enumerate(body.Shape.Faces) if face.Surface.TypeId == "Part::GeomCylinder")
 
 
+def check_shown():
+    """Of several parts the only one that is shown is meant where none is selected; of two that are shown one has to be selected."""
+    document = FreeCAD.newDocument("Several")
+    document.UndoMode = 1
+    first, second = (document.addObject("Part::Box", "Box%d" % index) for index in range(2))
+    second.Placement.Base.x = 20
+    document.recompute()
+    for hidden, shown in ((first, second), (second, first)):
+        hidden.ViewObject.Visibility, shown.ViewObject.Visibility = False, True
+        Gui.Selection.clearSelection()
+        Gui.runCommand("FeatureMesh_MeshPart")
+        spin()
+        assert versions().part_of(panel("MeshPanel").mesh) is shown
+        click_in_panel("Cancel")
+    second.ViewObject.Visibility = True
+    Gui.runCommand("FeatureMesh_MeshPart")
+    spin()
+    assert not Gui.Control.activeDialog() and "several solids, select one" in window.messages[-1], window.messages[-1]
+    FreeCAD.closeDocument(document.Name)
+
+
 def check_container():
     """All parts of a selected container are meshed; Cancel leaves nothing of that behind, and a second time the mesh is asked about."""
     document = FreeCAD.newDocument("Machine")
@@ -432,6 +453,7 @@ def drive():
     check_report_view(document, mesh)
     check_groups(document, body, mesh)
     check_solving(document, body, mesh)
+    check_shown()
     check_container()
     figures.append("panel: as other panels of FreeCAD")
 

@@ -426,7 +426,7 @@ def find_mesh(document, part_name=None):
         raise UserError(said("the document {document:text} has no mesh{of_part:messages}; make one with `featuremesh mesh`",
                              document=document.Label, of_part=said(" of {part:text}", part=part_name) if part_name else ""))
     if len(meshes) > 1:
-        raise UserError(said("the document has several meshes, select one or name it with --object: {meshes:text}",
+        raise UserError(said("the document has several meshes, select one (in the console, name it with --object): {meshes:text}",
                              meshes=", ".join(reading.describe(mesh) for mesh in meshes)))
     return meshes[0]
 

@@ -87,6 +87,14 @@ def selected_part(document):
     return reading.find_meshable(document, _part_of(selected[0]).Name if selected else None)
 
 
+def only_shown_part(document):
+    """Where nothing that has to do with a part is selected, the one of the parts that is shown; else None."""
+    if any(not _is_of_fem(obj) for obj in Gui.Selection.getSelection(document.Name)):
+        return None
+    shown = [part for part in reading.final_parts(document) if part.ViewObject.Visibility]
+    return shown[0] if len(shown) == 1 else None
+
+
 def selected_container(document):
     """The selected App::Part, group or assembly, None where another thing is selected."""
     selected = [obj for obj in Gui.Selection.getSelection(document.Name) if not _is_of_fem(obj)]

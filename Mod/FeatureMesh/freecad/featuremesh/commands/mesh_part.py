@@ -7,7 +7,7 @@ from PySide import QtGui
 from .. import api, assembled, preferences, versions
 from ..errors import UserError
 from ..messages import said
-from .base import MeshCommand, selected_container, selected_part
+from .base import MeshCommand, only_shown_part, selected_container, selected_part
 
 translate = FreeCAD.Qt.translate
 
@@ -22,7 +22,7 @@ class Command(MeshCommand):
         return bool(document.Objects)
 
     def run(self, document):
-        part = selected_container(document) or selected_part(document)
+        part = selected_container(document) or only_shown_part(document) or selected_part(document)
         existing = [mesh for mesh in api.meshes_of(document) if versions.part_of(mesh) is part or assembled.shows(versions.part_of(mesh), part)]
         if not existing:
             self.add(document, part)

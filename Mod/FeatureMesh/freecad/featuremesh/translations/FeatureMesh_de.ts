@@ -3197,16 +3197,16 @@
       <translation>das Dokument hat kein Objekt {name:text}{near:messages}</translation>
     </message>
     <message>
-      <source>the document has several meshes, select one or name it with --object: {meshes:text}</source>
-      <translation>das Dokument hat mehrere Netze, eines auswählen oder mit --object angeben: {meshes:text}</translation>
+      <source>the document has several meshes, select one (in the console, name it with --object): {meshes:text}</source>
+      <translation>das Dokument hat mehrere Netze, eines auswählen (in der Konsole mit --object angeben): {meshes:text}</translation>
     </message>
     <message>
       <source>the document has several meshes, select the one to adopt: {meshes:text}</source>
       <translation>das Dokument hat mehrere Netze, das zu übernehmende auswählen: {meshes:text}</translation>
     </message>
     <message>
-      <source>the document has several solids, select one or name it with --object: {solids:text}</source>
-      <translation>das Dokument hat mehrere Volumenkörper, einen auswählen oder mit --object angeben: {solids:text}</translation>
+      <source>the document has several solids, select one (in the console, name it with --object): {solids:text}</source>
+      <translation>das Dokument hat mehrere Volumenkörper, einen auswählen (in der Konsole mit --object angeben): {solids:text}</translation>
     </message>
     <message>
       <source>the document holds no mesh state</source>
