@@ -1,12 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`featuremesh COMMAND ...`: sets up what is missing, then runs. Exit code 0 for success, 2 for the user's error, 1 for ours, 3 where
 something cannot be had on this machine."""
+import os
 import signal
 import sys
 
-from arguments import parse
-from closed_pipe import run_until_unread
-from layout import Failure, Unavailable, UserError
+
+def cancel_at_once(_signal, _frame):
+    os.write(2, b"\nfeaturemesh: cancelled\n")
+    os._exit(1)
+
+
+signal.signal(signal.SIGINT, cancel_at_once)   # until there is something to end
+
+from arguments import parse  # noqa: E402
+from closed_pipe import run_until_unread  # noqa: E402
+from layout import Failure, Unavailable, UserError  # noqa: E402
 
 
 def interrupt(_signal, _frame):
@@ -16,6 +25,7 @@ def interrupt(_signal, _frame):
 def main():
     signal.signal(signal.SIGTERM, interrupt)  # whoever ends the launcher ends what it started
     given = parse(sys.argv[1:])
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         return given.run(given)
     except UserError as error:

@@ -23,18 +23,20 @@ MEMORY_PER_COMPILER = 2 << 30
 
 def set_up(extra_packages=(), target=ENGINE):
     """Installs, fetches and builds what is missing."""
-    wanted = (*packages.BUILD_PACKAGES, *packages.RUN_PACKAGES, *extra_packages)
-    if is_done(wanted, target):
+    wanted = {*packages.BUILD_PACKAGES, *packages.RUN_PACKAGES, *extra_packages}
+    known, built = what_is_there()
+    if wanted <= known and target in built:
         return
     BUILD.mkdir(exist_ok=True)
     with alone():
         if not RELEASE.exists():
             SETUP_LOG.unlink(missing_ok=True)
             say(f"setting up, which takes some minutes the first time (log: {SETUP_LOG})")
-        packages.install_missing(wanted)
+        packages.install_missing(sorted(wanted))
         cgal_headers.fetch_cgal()
+        target = max((target, *built), key=TARGETS.index)
         # Taken before the build, so that a source that changes meanwhile is built the next time.
-        stamp = {"fingerprint": fingerprint(), "packages": wanted, "target": target}
+        stamp = {"fingerprint": fingerprint(), "packages": sorted(wanted | known), "target": target}
         build(target)
         stamp_file().write_text(json.dumps(stamp), encoding="utf-8")
 
@@ -43,14 +45,15 @@ def stamp_file():
     return RELEASE / "setup-stamp.json"
 
 
-def is_done(wanted, target):
-    """Was all that is wanted set up, and has nothing changed since?"""
+def what_is_there():
+    """The packages that were seen to be there, and the targets that were built, if nothing has changed since."""
     try:
         stamp = json.loads(stamp_file().read_text(encoding="utf-8"))
     except (FileNotFoundError, json.JSONDecodeError):
-        return False
-    return (set(wanted) <= set(stamp["packages"]) and stamp.get("target") in TARGETS[TARGETS.index(target):]
-            and stamp["fingerprint"] == fingerprint())
+        return set(), ()
+    if stamp["fingerprint"] != fingerprint() or stamp.get("target") not in TARGETS:
+        return set(), ()
+    return set(stamp["packages"]), TARGETS[:TARGETS.index(stamp["target"]) + 1]
 
 
 @contextlib.contextmanager

@@ -330,8 +330,10 @@ class SetUp(unittest.TestCase):
             engine, in_freecad, everything = (["install", f"build {target}"] for target in engine_build.TARGETS)
             for extra, target, expected in (((), engine_build.ENGINE, engine), ((), engine_build.ENGINE, []),
                                             (("more",), engine_build.ENGINE, engine), ((), engine_build.ENGINE, []),
+                                            (("other",), engine_build.ENGINE, engine), (("more", "other"), engine_build.ENGINE, []),
                                             ((), engine_build.IN_FREECAD, in_freecad), ((), engine_build.ENGINE, []),
-                                            ((), engine_build.ALL, everything), ((), engine_build.IN_FREECAD, []), ((), engine_build.ALL, [])):
+                                            ((), engine_build.ALL, everything), ((), engine_build.IN_FREECAD, []), ((), engine_build.ALL, []),
+                                            (("third",), engine_build.ENGINE, everything), ((), engine_build.ALL, [])):
                 steps.clear()
                 engine_build.set_up(extra, target)
                 self.assertEqual(steps, expected)
