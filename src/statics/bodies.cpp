@@ -26,13 +26,13 @@ std::array<std::int32_t, 3> sorted_facet(const Mesh& mesh, std::size_t tet, cons
 
 /// All facets of all tets by their first node: those of node n are facets[starts[n]] to facets[starts[n + 1]], sorted.
 struct FacetsAtNodes {
-    explicit FacetsAtNodes(const Mesh& mesh) : starts(mesh.corner_count + 2), facets(4 * mesh.tets.size()) {
+    explicit FacetsAtNodes(const Mesh& mesh) : starts(mesh.node_count() + 2), facets(4 * mesh.tets.size()) {
         for_each_facet(mesh, [&](const auto& nodes, std::size_t) { ++starts[std::size_t(nodes[0]) + 2]; });
         std::partial_sum(starts.begin(), starts.end(), starts.begin());
         for_each_facet(mesh, [&](const auto& nodes, std::size_t tet) {
             facets[starts[std::size_t(nodes[0]) + 1]++] = {nodes[1], nodes[2], std::int32_t(tet)};
         });
-        for (std::size_t node = 0; node < mesh.corner_count; ++node)
+        for (std::size_t node = 0; node < mesh.node_count(); ++node)
             std::sort(facets.begin() + std::ptrdiff_t(starts[node]), facets.begin() + std::ptrdiff_t(starts[node + 1]));
     }
 
@@ -58,7 +58,7 @@ std::vector<std::int32_t> bodies_of_tets(const Mesh& mesh) {
     };
     const FacetsAtNodes at_nodes(mesh);
     const std::vector<Facet>& facets = at_nodes.facets;
-    for (std::size_t node = 0; node < mesh.corner_count; ++node)
+    for (std::size_t node = 0; node < mesh.node_count(); ++node)
         for (std::size_t i = at_nodes.starts[node] + 1; i < at_nodes.starts[node + 1]; ++i)
             if (facets[i].middle == facets[i - 1].middle && facets[i].last == facets[i - 1].last) {
                 const std::int32_t a = root(facets[i - 1].tet), b = root(facets[i].tet);

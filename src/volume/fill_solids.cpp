@@ -79,7 +79,9 @@ class Filling {
         drop_released();
         for (const InterfaceRegion& region : regions_) move_nodes(region);
         const std::size_t kept_tets = result_.mesh.tets.size();
+        const std::size_t nodes_before = result_.mesh.points.size();
         for (const InterfaceRegion& region : regions_) append(region);
+        replace_unused(nodes_before, kept_tets);
         lean(kept_tets);
         return std::move(result_);
     }
@@ -373,6 +375,31 @@ class Filling {
             mesh.add_tet(nodes, SolidId(complex.regions[t]));
             ++result_.report.new_tets;
         }
+        mesh.corner_count = mesh.points.size();
+    }
+
+    /// Inner kept nodes whose tets have all gone: the last new nodes take their places.
+    void replace_unused(std::size_t nodes_before, std::size_t kept_tets) {
+        Mesh& mesh = result_.mesh;
+        std::vector<char> is_unused(mesh.points.size(), 0);
+        for (const auto& tet : result_.released_nodes)
+            for (const NodeId n : tet) is_unused[n.index()] = mesh.entities[n.index()].dim == 3;
+        for (const auto& tet : mesh.tets)
+            for (const NodeId n : tet) is_unused[n.index()] = 0;
+        std::vector<NodeId> place(mesh.points.size());
+        for (std::size_t n = 0; n < nodes_before && mesh.points.size() > nodes_before; ++n) {
+            if (!is_unused[n]) continue;
+            const std::size_t last = mesh.points.size() - 1;
+            place[last] = NodeId(n);
+            mesh.points[n] = mesh.points[last], mesh.points.pop_back();
+            mesh.entities[n] = mesh.entities[last], mesh.entities.pop_back();
+            mesh.parameters[n] = mesh.parameters[last], mesh.parameters.pop_back();
+            mesh.node_numbers[n] = mesh.node_numbers[last], mesh.node_numbers.pop_back();
+            result_.moved.push_back(NodeId(n));
+        }
+        for (std::size_t t = kept_tets; t < mesh.tets.size(); ++t)
+            for (NodeId& n : mesh.tets[t])
+                if (place[n.index()].is_valid()) n = place[n.index()];
         mesh.corner_count = mesh.points.size();
     }
 

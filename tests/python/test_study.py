@@ -62,7 +62,7 @@ class Studies(StudyTest):
         self.study("run", "study.toml")
         rows = self.rows()
         self.assertEqual([row["state"] for row in rows], ["done", "done", "infeasible", "done"])
-        self.assertIn("the constraint radius * 2 < 12 or Plate.Length > 10 is not kept", rows[2]["message"])
+        self.assertIn("infeasible: case 3: the constraint radius * 2 < 12 or Plate.Length > 10 is not kept", self.study("status", "study-study")[0])
         for row in (rows[0], rows[1], rows[3]):
             found = row["responses"]
             self.assertGreater(found["max_mises@Hole"], 1.3 * found["max_mises:p90"])
@@ -200,7 +200,7 @@ class Studies(StudyTest):
             _, err = self.study(*vary, *words, "--folder", "refused", code=2)
             self.assertIn(message, err.splitlines()[-1])
         _, err = self.study(*vary, "--responses", "displacement_z@100,25,0", "--folder", "point", code=2)
-        self.assertIn("the part has no solid that the point 100,25,0 mm could be in", err)
+        self.assertIn("the part has no solid that the point (100, 25, 0) mm could be in", err)
         _, err = self.study(*vary, "--responses", "max_mises", "--folder", "middle")
         self.assertIn("warning: the stresses of shells and beams are those in the middle of the thickness", err)
         self.assertLess(self.rows("middle")[0]["responses"]["max_mises"], 10)
@@ -258,7 +258,7 @@ class Studies(StudyTest):
                 ((*run, "--vary", "Plaet.Length=1:2", *two, "--folder", "a"), "the document has no object Plaet; did you mean Plate"),
                 ((*run, "--vary", "Plate.Lenght=1:2", *two, "--folder", "a"), "Plate has no property Lenght; did you mean Length"),
                 ((*run, *VARIED, "--responses", "max_mises@Face99", "--cases", "2", "--folder", "b"), "the part has no Face99"),
-                ((*run, *VARIED, "--responses", "displacement_z@20,20,5", "--cases", "2", "--folder", "b"), "the point 20,20,5 mm, where a response is asked for, is not"),
+                ((*run, *VARIED, "--responses", "displacement_z@20,20,5", "--cases", "2", "--folder", "b"), "the point (20, 20, 5) mm, where a response is asked for, is not"),
                 ((*run, *VARIED, "--responses", "frequency_1", "--cases", "2", "--folder", "c", "--solver", "ccx"), "needs an analysis of the kind"),
                 ((*run, "--vary", "Plate.Length=2:1", *two), "the range of Plate.Length has to rise, not 2:1; write its low end first"),
                 (("resume", "there", "--time-limit", "-1"), "the time limit of a case is more than 0 s, not -1"),

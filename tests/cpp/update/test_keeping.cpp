@@ -424,3 +424,26 @@ TEST_CASE("where only the mid-side node of an edge's piece is near a change, the
         CHECK(distance(0.5 * (a + b), mesh.point(mesh.segment_mids[s])) < 0.25 * distance(a, b));
     }
 }
+
+TEST_CASE("a kept node whose elements had to go is not left over") {
+    const auto pierced = [](double height, double radius) {
+        return PartDocument()
+            .box("Plate", {0, 0, 0}, {60, 40, height})
+            .cylinder("Hole", {20, 20, -1}, radius, height + 2)
+            .cut("Part", "Plate", "Hole")
+            .finish();
+    };
+    for (const double margin : {0.9, 1.0, 1.1, 1.2, 1.3})
+        for (const double radius : {4.0, 4.5, 5.0}) {
+            MeshOptions options = options_of(10, 2);
+            options.keep_margin = margin;
+            const auto old = meshed(pierced(10, 6), options).part_mesh;
+            const auto now = updated(*old, pierced(12, radius), options).part_mesh;
+            std::vector<char> is_used(now->mesh.node_count(), 0);
+            for (const auto& tet : now->mesh.tets)
+                for (const NodeId n : tet) is_used[n.index()] = 1;
+            for (const auto& tet : now->mesh.tet_mids)
+                for (const NodeId n : tet) is_used[n.index()] = 1;
+            CHECK(std::count(is_used.begin(), is_used.end(), 0) == 0);  // 1 of these updates had one
+        }
+}
