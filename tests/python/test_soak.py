@@ -233,6 +233,8 @@ class Soak(unittest.TestCase):
         """All invariants of the whole mesh, whatever the update itself looked at."""
         raw, options, arrays = mesh.Proxy._raw, mesh_object.options_of(mesh, versions.part_of(mesh)), mesh.Proxy.arrays(mesh)
         engine.load().restore_part(raw, options, arrays)
+        used = [arrays[name].ravel() for name in ("tets", "tet_mids", "triangles", "segments")]
+        self.assertEqual(len(np.unique(np.concatenate(used))), len(arrays["points"]), "a node without elements")
 
     def check_kept(self, before, after, part_mesh):
         origin = part_mesh.node_origin()
