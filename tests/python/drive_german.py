@@ -103,6 +103,8 @@ def check_study_results(document, study, folder):
     assert "Änderung von" in results.plots[2].canvas.figure.axes[0].get_xlabel()
     picture("german_study_tornado")
     with mock.patch.object(QtGui.QDesktopServices, "openUrl"):
+        results.activateWindow()   # a click only makes it the active one else
+        spin()
         window.click(results.report_button)
     page = Path(path, "report.html").read_text(encoding="utf-8")
     words = ("Studie von part.FCStd", "7 fertig, 1 nicht machbar, 1 fehlgeschlagen", "(1200 Knoten, 1 Element); mitlaufend gelöst", "Was wichtig ist", "Haupteffekt",

@@ -21,6 +21,8 @@ translate = FreeCAD.Qt.translate
 FORMATS = {"vtu": vtu, "vtk": vtk, "inp": inp, "bdf": bdf, "msh": msh, "stl": stl, "unv": None, "med": None, "z88": None}
 _LONGEST_MED_NAME = 64
 _BLOCK = 65536   # bytes, more than a disk that was full has left
+_MED_BYTES = 60   # of a node or element in a MED file at most, and
+_MED_HEAD = 200000   # of the rest
 # NASTRAN wants to know how the section lies, of which a mesh knows nothing; FreeCAD writes bars for Z88, without their middles.
 _WITHOUT_BEAMS = ("bdf", "stl", "z88")
 
@@ -56,11 +58,21 @@ def write(mesh, path, file_format):
 
 
 def _write_by_freecad(fem_mesh, path):
-    """FreeCAD's writers say nothing of a full disk, or name a line of their sources. Throws OSError."""
+    """FreeCAD's writers say nothing of a full disk, or name a line of their sources; that of MED may end FreeCAD, so that it is looked before. Throws
+    OSError."""
+    if path.endswith(".med"):
+        _see_room(path, _MED_HEAD + _MED_BYTES * (fem_mesh.NodeCount + fem_mesh.EdgeCount + fem_mesh.FaceCount + fem_mesh.VolumeCount))
     try:
         fem_mesh.write(path)
     finally:
         _try_to_go_on(path)
+
+
+def _see_room(path, size):
+    """Throws OSError where a file of that many bytes has no room."""
+    with open(path, "wb") as stream:
+        os.posix_fallocate(stream.fileno(), 0, size)
+    os.unlink(path)
 
 
 def _try_to_go_on(path):
