@@ -380,6 +380,7 @@ class Filling {
 
     /// Inner kept nodes whose tets have all gone: the last new nodes take their places.
     void replace_unused(std::size_t nodes_before, std::size_t kept_tets) {
+        if (result_.released_nodes.empty()) return;
         Mesh& mesh = result_.mesh;
         std::vector<char> is_unused(mesh.points.size(), 0);
         for (const auto& tet : result_.released_nodes)

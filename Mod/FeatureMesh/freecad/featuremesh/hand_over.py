@@ -15,7 +15,7 @@ from collections import deque
 import Fem
 import numpy as np
 
-from .formats import connectivity, vtk
+from .formats import FILLING, connectivity, vtk
 from .materials import material_groups
 from .resolving import Resolver
 from .waiting import let_the_window_live
@@ -27,8 +27,7 @@ _CHUNK = 20000   # rows between two looks at the window
 _FEW_GROUPS = 400   # FreeCAD looks through all elements for each; with more than these that costs more than reading a file saves
 _LONG_RUN = 6        # elements with consecutive numbers; of shorter runs each is told its number
 # By FreeCAD's kind, in the order in which a first mesh numbers them.
-_ARRAYS = {"Face": ("triangles", "triangle_mids", "triangle_numbers"), "Volume": ("tets", "tet_mids", "tet_numbers"),
-           "Edge": ("segments", "segment_mids", "segment_numbers")}
+_ARRAYS = {"Face": FILLING[1], "Volume": FILLING[0], "Edge": FILLING[2]}
 NO_SEGMENTS = {"segments": np.zeros((0, 2), np.int32), "segment_mids": np.zeros(0, np.int32), "segment_edges": np.zeros(0, np.int32),
                "segment_numbers": np.zeros(0, np.int64)}
 NO_TRIANGLES = {"triangles": np.zeros((0, 3), np.int32), "triangle_mids": np.zeros((0, 3), np.int32), "triangle_faces": np.zeros(0, np.int32),
@@ -83,7 +82,7 @@ def _read(arrays):
 
 @functools.cache
 def _reader_turns_tets():
-    """Does FreeCAD's reader of VTK's files turn tets to SMESH's orientation? Since 1.0 it does."""
+    """Does FreeCAD's reader of VTK's files turn tets to SMESH's orientation? That of 0.20 does not, that of 1.1 does."""
     one = {"points": np.eye(4, 3), "node_numbers": np.arange(1, 5), "tets": np.array([[0, 1, 2, 3]]), "tet_mids": np.zeros((0, 6), np.int32),
            "tet_solids": np.zeros(1, np.int32), "tet_numbers": np.array([1])}
     return _read({**one, **NO_SEGMENTS, **NO_TRIANGLES}).getElementNodes(1) != (1, 2, 3, 4)
@@ -112,7 +111,7 @@ class _Building:
         last = [int(np.max(members)) for _, _, members in groups]
         done = 0
         for kind, rows in _by_number(arrays):
-            elements, mids, own = _ARRAYS[kind]
+            elements, mids, own, _ = _ARRAYS[kind]
             nodes, numbers = arrays["node_numbers"][connectivity(arrays, elements, mids)[rows]], arrays[own][rows]
             self._add_in_order(adds[kind], _smesh_tets(nodes) if kind == "Volume" else nodes, numbers, may_count=_counts_on() and not len(arrays[mids]))
             _add_groups(self.mesh, [group for group, number in zip(groups, last) if done < number <= numbers[-1]])
@@ -136,7 +135,7 @@ class _Building:
 def _by_number(arrays):
     """(kind, rows of its arrays) of all elements in the order of their numbers, as long as one kind goes."""
     numbers = _element_numbers(arrays)
-    counts = [len(arrays[own]) for _, _, own in _ARRAYS.values()]
+    counts = [len(arrays[own]) for _, _, own, _ in _ARRAYS.values()]
     kinds, rows = np.repeat(np.arange(len(counts)), counts), np.concatenate([np.arange(count) for count in counts])
     order = np.argsort(numbers, kind="stable")
     for part in np.split(order, np.flatnonzero(np.diff(kinds[order])) + 1):
@@ -243,10 +242,8 @@ class EntityGroups:
         self._rows = {}            # name -> rows of its elements in _connectivity
         self._connectivity = {}    # kind -> nodes of all elements of that kind
         self._nodes = {}           # name -> node numbers, filled when asked for
-        for kind, elements, mids, owners, numbers in (
-                ("Edge", "segments", "segment_mids", "segment_edges", "segment_numbers"),
-                ("Face", "triangles", "triangle_mids", "triangle_faces", "triangle_numbers"),
-                ("Solid", "tets", "tet_mids", "tet_solids", "tet_numbers")):
+        for kind in ("Edge", "Face", "Solid"):
+            elements, mids, numbers, owners = _ARRAYS[_KINDS[kind]]
             self._collect(kind, connectivity(arrays, elements, mids), arrays[owners], arrays[numbers])
         numbers = arrays["node_numbers"]
         on_vertex = np.flatnonzero(arrays["entities"][:, 0] == 0)
@@ -305,7 +302,7 @@ class EntityGroups:
 
 
 def _element_numbers(arrays):
-    return np.concatenate([arrays[own] for _, _, own in _ARRAYS.values()])
+    return np.concatenate([arrays[own] for _, _, own, _ in _ARRAYS.values()])
 
 
 def _nodes_of_references(member, resolver, entities):

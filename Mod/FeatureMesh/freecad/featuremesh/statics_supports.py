@@ -9,6 +9,7 @@ import FreeCAD
 import numpy as np
 
 from . import engine
+from .formats import connectivity
 from .messages import said
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -32,7 +33,7 @@ def free_motions(arrays, held):
     count = int(bodies.max(initial=0)) + 1
     if count > _MOST_BODIES:
         return None, centre, scale
-    nodes = np.hstack([arrays["tets"], arrays["tet_mids"].reshape(len(arrays["tets"]), -1)])
+    nodes = connectivity(arrays, "tets", "tet_mids")
     owner = np.zeros(len(points), dtype=np.int64)
     owner[nodes] = bodies[:, None]
     elsewhere = owner[nodes] != bodies[:, None]   # corners at nodes of several bodies, of which one is the owner
@@ -54,7 +55,7 @@ def moved(arrays, motions, centre, scale):
     """(n,3) mm how the nodes move along the first of some free motions, a tenth of the part at most; turns are as small turns are."""
     bodies = engine.load().statics_bodies(arrays)
     of_node = np.zeros(len(arrays["points"]), dtype=np.int64)
-    nodes = np.hstack([arrays["tets"], arrays["tet_mids"].reshape(len(arrays["tets"]), -1)])
+    nodes = connectivity(arrays, "tets", "tet_mids")
     of_node[nodes] = bodies[:, None]
     motion = motions[of_node, :, 0]
     shift = motion[:, :3] + np.cross(motion[:, 3:], (arrays["points"] - centre) / scale)
