@@ -100,6 +100,30 @@ class ReadAsFreeCADWrites(Case):
         self.mesh(part)
         self.check_loads(analysis)
 
+    def test_what_is_the_same_to_solve(self):
+        part = self.box()
+        analysis = self.analysis()
+        fixed = self.fix(analysis, part, faces_at(part, 0, 0))
+        force = self.force(analysis, part, faces_at(part, 0, 40))
+        pressure = self.add(analysis, ObjectsFem.makeConstraintPressure, "Pressure", [(part, faces_at(part, 2, 10))], Pressure=quantity(3, "MPa"))
+        mesh = self.mesh(part)
+        first = statics_model.prepared(analysis, mesh)
+        self.assertTrue(first.is_same(statics_model.prepared(analysis, mesh)))
+        self.assertTrue(first.is_same(statics_model.read(analysis, mesh)))
+        material = next(member for member in analysis.Group if hasattr(member, "Material"))
+        changes = [
+            lambda: setattr(force, "Force", quantity(1234, "N")),
+            lambda: setattr(pressure, "Reversed", True),
+            lambda: setattr(fixed, "References", [(part, faces_at(part, 0, 0) + faces_at(part, 1, 0))]),
+            lambda: setattr(material, "Material", {**material.Material, "Density": "2700 kg/m^3"}),
+            lambda: (setattr(part, "Height", 11), self.document.recompute(), api.update_mesh(mesh))]
+        last = first
+        for change in changes:
+            change()
+            now = statics_model.prepared(analysis, mesh)
+            self.assertFalse(first.is_same(now) or last.is_same(now))
+            last = now
+
     def test_supports(self):
         part = self.box()
         analysis = self.analysis()

@@ -95,10 +95,10 @@ def _triangle_nodes(corners, colours, has_edges):
     light, places, faces, binding = coin.SoLightModel(), coin.SoCoordinate3(), coin.SoFaceSet(), coin.SoMaterialBinding()
     light.model = coin.SoLightModel.BASE_COLOR
     binding.value = coin.SoMaterialBinding.PER_FACE if is_by_face else coin.SoMaterialBinding.PER_VERTEX
-    places.point.setValues(0, 3 * count, corners.reshape(-1, 3).tolist())
+    places.point.setValues(0, 3 * count, corners.reshape(-1, 3).astype(np.float32))
     faces.numVertices.setValues(0, count, [3] * count)
-    material = coin.SoBaseColor()
-    material.rgb.setValues(0, count if is_by_face else 3 * count, (colours * shades).reshape(-1, 3).tolist())
+    material = coin.SoPackedColor()
+    material.orderedRGBA.setValues(0, count if is_by_face else 3 * count, _packed(colours * shades).tolist())
     edges = coin.SoSeparator()
     dark, overall, style = coin.SoBaseColor(), coin.SoMaterialBinding(), coin.SoDrawStyle()
     dark.rgb, overall.value = _EDGES, coin.SoMaterialBinding.OVERALL
@@ -109,6 +109,11 @@ def _triangle_nodes(corners, colours, has_edges):
     for node in (coin.SoPolygonOffset(), material, binding, faces):
         filled.addChild(node)
     return (light, places, filled, edges) if has_edges else (light, places, filled)
+
+
+def _packed(colours):
+    """(...) numbers 0xRRGGBBAA of (...,3) colours, which Coin takes ten times as fast as those."""
+    return (np.rint(255 * colours).astype(np.uint32) << np.array((24, 16, 8), np.uint32)).sum(axis=-1, dtype=np.uint32).reshape(-1) | np.uint32(255)
 
 
 def _mark_node(points, lines, colour):

@@ -47,6 +47,8 @@ on_ready = []
 on_solution = []
 # Called with a live result that is to be solved beside FreeCAD's own thread; None: solved at once.
 solve_later = None
+# Called with a live result and the arrays of a mesh that FreeCAD is about to take, which takes it longer than solving.
+solve_early = None
 # Called with a live result whose solution under way, if there is one, is of no use any longer.
 cancel = None
 
@@ -123,6 +125,10 @@ class LiveResult:
         job = statics.SolveJob(analysis, self.key(live), live.Threads)
         job.state = state.checksum_of(mesh.SavedState)
         return job
+
+    def prepare_early(self, live, arrays):
+        """Likewise, for the arrays that its mesh is about to get. What `prepare` gives later tells whether that was to be solved."""
+        return statics.SolveJob(self.analysis(live), self.key(live), live.Threads, arrays)
 
     def finish(self, live, job):
         """Shows the solution, then fills the result object, which takes FreeCAD longer. Returns the report."""
@@ -236,6 +242,15 @@ def add(analysis):
     return live
 
 
+def _begin_early(mesh, part_mesh):
+    """Lets what depends on a mesh that is about to be shown be solved meanwhile, where a recompute will ask for that."""
+    if solve_early is None or not mesh.Document.Recomputing:
+        return
+    for live in filter(is_live_result, dict.fromkeys(mesh.InList)):
+        if live.Automatic and mesh in live.Members and live.Proxy.analysis(live) is not None:
+            solve_early(live, part_mesh.arrays())
+
+
 def _outdate(live):
     """Something of it changed outside a recompute, which would call execute."""
     if cancel is not None:
@@ -252,6 +267,7 @@ def _watch():
     if _observer is None:
         _observer = _Observer()
         FreeCAD.addDocumentObserver(_observer)
+        mesh_object.on_new_mesh.append(_begin_early)
 
 
 class _Observer:

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How a live result looks: the deformed part in colours, grey while it is out of date."""
 
+import operator
+
 from pivy import coin
 
 from . import live_overlay, live_result, view_provider
@@ -44,6 +46,7 @@ class ViewLiveResult(EditedInPanel):
         self.settings = live_overlay.Settings()
         self._elements = None
         self._drawn = None
+        self._drawn_from = ()   # what was drawn last
         view.addDisplayMode(coin.SoGroup(), _MODE)
 
     def getDisplayModes(self, view):
@@ -65,7 +68,8 @@ class ViewLiveResult(EditedInPanel):
     def updateData(self, live, name):
         if name == "Status":
             live.ViewObject.signalChangeIcon()
-            self.draw(live)
+            if not self._is_drawn(live):
+                self.draw(live)
             if live.Status != live_result.UP_TO_DATE:
                 _uncolour(live.Result)
         for follow in list(followers):
@@ -90,7 +94,7 @@ class ViewLiveResult(EditedInPanel):
         """Draws the solution as the settings say, or how the part can move where that is why there is none."""
         if not hasattr(live.Proxy, "solution"):
             return   # the document is being opened
-        self._drawn = self._overlay(live)
+        self._drawn, self._drawn_from = self._overlay(live), self._to_draw(live)
         if self._elements is None:
             self._elements = ElementView(live.ViewObject.RootNode)
         if self._drawn is None:
@@ -99,6 +103,13 @@ class ViewLiveResult(EditedInPanel):
         self._elements.show(self._drawn, self.settings.plane)
         row = self._drawn.largest()
         self._elements.mark(self._drawn.points[[row]] if row is not None else (), (), _MARK)
+
+    def _to_draw(self, live):
+        return live.Proxy.solution, live.Proxy.before, live.Proxy.motion, live.Proxy.is_fresh, self.settings
+
+    def _is_drawn(self, live):
+        """Would drawing it again show the same?"""
+        return self._drawn is not None and hasattr(live.Proxy, "solution") and all(map(operator.is_, self._drawn_from, self._to_draw(live)))
 
     def _overlay(self, live):
         solution, mesh = live.Proxy.shown(live), live.Proxy.mesh(live)

@@ -30,6 +30,8 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 on_ready = []
 # Runs a MeshJob while FreeCAD recomputes, where the window's side wants to show progress; None: just run it.
 run_job = None
+# Called with a mesh object and the PartMesh that it is about to show, when references were moved to it: what needs no FemMesh can begin.
+on_new_mesh = []
 
 _NAMED_BY = 16   # digits of its checksum that name a state's file
 _HIGHEST_TARGET = 45   # degrees; no mesh reaches more
@@ -166,6 +168,8 @@ class FeatureMesh:
                 FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, in_words(line)))
         for analysis in analyses.holding(mesh):
             results.note(analysis)   # of a document from before results were noted: on the mesh as it was
+        for hook in on_new_mesh:
+            hook(mesh, job.part_mesh)
         fem_mesh = self._fem_mesh(mesh, job.part_mesh, job.raw)
         handed_over = time.perf_counter()
         self._store(mesh, job)   # first, so that a full disk leaves the old mesh with its old state

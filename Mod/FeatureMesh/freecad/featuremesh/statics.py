@@ -65,9 +65,10 @@ class SolveJob:
     Throws as `solve` does, when it is made or when it runs. Then `fields` and `report` are what `solve` gives.
     """
 
-    def __init__(self, analysis, keep="", threads=0):
+    def __init__(self, analysis, keep="", threads=0, arrays=None):
+        """`arrays` are those of the mesh that the analysis's mesh object is about to get, if it is."""
         start = time.perf_counter()
-        self.statics = statics_model.prepared(analysis, mesh_of(analysis))
+        self.statics = statics_model.prepared(analysis, mesh_of(analysis), arrays)
         self.keep, self.threads = keep, threads or os.cpu_count() or 1
         self.fields = self.report = None
         self._read = time.perf_counter() - start

@@ -37,21 +37,25 @@ class Statics:
         self.held = np.zeros((count, 3), dtype=bool)
         self.given = np.zeros((count, 3))
         self.supports = {}     # name of a support -> (n,3) which components it holds
-        self.load_of = {}      # name of a load -> (n,3)
         self.has_density = True
         self.warnings = []
-        self.load_makers = {}  # name of a load -> (its member in words, what makes its (n,3)); see add_up
+        self.load_makers = []  # for each load: its member in words, what makes its (n,3) of the arrays, and what else that needs; see add_up
+        self.is_added_up = False
 
     def add_up(self):
-        """Makes the loads and adds them up. Touches no FreeCAD object, so any thread may do it."""
-        for name, (described, make) in self.load_makers.items():
-            load = make()
+        """Makes the loads and adds them up, once. Touches no FreeCAD object, so any thread may do it."""
+        for described, make, given in self.load_makers if not self.is_added_up else ():
+            load = make(self.arrays, *given)
             if not np.abs(load).max(initial=0.0) > 0:
                 self.warnings.append(said("{load:text} loads nothing", load=described))
-            self.load_of[name] = load
             self.loads += load
-        self.load_makers = {}
+        self.is_added_up = True
         return self
+
+    def is_same(self, other):
+        """Is it the same to solve? Loads need not be added up for that."""
+        return _equal([of.arrays for of in (self, other)]) and _equal(
+            [(of.materials, of.tet_materials, of.held, of.given, of.supports, of.has_density, of.load_makers) for of in (self, other)])
 
     def model(self):
         """As featuremesh_engine.solve_statics takes it."""
@@ -59,14 +63,26 @@ class Statics:
                 "given": self.given}
 
 
+def _equal(pair):
+    """Are the two the same, arrays in them number by number?"""
+    one, other = pair
+    if one is other:
+        return True
+    if isinstance(one, dict):
+        return one.keys() == other.keys() and all(_equal((one[name], other[name])) for name in one)
+    if isinstance(one, (tuple, list)):
+        return len(one) == len(other) and all(map(_equal, zip(one, other)))
+    return np.array_equal(one, other) if isinstance(one, np.ndarray) else one == other
+
+
 def read(analysis, mesh):
     """The analysis on the mesh object `mesh` of ours. Throws NotUnderstood, and UserError for what cannot be meant."""
     return prepared(analysis, mesh).add_up()
 
 
-def prepared(analysis, mesh):
-    """Likewise, but the loads are still to be added up."""
-    return _Reader(analysis, mesh).statics
+def prepared(analysis, mesh, arrays=None):
+    """Likewise, but the loads are still to be added up. `arrays` are those of the mesh that the object is about to get, if it is."""
+    return _Reader(analysis, mesh, arrays or mesh.Proxy.arrays(mesh)).statics
 
 
 def members_of(analysis):
@@ -76,10 +92,10 @@ def members_of(analysis):
 
 class _Reader:
 
-    def __init__(self, analysis, mesh):
+    def __init__(self, analysis, mesh, arrays):
         self.part = versions.part_of(mesh)
         self.resolver = Resolver(self.part)
-        self.arrays = mesh.Proxy.arrays(mesh)
+        self.arrays = arrays
         if not len(self.arrays["tets"]):
             raise NotUnderstood(said("the live solver knows solids only; {mesh:text} is of shells or beams, which CalculiX solves",
                                      mesh=describe(mesh)))
@@ -174,15 +190,14 @@ class _Reader:
             raise NotUnderstood(said("the live solver knows forces on faces, on edges or on vertices, not {force:text}", force=describe(member)))
         along = force * np.array(tuple(member.DirectionVector))
         if kinds == {"Vertex"}:
-            share = self._shares_of_vertices(member)
-            self._load(member, lambda: share[:, None] * along)
+            self._load(member, _by_shares, self._shares_of_vertices(member), along)
             return
         kind, = kinds
         shapes = [self.part.Shape.getElement(name) for name in names]
         whole = sum(shape.Area if kind == "Face" else shape.Length for shape in shapes)
         shares = "statics_area_shares" if kind == "Face" else "statics_length_shares"
         elements = np.concatenate([self._elements(member, name) for name in names])
-        self._load(member, lambda: getattr(engine.load(), shares)(self.arrays, elements)[:, None] * (along / whole))
+        self._load(member, _by_sizes, shares, elements, along / whole)
 
     def _shares_of_vertices(self, member):
         share = np.zeros(len(self.arrays["points"]))
@@ -202,16 +217,15 @@ class _Reader:
         for name in names:
             self._refuse_inner_face(member, name)
         elements = np.concatenate([self._elements(member, name) for name in names])
-        self._load(member, lambda: engine.load().statics_pressure(self.arrays, elements, value))
+        self._load(member, _by_pressure, elements, value)
 
     def read_self_weight(self, member):
         if not self.statics.has_density:
             raise UserError(said("{weight:text} needs the density of every material", weight=describe(member)))
-        statics, along = self.statics, list(gravity(member))
-        self._load(member, lambda: engine.load().statics_weight(self.arrays, statics.materials, statics.tet_materials, along))
+        self._load(member, _by_weight, self.statics.materials, self.statics.tet_materials, list(gravity(member)))
 
-    def _load(self, member, make):
-        self.statics.load_makers[member.Name] = describe(member), make
+    def _load(self, member, make, *given):
+        self.statics.load_makers.append((describe(member), make, given))
 
     def _refuse_inner_face(self, member, name):
         solids = self.part.Shape.Solids
@@ -256,6 +270,22 @@ _READERS = (
     ("Fem::ConstraintPressure", _Reader.read_pressure),
     ("Fem::ConstraintSelfWeight", _Reader.read_self_weight),
 )
+
+
+def _by_shares(_, shares, force):
+    return shares[:, None] * force
+
+
+def _by_sizes(arrays, shares, elements, force):
+    return getattr(engine.load(), shares)(arrays, elements)[:, None] * force
+
+
+def _by_pressure(arrays, elements, pressure):
+    return engine.load().statics_pressure(arrays, elements, pressure)
+
+
+def _by_weight(arrays, materials, tet_materials, along):
+    return engine.load().statics_weight(arrays, materials, tet_materials, along)
 
 
 def amount(value, unit):

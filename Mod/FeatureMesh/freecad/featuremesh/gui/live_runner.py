@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solves live results beside FreeCAD's own thread: one solution each at a time, and a newer one ends the one under way."""
+"""Solves live results beside FreeCAD's own thread: one solution each at a time, and a newer one ends the one under way.
+
+FreeCAD takes longer to take a mesh than the engine to solve it, so a solution begins before FreeCAD has the mesh, with its arrays. When the document is
+recomputed, what is to be solved is read again; if that is something else the early solution is forgotten.
+"""
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -18,15 +22,18 @@ followers = []    # called with a live result whenever its run got further
 def install():
     """To be called once."""
     live_result.solve_later = solve
+    live_result.solve_early = begin_early
     live_result.cancel = forget
 
 
 def solve(live):
     """Solves it as soon as FreeCAD has recomputed; what is under way for it ends."""
-    key = live.Document.Name, live.Name
-    if key not in _runs:
-        _runs[key] = _Run(live)
-    _runs[key].start()
+    _run_for(live).start()
+
+
+def begin_early(live, arrays):
+    """Begins to solve it on a mesh that FreeCAD is about to take; `solve` is called when it has."""
+    _run_for(live).begin_early(arrays)
 
 
 def cancel(live):
@@ -51,12 +58,20 @@ def run_of(live):
     return run if run is not None and run.is_active() else None
 
 
+def _run_for(live):
+    key = live.Document.Name, live.Name
+    if key not in _runs:
+        _runs[key] = _Run(live)
+    return _runs[key]
+
+
 class _Run:
     """The solutions of one live result, one after the other."""
 
     def __init__(self, live):
         self.live = live
         self.job = self.running = None
+        self._early = None   # (job, RunningJob) on a mesh that FreeCAD was about to take
         self._is_wanted = False
         self._bar = _Bar(self)
         self._timer = QtCore.QTimer()
@@ -64,14 +79,25 @@ class _Run:
         self._timer.timeout.connect(self._look)
 
     def start(self):
+        early, self._early = self._early, None
         self.stop()
-        self._is_wanted = True
+        self._early, self._is_wanted = early, True
+        self._timer.start()
+
+    def begin_early(self, arrays):
+        self.stop()
+        try:
+            job = self.live.Proxy.prepare_early(self.live, arrays)
+        except (UserError, RuntimeError):
+            return   # it is said when FreeCAD has the mesh
+        self._early = job, RunningJob(job)
         self._timer.start()
 
     def stop(self):
-        if self.running is not None:
-            self.running.cancel()   # its thread ends by itself, and what it finds is not looked at
-        self.job = self.running = None
+        for running in (self.running, self._early[1] if self._early else None):
+            if running is not None:
+                running.cancel()   # its thread ends by itself, and what it finds is not looked at
+        self.job = self.running = self._early = None
         self._is_wanted = False
         self._timer.stop()
         self._bar.end()
@@ -95,7 +121,7 @@ class _Run:
         if self.live.Document.Recomputing:
             return
         if self.running is None:
-            self._begin()
+            self._begin() if self._is_wanted else self.stop()   # the recompute failed
         elif self.running.is_done():
             self._end()
         if self.running is not None:
@@ -105,11 +131,18 @@ class _Run:
     def _begin(self):
         self._is_wanted = False
         try:
-            self.job = self.live.Proxy.prepare(self.live)
+            job = self.live.Proxy.prepare(self.live)
         except (UserError, RuntimeError) as error:
             self._fail(error)
             return
-        self.running = RunningJob(self.job)
+        early, self._early = self._early, None
+        if early is not None and early[0].statics.is_same(job.statics):
+            self.job, self.running = early
+            self.job.state = job.state
+            return
+        if early is not None:
+            early[1].cancel()
+        self.job, self.running = job, RunningJob(job)
 
     def _end(self):
         job, error = self.job, self.running.error
