@@ -14,8 +14,9 @@ import FreeCAD
 import numpy as np
 import ObjectsFem
 from analyses import quantity
-from freecad.featuremesh import api, live_result, mesh_properties, messages, results, statics, user_words
+from freecad.featuremesh import api, live_result, mesh_object, mesh_properties, messages, results, solve_guard, statics, user_words
 from freecad.featuremesh.errors import UserError
+from parts import plate_with_hole
 from statics_cases import HAS_SOLVER, STEEL, Case, edges_along, faces_at
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "resources" / "translations"))
@@ -110,6 +111,44 @@ class Live(Case):
             self.document.recompute()
             self.check_is_fresh(analysis, live)
             self.assertFalse(results.is_old(live.Result), live.Result.Label)
+
+    def test_what_freecad_cannot_recompute_leaves_nothing_up_to_date(self):
+        """FreeCAD recomputes nothing of what depends on it, and says nothing to that."""
+        body = plate_with_hole(self.document)
+        analysis = self.analysis()
+        self.fix(analysis, body, faces_at(body, 0, 0))
+        self.force(analysis, body, faces_at(body, 0, 60))
+        mesh = self.mesh(body, 8)
+        live = api.live_result(analysis)
+        self.document.Plate.Length = 0
+        self.document.recompute()
+        self.assertIn("FreeCAD cannot recompute Plate: ", mesh.Status)
+        self.assertEqual(live.Status, live_result.OUT_OF_DATE)
+        self.assertFalse(live.Proxy.is_fresh)
+        with self.assertRaisesRegex(UserError, "cannot recompute Plate"):
+            solve_guard.refuse(analysis)
+        self.document.Plate.Length = 10
+        self.document.recompute()
+        self.assertEqual(mesh.Status, mesh_properties.UP_TO_DATE)
+        self.check_is_fresh(analysis, live)
+        self.document.Force.setExpression("Force", "Nothing.Length")
+        self.document.recompute()
+        self.assertEqual(mesh.Status, mesh_properties.UP_TO_DATE)
+        self.assertIn("FreeCAD cannot recompute Force: ", live.Status)
+        self.document.recompute()
+        self.assertIn("FreeCAD cannot recompute Force: ", live.Status)
+        self.document.Force.setExpression("Force", None)
+        self.document.recompute()
+        self.check_is_fresh(analysis, live)
+
+    def test_mesh_that_failed_leaves_its_result_out_of_date(self):
+        part, analysis, live = self.cantilever()
+        with mock.patch.object(mesh_object.FeatureMesh, "_store", side_effect=UserError("the disk is full")):
+            part.Length = 44
+            self.document.recompute()
+        self.assertEqual(live.Status, live_result.OUT_OF_DATE)
+        self.document.recompute()
+        self.check_is_fresh(analysis, live)
 
     def test_by_hand(self):
         part, analysis, live = self.cantilever()

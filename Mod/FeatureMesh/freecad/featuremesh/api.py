@@ -13,7 +13,7 @@ import ObjectsFem
 from . import requirements
 requirements.check()   # before what cannot be imported otherwise
 from . import (adopt, analyses, assembled, difference_drawing, documents, edits, engine, export, load_cases, mesh_drawing, overlays, reading,
-               resolving, section, size_zone, solve_guard, solving, statics, statics_result, transfer, versions)
+               recompute_errors, resolving, section, size_zone, solve_guard, solving, statics, statics_result, transfer, versions)
 from . import live_result as live_results
 from .about import facts
 from .errors import StateError, UserError
@@ -125,16 +125,14 @@ def recompute(document):
     in error before, and the mesh's own error when that is what failed.
     """
     meshes = [obj for obj in document.Objects if is_feature_mesh(obj)]
-    before = {obj for obj in document.Objects if reading.error_of(obj)}
+    before = recompute_errors.in_error(document)
     reports = {mesh: mesh.Report for mesh in meshes}
     start = time.perf_counter()
     document.recompute()
     seconds = time.perf_counter() - start
+    new = recompute_errors.in_error(document) - before
     for mesh in meshes:
-        part = versions.part_of(mesh)
-        for obj in (reading.dependencies(part) if part is not None else []):
-            if reading.error_of(obj) and obj not in before:
-                raise UserError(said("FreeCAD cannot recompute {object:text}: {error:text}", object=reading.describe(obj), error=reading.error_of(obj)))
+        recompute_errors.refuse_of_part(versions.part_of(mesh), new)
         if mesh.Report != reports[mesh]:
             seconds -= mesh.Seconds
     return max(seconds, 0.0)

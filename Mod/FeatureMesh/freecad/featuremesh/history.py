@@ -7,7 +7,8 @@ groups by which a solver finds the nodes of constraints are renewed when the ref
 
 import FreeCAD
 
-from . import analyses, references, results
+from . import analyses, recompute_errors, references, results, versions
+from .errors import UserError
 
 _WATCHED = ("References", "Group", "MeshGroupList", "MeshRegionList")
 _observer = None
@@ -20,6 +21,7 @@ def watch():
     if _observer is None:
         _observer = _Observer()
         FreeCAD.addDocumentObserver(_observer)
+        recompute_errors.watch(_fail_meshes)
 
 
 def settle(obj):
@@ -76,6 +78,15 @@ class _Observer:
                 mesh.Proxy.members_changed(mesh)
             if name == "References" or name == "Group" and obj in analyses.holding(mesh):
                 mesh.Proxy.renew_analysis_groups(mesh)
+
+
+def _fail_meshes(document, objects):
+    """The mesh of a part that FreeCAD could not recompute is that of the part before the edit."""
+    for mesh in filter(_is_ours, document.Objects):
+        try:
+            recompute_errors.refuse_of_part(versions.part_of(mesh), objects)
+        except UserError as error:
+            mesh.Proxy.fail(mesh, error)
 
 
 def _show_states(document):

@@ -6,7 +6,7 @@ import threading
 
 import FreeCAD
 
-from . import analyses, engine, mesh_object, messages, results, solve_guard, state, statics, statics_model, statics_result, user_words
+from . import analyses, engine, mesh_object, messages, recompute_errors, results, solve_guard, state, statics, statics_model, statics_result, user_words
 from .errors import StateError, UserError
 from .messages import said
 from .mesh_properties import failed
@@ -259,6 +259,18 @@ def _outdate(live):
         live.Proxy.set_status(live, OUT_OF_DATE)
 
 
+def _fail(document, objects):
+    """The result of an analysis with a member that FreeCAD could not recompute is that of before the edit."""
+    for live in filter(is_live_result, document.Objects):
+        failed_ones = [member for member in live.Members if member in objects and not mesh_object.is_feature_mesh(member)]
+        try:
+            for member in failed_ones:
+                recompute_errors.refuse(member)
+        except UserError as error:
+            _outdate(live)
+            live.Proxy.fail(live, error)
+
+
 _observer = None
 
 
@@ -268,6 +280,7 @@ def _watch():
         _observer = _Observer()
         FreeCAD.addDocumentObserver(_observer)
         mesh_object.on_new_mesh.append(_begin_early)
+        recompute_errors.watch(_fail)
 
 
 class _Observer:
@@ -281,8 +294,10 @@ class _Observer:
                 live.Proxy.take_members(live)
             return
         is_mesh = mesh_object.is_feature_mesh(obj)
-        if obj.Document.Recomputing or is_mesh and name not in _OF_THE_MESH or statics_model.is_result(obj):
+        if is_mesh and name not in _OF_THE_MESH or statics_model.is_result(obj):
             return
+        if obj.Document.Recomputing and not (is_mesh and obj.Status != mesh_object.UP_TO_DATE):
+            return   # execute follows, unless the mesh failed
         for live in filter(is_live_result, obj.InList):
             if obj in live.Members:
                 live.Proxy.is_changed = True

@@ -46,8 +46,8 @@ def cancel(live):
 
 
 def forget(live):
-    """Ends its solution, which nobody needs any longer."""
-    run = run_of(live)
+    """Ends its solution, which nobody needs any longer, an early one, too."""
+    run = _runs.get((live.Document.Name, live.Name))
     if run is not None:
         run.stop()
 

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What FreeCAD could not recompute. It leaves everything that depends on such an object as it was, without a word to it."""
+
+import FreeCAD
+
+from .errors import UserError
+from .messages import said
+from .reading import dependencies, describe, error_of
+
+# Called after a recompute with the document and the objects that are in error and were not before.
+on_errors = []
+_observer = None
+
+
+def in_error(document):
+    """The objects of the document that are in error."""
+    return {obj for obj in document.Objects if error_of(obj)}
+
+
+def refuse(obj):
+    """Throws UserError with FreeCAD's message of an object in error."""
+    raise UserError(said("FreeCAD cannot recompute {object:text}: {error:text}", object=describe(obj), error=error_of(obj)))
+
+
+def refuse_of_part(part, objects):
+    """The same where the part's shape comes from one of the objects in error."""
+    for obj in dependencies(part) if part is not None and objects else ():
+        if obj in objects:
+            refuse(obj)
+
+
+def watch(hook):
+    """Calls the hook from now on, see on_errors."""
+    global _observer
+    on_errors.append(hook)
+    if _observer is None:
+        _observer = _Observer()
+        FreeCAD.addDocumentObserver(_observer)
+
+
+class _Observer:
+
+    def __init__(self):
+        self._before = {}   # by the name of a document that is being recomputed
+
+    def slotBeforeRecomputeDocument(self, document):
+        self._before[document.Name] = in_error(document)
+
+    def slotRecomputedDocument(self, document):
+        new = in_error(document) - self._before.pop(document.Name, set())
+        for hook in on_errors if new else ():
+            hook(document, new)
