@@ -3,6 +3,7 @@
 // it is needed.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -37,6 +38,11 @@ class LinearSolver {
 
     /// The matrix that it solves; empty before it has one.
     virtual const BlockMatrix& matrix() const = 0;
+
+    /// Moves these nodes, and no others, until the forces at them are all but balanced. `forces` are what the
+    /// displacements have to balance, zero on held components, which stay where they are.
+    virtual void balance_within(std::span<const std::int32_t> nodes, std::span<const double> forces,
+                                std::span<double> displacements) = 0;
 
     /// sqrt(r B r) with B the preconditioner: about the energy norm of the error that leaves the residual r.
     virtual double energy_norm(std::span<const double> residual) = 0;

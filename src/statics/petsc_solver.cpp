@@ -9,6 +9,7 @@
 #include "core/messages.h"
 #include "statics/linear_solver.h"
 #include "statics/petsc_factor.h"
+#include "statics/petsc_nodes_block.h"
 #include "statics/petsc_objects.h"
 #include "statics/petsc_products.h"
 
@@ -240,14 +241,13 @@ class Carried {
     void set_up(const System& system, std::vector<std::int32_t> origin, PetscInt old_size) {
         system_ = &system;
         origin_ = std::move(origin);
-        new_nodes_.clear();
-        rank_.assign(origin_.size(), -1);
+        std::vector<std::int32_t> fresh;
         for (std::size_t node = 0; node < origin_.size(); ++node)
-            if (origin_[node] < 0)
-                rank_[node] = std::int32_t(new_nodes_.size()), new_nodes_.push_back(std::int32_t(node));
+            if (origin_[node] < 0) fresh.push_back(std::int32_t(node));
+        new_.take(system.blocks, std::move(fresh));
         check(VecCreateSeq(PETSC_COMM_SELF, old_size, old_in_.fresh()));
         check(VecDuplicate(old_in_, old_out_.fresh()));
-        if (!new_nodes_.empty()) factor_new_block();
+        if (!new_.nodes.empty()) factor_new_block();
     }
 
     void apply(PC earlier, Vec in, Vec out) {
@@ -255,29 +255,26 @@ class Carried {
         PetscScalar* y = nullptr;
         check(VecGetArrayRead(in, &r));
         check(VecGetArrayWrite(out, &y));
-        std::vector<double> at_new(3 * new_nodes_.size()), push(3 * origin_.size(), 0.0);
-        for (std::size_t i = 0; i < at_new.size(); ++i) at_new[i] = r[at(i)];
+        std::vector<double> at_new(new_.size()), push(3 * origin_.size(), 0.0);
+        for (std::size_t i = 0; i < at_new.size(); ++i) at_new[i] = r[new_.at(i)];
         solve_new(at_new);
         couple([&](std::size_t row, std::size_t column, double value) { push[column] += value * at_new[row]; });
         apply_earlier(earlier, r, push, y);
         std::vector<double> pull(at_new.size(), 0.0);
         couple([&](std::size_t row, std::size_t column, double value) { pull[row] += value * y[column]; });
         solve_new(pull);
-        for (std::size_t i = 0; i < at_new.size(); ++i) y[at(i)] = at_new[i] - pull[i];
+        for (std::size_t i = 0; i < at_new.size(); ++i) y[new_.at(i)] = at_new[i] - pull[i];
         check(VecRestoreArrayRead(in, &r));
         check(VecRestoreArrayWrite(out, &y));
     }
 
   private:
-    /// The component of the whole system that is the i-th of the new nodes.
-    std::size_t at(std::size_t i) const { return 3 * std::size_t(new_nodes_[i / 3]) + i % 3; }
-
     /// Visits the entries between new rows and kept columns.
     template <class Visit>
     void couple(Visit visit) const {
         const BlockMatrix& blocks = system_->blocks;
-        for (std::size_t i = 0; i < new_nodes_.size(); ++i) {
-            const auto node = std::size_t(new_nodes_[i]);
+        for (std::size_t i = 0; i < new_.nodes.size(); ++i) {
+            const auto node = std::size_t(new_.nodes[i]);
             const auto begin = std::size_t(blocks.starts[node]), end = std::size_t(blocks.starts[node + 1]);
             for (std::size_t k = begin; k < end; ++k) {
                 const auto other = std::size_t(blocks.neighbours[k]);
@@ -291,32 +288,12 @@ class Carried {
     }
 
     void factor_new_block() {
-        const BlockMatrix& blocks = system_->blocks;
-        const auto size = PetscInt(3 * new_nodes_.size());
-        starts_.assign(std::size_t(size) + 1, 0);
-        columns_.clear(), values_.clear();
-        for (std::size_t i = 0; i < std::size_t(size); ++i) {
-            const auto node = std::size_t(new_nodes_[i / 3]);
-            const auto begin = std::size_t(blocks.starts[node]), end = std::size_t(blocks.starts[node + 1]);
-            for (std::size_t k = begin; k < end; ++k) {
-                const std::int32_t rank = rank_[std::size_t(blocks.neighbours[k])];
-                if (rank < 0) continue;
-                for (std::size_t c = 0; c < 3; ++c) {
-                    columns_.push_back(3 * rank + PetscInt(c));
-                    values_.push_back(blocks.values[9 * begin + (i % 3) * 3 * (end - begin) + 3 * (k - begin) + c]);
-                }
-            }
-            starts_[i + 1] = PetscInt(columns_.size());
-        }
-        check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, size, size, starts_.data(), columns_.data(), values_.data(),
-                                        new_block_.fresh()));
-        check(MatSetOption(new_block_, MAT_SPD, PETSC_TRUE));
         check(PCCreate(PETSC_COMM_SELF, factor_.fresh()));
-        check(PCSetOperators(factor_, new_block_, new_block_));
+        check(PCSetOperators(factor_, new_.matrix, new_.matrix));
         check(PCSetType(factor_, PCCHOLESKY));
         check(PCFactorSetMatOrderingType(factor_, MATORDERINGND));
         check(PCSetUp(factor_));
-        check(VecCreateSeq(PETSC_COMM_SELF, size, new_in_.fresh()));
+        check(VecCreateSeq(PETSC_COMM_SELF, PetscInt(new_.size()), new_in_.fresh()));
         check(VecDuplicate(new_in_, new_out_.fresh()));
     }
 
@@ -352,10 +329,8 @@ class Carried {
     }
 
     const System* system_ = nullptr;
-    std::vector<std::int32_t> origin_, new_nodes_, rank_;
-    std::vector<PetscInt> starts_, columns_;
-    std::vector<double> values_;
-    Matrix new_block_;
+    std::vector<std::int32_t> origin_;
+    NodesBlock new_;
     Preconditioner factor_;
     Vector new_in_, new_out_, old_in_, old_out_;
 };
@@ -442,6 +417,30 @@ class PetscSolver final : public LinearSolver {
         earlier_.threads.threads = present_.threads.threads = linear_.threads.threads = threads;
     }
 
+    void balance_within(std::span<const std::int32_t> nodes, std::span<const double> forces,
+                        std::span<double> displacements) override {
+        if (nodes.empty()) return;
+        NodesBlock block;
+        block.take(system().blocks, {nodes.begin(), nodes.end()});
+        Vector all, resisting, b, x;
+        fill(all, displacements);
+        check(VecDuplicate(all, resisting.fresh()));
+        check(MatMult(system().exact, all, resisting));
+        check(VecCreateSeq(PETSC_COMM_SELF, PetscInt(block.size()), b.fresh()));
+        check(VecDuplicate(b, x.fresh()));
+        const PetscScalar* values = nullptr;
+        PetscScalar* to = nullptr;
+        check(VecGetArrayRead(resisting, &values));
+        check(VecGetArrayWrite(b, &to));
+        for (std::size_t i = 0; i < block.size(); ++i) to[i] = forces[block.at(i)] - values[block.at(i)];
+        check(VecRestoreArrayWrite(b, &to));
+        check(VecRestoreArrayRead(resisting, &values));
+        solve_roughly(block.matrix, b, x);
+        check(VecGetArrayRead(x, &values));
+        for (std::size_t i = 0; i < block.size(); ++i) displacements[block.at(i)] += values[i];
+        check(VecRestoreArrayRead(x, &values));
+    }
+
     double energy_norm(std::span<const double> residual) override {
         Vector r, z;
         fill(r, residual);
@@ -484,6 +483,22 @@ class PetscSolver final : public LinearSolver {
     }
 
   private:
+    /// As far as a start needs it, by conjugate gradients with the diagonal blocks.
+    static void solve_roughly(Mat matrix, Vec in, Vec out) {
+        constexpr double least_share = 1e-5;
+        constexpr PetscInt most = 300;
+        Owned<KSP, KSPDestroy> cg;
+        PC diagonal = nullptr;
+        check(KSPCreate(PETSC_COMM_SELF, cg.fresh()));
+        check(KSPSetType(cg, KSPCG));
+        check(KSPSetNormType(cg, KSP_NORM_NATURAL));
+        check(KSPSetOperators(cg, matrix, matrix));
+        check(KSPGetPC(cg, &diagonal));
+        check(PCSetType(diagonal, PCPBJACOBI));
+        check(KSPSetTolerances(cg, least_share, 0, PETSC_DEFAULT, most));
+        check(KSPSolve(cg, in, out));
+    }
+
     static void use_aggregation(PC preconditioner, const System& system) {
         check(PCSetOptionsPrefix(preconditioner, prefix));
         check(PCSetType(preconditioner, PCGAMG));

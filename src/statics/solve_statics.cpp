@@ -15,6 +15,8 @@ namespace {
 /// their number: factoring takes work like the square of the new ones, a set-up, which is less for 10-node tets, like
 /// all nodes.
 constexpr double most_new_share = 0.08, most_new_linear = 10, most_new_quadratic = 6;
+/// With more new nodes than that a start from the last displacements saves less than balancing the new ones costs.
+constexpr double most_fresh_share = 0.2;
 /// A kept preconditioner may take this many times the iterations of its own matrix, and then some.
 constexpr int patience = 3, more_iterations = 10;
 /// Aggregation that takes more is given up for a factor, where that is to be had. That of 4-node tets costs more than
@@ -88,7 +90,7 @@ StaticsSolution StaticsSolver::solve(const StaticsModel& model, RunContext& cont
         resisting = resisting_forces(model, solution.displacements, around, context);
         const std::vector<double> unbalanced = residual_of(model, resisting);
         if (norm(unbalanced) > 0) {
-            start_from_last(model, solution);
+            start_from_last(model, unbalanced, solution);
             if (solution.kept_start_share > 0)
                 resisting = resisting_forces(model, solution.displacements, around, context);
             balance(model, around, unbalanced, solution, resisting, context);
@@ -190,17 +192,26 @@ std::vector<std::int32_t> StaticsSolver::origins(const StaticsModel& model) cons
     return origin;
 }
 
-void StaticsSolver::start_from_last(const StaticsModel& model, StaticsSolution& solution) const {
-    std::size_t known = 0;
-    for (std::size_t node = 0; node < model.mesh.node_count(); ++node) {
+/// Gives kept nodes their last displacements, and new ones such that they are balanced among those: at rest they would
+/// be farther off than if nothing had moved. The preconditioner that is carried over does the latter by itself.
+void StaticsSolver::start_from_last(const StaticsModel& model, std::span<const double> unbalanced,
+                                    StaticsSolution& solution) const {
+    const std::size_t count = model.mesh.node_count();
+    std::vector<std::int32_t> fresh;
+    std::vector<double> moved(3 * count, 0.0);
+    for (std::size_t node = 0; node < count; ++node) {
         const Number number = model.mesh.node_numbers[node];
         const auto at = std::lower_bound(last_.begin(), last_.end(), number, by_number);
-        if (at == last_.end() || at->number != number) continue;
-        ++known;
-        for (std::size_t c = 0; c < 3; ++c)
-            if (!model.is_held[3 * node + c]) solution.displacements[3 * node + c] = at->displacement[int(c)];
+        if (at == last_.end() || at->number != number)
+            fresh.push_back(std::int32_t(node));
+        else
+            for (std::size_t i = 3 * node, c = 0; c < 3; ++i, ++c)
+                if (!model.is_held[i]) moved[i] = at->displacement[int(c)] - model.given[i];
     }
-    solution.kept_start_share = double(known) / double(model.mesh.node_count());
+    if (double(fresh.size()) > most_fresh_share * double(count)) return;
+    if (!solution.kept_preconditioner) solver_->balance_within(fresh, unbalanced, moved);
+    for (std::size_t i = 0; i < moved.size(); ++i) solution.displacements[i] += moved[i];
+    solution.kept_start_share = 1 - double(fresh.size()) / double(count);
 }
 
 void StaticsSolver::remember(const StaticsModel& model, const StaticsSolution& solution) {

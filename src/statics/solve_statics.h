@@ -65,7 +65,8 @@ class StaticsSolver {
     void balance(const StaticsModel& model, const TetsOfNodes& around, std::span<const double> unbalanced,
                  StaticsSolution& solution, std::vector<double>& resisting, RunContext& context);
     double whole_energy_norm(std::span<const double> unbalanced);
-    void start_from_last(const StaticsModel& model, StaticsSolution& solution) const;
+    void start_from_last(const StaticsModel& model, std::span<const double> unbalanced,
+                         StaticsSolution& solution) const;
     void remember(const StaticsModel& model, const StaticsSolution& solution);
 
     std::unique_ptr<LinearSolver> solver_;

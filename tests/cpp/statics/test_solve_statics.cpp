@@ -181,6 +181,34 @@ TEST_CASE("what was kept changes the work, not the answer") {
     CHECK_FALSE(solver.solve(softer, context).kept_preconditioner);
 }
 
+TEST_CASE("new nodes start where they are balanced among the kept ones, or all start at rest") {
+    NEEDS_SOLVER();
+    const int order = GENERATE(1, 2);
+    const Mesh mesh = solved_box(order == 1 ? 16 : 8, order, {30, 10, 10});
+    RunContext context;
+    for (const double radius : {4.8, 8.0}) {
+        StaticsSolver solver;
+        solver.solve(cantilever(mesh, 30, 100, 0.3), context);
+        Mesh edited = mesh;
+        for (std::size_t i = 0; i < edited.points.size(); ++i)
+            if (edited.entities[i].dim == 3 && distance(edited.points[i], {20, 5, 5}) < radius)
+                edited.node_numbers[i] = edited.next_node_number++;
+        const double share = double(edited.next_node_number - mesh.next_node_number) / double(mesh.node_count());
+        const StaticsModel model = cantilever(edited, 30, 100, 0.3);
+        const StaticsSolution found = solver.solve(model, context), fresh = solved(model);
+        CHECK_FALSE(found.kept_preconditioner);
+        CHECK(found.energy_error <= StaticsSolver::tolerance);
+        CHECK(found.strain_energy == Approx(fresh.strain_energy).epsilon(1e-7));
+        if (radius < 5) {
+            CHECK(found.kept_start_share == Approx(1 - share));
+            CHECK(found.iterations <= fresh.iterations / 2);  // nothing else than the numbers is new
+        } else {
+            CHECK(found.kept_start_share == 0);
+            CHECK(found.iterations == fresh.iterations);
+        }
+    }
+}
+
 TEST_CASE("flat elements, on which aggregation is slow, are solved by a factor, and its reuse changes no answer") {
     NEEDS_SOLVER();
     const int order = GENERATE(1, 2);
