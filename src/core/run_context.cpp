@@ -4,6 +4,9 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+#include <exception>
+#include <limits>
 #include <utility>
 
 #include "core/errors.h"
@@ -64,6 +67,33 @@ std::shared_ptr<RunContext::Arena> RunContext::arena() const {
     return arena_;
 }
 
+namespace {
+
+/// What the lowest of the chunks that failed threw: the one that one thread would have met.
+class FirstFailure {
+  public:
+    template <class Run>
+    void note_of(std::size_t chunk, const Run& run) {
+        if (chunk > lowest_) return;
+        try {
+            run(chunk);
+        } catch (...) {
+            const std::scoped_lock lock(mutex_);
+            if (chunk < lowest_) lowest_ = chunk, thrown_ = std::current_exception();
+        }
+    }
+    void rethrow() const {
+        if (thrown_) std::rethrow_exception(thrown_);
+    }
+
+  private:
+    std::atomic<std::size_t> lowest_{std::numeric_limits<std::size_t>::max()};
+    std::mutex mutex_;
+    std::exception_ptr thrown_;
+};
+
+}  // namespace
+
 void parallel_for(RunContext& context, std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body) {
     const std::size_t chunks = (count + grain - 1) / grain;
@@ -75,10 +105,13 @@ void parallel_for(RunContext& context, std::size_t count, std::size_t grain,
         for (std::size_t chunk = 0; chunk < chunks; ++chunk) run_chunk(chunk);
         return;
     }
+    FirstFailure failure;
+    const auto try_chunk = [&](std::size_t chunk) { failure.note_of(chunk, run_chunk); };
     on_threads(context, [&] {
         // a thread that waits for its part of this loop must not begin with a part of an outer one
-        tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, chunks, run_chunk); });
+        tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, chunks, try_chunk); });
     });
+    failure.rethrow();
 }
 
 void on_threads(const RunContext& context, const std::function<void()>& work) {

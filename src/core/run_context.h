@@ -87,7 +87,7 @@ class RoundWatch {
 
 /// Runs body(begin, end) over chunks of [0, count) on `context.threads` threads. The chunks depend on `grain` only,
 /// never on the number of threads, so that a body that writes to its own indices gives the same bytes for any number of
-/// threads.
+/// threads. Where several chunks throw, what the first of them threw is thrown, as by one thread.
 void parallel_for(RunContext& context, std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t begin, std::size_t end)>& body);
 

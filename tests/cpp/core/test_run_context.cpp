@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
 #include <numeric>
+#include <stdexcept>
+#include <string>
+#include <thread>
 #include <vector>
 
 #include "catch.h"
@@ -37,4 +41,22 @@ TEST_CASE("a nested step is not counted in the outer one") {
     CHECK(context.seconds().at("outer") >= 0);
     CHECK(context.seconds().at("inner") >= 0);
     CHECK(context.seconds().size() == 2);
+}
+
+TEST_CASE("of chunks that fail the first one tells why, for any number of threads") {
+    for (int threads : {1, 2, 5})
+        for (int repeat = 0; repeat < 50; ++repeat) {
+            RunContext context;
+            context.threads = threads;
+            std::string told;
+            try {
+                parallel_for(context, 64, 1, [](std::size_t chunk, std::size_t) {
+                    if (chunk >= 7) throw std::runtime_error(std::to_string(chunk));
+                    std::this_thread::sleep_for(std::chrono::microseconds(50));
+                });
+            } catch (const std::runtime_error& failure) {
+                told = failure.what();
+            }
+            CHECK(told == "7");
+        }
 }
