@@ -201,20 +201,44 @@ Box octant_of(const Box& box, int octant) {
 }
 
 /// Halves cells until the field hardly changes within one; cells at the global size have nothing extra.
-void collect_cells(const SizingField& sizing, double slope, const Box& box, int depth, std::vector<Cell>& cells,
-                   RoundWatch& watch) {
-    watch();
-    const Vec3 center = box.center();
-    const double h = sizing.at(center), reach = slope * 0.5 * box.diagonal(), size = sizing.largest();
-    if (depth < 9 && reach > 0.3 * h && h - reach < size) {
-        for (int octant = 0; octant < 8; ++octant)
-            collect_cells(sizing, slope, octant_of(box, octant), depth + 1, cells, watch);
-        return;
+class CellCollector {
+  public:
+    CellCollector(const SizingField& sizing, const RunContext& context)
+        : sizing_(sizing), slope_(sizing.growth() - 1), watch_(context) {}
+
+    /// As deep as so many looks allow: a size far too small would be halved down to for minutes.
+    std::vector<Cell> collect(const Box& box) {
+        constexpr int deepest = 9;
+        for (deepest_ = deepest;; --deepest_) {
+            cells_.clear(), looks_ = 0;
+            look_at(box, 0);
+            if (looks_ < most_looks) return std::move(cells_);
+        }
     }
-    const Vec3 s = box.size();
-    const double extra = s.x * s.y * s.z * (1 / (h * h * h) - 1 / (size * size * size));
-    if (extra > 0) cells.push_back({center, extra});
-}
+
+  private:
+    static constexpr int most_looks = 1 << 21;
+
+    void look_at(const Box& box, int depth) {
+        watch_();
+        if (++looks_ >= most_looks) return;
+        const Vec3 center = box.center();
+        const double h = sizing_.at(center), reach = slope_ * 0.5 * box.diagonal(), size = sizing_.largest();
+        if (depth < deepest_ && reach > 0.3 * h && h - reach < size) {
+            for (int octant = 0; octant < 8; ++octant) look_at(octant_of(box, octant), depth + 1);
+            return;
+        }
+        const Vec3 s = box.size();
+        const double extra = s.x * s.y * s.z * (1 / (h * h * h) - 1 / (size * size * size));
+        if (extra > 0) cells_.push_back({center, extra});
+    }
+
+    const SizingField& sizing_;
+    const double slope_;
+    RoundWatch watch_;
+    int deepest_ = 0, looks_ = 0;
+    std::vector<Cell> cells_;
+};
 
 bool is_inside(const Brep& brep, std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>>& classifiers,
                const Vec3& p) {
@@ -299,9 +323,7 @@ double estimate_tets(const Brep& brep, const SizingField& sizing, const RunConte
                                     least_per_square * squares);
     double finer = 0;  // cubes more
     if (!sizing.is_uniform()) {
-        std::vector<Cell> cells;
-        RoundWatch watch(context);
-        collect_cells(sizing, sizing.growth() - 1, brep.box(), 0, cells, watch);
+        const std::vector<Cell> cells = CellCollector(sizing, context).collect(brep.box());
         double extra = 0;
         for (const Cell& cell : cells) extra += cell.extra;
         if (extra > 0) finer = extra * share_inside(brep, cells, extra, context);

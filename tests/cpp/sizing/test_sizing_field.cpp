@@ -362,3 +362,14 @@ TEST_CASE("asking again for what is asked for asks for half of it, however often
     }
     CHECK(shorter_than_asked(field, {p, 0.2}).size == 0.2);
 }
+
+// Halving all of the part down to such sizes takes minutes.
+TEST_CASE("a size far too small is soon told to make too many tets") {
+    const Brep brep = block_with_hole();
+    SizingOptions options = of_size(0.01);
+    options.local = {{entity_of(VertexId(0)), 0.002}};
+    const double tets = estimate_tets(brep, sizing_of(brep, options)),
+                 plain = estimate_tets(brep, sizing_of(brep, of_size(0.01)));
+    CHECK(tets > plain);
+    CHECK(tets < 1.01 * plain);
+}
