@@ -273,7 +273,7 @@ class Interpreter {
         feature(i).after = view_.geometry_of(record(i));
         if (base >= 0) feature(i).before = view_.geometry_of(record(base));
         // The repeated volumes belong to features before this one.
-        const bool repeats = meanings_[i].kind == Kind::chain_pattern;
+        const bool repeats = base >= 0 && meanings_[i].kind == Kind::chain_pattern;
         if (repeats) evaluate(base, context);
         if (!(repeats && take_instances(i, base)) && !take_own_volume(i) && !take_difference(i))
             return take_shape(i, context);

@@ -199,6 +199,15 @@ TEST_CASE("a linear pattern is one volume per further occurrence, placed by its 
     }
 }
 
+TEST_CASE("a pattern that repeats nothing known is its own shape") {
+    DocumentMaker maker;
+    const TopoDS_Shape pad = box(0, 0, 0, 40, 10, 5);
+    maker.add("Pattern", "PartDesign::LinearPattern", {}, pad, pad);
+    const FeatureTree tree = interpret(maker.done());
+    CHECK(named(tree, "Pattern").operands.empty());
+    CHECK(named(tree, "Pattern").volumes.size() == 1);
+}
+
 TEST_CASE("polar patterns and mirrors") {
     const TopoDS_Shape disc = cylinder({0, 0, 0}, {0, 0, 1}, 20, 5), tool = box(10, 2, -1, 4, 3, 7),
                        first = cut(disc, tool);
