@@ -76,6 +76,17 @@ void check_owners(const std::vector<Id>& owners, std::size_t count, const char* 
             findings.add<Code::entity_out_of_range>(say<Code::array_entry>(array, owners[i].value, i));
 }
 
+/// Counts of vertices and edges are not known, nor others of which nothing is expected.
+void check_entities(const Mesh& mesh, const Expectation& expected, Findings& findings) {
+    const std::array<std::size_t, 4> counts{0, 0, expected.solids_beside_face.size(), expected.solid_volumes.size()};
+    for (std::size_t n = 0; n < mesh.entities.size(); ++n) {
+        const auto [dim, index] = mesh.entities[n];
+        const std::size_t count = dim >= 0 && dim <= 3 ? counts[static_cast<std::size_t>(dim)] : 0;
+        if (dim < 0 || dim > 3 || index < 0 || (count > 0 && static_cast<std::size_t>(index) >= count))
+            findings.add<Code::entity_out_of_range>(say<Code::array_entry>("entities", index, n));
+    }
+}
+
 void check_ranges(const Mesh& mesh, const Expectation& expected, Findings& findings) {
     const std::size_t corners = mesh.corner_count, nodes = mesh.points.size();
     check_nodes(mesh.segments, 0, corners, "segments", findings);
@@ -91,6 +102,7 @@ void check_ranges(const Mesh& mesh, const Expectation& expected, Findings& findi
     check_owners(mesh.segment_edges, 0, "segment_edges", findings);
     check_owners(mesh.triangle_faces, expected.solids_beside_face.size(), "triangle_faces", findings);
     check_owners(mesh.tet_solids, expected.solid_volumes.size(), "tet_solids", findings);
+    check_entities(mesh, expected, findings);
     for (std::size_t i = 0; i < nodes; ++i)
         if (!std::isfinite(mesh.points[i].x + mesh.points[i].y + mesh.points[i].z))
             findings.add<Code::coordinate_not_finite>(say<Code::just_number>(mesh.node_numbers[i]));

@@ -147,6 +147,9 @@ TEST_CASE("numbers, arrays and ids") {
               "node out of range: tets has 27 at place 2"));
     CHECK(has(messages_after([](Mesh& m, Expectation&) { m.triangle_faces[2] = FaceId(6); }),
               "face, edge or solid out of range"));
+    for (const Entity wrong : {Entity{4, 0}, Entity{-1, 0}, Entity{3, 1}, Entity{3, -1}, Entity{2, 6}, Entity{1, -1}})
+        CHECK(has(messages_after([&](Mesh& m, Expectation&) { m.entities[13] = wrong; }),
+                  "face, edge or solid out of range: entities has"));
     CHECK(
         has(messages_after([](Mesh& m, Expectation&) { m.points[5].y = std::nan(""); }), "coordinate is not a number"));
 }
