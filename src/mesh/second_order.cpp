@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <queue>
+#include <utility>
 
 #include "mesh/side_table.h"
 
@@ -272,24 +274,42 @@ Number number_of(const Mesh& mesh, int dim, std::size_t element) {
     return numbers[element];
 }
 
-/// Where kept elements were in the arrays of the kept 10-node mesh, found by their numbers.
+/// Where kept elements were in the arrays of the kept 10-node mesh, found by their numbers: in a table from the first
+/// number to the last, or, where that would be far longer than there are elements, in a sorted list.
 class KeptPlaces {
   public:
-    KeptPlaces() = default;
-    KeptPlaces(const Mesh& kept, const RunContext& context)
-        : place_(static_cast<std::size_t>(kept.next_element_number), -1) {
+    KeptPlaces(const Mesh& kept, const RunContext& context) {
+        std::size_t count = 0;
+        for (const auto* numbers : {&kept.segment_numbers, &kept.triangle_numbers, &kept.tet_numbers}) {
+            count += numbers->size();
+            for (const Number n : *numbers) first_ = std::min(first_, n), last_ = std::max(last_, n);
+        }
+        if (count == 0) return;
+        constexpr std::uint64_t sparse = 8;
+        const auto reach = static_cast<std::uint64_t>(last_) - static_cast<std::uint64_t>(first_);
+        if (reach < sparse * count) table_.assign(reach + 1, -1);
         for_each_element(kept, {}, context, [&](int dim, std::size_t element) {
-            place_[static_cast<std::size_t>(number_of(kept, dim, element))] = static_cast<std::int32_t>(element);
+            const Number number = number_of(kept, dim, element);
+            if (table_.empty())
+                list_.emplace_back(number, static_cast<std::int32_t>(element));
+            else
+                table_[static_cast<std::size_t>(number - first_)] = static_cast<std::int32_t>(element);
         });
+        std::sort(list_.begin(), list_.end());
     }
     /// -1 for a new element, of which a corner may be a kept one that was moved.
     std::int32_t of(const Mesh& mesh, int dim, std::size_t element) const {
-        const auto number = static_cast<std::size_t>(number_of(mesh, dim, element));
-        return number < place_.size() ? place_[number] : -1;
+        const Number number = number_of(mesh, dim, element);
+        if (number < first_ || number > last_) return -1;
+        if (!table_.empty()) return table_[static_cast<std::size_t>(number - first_)];
+        const auto at = std::lower_bound(list_.begin(), list_.end(), std::pair{number, std::int32_t{0}});
+        return at->first == number ? at->second : -1;
     }
 
   private:
-    std::vector<std::int32_t> place_;
+    Number first_ = std::numeric_limits<Number>::max(), last_ = std::numeric_limits<Number>::min();
+    std::vector<std::int32_t> table_;
+    std::vector<std::pair<Number, std::int32_t>> list_;
 };
 
 void take_over_node(Mesh& mesh, const Mesh& kept, std::size_t old) {

@@ -183,6 +183,24 @@ TEST_CASE("kept mid-side nodes keep bits, numbers and order") {
     CHECK(partly.node_count() == kept.node_count());
 }
 
+TEST_CASE("kept mid-side nodes are found whatever numbers the elements have") {
+    for (const Number apart : {Number{1}, Number{1000000000000}}) {
+        const auto spread = [&](Mesh& mesh) {
+            for (auto* numbers : {&mesh.segment_numbers, &mesh.triangle_numbers, &mesh.tet_numbers})
+                for (Number& number : *numbers) number *= apart;
+            mesh.next_element_number *= apart;
+        };
+        Mesh kept = box_with_moved_mids(), now = box_mesh(2);
+        now.next_node_number = kept.next_node_number;
+        spread(kept), spread(now);
+        std::swap(now.tets[0], now.tets[1]), std::swap(now.tet_numbers[0], now.tet_numbers[1]);
+        CHECK(add_mid_side_nodes(now, &kept).empty());
+        CHECK(now.point(now.tet_mids[0][0]) == kept.point(kept.tet_mids[1][0]));
+        CHECK(now.point(now.tet_mids[1][0]) == kept.point(kept.tet_mids[0][0]));
+        CHECK(now.point(now.tet_mids[2][5]) == kept.point(kept.tet_mids[2][5]));
+    }
+}
+
 TEST_CASE("kept mid-side nodes follow new corners and serve new elements") {
     const Mesh kept = box_with_moved_mids();
     Mesh more = box_mesh(2);
