@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "bindings.h"
@@ -51,12 +53,21 @@ Scalar read_one(const py::dict& arrays, const char* name) {
     return values.front();
 }
 
+template <class Nodes>
+void check_nodes(const Nodes& row, std::size_t nodes) {
+    for (const NodeId n : row)
+        if (!n.is_valid() || n.index() >= nodes)
+            throw StateError(say<Code::damaged_state>("The saved mesh refers to nodes that it does not have."));
+}
 template <std::size_t N>
 void check_nodes(const std::vector<std::array<NodeId, N>>& rows, std::size_t nodes) {
-    for (const auto& row : rows)
-        for (const NodeId n : row)
-            if (!n.is_valid() || n.index() >= nodes)
-                throw StateError(say<Code::damaged_state>("The saved mesh refers to nodes that it does not have."));
+    for (const auto& row : rows) check_nodes(row, nodes);
+}
+
+void check_places(const std::vector<Vec3>& points) {
+    const auto is_finite = [](const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); };
+    if (!std::all_of(points.begin(), points.end(), is_finite))
+        throw StateError(say<Code::damaged_state>("The saved mesh has coordinates that are no numbers."));
 }
 
 void check_sizes(const Mesh& mesh) {
@@ -70,7 +81,8 @@ void check_sizes(const Mesh& mesh) {
         mesh.triangle_mids.size() != mids * mesh.triangles.size() || mesh.tet_mids.size() != mids * mesh.tets.size())
         throw StateError(say<Code::damaged_state>("The saved mesh is cut short: its arrays do not fit together."));
     check_nodes(mesh.segments, n), check_nodes(mesh.triangles, n), check_nodes(mesh.tets, n);
-    check_nodes(mesh.triangle_mids, n), check_nodes(mesh.tet_mids, n);
+    check_nodes(mesh.segment_mids, n), check_nodes(mesh.triangle_mids, n), check_nodes(mesh.tet_mids, n);
+    check_places(mesh.points);
 }
 
 py::array_t<double> wanted_sizes(const PartMesh& part,
@@ -151,7 +163,7 @@ Mesh mesh_from(const py::dict& arrays) {
     Mesh mesh;
     std::vector<Number> counters;
     read<Number>(arrays, "counters", counters);
-    if (counters.size() != 4 || counters[1] < 0)
+    if (counters.size() != 4 || (counters[0] != 1 && counters[0] != 2) || counters[1] < 0)
         throw StateError(say<Code::damaged_state>("The saved mesh has damaged counters."));
     mesh.order = int(counters[0]);
     mesh.corner_count = std::size_t(counters[1]);

@@ -8,6 +8,7 @@ import unittest
 from unittest import mock
 
 import FreeCAD
+import numpy as np
 import ObjectsFem
 from freecad.featuremesh import api, engine, engine_places, mesh_object, mesh_properties, state, versions
 from freecad.featuremesh.errors import EngineMissing, UserError
@@ -224,6 +225,14 @@ class NarrowFace(unittest.TestCase):
             arrays = {other: values for other, values in saved.arrays.items() if other != name}
             with self.subTest(without=name), self.assertRaisesRegex(engine.load().StateError, "The saved mesh has no array '%s'" % name):
                 engine.load().restore_part(saved.raw, saved.options, arrays)
+
+    def test_the_engine_refuses_arrays_with_impossible_numbers(self):
+        saved = state.load(self.mesh.SavedState)
+        for name, damage in (("counters", 3), ("points", np.nan), ("entities", (9, 0)), ("entities", (3, 77)), ("tets", -7)):
+            damaged = np.array(saved.arrays[name])
+            damaged[0] = damage
+            with self.subTest(name=name, damage=damage), self.assertRaises(engine.load().StateError):
+                engine.load().restore_part(saved.raw, saved.options, {**saved.arrays, name: damaged})
 
 
 class IgnoredDetails(unittest.TestCase):
