@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind_statics.h"
 
+#include <chrono>
 #include <map>
 #include <mutex>
 
@@ -97,24 +98,21 @@ py::dict to_dict(const StaticsSolution& solution, const std::map<std::string, do
     return out;
 }
 
-/// Solvers that are kept between calls, by the caller's key; each serves one caller at a time.
-struct KeptSolver {
-    std::mutex mutex;
-    StaticsSolver solver;
-};
-std::mutex kept_mutex;
-std::map<std::string, std::shared_ptr<KeptSolver>> kept_solvers;
+/// PETSc serves one thread at a time, whichever solver is whose: who starts it, solves or frees takes this.
+std::timed_mutex petsc_mutex;
+std::map<std::string, StaticsSolver> kept_solvers;  ///< between calls, by the caller's key
 
-std::shared_ptr<KeptSolver> solver_of(const std::string& key) {
-    const std::lock_guard lock(kept_mutex);
-    if (key.empty()) return std::make_shared<KeptSolver>();
-    auto& kept = kept_solvers[key];
-    if (!kept) kept = std::make_shared<KeptSolver>();
-    return kept;
+/// Throws Cancelled when the caller no longer wants to wait.
+std::unique_lock<std::timed_mutex> wait_for_petsc(RunContext& context) {
+    std::unique_lock lock(petsc_mutex, std::defer_lock);
+    while (!lock.try_lock_for(std::chrono::milliseconds(50))) context.check_cancelled();
+    return lock;
 }
 
+/// Python goes on while this waits for a solution under way, which may ask it for its progress.
 void forget(const std::string& key) {
-    const std::lock_guard lock(kept_mutex);
+    const py::gil_scoped_release release;
+    const std::lock_guard lock(petsc_mutex);
     kept_solvers.erase(key);
 }
 
@@ -128,18 +126,19 @@ py::dict solve(const py::dict& arrays, const py::dict& given, const std::string&
                              values_of<double>(given["loads"].cast<Rows>()),
                              std::vector<char>(held.data(), held.data() + held.size()),
                              values_of<double>(given["given"].cast<Rows>())};
-    const std::shared_ptr<KeptSolver> kept = solver_of(keep);
     std::map<std::string, double> seconds;
     const StaticsSolution solution = run_released(progress, threads, [&](RunContext& context) {
-        const std::lock_guard lock(kept->mutex);
+        const auto lock = wait_for_petsc(context);
+        StaticsSolver for_this_call;
+        StaticsSolver& solver = keep.empty() ? for_this_call : kept_solvers[keep];
         try {
-            StaticsSolution found = kept->solver.solve(model, context);
+            StaticsSolution found = solver.solve(model, context);
             seconds = context.seconds();
             return found;
         } catch (const Cancelled&) {  // what it had set up by then serves the next one
             throw;
         } catch (...) {
-            kept->solver.forget();
+            solver.forget();
             throw;
         }
     });

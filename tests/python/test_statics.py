@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The live solver: what it reads of an analysis is what FreeCAD writes for CalculiX, and what it finds is what CalculiX finds."""
+import concurrent.futures
 import json
 import os
 import random
@@ -477,6 +478,19 @@ class OnTheArrays(Case):
         for other in others:
             for name in ("displacements", "stresses", "reactions"):
                 self.assertEqual(other[name].tobytes(), first[name].tobytes(), name)
+
+    def test_solutions_asked_for_at_the_same_time_are_made_one_after_another(self):
+        """PETSc itself can neither start nor solve on two threads at a time."""
+        arrays = self.arrays(1, 4.0)
+        model = self.model(arrays, arrays["points"][:, 0] == 0, np.zeros_like)
+        model["loads"][:, 2] = -1.0
+
+        def solve(key):
+            found = [engine.load().solve_statics(arrays, model, keep=key)["displacements"].tobytes() for _ in range(3)]
+            engine.load().forget_statics(key)
+            return found[0]
+        with concurrent.futures.ThreadPoolExecutor(4) as threads:
+            self.assertEqual(len(set(threads.map(solve, ("", "one", "two", "three")))), 1)
 
     def test_cantilever_comes_to_the_beam_with_shear(self):
         length, side, force = 100.0, 10.0, 1000.0
