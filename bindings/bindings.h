@@ -6,9 +6,14 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <exception>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 
+#include "core/errors.h"
 #include "update/part_mesh.h"
 
 namespace featuremesh {
@@ -42,18 +47,33 @@ MeshOptions options_made_with(const py::dict& arrays, MeshOptions asked);
 py::object motion_matrix(const RigidMotion& motion);
 
 using Progress = std::optional<py::function>;
-/// Runs engine work without the GIL, with the caller's progress function.
+/// More than any machine has: oneTBB makes room for all that are asked for.
+constexpr int most_threads = 1024;
+
+/// Runs engine work without the GIL, with the caller's progress function. What that raises cancels the work, which
+/// takes it for no failure of its own, and is raised then.
 template <class Work>
 auto run_released(const Progress& progress, int threads, Work work) {
     RunContext context;
-    context.threads = threads;
+    context.threads = std::min(threads, most_threads);
+    std::exception_ptr raised;
     if (progress)
-        context.on_progress = [progress](std::string_view step, double share) {
+        context.on_progress = [&](std::string_view step, double share) {
             const py::gil_scoped_acquire gil;
-            return (*progress)(std::string(step), share).template cast<bool>();
+            try {
+                return (*progress)(std::string(step), share).template cast<bool>();
+            } catch (...) {
+                raised = std::current_exception();
+                return false;
+            }
         };
     const py::gil_scoped_release released;
-    return work(context);
+    try {
+        return work(context);
+    } catch (const Cancelled&) {
+        if (raised) std::rethrow_exception(raised);
+        throw;
+    }
 }
 
 }  // namespace featuremesh

@@ -21,6 +21,12 @@ def groups_of(mesh):
             for group in fem_mesh.Groups}
 
 
+def interrupt(now):
+    if now:
+        raise KeyboardInterrupt
+    return True
+
+
 class MeshObject(MeshedPlate):
     def assert_on_the_part(self, mesh=None):
         """Every node of the hole's face is at the hole's radius around its axis, as FreeCAD itself finds them."""
@@ -118,6 +124,17 @@ class MeshObject(MeshedPlate):
         with self.assertRaises(engine.load().Cancelled):
             api.update_mesh(self.mesh, progress=lambda step, share: False)
         self.assertEqual(points_of(self.mesh), before)
+        api.update_mesh(self.mesh)
+        self.assert_on_the_part()
+
+    def test_what_the_progress_function_raises_ends_an_update(self):
+        before = points_of(self.mesh)
+        self.mesh.Automatic = False
+        self.edit()
+        for wanted in ("keep", "volume", "validate"):
+            with self.subTest(step=wanted), self.assertRaises(KeyboardInterrupt):
+                api.update_mesh(self.mesh, progress=lambda step, share, wanted=wanted: interrupt(step == wanted))
+            self.assertEqual(points_of(self.mesh), before)
         api.update_mesh(self.mesh)
         self.assert_on_the_part()
 

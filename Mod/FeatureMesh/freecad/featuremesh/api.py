@@ -96,7 +96,7 @@ def adopt_mesh(foreign, part=None, size=None, progress=None):
     try:
         mesh.MeshRegionList = [region for region in getattr(foreign, "MeshRegionList", []) if not getattr(region, "Suppressed", False)]
         report = mesh.Proxy.adopt(mesh, arrays, progress)
-    except Exception:
+    except BaseException:
         mesh.Document.removeObject(mesh.Name)
         raise
     for analysis in [obj for obj in foreign.InList if obj.isDerivedFrom("Fem::FemAnalysis")]:
