@@ -175,7 +175,9 @@ bool ignore_the_same(const MeshOptions& old, const MeshOptions& now) {
 }
 
 void check_ignored(const MeshOptions& options) {
-    if (std::isfinite(options.ignore_below) && options.ignore_below <= 0.5 * options.sizing.size) return;
+    const double below = options.ignore_below, size = options.sizing.size;
+    if (below <= 0 || !(size > 0)) return;  // who makes the sizes says what is wrong with this one
+    if (std::isfinite(below) && below <= 0.5 * size) return;
     throw InputError(say<Code::ignored_too_large>(Length{options.ignore_below}, Length{options.sizing.size}));
 }
 
@@ -510,6 +512,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
 }
 
 PartMeshResult adopt_part(RawDocument document, const MeshOptions& asked, const Mesh& foreign, RunContext& context) {
+    if (foreign.tets.empty()) throw InputError(say<Code::no_elements>());
     if (asked.order != foreign.order) throw InputError(say<Code::adopted_of_other_order>());
     MeshOptions options = with_pieces_round_rods(asked);
     options.sizing.refines_narrow_faces = false;

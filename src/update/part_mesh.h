@@ -60,7 +60,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
 /// is filled anew and reported. Of `foreign` the nodes, tets, numbers and counters count; its triangles and segments
 /// only give theirs their numbers. options.order is its order. Where its edges are clearly shorter than the wanted size
 /// they are the wanted size from then on, until a mesh is made from scratch. Throws InputError when nothing of it fits,
-/// and for a part without solids.
+/// or it has no tets, and for a part without solids.
 PartMeshResult adopt_part(RawDocument document, const MeshOptions& options, const Mesh& foreign, RunContext& context);
 
 /// Rebuilds the state of a part whose mesh was saved. Throws StateError when mesh and part do not fit.

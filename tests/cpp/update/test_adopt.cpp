@@ -278,6 +278,13 @@ TEST_CASE("a mesh from before an edit is brought up to the part") {
     check(plain_plate(), plate(31, 0.4), "not followed");
 }
 
+TEST_CASE("a mesh without tets is refused") {
+    Mesh foreign = foreign_copy(meshed(plate(20), 1)->mesh);
+    foreign.tets.clear(), foreign.tet_solids.clear(), foreign.tet_numbers.clear();
+    CHECK_THROWS_AS(adopted(plate(20), foreign), InputError);
+    CHECK_THROWS_AS(adopted(plate(20), Mesh{}), InputError);
+}
+
 TEST_CASE("nothing is taken from the mesh of another part") {
     const Mesh foreign = foreign_copy(meshed(plate(20), 1)->mesh);
     const RawDocument elsewhere = PartDocument().box("Part", {200, 0, 0}, {60, 30, 6}).finish();

@@ -11,6 +11,7 @@
 
 #include "catch.h"
 #include "core/errors.h"
+#include "core/messages.h"
 #include "mesh/validation.h"
 #include "part_documents.h"
 #include "part_meshes.h"
@@ -270,6 +271,22 @@ TEST_CASE("a mesh of another part is not restored") {
     const auto old = meshed(plate_with_hole(15), options_of(3)).part_mesh;
     RunContext context;
     CHECK_THROWS_AS(restore_part(block_and_cylinder(15), options_of(3), old->mesh, context), StateError);
+}
+
+TEST_CASE("a size that is none is refused as what it is") {
+    for (const double size : {0.0, -5.0, std::nan("")})
+        for (const double ignored : {-1.0, 0.0, 1.0}) {
+            MeshOptions options;
+            options.sizing.size = size;
+            options.ignore_below = ignored;
+            RunContext context;
+            try {
+                mesh_part(plate_with_hole(20), options, context);
+                FAIL("it was meshed");
+            } catch (const InputError& refusal) {
+                CHECK(refusal.message.code() == Code::size_not_positive);
+            }
+        }
 }
 
 TEST_CASE("too many tets are refused with their number") {
