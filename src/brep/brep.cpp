@@ -27,6 +27,7 @@
 #include "brep/volumes/flux.h"
 #include "core/errors.h"
 #include "core/messages.h"
+#include "core/sort_once.h"
 
 namespace featuremesh {
 
@@ -313,8 +314,7 @@ std::vector<FaceId> Brep::faces_at(Entity entity) const {
         const auto [first, last] = data_->face_around.equal_range(VertexId(entity.index));
         for (auto it = first; it != last; ++it) faces.push_back(it->second);
     }
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    sort_once(faces);
     return faces;
 }
 bool Brep::is_degenerated(EdgeId id) const { return data_->is_degenerated[id.index()]; }

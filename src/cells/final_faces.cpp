@@ -9,6 +9,9 @@
 
 #include "brep/face_probe.h"
 #include "core/box_tree.h"
+#include "core/geometry.h"
+#include "core/ids.h"
+#include "core/sort_once.h"
 
 namespace featuremesh {
 
@@ -37,8 +40,7 @@ class Matcher {
         for (std::size_t f = 0; f < final_faces_.size(); ++f)
             if (model_.owners_of_final_face[f].empty()) find_owners(FaceId(f), false);
         for (auto& owners : model_.owners_of_final_face) {
-            std::sort(owners.begin(), owners.end());
-            owners.erase(std::unique(owners.begin(), owners.end()), owners.end());
+            sort_once(owners);
         }
     }
 

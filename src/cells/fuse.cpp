@@ -20,17 +20,15 @@
 #include "cells/section_filler.h"
 #include "cells/solid_splitter.h"
 #include "core/errors.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "core/on_threads.h"
+#include "core/sort_once.h"
+#include "core/tolerances.h"
 
 namespace featuremesh {
 
 namespace {
-
-template <class T>
-void sort_unique(std::vector<T>& list) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 
 /// A solid or a face that goes into a fuse, with everybody who owns it.
 struct Source {
@@ -130,8 +128,8 @@ class Collector {
         for (std::size_t c = 0; c < complex_.cells.size(); ++c) add_faces(CellId(c));
         measure();
         for (const Source& face : sources.faces) own_faces(face, builder);
-        for (Cell& cell : complex_.cells) sort_unique(cell.owners);
-        for (CellFace& face : complex_.faces) sort_unique(face.owners);
+        for (Cell& cell : complex_.cells) sort_once(cell.owners);
+        for (CellFace& face : complex_.faces) sort_once(face.owners);
     }
 
     FusedComplex take() { return std::move(complex_); }
@@ -285,7 +283,7 @@ FusedComplex fuse_one_by_one(std::vector<FuseArgument> arguments, const FuseOpti
         complex.work = options.work - left;
         check_arguments(complex, arguments, volumes);
         complex.offenders.insert(complex.offenders.end(), left_out.begin(), left_out.end());
-        sort_unique(complex.offenders);
+        sort_once(complex.offenders);
     } catch (const Standard_Failure& failure) {
         complex = {};
         complex.trouble = std::string("the kernel gave up: ") + failure.GetMessageString();

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/sort_once.h"
+
 namespace featuremesh {
 
 double period_of(const UnderlyingCurve& curve) {
@@ -343,8 +345,7 @@ class Matcher {
                 for (const VertexId v : model.brep().ends_of(e))
                     if (v.is_valid()) result.push_back(v);
         }
-        std::sort(result.begin(), result.end());
-        result.erase(std::unique(result.begin(), result.end()), result.end());
+        sort_once(result);
         return result;
     }
 

@@ -6,6 +6,9 @@
 #include <numbers>
 #include <tuple>
 
+#include "core/geometry.h"
+#include "core/sort_once.h"
+
 namespace featuremesh {
 namespace {
 
@@ -91,8 +94,7 @@ void SharpAngles::find_wedge_faces(const std::vector<char>& is_sharp_segment) {
     for (std::size_t i = 0; i + 1 < faces_at.size(); ++i)
         for (std::size_t j = i + 1; j < faces_at.size() && faces_at[j].first == faces_at[i].first; ++j)
             if (faces_at[i].second != faces_at[j].second) wedges_.push_back({faces_at[i].second, faces_at[j].second});
-    std::sort(wedges_.begin(), wedges_.end());
-    wedges_.erase(std::unique(wedges_.begin(), wedges_.end()), wedges_.end());
+    sort_once(wedges_);
 
     std::vector<FaceId> of_wedges;
     for (const auto& [a, b] : wedges_) of_wedges.insert(of_wedges.end(), {a, b});
@@ -100,8 +102,7 @@ void SharpAngles::find_wedge_faces(const std::vector<char>& is_sharp_segment) {
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
         if (std::binary_search(of_wedges.begin(), of_wedges.end(), mesh_.triangle_faces[t]))
             for (const NodeId n : mesh_.triangles[t]) on_wedge_.push_back({n.value, mesh_.triangle_faces[t].value});
-    std::sort(on_wedge_.begin(), on_wedge_.end());
-    on_wedge_.erase(std::unique(on_wedge_.begin(), on_wedge_.end()), on_wedge_.end());
+    sort_once(on_wedge_);
 }
 
 bool SharpAngles::lies_on(NodeId node, FaceId face) const {

@@ -17,7 +17,9 @@
 #include <utility>
 
 #include "core/errors.h"
+#include "core/message.h"
 #include "core/messages.h"
+#include "core/sort_once.h"
 #include "surface/projection.h"
 
 namespace featuremesh {
@@ -354,8 +356,7 @@ class KeptCutter {
     void find_poles() {
         for (const BoundarySegment& s : boundary_.segments)
             if (s.is_pole) poles_.push_back(node_at(s.a));
-        std::sort(poles_.begin(), poles_.end());
-        poles_.erase(std::unique(poles_.begin(), poles_.end()), poles_.end());
+        sort_once(poles_);
     }
 
     /// Which corner of a kept triangle is a pole; -1 for none.

@@ -15,8 +15,10 @@
 #include <numeric>
 #include <utility>
 
+#include "core/geometry.h"
 #include "core/messages.h"
 #include "core/numbers_in_words.h"
+#include "core/sort_once.h"
 #include "core/sorted_pair.h"
 #include "surface/projection.h"
 
@@ -30,8 +32,7 @@ std::vector<std::vector<BodyId>> bodies_of_vertices(const Brep& brep) {
         for (const FaceId f : brep.faces_at(entity_of(VertexId(v))))
             for (const BodyId body : brep.bodies_of(f))
                 if (body.is_valid()) bodies[v].push_back(body);
-        std::sort(bodies[v].begin(), bodies[v].end());
-        bodies[v].erase(std::unique(bodies[v].begin(), bodies[v].end()), bodies[v].end());
+        sort_once(bodies[v]);
     }
     return bodies;
 }

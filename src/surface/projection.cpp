@@ -341,6 +341,15 @@ std::optional<OnFace> Projector::nearest_by_steps(FaceId face, const Vec3& p, st
     return std::nullopt;
 }
 
+std::optional<OnEntity> Projector::nearest_by_steps(Entity entity, const Vec3& p, std::array<double, 2> guess) const {
+    if (entity.dim == 1) {
+        const OnEdge there = nearest(EdgeId(entity.index), p, guess[0]);
+        return OnEntity{there.point, {there.t, 0}};
+    }
+    const std::optional<OnFace> there = nearest_by_steps(FaceId(entity.index), p, guess);
+    return there ? std::optional(OnEntity{there->point, there->uv}) : std::nullopt;
+}
+
 bool Projector::is_inside_trim(FaceId face, std::array<double, 2> uv) const {
     SurfaceData& s = data_->surface(face);
     if (s.u_period == 0 && s.v_period == 0 && WireTrim::pays_for(s.face)) {
@@ -369,6 +378,15 @@ Vec3 Projector::normal(FaceId face, std::array<double, 2> uv) const {
     }
     n = normalized(n);
     return s.face.Orientation() == TopAbs_REVERSED ? -n : n;
+}
+
+Vec3 Projector::along(Entity entity, std::array<double, 2> parameters, const Vec3& direction) const {
+    if (entity.dim == 1) {
+        const Vec3 way = tangent(EdgeId(entity.index), parameters[0]);
+        return dot(direction, way) * way;
+    }
+    const Vec3 across = normal(FaceId(entity.index), parameters);
+    return direction - dot(direction, across) * across;
 }
 
 }  // namespace featuremesh

@@ -23,6 +23,12 @@ struct OnFace {
     double distance = 0;  ///< from where it was asked, mm
 };
 
+/// A place on an edge, (t, 0), or on a face, (u, v).
+struct OnEntity {
+    Vec3 point;
+    std::array<double, 2> parameters;
+};
+
 /// Evaluates and projects on the entities of one Brep. One object per thread: the kernel's adaptors cache.
 class Projector {
   public:
@@ -46,10 +52,14 @@ class Projector {
     OnFace nearest(FaceId face, const Vec3& p, std::optional<std::array<double, 2>> guess = {}) const;
     /// The same, for a short step from `guess`: none where Newton's iteration does not get there.
     std::optional<OnFace> nearest_by_steps(FaceId face, const Vec3& p, std::array<double, 2> guess) const;
+    /// The same on an edge or a face; on an edge never none.
+    std::optional<OnEntity> nearest_by_steps(Entity entity, const Vec3& p, std::array<double, 2> guess) const;
     /// Whether (u, v) is inside the face's trim or on its boundary within tolerance.
     bool is_inside_trim(FaceId face, std::array<double, 2> uv) const;
     /// Unit normal of the face as oriented in the shape.
     Vec3 normal(FaceId face, std::array<double, 2> uv) const;
+    /// The part of a direction that lies along the edge or in the face there.
+    Vec3 along(Entity entity, std::array<double, 2> parameters, const Vec3& direction) const;
 
   private:
     struct Data;

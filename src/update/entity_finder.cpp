@@ -5,25 +5,17 @@
 #include <TopoDS_Face.hxx>
 
 #include "brep/occt_geometry.h"
+#include "core/sort_once.h"
 
 namespace featuremesh {
-
-namespace {
-
-template <class Id>
-std::vector<Id> sorted_once(std::vector<Id> list) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    return list;
-}
-
-}  // namespace
 
 std::vector<EdgeId> edges_at(const Brep& brep, Entity entity) {
     if (entity.dim == 1) return {EdgeId(entity.index)};
     if (entity.dim != 0) return {};
-    const auto edges = brep.edges_of(VertexId(entity.index));
-    return sorted_once(std::vector<EdgeId>(edges.begin(), edges.end()));
+    const auto at_vertex = brep.edges_of(VertexId(entity.index));
+    std::vector<EdgeId> edges(at_vertex.begin(), at_vertex.end());
+    sort_once(edges);
+    return edges;
 }
 
 std::vector<FaceId> faces_at(const Brep& brep, Entity entity) {

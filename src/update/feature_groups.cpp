@@ -6,6 +6,10 @@
 #include <numeric>
 
 #include "brep/occt_geometry.h"
+#include "core/geometry.h"
+#include "core/sort_once.h"
+#include "features/feature_tree.h"
+#include "mesh/mesh.h"
 #include "update/enclosure.h"
 
 namespace featuremesh {
@@ -84,8 +88,7 @@ std::vector<std::pair<std::string, std::vector<TetId>>> tets_of_features(const P
         context.check_cancelled();
         std::vector<TetId> tets;
         for (const FeatureVolume& volume : feature.volumes) add_tets_in(volume.shape, centroids, tets, context);
-        std::sort(tets.begin(), tets.end());
-        tets.erase(std::unique(tets.begin(), tets.end()), tets.end());
+        sort_once(tets);
         if (!tets.empty()) groups.emplace_back(feature.name, std::move(tets));
     }
     return groups;

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 
+#include "core/geometry.h"
+#include "core/ids.h"
+#include "core/sort_once.h"
+#include "difference/feature_difference.h"
 #include "update/kept_tets.h"
 
 namespace featuremesh {
@@ -14,8 +18,7 @@ std::vector<VertexId> vertices_of(const Brep& brep, FaceId face) {
     for (const EdgeId edge : brep.edges_of(face))
         for (const VertexId end : brep.ends_of(edge))
             if (end.is_valid()) vertices.push_back(end);
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    sort_once(vertices);
     return vertices;
 }
 

@@ -7,6 +7,7 @@
 #include <deque>
 #include <limits>
 
+#include "core/geometry.h"
 #include "mesh/second_order.h"
 
 namespace featuremesh {
@@ -103,13 +104,10 @@ class Patch {
             const Vec3 to = from.points[k] + share * lengths_[k] * by[k];
             if (entity.dim == 3) {
                 mesh_.points[n] = to;
-            } else if (entity.dim == 2) {
-                const auto on = projector_.nearest_by_steps(FaceId(entity.index), to, from.parameters[k]);
-                mesh_.points[n] = on ? on->point : from.points[k];
-                mesh_.parameters[n] = on ? on->uv : from.parameters[k];
             } else {
-                const OnEdge on = projector_.nearest(EdgeId(entity.index), to, from.parameters[k][0]);
-                mesh_.points[n] = on.point, mesh_.parameters[n] = {on.t, 0};
+                const auto on = projector_.nearest_by_steps(entity, to, from.parameters[k]);
+                mesh_.points[n] = on ? on->point : from.points[k];
+                mesh_.parameters[n] = on ? on->parameters : from.parameters[k];
             }
         }
     }
@@ -227,13 +225,7 @@ class Patch {
     Vec3 along_entity(std::size_t k, const Vec3& v) const {
         const std::size_t n = free_[k].index();
         const Entity entity = mesh_.entities[n];
-        if (entity.dim == 3) return v;
-        if (entity.dim == 2) {
-            const Vec3 normal = projector_.normal(FaceId(entity.index), mesh_.parameters[n]);
-            return v - dot(v, normal) * normal;
-        }
-        const Vec3 tangent = projector_.tangent(EdgeId(entity.index), mesh_.parameters[n][0]);
-        return dot(v, tangent) * tangent;
+        return entity.dim == 3 ? v : projector_.along(entity, mesh_.parameters[n], v);
     }
 
     struct Barrier {

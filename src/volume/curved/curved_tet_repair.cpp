@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry.h"
+#include "core/sort_once.h"
 #include "mesh/quality.h"
 #include "mesh/second_order.h"
 #include "volume/curved/curved_tet_descent.h"
@@ -92,7 +94,7 @@ class Unfolding {
         for (NodeId n : nodes) bends.push_back(mesh_.entities[n.index()].dim == 1 ? Vec3{} : bend_of(n, stars.of(n)));
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             const Place start = place(nodes[i], {});
-            if (squared_length(bends[i]) > 0) move(nodes[i], {}, start, bends[i]);
+            if (squared_length(bends[i]) > 0) move(nodes[i], start, bends[i]);
         }
     }
 
@@ -123,8 +125,7 @@ class Unfolding {
         }
         std::vector<NodeId> all;
         for (auto* list : {&inner, &on_faces, &corners, &on_edges}) {
-            std::sort(list->begin(), list->end());
-            list->erase(std::unique(list->begin(), list->end()), list->end());
+            sort_once(*list);
             all.insert(all.end(), list->begin(), list->end());
         }
         return all;
@@ -273,7 +274,7 @@ class Unfolding {
         Place found = start;
         double found_value = best;
         for (const Vec3& direction : directions_) {
-            if (move(n, star, start, step * direction) && !is_bent_too_much(n, star)) {
+            if (move(n, start, step * direction) && !is_bent_too_much(n, star)) {
                 const double value = worst(star, found_value + 1e-6);
                 if (value > found_value + 1e-6 && (!is_corner || keeps_corners_good())) {
                     found_value = value;
@@ -313,25 +314,17 @@ class Unfolding {
         mesh_.parameters[n.index()] = to.parameters;
         for (const auto& [mid, point] : to.followers) mesh_.points[mid.index()] = point;
     }
-    bool move(NodeId n, const std::vector<TetId>&, const Place& from, const Vec3& by) {
+    bool move(NodeId n, const Place& from, const Vec3& by) {
         const Entity entity = mesh_.entities[n.index()];
         if (entity.dim == 3) {
             mesh_.points[n.index()] = from.point + by;
             for (const auto& [mid, point] : from.followers) mesh_.points[mid.index()] = point + by * 0.5;
             return true;
         }
-        Place to = from;
-        if (entity.dim == 1) {
-            const OnEdge on = projector_.nearest(EdgeId(entity.index), from.point + by, from.parameters[0]);
-            to = {on.point, {on.t, 0}, {}};
-        } else {
-            const auto on = projector_.nearest_by_steps(FaceId(entity.index), from.point + by, from.parameters);
-            if (!on) return false;
-            to = {on->point, on->uv, {}};
-        }
+        const auto on = projector_.nearest_by_steps(entity, from.point + by, from.parameters);
         // a step across the curve or surface comes back to where it began
-        if (distance(to.point, from.point) < 0.3 * length(by)) return false;
-        restore(n, to);
+        if (!on || distance(on->point, from.point) < 0.3 * length(by)) return false;
+        restore(n, {on->point, on->parameters, {}});
         return true;
     }
 

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "core/geometry.h"
 #include "volume/delaunay/lattice_seeds.h"
+#include "volume/improvement/corner_operation.h"
 #include "volume/improvement/operations.h"
-#include "volume/improvement/tried_marks.h"
+#include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
 
 namespace {
 
-class ClosePointCollapse : public Operation {
+class ClosePointCollapse : public CornerOperation {
   public:
     ClosePointCollapse(const LocalMesh& mesh, const Objective& objective, const WantedSize& size,
                        std::shared_ptr<TriedMarks> tried)
-        : mesh_(mesh), complex_(mesh.complex()), objective_(objective), size_(size), tried_(std::move(tried)) {}
+        : CornerOperation(mesh, objective, std::move(tried)), size_(size) {}
 
     std::string_view name() const override { return "close point collapse"; }
     bool moves_boundary() const override { return true; }  // what is forced need not be close
@@ -21,32 +23,22 @@ class ClosePointCollapse : public Operation {
     std::unique_ptr<Operation> for_another_thread() const override {
         return std::make_unique<ClosePointCollapse>(mesh_, objective_, size_, tried_);
     }
-    void prepare() override { tried_->make_room(mesh_); }
-
-    bool plan(int tet, Change& change, Footprint& footprint) override {
-        tried_->make_room(mesh_);
-        for (const int v : complex_.tets[tet]) {
-            if (!complex_.is_free(v) || tried_->has(v, mesh_)) continue;
-            const bool is_found = collapse(v, change);
-            footprint.add(star_);
-            if (is_found) return true;
-            tried_->note(v, mesh_);
-        }
-        return false;
-    }
 
   private:
-    bool collapse(int v, Change& change) {
-        if (!gather_star(complex_, v, star_)) return false;
-        gather_neighbours(complex_, v, star_, neighbours_);
+    bool may_help(Mobility corner) const override { return corner == Mobility::free; }
+
+    bool plan_at(int v, Change& change) override {
+        const std::vector<int>& star = star_.tets;
+        if (!mesh_.gather(v, star_)) return false;
+        gather_neighbours(complex_, v, star, neighbours_);
         // where volume is scarce, a vertex that blocks one change may make room for another
-        if (!is_too_close(v) || objective_.excuses_any(complex_, star_)) return false;
-        change.before = objective_.value(complex_, star_);
+        if (!is_too_close(v) || objective_.excuses_any(complex_, star)) return false;
+        change.before = objective_.value(complex_, star);
         change.price = price_of_fewer_tets;
         change.after.worst = inverted_flatness;
         for (const int onto : neighbours_) {
             tets_.clear();
-            for (const int t : star_) {
+            for (const int t : star) {
                 Tet tet = complex_.tets[t];
                 if (std::find(tet.begin(), tet.end(), onto) != tet.end()) continue;
                 std::replace(tet.begin(), tet.end(), v, onto);
@@ -57,7 +49,7 @@ class ClosePointCollapse : public Operation {
                 continue;
             change.after = after;
             change.added.swap(tets_);
-            change.removed = star_;
+            change.removed = star;
         }
         return !change.removed.empty();
     }
@@ -69,12 +61,8 @@ class ClosePointCollapse : public Operation {
                            [&](int other) { return distance(p, complex_.points[other]) < least; });
     }
 
-    const LocalMesh& mesh_;
-    const TetComplex& complex_;
-    const Objective& objective_;
     const WantedSize& size_;
-    std::vector<int> star_, neighbours_;
-    std::shared_ptr<TriedMarks> tried_;
+    std::vector<int> neighbours_;
     std::vector<Tet> tets_;
 };
 

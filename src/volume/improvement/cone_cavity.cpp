@@ -5,9 +5,9 @@
 
 namespace featuremesh {
 
-void ConeCavity::reset(std::span<const int> start) {
-    tets_.clear();
-    faces_.clear();
+void ConeCavity::reset(std::span<const int> start, int apex, const Vec3& point) {
+    apex_ = apex, point_ = point;
+    tets_.clear(), faces_.clear();
     worst_before_ = 0;
     marks_.begin(complex_.tets.size());
     for (const int tet : start) add(tet);
@@ -63,7 +63,7 @@ const ConeCavity::Face* ConeCavity::worst_face() const {
     });
 }
 
-bool ConeCavity::loses_fixed_vertex() const {
+bool ConeCavity::loses_lasting_vertex() const {
     for (const int tet : tets_)
         for (const int v : complex_.tets[tet]) {
             if (complex_.is_free(v) || v == apex_) continue;
@@ -74,15 +74,13 @@ bool ConeCavity::loses_fixed_vertex() const {
 
 bool ConeCavity::grow(std::span<const int> start, int apex, const Vec3& point) {
     if (start.size() >= most_tets) return false;
-    apex_ = apex;
-    point_ = point;
-    reset(start);
+    reset(start, apex, point);
     double best_gain = 0;
     std::size_t best_count = 0;
     while (tets_.size() < most_tets && !faces_.empty()) {
         const Face* worst = worst_face();
         const double gain = worst_before_ - worst->value;
-        if (gain > best_gain && !loses_fixed_vertex()) {
+        if (gain > best_gain && !loses_lasting_vertex()) {
             best_gain = gain;
             best_count = tets_.size();
         }
@@ -95,13 +93,9 @@ bool ConeCavity::grow(std::span<const int> start, int apex, const Vec3& point) {
     return true;
 }
 
-void ConeCavity::open(std::span<const int> start, const Vec3& point) {
-    apex_ = -1;
-    point_ = point;
-    reset(start);
-}
-
-void ConeCavity::describe(const Value& before, const Value& after, const Price& price, Change& change) {
+void ConeCavity::describe_if_better(const Price& price, Change& change) {
+    const Value before = objective_.value(complex_, tets_), after = value_of_cones();
+    if (!objective_.is_better(before, after, price)) return;
     change.before = before, change.after = after, change.price = price;
     change.removed = tets_;
     const auto made = cones(apex_ < 0 ? static_cast<int>(complex_.points.size()) : apex_);
@@ -112,7 +106,7 @@ void ConeCavity::describe(const Value& before, const Value& after, const Price& 
 
 void ConeCavity::rebuild(std::size_t count) {
     order_.assign(tets_.begin(), tets_.begin() + static_cast<std::ptrdiff_t>(count));
-    reset(order_);
+    reset(order_, apex_, point_);
     worst_after_ = worst_face()->value;
 }
 
@@ -153,7 +147,7 @@ void ConeCavity::climb(double good_enough) {
     worst_after_ = shape_.climb(point_, good_enough);
 }
 
-Value ConeCavity::after() {
+Value ConeCavity::value_of_cones() {
     if (apex_ >= 0) return objective_.value(complex_, cones(apex_));
     gather_shape();
     return shape_.value(point_);

@@ -34,7 +34,7 @@ class ConeCavity {
     bool grow(std::span<const int> start, int apex, const Vec3& point);
 
     /// Takes these tets and no others, to be filled from a new point that climbs from here.
-    void open(std::span<const int> start, const Vec3& point);
+    void open(std::span<const int> start, const Vec3& point) { reset(start, -1, point); }
 
     /// For tets that are too thin: grows until a new point sees the whole outside, moves the point, and takes in the
     /// tets behind the thinnest cones, in turns; up to 240 tets. Calls `consider` for every cavity that may do.
@@ -49,13 +49,10 @@ class ConeCavity {
     int apex() const { return apex_; }
     const Vec3& point() const { return point_; }
     std::span<const int> removed() const { return tets_; }
-    /// Of the tets that go, and of the cones.
-    Value before() const { return objective_.value(complex_, tets_); }
-    Value after();
     /// The cones; `apex` stands for a new vertex.
     std::span<const Tet> cones(int apex);
-    /// Puts the refill into the change, with what it is worth.
-    void describe(const Value& before, const Value& after, const Price& price, Change& change);
+    /// Makes the refill the change if it is worth its price.
+    void describe_if_better(const Price& price, Change& change);
 
   private:
     struct Face {
@@ -64,15 +61,17 @@ class ConeCavity {
         double value;
         bool has(int v) const { return vertices[0] == v || vertices[1] == v || vertices[2] == v; }
     };
-    void reset(std::span<const int> start);
+    void reset(std::span<const int> start, int apex, const Vec3& point);
     void add(int tet);
     void add_face(int tet, int face);
     void remove_face(int tet, int face);
     void gather_shape();
+    Value value_of_cones();
     double cone_flaw(const std::array<int, 3>& face) const;
     int behind(const Face& f) const { return complex_.neighbours[f.tet][f.face]; }
     const Face* worst_face() const;
-    bool loses_fixed_vertex() const;
+    /// A vertex that may not be taken out has all its tets in the cavity.
+    bool loses_lasting_vertex() const;
     void rebuild(std::size_t count);
     bool make_visible();
     bool give_room();
@@ -109,7 +108,7 @@ void ConeCavity::make_room(std::span<const int> start, const Vec3& point, const 
     open(start, point);
     for (int round = 0; round < rounds && worst_after_ > 1; ++round) {
         if (!make_visible()) return;
-        if (!loses_fixed_vertex()) {
+        if (!loses_lasting_vertex()) {
             climb(1);
             consider();
         }

@@ -31,11 +31,12 @@ class ConeRefill : public Operation {
     bool plan(int tet, Change& change, Footprint& footprint) override {
         best_ = &change, footprint_ = &footprint;
         cavity_.note_in(footprint);
+        const auto insert_at = [&](std::span<const int> start, const Vec3& point) { insert(start, point); };
         change.was_dear = true;
         change.after.worst = inverted_flatness;
         fill_from_corners(tet);
         if (is_wanting()) collapse(tet);
-        if (is_wanting()) insert(tet);
+        if (is_wanting()) visit_starts(complex_, tet, footprint, insert_at);
         if (is_wanting() && options_.is_last_resort) insert_above(tet);
         if (change.after.worst > 1 && objective_.flaw(complex_, complex_.tets[tet]) > 1 &&
             options_.most_large_cavities > 0)
@@ -48,11 +49,8 @@ class ConeRefill : public Operation {
 
     void consider() {
         const Price price = cavity_.apex() < 0 ? price_of_new_vertex : Price{};
-        if (cavity_.worst_after() >=
-            std::min(best_->after.worst, Objective::improved(cavity_.worst_before(), price.angle)))
-            return;
-        const Value before = cavity_.before(), after = cavity_.after();
-        if (objective_.is_better(before, after, price)) cavity_.describe(before, after, price, *best_);
+        const double wanted = Objective::improved(cavity_.worst_before(), price.angle);
+        if (cavity_.worst_after() < std::min(best_->after.worst, wanted)) cavity_.describe_if_better(price, *best_);
     }
 
     void fill_from_corners(int tet) {
@@ -79,11 +77,6 @@ class ConeRefill : public Operation {
         }
     }
 
-    void insert(int tet) {
-        visit_starts(complex_, tet, *footprint_,
-                     [&](std::span<const int> start, const Vec3& point) { insert_at(start, point); });
-    }
-
     void insert_above(int tet) {
         const Tet& v = complex_.tets[tet];
         const auto& p = complex_.points;
@@ -95,11 +88,11 @@ class ConeRefill : public Operation {
             if (dot(normal, p[v[face]] - middle) < 0) normal = -1.0 * normal;
             const double reach = std::sqrt(length(normal));
             for (const double height : heights_of_insertion)
-                insert_at(std::array{tet}, middle + (height / reach) * normal);
+                insert(std::array{tet}, middle + (height / reach) * normal);
         }
     }
 
-    void insert_at(std::span<const int> start, Vec3 point) {
+    void insert(std::span<const int> start, Vec3 point) {
         for (int round = 0; round < insertion_rounds && cavity_.grow(start, -1, point); ++round) {
             cavity_.climb(objective_.target());
             consider();

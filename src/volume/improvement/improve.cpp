@@ -5,6 +5,9 @@
 #include <atomic>
 #include <numeric>
 
+#include "core/sort_once.h"
+#include "volume/tets/tet_topology.h"
+
 namespace featuremesh {
 
 namespace {
@@ -86,7 +89,7 @@ class Improver {
 
     Improvement run() {
         std::vector<Candidate> queue = rank_changed();
-        result_.before = count_missing(queue);
+        result_.before = count_bad_in(queue);
         result_.why = queue.empty() ? Stop::all_good : Stop::out_of_passes;
         for (int pass = 0; pass < budget_.passes && !queue.empty(); ++pass) {
             const bool gained = work_off(queue, pass);
@@ -94,27 +97,25 @@ class Improver {
             if (!gained || queue.empty()) result_.why = queue.empty() ? Stop::all_good : Stop::nothing_gains;
             if (!gained) break;
         }
-        result_.left = count_missing(queue);
+        result_.left = count_bad_in(queue);
         for (const Candidate& c : queue) result_.forced += is_forced_at(c);
         return std::move(result_);
     }
 
   private:
-    /// For each further thread, unless plans depend on those before.
+    /// Operations for each further thread; none where the plans of one depend on those made before.
     void gather_hands() {
         for (int thread = 1; thread < context_.threads; ++thread) {
             Operations& hand = other_hands_.emplace_back();
             for (const auto& operation : operations_) hand.push_back(operation->for_another_thread());
-            if (std::any_of(hand.begin(), hand.end(), [](const auto& operation) { return !operation; }))
-                return other_hands_.clear();
+            if (std::count(hand.begin(), hand.end(), nullptr) > 0) return other_hands_.clear();
         }
         plans_.resize(std::max(most_ahead, 2 * (other_hands_.size() + 1)));
     }
 
     /// Those of the changed tets that are in need of work, worst first.
     std::vector<Candidate> rank_changed() {
-        if (!std::is_sorted(changed_.begin(), changed_.end())) std::sort(changed_.begin(), changed_.end());
-        changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+        sort_once(changed_);
         std::vector<std::vector<Candidate>> parts(changed_.size() / tets_per_chunk + 1);
         parallel_for(context_, changed_.size(), tets_per_chunk, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
@@ -135,9 +136,9 @@ class Improver {
     }
     bool is_in_need(const Candidate& of) const { return of.is_bad() || (of.need > 0 && is_in_region(of.tet)); }
 
-    std::size_t count_missing(const std::vector<Candidate>& queue) const {
+    std::size_t count_bad_in(const std::vector<Candidate>& queue) const {
         return static_cast<std::size_t>(std::count_if(queue.begin(), queue.end(), [&](const Candidate& c) {
-            return c.is_bad() && objective_.misses(c.need - 1);
+            return c.is_bad() && c.need - 1 > objective_.asked();
         }));
     }
 
@@ -168,12 +169,9 @@ class Improver {
     }
 
     /// An earlier change may have used its place for another tet, whose turn is in the next pass.
-    bool is_due(const Candidate& of) const {
-        const Tet& tet = complex_.tets[of.tet];
-        return tet[0] >= 0 && objective_.need(complex_, tet) == of.need && is_new(of.tet);
-    }
+    bool is_due(const Candidate& of) const { return need_of(of.tet) == of.need && has_changed_since_tried(of.tet); }
 
-    bool is_new(int tet) const {
+    bool has_changed_since_tried(int tet) const {
         const Tet& v = complex_.tets[tet];
         return std::any_of(v.begin(), v.end(), [&](int c) { return mesh_.changed_at(c) > tried_at_[tet]; });
     }
@@ -186,8 +184,8 @@ class Improver {
         return plan;
     }
 
-    /// A plan for which all threads were asked is that of now while nothing that it depends on has changed, and if it
-    /// was not cut short for want of a budget that there is now, when it is the turn of `first`.
+    /// Whether the plan is the one that would be made now, at the turn of `first`: nothing that it depends on has
+    /// changed, and no dear operation was left out that may be asked now.
     bool holds(const Plan& plan, const std::vector<Candidate>& queue, std::size_t i, std::size_t first) const {
         if (plan.place != i || mesh_.has_changed(plan.footprint, plan.made_at)) return false;
         if (plan.is_cut_short && may_be_dear(i, first)) return false;
@@ -197,7 +195,7 @@ class Improver {
                });
     }
 
-    /// Those before it will leave some of the budget.
+    /// Even if each tet from `first` on costs one dear plan, the budget lasts until this one.
     bool may_be_dear(std::size_t i, std::size_t first) const { return i - first < dear_plans_left_; }
 
     /// Unless the plan for the first holds, all threads plan for it and for those that follow without a plan that does.
@@ -278,23 +276,22 @@ class Improver {
     std::vector<char> is_in_region_;       // by tet, where not all are
     std::vector<std::uint32_t> tried_at_;  // by tet: when all was tried in vain
     std::size_t dear_plans_left_;
-    std::vector<Operations> other_hands_;    // for each thread but the first
+    std::vector<Operations> other_hands_;    // the operations of each thread but the first
     std::vector<Plan> plans_;                // for the next of the queue, by place modulo their number
     std::vector<std::size_t> without_plan_;  // places in the queue
     std::size_t last_round_ = 0, reach_ = most_ahead;
     Improvement result_;
 };
 
-template <class Predicate>
-std::size_t count_tets(const TetComplex& complex, Predicate predicate, RunContext& context) {
-    std::vector<std::size_t> counts(complex.tets.size() / tets_per_chunk + 1, 0);
+std::size_t count_worse(const TetComplex& complex, double than, const Objective& objective, RunContext& context) {
+    std::atomic<std::size_t> count = 0;
     parallel_for(context, complex.tets.size(), tets_per_chunk, [&](std::size_t begin, std::size_t end) {
-        counts[begin / tets_per_chunk] =
-            static_cast<std::size_t>(std::count_if(complex.tets.begin() + static_cast<std::ptrdiff_t>(begin),
-                                                   complex.tets.begin() + static_cast<std::ptrdiff_t>(end),
-                                                   [&](const Tet& tet) { return tet[0] >= 0 && predicate(tet); }));
+        const std::span<const Tet> tets = std::span(complex.tets).subspan(begin, end - begin);
+        count += static_cast<std::size_t>(std::count_if(tets.begin(), tets.end(), [&](const Tet& tet) {
+            return tet[0] >= 0 && objective.flaw(complex, tet) > than;
+        }));
     });
-    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+    return count;
 }
 
 }  // namespace
@@ -305,13 +302,11 @@ Improvement improve(LocalMesh& mesh, const Objective& objective, const Operation
 }
 
 std::size_t count_bad(const TetComplex& complex, const Objective& objective, RunContext& context) {
-    return count_tets(
-        complex, [&](const Tet& tet) { return objective.misses(objective.flaw(complex, tet)); }, context);
+    return count_worse(complex, objective.asked(), objective, context);
 }
 
 std::size_t count_thin(const TetComplex& complex, const Objective& objective, RunContext& context) {
-    return count_tets(
-        complex, [&](const Tet& tet) { return objective.flaw(complex, tet) > 1; }, context);
+    return count_worse(complex, 1, objective, context);
 }
 
 }  // namespace featuremesh

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "volume/improvement/star_shape.h"
+#include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
 
@@ -86,10 +87,7 @@ Price LocalMesh::price_of_moving(int vertex) const {
 
 std::vector<Vec3> LocalMesh::ways_from(int vertex, const Star& star, const Projector* projector) const {
     const SurfaceVertex* of = surface_vertex(vertex);
-    if (!of) {
-        const std::span<const Vec3> all = directions_in_space();
-        return {all.begin(), all.end()};
-    }
+    if (!of) return directions_in_space();
     if (of->on.dim == 1) {
         const Vec3 tangent = projector->tangent(EdgeId(of->on.index), of->parameters[0]);
         return {tangent, -1.0 * tangent};
@@ -108,26 +106,15 @@ std::vector<Vec3> LocalMesh::ways_from(int vertex, const Star& star, const Proje
 
 Vec3 LocalMesh::along(int vertex, const Vec3& way, const Projector* projector) const {
     const SurfaceVertex* of = surface_vertex(vertex);
-    if (!of) return way;
-    if (of->on.dim == 1) {
-        const Vec3 tangent = projector->tangent(EdgeId(of->on.index), of->parameters[0]);
-        return dot(tangent, way) * tangent;
-    }
-    const Vec3 normal = projector->normal(FaceId(of->on.index), of->parameters);
-    return way - dot(normal, way) * normal;
+    return of ? projector->along(of->on, of->parameters, way) : way;
 }
 
 std::optional<Change::Move> LocalMesh::place_near(int vertex, const Vec3& aim, const Projector* projector) const {
     const SurfaceVertex* of = surface_vertex(vertex);
     if (!of) return Change::Move{vertex, aim, {}};
-    if (of->on.dim == 1) {
-        const OnEdge there = projector->nearest(EdgeId(of->on.index), aim, of->parameters[0]);
-        return Change::Move{vertex, there.point, {there.t, 0}};
-    }
-    const FaceId face(of->on.index);
-    const std::optional<OnFace> there = projector->nearest_by_steps(face, aim, of->parameters);
-    if (!there || !projector->is_inside_trim(face, there->uv)) return {};
-    return Change::Move{vertex, there->point, there->uv};
+    const std::optional<OnEntity> there = projector->nearest_by_steps(of->on, aim, of->parameters);
+    if (!there || (of->on.dim == 2 && !projector->is_inside_trim(FaceId(of->on.index), there->parameters))) return {};
+    return Change::Move{vertex, there->point, there->parameters};
 }
 
 bool LocalMesh::keeps_triangles(int vertex, const Star& star, const Vec3& to) const {

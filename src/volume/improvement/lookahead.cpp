@@ -3,9 +3,12 @@
 #include <map>
 #include <optional>
 
+#include "core/sort_once.h"
 #include "volume/improvement/improve.h"
 #include "volume/improvement/operations.h"
 #include "volume/improvement/star_shape.h"
+#include "volume/tets/tet_marks.h"
+#include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
 
@@ -70,11 +73,10 @@ class Lookahead : public Operation {
             Patch trial = original;
             if (move_for_tet(trial, corner)) consider(std::move(trial));
         }
-        if (best) {
-            round_shapes(*best);
-            describe(*best, change);
-        }
-        return best.has_value();
+        if (!best) return false;
+        round_shapes(*best);
+        describe(*best, change);
+        return true;
     }
 
   private:
@@ -181,8 +183,7 @@ class Lookahead : public Operation {
         footprint.add(tet);
         for (int ring = 0; ring < rings_of_patch; ++ring) {
             for (const int t : found) corners.insert(corners.end(), complex_.tets[t].begin(), complex_.tets[t].end());
-            std::sort(corners.begin(), corners.end());
-            corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+            sort_once(corners);
             const auto is_near = [&](const Tet& t) {
                 return std::any_of(t.begin(), t.end(),
                                    [&](int v) { return std::binary_search(corners.begin(), corners.end(), v); });
@@ -205,8 +206,7 @@ class Lookahead : public Operation {
         patch.tets = tets;
         auto& points = patch.points;
         for (const int t : tets) points.insert(points.end(), complex_.tets[t].begin(), complex_.tets[t].end());
-        std::sort(points.begin(), points.end());
-        points.erase(std::unique(points.begin(), points.end()), points.end());
+        sort_once(points);
         TetComplex& copy = patch.complex;
         for (const int v : points) {
             copy.points.push_back(complex_.points[v]);

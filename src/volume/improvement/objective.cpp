@@ -124,10 +124,10 @@ bool Objective::is_better(const Value& before, const Value& after, const Price& 
 
 double Objective::need(const TetComplex& complex, const Tet& tet) const {
     if (const double value = flaw(complex, tet); value > target_) return 1 + value;
-    if (!(options_.poor_shape > 0)) return 0;
+    if (!looks_at_shapes()) return 0;
     const std::array<Vec3, 4> p = corners_of(complex, tet);
     const double ratio = radius_ratio(p[0], p[1], p[2], p[3]);
-    return ratio < options_.poor_shape ? 1 - ratio : 0;
+    return is_poor(ratio) ? 1 - ratio : 0;
 }
 
 bool is_too_thin(const TetComplex& complex, const Tet& tet, double least_volume) {

@@ -54,10 +54,14 @@ class Objective {
   public:
     explicit Objective(ObjectiveOptions options = {})
         : options_(std::move(options)),
+          asked_(flatness_of_angle(options_.target_dihedral_deg)),
           target_(flatness_to_reach(options_.target_dihedral_deg)),
           urgent_(flatness_of_angle(urgent_share * options_.target_dihedral_deg)) {}
 
     const ObjectiveOptions& options() const { return options_; }
+    /// The flaw of a tet with the angle that was asked for: those with more miss it.
+    double asked() const { return asked_; }
+    /// What to work for: a hair better, so that rounding leaves no tet short of what was asked.
     double target() const { return target_; }
 
     /// How bad a tet is. Up to 1: the largest squared cosine of its dihedral angles (`flatness`), but for the angle
@@ -70,8 +74,6 @@ class Objective {
         return all < least_flatness_of_needle || all > 1 ? all : unforced_flatness(all, corners, is_on_boundary);
     }
     double flaw(const TetComplex& complex, const std::array<int, 4>& tet) const;
-    /// A tet that misses the target as it was asked for; `target` is a hair above, so that rounding leaves none below.
-    bool misses(double flaw) const { return flaw > flatness_of_angle(options_.target_dihedral_deg); }
     bool is_barred(const std::array<int, 4>& tet) const { return options_.is_barred && options_.is_barred(tet); }
     /// The tet is a needle whose worst angle is forced.
     bool is_excused(const TetComplex& complex, const std::array<int, 4>& tet) const;
@@ -135,7 +137,7 @@ class Objective {
     }
 
     ObjectiveOptions options_;
-    double target_, urgent_;
+    double asked_, target_, urgent_;
 };
 
 /// A mesh with such a tet is refused: flat, as the validation of a mesh has it, or with clearly less than this volume,

@@ -7,14 +7,14 @@
 
 namespace featuremesh {
 
-std::span<const Vec3> directions_in_space() {
+const std::vector<Vec3>& directions_in_space() {
     constexpr int direction_count = 24;
     static const auto fibonacci_lattice = [] {
-        std::array<Vec3, direction_count> made;
+        std::vector<Vec3> made;
         const double golden = 2.39996322972865332;
         for (int i = 0; i < direction_count; ++i) {
             const double z = 1 - (2 * i + 1.0) / direction_count, r = std::sqrt(1 - z * z);
-            made[i] = {r * std::cos(golden * i), r * std::sin(golden * i), z};
+            made.push_back({r * std::cos(golden * i), r * std::sin(golden * i), z});
         }
         return made;
     }();
@@ -55,7 +55,7 @@ Value StarShape::value(const Vec3& point) const {
     return sum;
 }
 
-double StarShape::mean_height(const Vec3& point) const {
+double StarShape::mean_distance(const Vec3& point) const {
     double sum = 0;
     for (const auto& f : faces_) sum += distance(point, f.corners[0]);
     return sum / static_cast<double>(std::max<std::size_t>(1, faces_.size()));

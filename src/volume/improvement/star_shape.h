@@ -32,8 +32,9 @@ class StarShape {
     RadiusRatios radius_ratios(const Vec3& point) const { return featuremesh::radius_ratios(point, faces_); }
     double sum_of_radius_ratios(const Vec3& point) const { return featuremesh::sum_of_radius_ratios(point, faces_); }
 
-    /// Mean distance from the point, and from the middle of what it sees.
-    double mean_height(const Vec3& point) const;
+    /// Mean distance of the point from a corner of each triangle.
+    double mean_distance(const Vec3& point) const;
+    /// The mean of the triangles' corners.
     Vec3 middle() const;
 
     /// Deterministic hill climbing from `point`, which is moved along the `ways` where `may_be_at` agrees; gives the
@@ -57,14 +58,14 @@ class StarShape {
 };
 
 /// Directions spread evenly over the sphere.
-std::span<const Vec3> directions_in_space();
+const std::vector<Vec3>& directions_in_space();
 
 template <class MayBeAt>
 double StarShape::climb(Vec3& point, double good_enough, std::span<const Vec3> ways, const MayBeAt& may_be_at) const {
     // a search ends by itself with far fewer calls, but each call may gain by rounding alone
     constexpr int most_calls = 1000;
     double best = worst(point);
-    double step = 0.2 * mean_height(point);
+    double step = 0.2 * mean_distance(point);
     // what hardly has a volume may have to find a place of next to no size
     const double last = (best > 1 ? 1e-4 : 0.02) * step;
     if (best > 1)

@@ -26,9 +26,7 @@ class TetSplit : public Operation {
         visit_starts(complex_, tet, footprint, [&](std::span<const int> start, const Vec3& point) {
             cavity_.open(start, point);
             cavity_.climb(0);
-            if (cavity_.worst_after() >= change.after.worst) return;
-            const Value before = cavity_.before(), after = cavity_.after();
-            if (objective_.is_better(before, after, {})) cavity_.describe(before, after, {}, change);
+            if (cavity_.worst_after() < change.after.worst) cavity_.describe_if_better({}, change);
         });
         return !change.removed.empty();
     }

@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "volume/improvement/corner_operation.h"
 #include "volume/improvement/operations.h"
 #include "volume/improvement/star_shape.h"
-#include "volume/improvement/tried_marks.h"
 
 namespace featuremesh {
 
 namespace {
 
-class VertexMove : public Operation {
+class VertexMove : public CornerOperation {
   public:
     VertexMove(const LocalMesh& mesh, const Objective& objective, std::shared_ptr<TriedMarks> tried,
                std::unique_ptr<Projector> own = {})
-        : mesh_(mesh),
-          complex_(mesh.complex()),
-          objective_(objective),
+        : CornerOperation(mesh, objective, std::move(tried)),
           own_projector_(std::move(own)),
           projector_(own_projector_ ? own_projector_.get() : mesh.surface().projector),
-          shape_(objective),
-          tried_(std::move(tried)) {}
+          shape_(objective) {}
 
     std::string_view name() const override { return "vertex move"; }
     bool moves_boundary() const override { return !mesh_.surface().vertices.empty(); }
@@ -28,24 +25,13 @@ class VertexMove : public Operation {
         return std::make_unique<VertexMove>(mesh_, objective_, tried_,
                                             projector_ ? std::make_unique<Projector>(projector_->another()) : nullptr);
     }
-    void prepare() override { tried_->make_room(mesh_); }
-
-    bool plan(int tet, Change& change, Footprint& footprint) override {
-        tried_->make_room(mesh_);
-        for (const int v : complex_.tets[tet]) {
-            if (complex_.mobility[v] == Mobility::fixed || tried_->has(v, mesh_)) continue;
-            const bool is_found = move(v, change);
-            footprint.add(star_.tets);
-            if (is_found) return true;
-            tried_->note(v, mesh_);
-        }
-        return false;
-    }
 
   private:
-    bool move(int vertex, Change& change) {
+    bool may_help(Mobility corner) const override { return corner != Mobility::fixed; }
+
+    bool plan_at(int vertex, Change& change) override {
         if (!mesh_.gather(vertex, star_) || mesh_.is_held(vertex, star_)) return false;
-        // a vertex of the surface that makes its ends drift apart would make a needle's small angle count
+        // where a vertex of the surface moves, a needle may become none, and the angle that was excused counts
         if (mesh_.is_on_surface(vertex) && objective_.excuses_any(complex_, star_.tets)) return false;
         shape_.gather(complex_, star_.tets, vertex);
         vertex_ = vertex, start_ = complex_.points[vertex];
@@ -56,23 +42,21 @@ class VertexMove : public Operation {
         return objective_.is_poor(change.before.mean_shape()) && go_uphill(change);
     }
 
-    /// In the worst angle, without regard to how the face or edge is curved; part of the way has a chance, too.
+    /// Climbs in the worst angle, along the tangents; back on a curved face or edge, part of the way may be better.
     bool climb(Change& change) {
         Vec3 aim = start_;
         const double wanted = Objective::improved(change.before.worst, change.price.angle);
         const double best =
-            mesh_.is_on_surface(vertex_)
-                ? shape_.climb(aim, objective_.target(), mesh_.ways_from(vertex_, star_, projector_),
-                               [&](const Vec3& trial) { return mesh_.keeps_triangles(vertex_, star_, trial); })
-                : shape_.climb(aim, objective_.target());
+            shape_.climb(aim, objective_.target(), mesh_.ways_from(vertex_, star_, projector_),
+                         [&](const Vec3& trial) { return mesh_.keeps_triangles(vertex_, star_, trial); });
         if (best >= wanted) return false;
         for (const double share : {1.0, 0.5, 0.25})
             if (take(start_ + share * (aim - start_), change)) return true;
         return false;
     }
 
-    /// In the sum of the radius ratios. A step is slope / (curvature x tets): two to three times the way to the top of
-    /// a good star, since poor ones have theirs further away.
+    /// Climbs in the sum of the radius ratios. A step is slope / (curvature x tets): two to three times the way to the
+    /// top in a good star, since in a poor one it is further.
     bool go_uphill(Change& change) {
         constexpr double longest_step = 0.15, curvature = 2;  // in mean edge lengths of the star
         constexpr int most_halvings = 2, most_steps = 4;
@@ -82,7 +66,7 @@ class VertexMove : public Operation {
         // a dear move may take some steps before it is known whether it is worth it
         for (int steps = 0; steps < (change.price.shape > least ? most_steps : 1); ++steps) {
             const Vec3 way = mesh_.along(vertex_, shape_.radius_ratios(place).gradient, projector_);
-            const double reach = shape_.mean_height(place), slope = length(way) * reach;  // by edge length
+            const double reach = shape_.mean_distance(place), slope = length(way) * reach;  // by edge length
             double step = std::min(longest_step, slope / (curvature * change.before.count));
             bool is_higher = false;
             for (int k = 0; k <= most_halvings && !is_higher && slope * step > 2 * least; ++k, step /= 2) {
@@ -109,14 +93,9 @@ class VertexMove : public Operation {
         return true;
     }
 
-    const LocalMesh& mesh_;
-    const TetComplex& complex_;
-    const Objective& objective_;
     std::unique_ptr<Projector> own_projector_;  // of another thread's
     const Projector* projector_;
     StarShape shape_;
-    LocalMesh::Star star_;
-    std::shared_ptr<TriedMarks> tried_;
     int vertex_ = -1;
     Vec3 start_{};
 };

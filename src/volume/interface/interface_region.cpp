@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/sort_once.h"
 #include "volume/tets/cavity_editor.h"
 #include "volume/tets/tet_topology.h"
 
@@ -30,7 +31,7 @@ std::vector<int> InterfaceRegion::bad_tets_at_interface(const Objective& objecti
     for (std::size_t t = 0; t < complex.tets.size(); ++t) {
         const Tet& tet = complex.tets[t];
         if (tet[0] < 0 || std::none_of(tet.begin(), tet.end(), [&](int v) { return is_at_interface(v); })) continue;
-        if (objective.misses(objective.flaw(complex, tet))) bad.push_back(static_cast<int>(t));
+        if (objective.flaw(complex, tet) > objective.asked()) bad.push_back(static_cast<int>(t));
     }
     return bad;
 }
@@ -69,8 +70,7 @@ std::vector<NodeId> InterfaceRegion::nodes_of(std::span<const int> tets) const {
     for (const int t : tets)
         for (const int v : complex.tets[t])
             if (const NodeId n = node_of(v); n.is_valid()) nodes.push_back(n);
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    sort_once(nodes);
     return nodes;
 }
 

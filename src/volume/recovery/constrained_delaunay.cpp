@@ -18,6 +18,7 @@
 #include "core/box_tree.h"
 #include "core/errors.h"
 #include "core/isolated_run.h"
+#include "core/sort_once.h"
 #include "volume/recovery/stray_pieces.h"
 
 namespace featuremesh {
@@ -326,8 +327,7 @@ std::vector<int> crossing_among(const Cavity& cavity, std::span<const int> facet
     CGAL::Polygon_mesh_processing::triangle_soup_self_intersections(points, triangles, std::back_inserter(pairs));
     std::vector<int> crossing;
     for (const auto& [a, b] : pairs) crossing.push_back(facets[a]), crossing.push_back(facets[b]);
-    std::sort(crossing.begin(), crossing.end());
-    crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+    sort_once(crossing);
     return crossing;
 }
 

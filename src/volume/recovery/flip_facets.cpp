@@ -6,7 +6,11 @@
 #include <map>
 #include <set>
 
+#include "core/geometry.h"
+#include "core/ids.h"
+#include "core/sort_once.h"
 #include "core/sorted_pair.h"
+#include "volume/delaunay/triangulation.h"
 
 namespace featuremesh {
 
@@ -50,8 +54,7 @@ class FlipSearch {
             pairs.insert(sorted_pair(own[0], own[1]));
             facets.insert(facets.end(), own.begin(), own.end());
         }
-        std::sort(facets.begin(), facets.end());
-        facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+        sort_once(facets);
         std::vector<Quad> quads = quads_among(facets);
         std::erase_if(quads, [&](const Quad& q) { return !pairs.contains(sorted_pair(q.first, q.second)); });
         return split_of(quads);

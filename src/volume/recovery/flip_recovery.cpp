@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "core/errors.h"
+#include "core/geometry.h"
+#include "core/sort_once.h"
 #include "core/sorted_pair.h"
 #include "volume/recovery/levelled_points.h"
 #include "volume/tets/cavity_editor.h"
@@ -24,12 +26,6 @@ using Side = std::array<int, 2>;
 
 std::array<Side, 3> sides_of(const Corners& c) {
     return {sorted_pair(c[0], c[1]), sorted_pair(c[1], c[2]), sorted_pair(c[2], c[0])};
-}
-
-template <class T>
-void sort_once(std::vector<T>& list) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 Corners sorted(Corners c) {

@@ -5,8 +5,11 @@
 #include <cmath>
 #include <map>
 
+#include "core/sort_once.h"
 #include "core/sorted_pair.h"
+#include "volume/improvement/objective.h"
 #include "volume/improvement/star_shape.h"
+#include "volume/recovery/facet_split.h"
 #include "volume/recovery/polygon_cut.h"
 #include "volume/tets/kernel_centre.h"
 #include "volume/tets/tet_complex.h"
@@ -64,8 +67,8 @@ class Relocation {
         for (const auto& piece : split.pieces) add_piece(piece);
     }
 
-    /// A point that finds little room may find more once others are gone, or have made room, so every round asks for
-    /// less: who goes where there is next to none leaves none to those around.
+    /// A point that moves into a narrow space takes that space from the points around it. So the first round moves only
+    /// points whose tets get fair angles, and every later one asks for less: meanwhile others have left or made room.
     bool run(const RunContext& context) {
         constexpr int most_rounds = 12;
         std::vector<int> open;
@@ -277,8 +280,7 @@ class Relocation {
     void make_room(int point) {
         std::vector<int> around;
         for (const int t : tets_of_[point - first_]) around.insert(around.end(), tets_[t].begin(), tets_[t].end());
-        std::sort(around.begin(), around.end());
-        around.erase(std::unique(around.begin(), around.end()), around.end());
+        sort_once(around);
         static const double good_enough = flatness_of_angle(20);
         for (const int p : around) {
             if (p < first_ || (is_added(p) && !pieces_of_[p - first_].empty())) continue;

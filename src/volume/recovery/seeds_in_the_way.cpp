@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/geometry.h"
+#include "core/sort_once.h"
 #include "volume/recovery/neighbourhood.h"
 
 namespace featuremesh {
@@ -140,8 +142,7 @@ std::vector<int> seeds_in_the_way(const Cavity& cavity, const CavityFill& fill, 
         if (seeds.empty()) return {};
         all.insert(all.end(), seeds.begin(), seeds.end());
     }
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
+    sort_once(all);
     return all;
 }
 

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cassert>
 
+#include "core/sort_once.h"
+
 namespace featuremesh {
 
 RingWalk::RingWalk(const TetComplex& complex, int tet, int from_corner, int to_corner)
@@ -100,8 +102,7 @@ bool gather_star(const TetComplex& complex, int vertex, std::vector<int>& star) 
 void gather_neighbours(const TetComplex& complex, int vertex, std::span<const int> star, std::vector<int>& neighbours) {
     neighbours.clear();
     for (const int t : star) neighbours.insert(neighbours.end(), complex.tets[t].begin(), complex.tets[t].end());
-    std::sort(neighbours.begin(), neighbours.end());
-    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+    sort_once(neighbours);
     std::erase(neighbours, vertex);
 }
 

@@ -55,8 +55,6 @@ class CavityEditor {
   public:
     explicit CavityEditor(TetComplex& complex);
 
-    const TetComplex& complex() const { return complex_; }
-
     /// Takes `removed` out and puts `added` in, which must have the same outside. Gives the ids of the added tets
     /// (slots are used again). Vertices that lose their last tet get tet_of_vertex -1. The result is valid until the
     /// next call and may not be passed to it.

@@ -42,6 +42,39 @@ TEST_CASE("a point of a face or an edge projects on itself, with and without a g
     }
 }
 
+TEST_CASE("a step on an entity ends on it, and the way along it is what its tangents hold") {
+    std::mt19937 random(8);
+    std::normal_distribution<double> normal;
+    std::size_t on_edges = 0, on_faces = 0;
+    for (const NamedShape& s : named_shapes()) {
+        INFO(s.name);
+        const Brep brep(s.shape);
+        const Projector projector(brep);
+        const Mesh mesh = mesh_surface(brep, s.size).mesh;
+        for (std::size_t n = 0; n < mesh.node_count(); n += 3) {
+            const Entity e = mesh.entities[n];
+            if (e.dim != 1 && e.dim != 2) continue;
+            const auto& at = mesh.parameters[n];
+            const Vec3 way{normal(random), normal(random), normal(random)};
+            const Vec3 along = projector.along(e, at, way), across = way - along;
+            CHECK(std::abs(dot(along, across)) < 1e-9);
+            const auto foot = projector.nearest_by_steps(e, mesh.points[n] + 0.1 * way, at);
+            if (e.dim == 1) {
+                ++on_edges;
+                REQUIRE(foot);
+                CHECK(length(cross(along, projector.tangent(EdgeId(e.index), at[0]))) < 1e-9);
+                CHECK(distance(projector.on_edge(EdgeId(e.index), foot->parameters[0]), foot->point) < 1e-12);
+            } else if (foot) {
+                ++on_faces;
+                CHECK(length(cross(across, projector.normal(FaceId(e.index), at))) < 1e-9);
+                CHECK(distance(projector.on_face(FaceId(e.index), foot->parameters), foot->point) < 1e-12);
+            }
+        }
+    }
+    CHECK(on_edges > 50);
+    CHECK(on_faces > 50);
+}
+
 TEST_CASE("steps beside a pole stay near the face's period") {
     const Brep brep(ellipsoid({12, 2, 5}));
     const Projector projector(brep);
