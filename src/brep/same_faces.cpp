@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "brep/occt_geometry.h"
+#include "core/geometry.h"
 
 namespace featuremesh {
 

@@ -8,6 +8,7 @@
 
 #include "brep/occt_geometry.h"
 #include "brep/same_faces.h"
+#include "core/geometry.h"
 
 namespace featuremesh {
 

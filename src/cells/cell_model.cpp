@@ -14,8 +14,10 @@
 #include "cells/final_faces.h"
 #include "cells/fuse.h"
 #include "cells/replay.h"
+#include "core/dimension.h"
 #include "core/errors.h"
 #include "core/messages.h"
+#include "core/tolerances.h"
 #include "core/work.h"
 
 namespace featuremesh {

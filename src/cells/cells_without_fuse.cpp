@@ -6,6 +6,9 @@
 
 #include "brep/shape_print.h"
 #include "brep/volumes/flux.h"
+#include "core/dimension.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 
 namespace featuremesh {
 

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/ids.h"
+
 namespace featuremesh {
 
 namespace {

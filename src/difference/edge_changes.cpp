@@ -5,6 +5,7 @@
 
 #include "brep/occt_geometry.h"
 #include "brep/solid_probe.h"
+#include "core/tolerances.h"
 #include "difference/feature_difference.h"
 
 namespace featuremesh {

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry.h"
+#include "core/ids.h"
+#include "difference/underlying_geometry.h"
+
 namespace featuremesh {
 
 namespace {

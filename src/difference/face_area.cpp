@@ -13,7 +13,9 @@
 #include <algorithm>
 
 #include "brep/occt_geometry.h"
+#include "core/geometry.h"
 #include "difference/boundary_model.h"
+#include "difference/underlying_geometry.h"
 
 namespace featuremesh {
 namespace {

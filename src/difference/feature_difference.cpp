@@ -4,13 +4,17 @@
 #include <Standard_Failure.hxx>
 #include <algorithm>
 
+#include "core/dimension.h"
 #include "core/errors.h"
 #include "core/messages.h"
+#include "core/tolerances.h"
 #include "difference/boundary_match.h"
+#include "difference/boundary_model.h"
 #include "difference/edge_difference.h"
 #include "difference/feature_verdicts.h"
 #include "difference/partners.h"
 #include "difference/trim_difference.h"
+#include "difference/underlying_geometry.h"
 
 namespace featuremesh {
 

@@ -6,10 +6,15 @@
 #include <algorithm>
 #include <map>
 
+#include "cells/cell_model.h"
+#include "core/dimension.h"
+#include "core/ids.h"
+#include "core/message.h"
 #include "core/messages.h"
 #include "core/numbers_in_words.h"
 #include "difference/face_owners.h"
 #include "difference/feature_pieces.h"
+#include "features/feature_tree.h"
 
 namespace featuremesh {
 namespace {

@@ -8,8 +8,10 @@
 #include <set>
 
 #include "brep/occt_geometry.h"
+#include "core/geometry.h"
 #include "difference/made_partners.h"
 #include "difference/place_partners.h"
+#include "difference/underlying_geometry.h"
 
 namespace featuremesh {
 

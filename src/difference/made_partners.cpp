@@ -4,7 +4,12 @@
 #include <algorithm>
 #include <map>
 
+#include "core/geometry.h"
+#include "core/ids.h"
+#include "core/tolerances.h"
 #include "difference/feature_motion.h"
+#include "difference/underlying_geometry.h"
+#include "features/feature_tree.h"
 
 namespace featuremesh {
 

@@ -7,8 +7,14 @@
 #include <set>
 #include <tuple>
 
+#include "brep/solid_probe.h"
+#include "core/geometry.h"
+#include "core/ids.h"
+#include "core/tolerances.h"
+#include "difference/boundary_model.h"
 #include "difference/face_area.h"
 #include "difference/place_partners.h"
+#include "difference/underlying_geometry.h"
 
 namespace featuremesh {
 namespace {

@@ -4,8 +4,12 @@
 #include <BRepTools.hxx>
 #include <algorithm>
 
+#include "brep/solid_probe.h"
 #include "core/distances.h"
+#include "core/ids.h"
+#include "difference/boundary_model.h"
 #include "difference/surface_chart.h"
+#include "difference/underlying_geometry.h"
 
 namespace featuremesh {
 namespace {

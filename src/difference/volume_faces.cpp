@@ -10,6 +10,7 @@
 
 #include "brep/occt_geometry.h"
 #include "brep/solid_probe.h"
+#include "core/ids.h"
 
 namespace featuremesh {
 

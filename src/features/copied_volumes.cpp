@@ -6,6 +6,7 @@
 
 #include "brep/occt_geometry.h"
 #include "brep/same_solids.h"
+#include "core/geometry.h"
 #include "features/pattern_placements.h"
 
 namespace featuremesh {

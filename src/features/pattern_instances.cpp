@@ -8,6 +8,7 @@
 #include "brep/occt_geometry.h"
 #include "brep/same_faces.h"
 #include "brep/solid_probe.h"
+#include "core/geometry.h"
 #include "features/pattern_placements.h"
 
 namespace featuremesh {

@@ -19,6 +19,7 @@
 #include <optional>
 
 #include "brep/occt_geometry.h"
+#include "core/geometry.h"
 
 namespace featuremesh {
 

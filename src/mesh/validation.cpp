@@ -7,6 +7,8 @@
 #include <numeric>
 #include <span>
 
+#include "core/geometry.h"
+#include "core/messages.h"
 #include "mesh/findings.h"
 #include "mesh/second_order.h"
 #include "mesh/side_table.h"

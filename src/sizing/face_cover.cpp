@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "brep/occt_geometry.h"
+#include "core/geometry.h"
 
 namespace featuremesh {
 

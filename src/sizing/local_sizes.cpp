@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <array>
 
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "sizing/face_cover.h"
+#include "sizing/source_ball.h"
 #include "sizing/source_tree.h"
 
 namespace featuremesh {

@@ -12,6 +12,9 @@
 #include <optional>
 
 #include "brep/occt_geometry.h"
+#include "core/geometry.h"
+#include "core/ids.h"
+#include "sizing/source_ball.h"
 
 namespace featuremesh {
 namespace {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string>
 
+#include "core/ids.h"
+#include "core/message.h"
 #include "sizing/curvature.h"
 #include "sizing/edge_cover.h"
 #include "sizing/face_cover.h"
@@ -11,6 +13,7 @@
 #include "sizing/local_sizes.h"
 #include "sizing/lost_sizes.h"
 #include "sizing/narrow_faces.h"
+#include "sizing/source_ball.h"
 #include "sizing/thin_walls.h"
 #include "sizing/zones.h"
 

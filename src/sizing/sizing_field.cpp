@@ -17,8 +17,11 @@
 #include <string>
 
 #include "core/errors.h"
+#include "core/message.h"
 #include "core/messages.h"
+#include "sizing/size_provider.h"
 #include "sizing/size_providers.h"
+#include "sizing/source_ball.h"
 #include "sizing/source_tree.h"
 #include "sizing/zone_field.h"
 #include "sizing/zone_notes.h"

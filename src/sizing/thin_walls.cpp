@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/dimension.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "sizing/curvature.h"
 #include "sizing/wall_rays.h"
 

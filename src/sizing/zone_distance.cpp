@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 
+#include "core/ids.h"
 #include "sizing/edge_cover.h"
 #include "sizing/face_cover.h"
+#include "sizing/size_provider.h"
 #include "sizing/source_ball.h"
 
 namespace featuremesh {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sizing/zones.h"
 
+#include "sizing/size_zone.h"
+#include "sizing/zone_field.h"
+
 namespace featuremesh {
 namespace {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "statics/coarse_level.h"
 
+#include "mesh/mesh.h"
 #include "mesh/second_order.h"
 
 namespace featuremesh {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "statics/loads.h"
 
+#include "core/ids.h"
 #include "statics/elements.h"
 
 namespace featuremesh {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/ids.h"
+
 namespace featuremesh {
 
 AssembledModel::AssembledModel(const StaticsModel& model, const TetsOfNodes& around)

@@ -6,6 +6,7 @@
 
 #include "core/errors.h"
 #include "core/messages.h"
+#include "statics/coarse_level.h"
 
 namespace featuremesh {
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <span>
 
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "statics/elements.h"
 
 namespace featuremesh {

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry.h"
+#include "core/ids.h"
+#include "mesh/mesh.h"
 #include "mesh/second_order.h"
 #include "statics/elements.h"
 

@@ -5,10 +5,13 @@
 #include <cmath>
 
 #include "core/errors.h"
+#include "core/message.h"
 #include "core/messages.h"
+#include "surface/chart.h"
 #include "surface/opposite_places.h"
 #include "surface/patch_improvement.h"
 #include "surface/seeds.h"
+#include "surface/triangle_patch.h"
 
 namespace featuremesh {
 

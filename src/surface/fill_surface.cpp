@@ -12,7 +12,10 @@
 
 #include "brep/solid_probe.h"
 #include "core/activity.h"
+#include "core/dimension.h"
 #include "core/errors.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "core/messages.h"
 #include "surface/chart.h"
 #include "surface/chart_domain.h"
@@ -20,8 +23,11 @@
 #include "surface/edge_chains.h"
 #include "surface/face_boundary.h"
 #include "surface/fill_face.h"
+#include "surface/heartbeat.h"
+#include "surface/opposite_nodes.h"
 #include "surface/opposite_places.h"
 #include "surface/triangle_crossings.h"
+#include "surface/wanted_length.h"
 
 namespace featuremesh {
 

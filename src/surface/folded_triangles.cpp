@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "core/geometry.h"
+#include "surface/chart.h"
+
 namespace featuremesh {
 
 namespace {

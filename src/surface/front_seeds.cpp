@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "core/geometry.h"
 #include "surface/seeds.h"
 
 namespace featuremesh {

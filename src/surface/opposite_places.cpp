@@ -13,6 +13,7 @@
 
 #include "core/box_tree.h"
 #include "core/distances.h"
+#include "core/geometry.h"
 #include "surface/projection.h"
 
 namespace featuremesh {

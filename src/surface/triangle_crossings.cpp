@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "core/box_tree.h"
+#include "core/geometry.h"
 
 namespace featuremesh {
 

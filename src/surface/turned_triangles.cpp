@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "brep/occt_geometry.h"
+#include "core/geometry.h"
 #include "surface/projection.h"
 
 namespace featuremesh {

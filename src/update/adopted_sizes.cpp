@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <map>
 
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "mesh/second_order.h"
 
 namespace featuremesh {

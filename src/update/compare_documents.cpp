@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "brep/shape_stream.h"
+#include "core/dimension.h"
 #include "core/errors.h"
 #include "core/messages.h"
 #include "update/part_mesh.h"

@@ -7,6 +7,8 @@
 #include "core/box_tree.h"
 #include "core/distances.h"
 #include "core/errors.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "core/messages.h"
 #include "mesh/second_order.h"
 #include "mesh/triangle_uses.h"

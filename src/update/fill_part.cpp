@@ -5,15 +5,18 @@
 #include <set>
 #include <utility>
 
+#include "core/dimension.h"
 #include "core/errors.h"
 #include "core/messages.h"
 #include "mesh/second_order.h"
 #include "mesh/tets_at_nodes.h"
+#include "surface/merged_entities.h"
 #include "surface/turned_triangles.h"
 #include "update/ignored_details.h"
 #include "update/our_errors.h"
 #include "update/shell_division.h"
 #include "volume/curved/mid_side_nodes.h"
+#include "volume/obstacle.h"
 
 namespace featuremesh {
 

@@ -5,6 +5,8 @@
 #include <numeric>
 
 #include "core/errors.h"
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "core/messages.h"
 #include "mesh/second_order.h"
 #include "mesh/side_table.h"

@@ -8,6 +8,7 @@
 #include "mesh/second_order.h"
 #include "mesh/side_table.h"
 #include "mesh/triangle_uses.h"
+#include "surface/projection.h"
 #include "update/enclosure.h"
 #include "update/shape_coverage.h"
 

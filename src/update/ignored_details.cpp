@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "sizing/sizing_field.h"
 #include "surface/merged_entities.h"
 
 namespace featuremesh {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/dimension.h"
 #include "update/carried_nodes.h"
 #include "update/enclosure.h"
 #include "update/entity_finder.h"

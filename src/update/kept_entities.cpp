@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "brep/occt_geometry.h"
+#include "difference/feature_difference.h"
 #include "update/entity_finder.h"
 
 namespace featuremesh {

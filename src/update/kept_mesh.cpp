@@ -5,6 +5,10 @@
 #include <map>
 #include <tuple>
 
+#include "core/ids.h"
+#include "core/run_context.h"
+#include "difference/feature_difference.h"
+#include "mesh/mesh.h"
 #include "update/solids_beside.h"
 
 namespace featuremesh {

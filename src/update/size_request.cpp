@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry.h"
 #include "core/messages.h"
 
 namespace featuremesh {

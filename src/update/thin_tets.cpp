@@ -5,6 +5,7 @@
 #include <map>
 
 #include "brep/brep.h"
+#include "core/ids.h"
 #include "core/messages.h"
 #include "core/numbers_in_words.h"
 #include "mesh/short_sides.h"

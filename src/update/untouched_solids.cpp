@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <span>
 
+#include "core/ids.h"
+#include "difference/feature_difference.h"
 #include "update/solids_beside.h"
 
 namespace featuremesh {

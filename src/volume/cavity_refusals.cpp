@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "core/errors.h"
+#include "core/geometry.h"
 #include "core/messages.h"
+#include "sizing/sizing_field.h"
 
 namespace featuremesh {
 

@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "core/geometry.h"
 #include "volume/improvement/objective.h"
 #include "volume/tets/tet_measures.h"
 

@@ -80,21 +80,37 @@ class Includes(unittest.TestCase):
     KINDS = r"(?:enum class|struct|class|using) "
     OUTER = re.compile(rf"^{KINDS}([A-Z]\w*)\b(?! *;| : \w+::\w+;)", re.MULTILINE)
     INNER = re.compile(rf"^ +{KINDS}([A-Z]\w*)\b", re.MULTILINE)
-    NAMED = re.compile(r"(?<![\w.])(?<!->)[A-Z]\w*")
+    NAMED = re.compile(r"(?<![\w.:])(?<!->)[A-Z]\w*")
     FORWARD = re.compile(rf"^{KINDS}([A-Z]\w*)(?: : [\w:]+)?;|<class ([A-Z]\w*)|, class ([A-Z]\w*)", re.MULTILINE)
 
-    def test_a_header_includes_what_declares_the_types_that_it_names(self):
-        texts = {path.relative_to(SOURCES).as_posix(): self.NO_CODE.sub("", path.read_text(encoding="utf-8")) for path in source_files(SOURCES)}
-        declared = [(word, name) for name, text in texts.items() for word in self.OUTER.findall(text)]
+    def setUp(self):
+        self.texts = {path.relative_to(SOURCES).as_posix(): self.NO_CODE.sub("", path.read_text(encoding="utf-8")) for path in source_files(SOURCES)}
+        declared = [(word, name) for name, text in self.texts.items() for word in self.OUTER.findall(text)]
         often = Counter(word for word, _ in declared)
-        inner = {word for text in texts.values() for word in self.INNER.findall(text)}
-        home = {word: name for word, name in declared if name.endswith(".h") and often[word] == 1 and word not in inner}
-        self.assertGreater(len(home), 200)
-        for name in (name for name in texts if name.endswith(".h")):
-            known = {included for _, included in includes(SOURCES / name)} | {name}
-            own = {word for words in self.FORWARD.findall(texts[name]) for word in words}
-            named = set(self.NAMED.findall(texts[name])) & home.keys() - own
-            self.assertEqual({word: home[word] for word in named if home[word] not in known}, {}, f"{name} should include these")
+        inner = {word for text in self.texts.values() for word in self.INNER.findall(text)}
+        self.home = {word: name for word, name in declared if name.endswith(".h") and often[word] == 1 and word not in inner}
+        self.included = {name: {included for _, included in includes(SOURCES / name)} for name in self.texts}
+        self.assertGreater(len(self.home), 200)
+
+    def missing(self, name, known):
+        own = {word for words in self.FORWARD.findall(self.texts[name]) for word in words}
+        named = set(self.NAMED.findall(self.texts[name])) & self.home.keys() - own
+        return {word: self.home[word] for word in named if self.home[word] not in known}
+
+    def test_a_header_includes_what_declares_the_types_that_it_names(self):
+        for name in (name for name in self.texts if name.endswith(".h")):
+            self.assertEqual(self.missing(name, self.included[name] | {name}), {}, f"{name} should include these")
+
+    def test_a_source_file_or_its_header_includes_what_declares_the_types_that_it_names(self):
+        for name in (name for name in self.texts if name.endswith(".cpp")):
+            known = self.included[name].union(*(self.included[header] for header in self.headers_of(name)))
+            self.assertEqual(self.missing(name, known), {}, f"{name} should include these")
+
+    def headers_of(self, source):
+        """That of its name, or, where there is none, those of its folder that it includes: one of them declares what it defines."""
+        own = source.replace(".cpp", ".h")
+        folder = source.rpartition("/")[0]
+        return [own] if own in self.texts else [name for name in self.included[source] if name in self.texts and name.rpartition("/")[0] == folder]
 
 
 class Libraries(unittest.TestCase):

@@ -12,6 +12,7 @@
 
 #include "brep/face_probe.h"
 #include "brep/occt_geometry.h"
+#include "core/geometry.h"
 
 namespace featuremesh {
 

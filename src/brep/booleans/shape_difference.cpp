@@ -21,6 +21,7 @@
 #include "brep/solid_probe.h"
 #include "brep/volumes/flux.h"
 #include "brep/volumes/patch_volumes.h"
+#include "core/geometry.h"
 #include "core/on_threads.h"
 
 namespace featuremesh {

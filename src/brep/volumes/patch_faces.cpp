@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "brep/occt_geometry.h"
+#include "core/geometry.h"
 
 namespace featuremesh {
 

@@ -23,6 +23,7 @@
 #include "brep/volumes/flux.h"
 #include "brep/volumes/merged_edges.h"
 #include "brep/volumes/patch_faces.h"
+#include "brep/volumes/period_shifts.h"
 #include "brep/volumes/sheet_contacts.h"
 #include "brep/volumes/surface_caps.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry.h"
 #include "mesh/second_order.h"
 
 namespace featuremesh {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/geometry.h"
 #include "mesh/quality.h"
 #include "mesh/second_order.h"
 

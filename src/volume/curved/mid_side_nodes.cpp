@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/errors.h"
+#include "core/geometry.h"
 #include "core/messages.h"
 #include "mesh/second_order.h"
 #include "surface/projection.h"

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/geometry.h"
 #include "volume/tets/edge_removal.h"
 #include "volume/tets/tet_measures.h"
 

@@ -5,6 +5,7 @@
 #include "volume/delaunay/odt_moves.h"
 #include "volume/delaunay/optimise_odt.h"
 #include "volume/tets/tet_measures.h"
+#include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
 

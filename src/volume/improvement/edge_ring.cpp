@@ -3,7 +3,10 @@
 #include <cmath>
 
 #include "volume/improvement/operations.h"
+#include "volume/tets/cavity_editor.h"
 #include "volume/tets/edge_removal.h"
+#include "volume/tets/tet_complex.h"
+#include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
 

@@ -5,7 +5,10 @@
 
 #include "mesh/quality.h"
 #include "volume/improvement/improve.h"
+#include "volume/improvement/local_mesh.h"
 #include "volume/improvement/operations.h"
+#include "volume/tets/tet_complex.h"
+#include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/geometry.h"
+#include "volume/recovery/facet_split.h"
 #include "volume/recovery/neighbourhood.h"
 
 namespace featuremesh {

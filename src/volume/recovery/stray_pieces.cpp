@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 
+#include "core/geometry.h"
 #include "core/sorted_pair.h"
 
 namespace featuremesh {

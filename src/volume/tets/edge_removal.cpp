@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/tets/edge_removal.h"
 
+#include "core/geometry.h"
+
 namespace featuremesh {
 
 namespace {
