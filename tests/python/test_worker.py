@@ -209,6 +209,18 @@ class Cancels(InWorker):
         self.assertIn("validate", steps)
 
 
+    def test_what_the_progress_function_throws_ends_the_call_and_leaves_no_answer_for_the_next_one(self):
+        def throw(step, share):
+            if step == "surface":
+                raise ReferenceError("the object is gone")
+            return True
+        raw = reading.read_document(self.body)
+        with self.assertRaisesRegex(ReferenceError, "the object is gone"):
+            engine.load().mesh_part(raw, OPTIONS, progress=throw)
+        _, report = engine.load().mesh_part(raw, {**OPTIONS, "size": 5.0})
+        self.assertEqual(report["size"], 5.0)
+
+
 class Errors(InWorker):
 
     def test_what_the_engine_throws_arrives(self):

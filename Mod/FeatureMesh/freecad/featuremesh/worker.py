@@ -276,6 +276,7 @@ class _Process:
         self.engine = None   # whose meshes it makes
         self.grace = None
         self._forgotten = []
+        self._has_answered = True   # what it was asked last
         self.about = {}   # what the engine says about itself
         threading.Thread(target=self._listen, args=(self.program.stdout,), daemon=True).start()
         self._await_ready()
@@ -332,7 +333,15 @@ class _Process:
         self._forgotten.append(key)
 
     def ask(self, call, what, progress):
-        """(answer, the meshes that are new in it). Throws what the engine threw, Cancelled, and WorkerDied."""
+        """(answer, the meshes that are new in it). Throws what the engine or `progress` threw, Cancelled, and WorkerDied."""
+        self._has_answered = False
+        try:
+            return self._ask(call, what, progress)
+        finally:
+            if not self._has_answered:
+                self.kill()   # what it is still at would be taken for the answer to the next call
+
+    def _ask(self, call, what, progress):
         step, share, cancelled_at = "", 0.0, None
         try:
             if self._forgotten:
@@ -343,6 +352,7 @@ class _Process:
                 data = self._next_message(_POLL)
                 if data is not None:
                     (kind, *words), made = self._received(data)
+                    self._has_answered = kind != "progress"
                     if kind == "done":
                         if cancelled_at is not None:
                             raise Cancelled("cancelled")   # done before it heard of that
@@ -355,11 +365,11 @@ class _Process:
                     cancelled_at = time.monotonic()
                     write_message(self.program.stdin, b"cancel")
                 if cancelled_at is not None and time.monotonic() - cancelled_at > (self.grace or GRACE):
-                    self.kill()
                     raise Cancelled("cancelled")
         except (EOFError, OSError, pickle.UnpicklingError) as error:
+            if self._has_answered:
+                raise
             if cancelled_at is not None:
-                self.kill()
                 raise Cancelled("cancelled") from None
             raise self._obituary(what, step) from error
 
