@@ -24,6 +24,7 @@ constexpr double longest = 4;                           ///< widths, of a piece
 constexpr double shortest = 1. / 4;                     ///< of the size, of a piece
 constexpr double least_run = 1.25;                      ///< pieces, along which a strip has to be a strip
 constexpr double step = 0.25;                           ///< of the size, between places that are looked at
+constexpr double most_places = 1e5;                     ///< that are looked at along an edge
 constexpr double least_cosine = 0.99985;                ///< 1 degree between the two borders of a strip
 
 /// An edge of the face as a curve and as a polygon.
@@ -132,10 +133,15 @@ class NarrowFaceCover {
         return dot(a.direction, b.direction) <= -least_cosine;
     }
 
+    /// No more than a mesh with not too many elements asks for.
+    int places_along(double length, double least) const {
+        return static_cast<int>(std::clamp(std::ceil(length / (step * options_.size)), least, most_places));
+    }
+
     /// Along the first as far as the second runs beside it, where all of that is a strip: a lens is none.
     void cover(const Border& a, const Border& b) {
         const Box near = b.box().grown(widest * options_.size);
-        const int count = std::max(4, static_cast<int>(std::ceil(a.length() / (step * options_.size))));
+        const int count = places_along(a.length(), 4);
         const auto share = [&](int i) { return std::clamp((i + 0.5) / count, 0.0, 1.0); };
         const auto is_narrow = [&](double s) { return width_at(a, s, b, near).has_value(); };
         const auto is_beyond = [&](double s) { return s <= 0 || s >= 1 || !b.opposite(a.point(s)); };
@@ -164,7 +170,7 @@ class NarrowFaceCover {
 
     void cover(const Border& a, double from, double to, const Border& b, const Box& near) {
         const double length = (to - from) * a.length();
-        const int count = std::max(1, static_cast<int>(std::ceil(length / (step * options_.size))));
+        const int count = places_along(length, 1);
         const auto share = [&](double i) { return from + (to - from) * i / count; };
         for (int i = 0; i < count; ++i) {
             const std::optional<double> width = width_at(a, share(i + 0.5), b, near);

@@ -291,7 +291,7 @@ bool may_ask_for_more_tets(const Brep& brep, const SizingField& sizing, double m
     std::priority_queue<Bounded> boxes;  // the worst is halved in all directions
     boxes.push(bounded(brep.box(), sizing));
     double sum = boxes.top().most_tets;
-    for (int looks = 0; sum > most && looks < most_looks; looks += 8) {
+    for (int looks = 0; !(sum <= most) && looks < most_looks; looks += 8) {  // no number: more than can be counted
         const Bounded worst = boxes.top();
         boxes.pop();
         sum -= worst.most_tets;
@@ -301,7 +301,7 @@ bool may_ask_for_more_tets(const Brep& brep, const SizingField& sizing, double m
             boxes.push(part);
         }
     }
-    return sum > most;
+    return !(sum <= most);
 }
 
 namespace {

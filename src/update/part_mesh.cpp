@@ -67,7 +67,7 @@ Message if_too_many(const Brep& brep, const SizingField& sizing, const MeshOptio
     if (brep.dimension() == Dimension::solids && !may_ask_for_more_tets(brep, sizing, options.most_tets)) return {};
     const double tets = estimate_elements(brep, sizing, context);
     if (tets <= options.most_tets) return {};
-    const auto millions = [](double count) { return std::llround(count / 1e6); };
+    const auto millions = [](double count) { return count < 1e18 ? std::llround(count / 1e6) : 1'000'000'000'000; };
     const auto refinement = refinement_to_blame(brep, options.sizing, tets, context);
     if (const auto* zone = std::get_if<SizeZone>(&refinement))
         return say<Code::zone_makes_too_many>(zone->name, Length{zone->inner}, millions(tets),

@@ -290,6 +290,8 @@ TEST_CASE("a size that is none is refused as what it is") {
 }
 
 TEST_CASE("too many tets are refused with their number") {
+    for (const double size : {1e-5, 1e-200, 1e-320})
+        CHECK_THROWS_WITH(meshed(plate_with_hole(15), options_of(size)), Catch::Matchers::Contains("0 million"));
     CHECK_THROWS_WITH(meshed(plate_with_hole(15), options_of(0.01)), Catch::Matchers::Contains("million"));
     CHECK_THROWS_AS(meshed(plate_with_hole(15), options_of(0)), InputError);
     CHECK_THROWS_AS(meshed(plate_with_hole(15), options_of(-1)), InputError);
