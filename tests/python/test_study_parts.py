@@ -90,6 +90,21 @@ class Sampling(unittest.TestCase):
             self.assertEqual(whole, sampling.rows(asked, {}, 5) + sampling.rows(asked, {}, 7, start=5))
             self.assertNotEqual(whole, sampling.rows(study(name, "A.x=10:20", "A.y=-1:1", cases=12, seed=2), {}))
 
+    def test_rows_of_other_peoples_files(self):
+        asked = study("grid", "A.x=0:1", "A.y=1,2")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "rows.csv")
+
+            def read(content):
+                with open(path, "wb") as stream:
+                    stream.write(content)
+                return sampling.read_rows(asked, path)
+            self.assertEqual(read("\ufeffA.x,A.y\r\n0.5,2\r\n".encode()), [[0.5, 2]])   # as Excel writes it
+            for content, message in ((b"A.x,A.y\n0.5\n", "line 2"), (b"A.x,A.y\nnan,2\n", "nan is no number for A.x"),
+                                     (b"A.x,A.y\n0.5,inf\n", "inf is no number"), ("A.x,A.y,H\u00f6he\n0,1,2\n".encode("latin-1"), "cannot read")):
+                with self.subTest(content=content), self.assertRaisesRegex(UserError, message):
+                    read(content)
+
     def test_whole_numbers_take_each_value_as_often(self):
         asked = study("sobol", "A.n=2:5", cases=64)
         asked.parameters[0].integer = True

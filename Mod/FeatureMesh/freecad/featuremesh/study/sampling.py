@@ -3,12 +3,13 @@
 
 import csv
 import itertools
+import math
 import warnings
 
 import numpy as np
 
 from ..errors import UserError
-from ..messages import said
+from ..messages import of_error, said
 from .classic_designs import box_behnken, central_composite
 from .design import COUNTED
 
@@ -44,14 +45,14 @@ def levels_of(parameter):
 def read_rows(study, path):
     """The rows of a CSV file whose columns are named as the parameters are. Throws UserError."""
     try:
-        with open(path, newline="", encoding="utf-8") as stream:
+        with open(path, newline="", encoding="utf-8-sig") as stream:   # Excel begins it with a mark
             reader = csv.DictReader(stream)
             missing = [entry.name for entry in study.parameters if entry.name not in (reader.fieldnames or [])]
             if missing:
                 raise UserError(said("{path:text} has no column {column:text}", path=path, column=missing[0]))
             found = [[_value(entry, row[entry.name], path, number) for entry in study.parameters] for number, row in enumerate(reader, 2)]
-    except OSError as error:
-        raise UserError(said("cannot read {path:text}: {why:messages}", path=path, why=error.strerror)) from error
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise UserError(said("cannot read {path:text}: {why:messages}", path=path, why=getattr(error, "strerror", None) or of_error(error))) from error
     if not found:
         raise UserError(said("{path:text} has no rows", path=path))
     return found
@@ -59,9 +60,11 @@ def read_rows(study, path):
 
 def _value(parameter, text, path, line):
     if parameter.values and not all(isinstance(value, (int, float)) for value in parameter.values):
-        return text.strip()
+        return (text or "").strip()
     try:
         value = float(text)
+        if not math.isfinite(value):
+            raise ValueError
     except (TypeError, ValueError):
         raise UserError(said("{path:text}, line {line:count}: {text:text} is no number for {parameter:text}",
                              path=path, line=line, text=text, parameter=parameter.name)) from None
