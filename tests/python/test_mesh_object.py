@@ -7,7 +7,7 @@ from unittest import mock
 
 import numpy as np
 import ObjectsFem
-from freecad.featuremesh import analyses, api, engine, mesh_object, overlays, reading, versions
+from freecad.featuremesh import analyses, api, engine, mesh_object, mesh_properties, overlays, reading, versions
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english, in_english
 from freecad.featuremesh.quality import MEASURES
@@ -135,6 +135,7 @@ class MeshObject(MeshedPlate):
             with self.subTest(step=wanted), self.assertRaises(KeyboardInterrupt):
                 api.update_mesh(self.mesh, progress=lambda step, share, wanted=wanted: interrupt(step == wanted))
             self.assertEqual(points_of(self.mesh), before)
+            self.assertEqual(self.mesh.Status, mesh_properties.CANCELLED)
         api.update_mesh(self.mesh)
         self.assert_on_the_part()
 

@@ -106,7 +106,7 @@ class FeatureMesh:
             else:
                 job.run(progress)
             return self.finish(mesh, job)
-        except Exception as error:
+        except BaseException as error:   # after Ctrl-C, too, it is not the mesh of the part as it is
             self.fail(mesh, error)
             raise
 
@@ -564,7 +564,7 @@ def renumbered(arrays):
 
 def is_cancelled(error):
     """Did the user end the work? The class of that error is the engine's, which need not be loaded."""
-    return type(error).__name__ == "Cancelled"
+    return type(error).__name__ == "Cancelled" or isinstance(error, KeyboardInterrupt)
 
 
 def one_line(error):
