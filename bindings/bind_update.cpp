@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "bindings.h"
@@ -62,6 +63,15 @@ SizeZone zone_from(const py::dict& values) {
     return zone;
 }
 
+/// Throws InputError for what is negative or no number.
+double from_zero(const py::handle& value, const char* option) {
+    const double number = value.cast<double>();
+    if (!std::isfinite(number) || number < 0)
+        throw InputError(
+            say<Code::wrong_call>("The mesh option '" + std::string(option) + "' is a number that is not negative."));
+    return number;
+}
+
 using TakeOption = void (*)(Asked&, const py::handle&);
 
 /// What can be asked for, by its name.
@@ -76,9 +86,11 @@ const std::map<std::string, TakeOption>& known_options() {
         {"growth", [](Asked& a, const py::handle& v) { a.options.sizing.growth = v.cast<double>(); }},
         {"order", [](Asked& a, const py::handle& v) { a.options.order = v.cast<int>(); }},
         {"target_dihedral_deg",
-         [](Asked& a, const py::handle& v) { a.options.volume.target_dihedral_deg = v.cast<double>(); }},
-        {"keep_margin", [](Asked& a, const py::handle& v) { a.options.keep_margin = v.cast<double>(); }},
-        {"most_tets", [](Asked& a, const py::handle& v) { a.options.most_tets = v.cast<double>(); }},
+         [](Asked& a, const py::handle& v) {
+             a.options.volume.target_dihedral_deg = from_zero(v, "target_dihedral_deg");
+         }},
+        {"keep_margin", [](Asked& a, const py::handle& v) { a.options.keep_margin = from_zero(v, "keep_margin"); }},
+        {"most_tets", [](Asked& a, const py::handle& v) { a.options.most_tets = from_zero(v, "most_tets"); }},
         {"ignore_below", [](Asked& a, const py::handle& v) { a.options.ignore_below = v.cast<double>(); }},
         {"dimension",
          [](Asked& a, const py::handle& v) { a.options.dimension = dimension_from_name(v.cast<std::string>()); }},

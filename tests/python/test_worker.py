@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The engine in a process of its own: the same bytes, and a death in it costs nothing but the work it was at."""
+import math
 import os
 import signal
 import tempfile
@@ -227,6 +228,10 @@ class Errors(InWorker):
         raw = reading.read_document(self.body)
         with self.assertRaisesRegex(engine.load().InputError, "nonsense"):
             engine.load().mesh_part(raw, {"size": SIZE, "nonsense": 1})
+        for option in ("keep_margin", "target_dihedral_deg", "most_tets"):
+            for value in (math.nan, math.inf, -1.0):
+                with self.assertRaisesRegex(engine.load().InputError, option):
+                    engine.load().mesh_part(raw, {"size": SIZE, option: value})
         with self.assertRaises(engine.load().StateError):
             engine.load().restore_part(raw, OPTIONS, {})
         with self.assertRaises(TypeError):
