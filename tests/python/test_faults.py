@@ -162,6 +162,19 @@ class Faults(unittest.TestCase):
         left = set(os.listdir(self.folder)) - {"__pycache__"}
         self.assertEqual(left, {"part.FCStd", "saving.py"})   # what the killed ones left is swept up
 
+    def test_a_link_stays_one_and_a_private_document_private(self):
+        documents.save_document(self.document, self.path)
+        os.chmod(self.path, 0o600)
+        link = os.path.join(self.folder, "link.FCStd")
+        os.symlink("part.FCStd", link)
+        self.edit()
+        documents.save_document(self.document, link)
+        self.assertTrue(os.path.islink(link))
+        self.assertEqual(os.stat(self.path).st_mode & 0o777, 0o600)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = documents.open_document(self.path)
+        self.assertEqual(self.document.getObject("HoleSketch").getDatum("X").Value, 22)
+
     def full_disk(self, size):
         """From now on no file gets larger than `size` bytes, as on a disk that is full."""
         soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)

@@ -3,6 +3,7 @@
 
 import os
 import re
+import shutil
 import zipfile
 from xml.etree import ElementTree
 from xml.sax.saxutils import quoteattr
@@ -45,20 +46,24 @@ def open_document(path):
 def save_document(document, path):
     """Saves a copy to `path`, whole or not at all.
 
-    What the document shows (colours, views) is taken from its file; where that has none, the meshes are shown, or the parts.
+    What the document shows (colours, views) is taken from its file; where that has none, the meshes are shown, or the parts. A link
+    stays one, and a file that is there keeps who may read it.
     """
-    folder = os.path.dirname(os.path.abspath(path))
+    file = os.path.realpath(path)
+    folder, name = os.path.split(file)
     if not os.path.isdir(folder):
         raise UserError(said("cannot write {path:text}: there is no folder {folder:text}", path=path, folder=folder))
-    _sweep(folder, os.path.basename(path))
-    temporary = os.path.join(folder, ".%s.%d.FCStd" % (os.path.basename(path), os.getpid()))
+    _sweep(folder, name)
+    temporary = os.path.join(folder, ".%s.%d.FCStd" % (name, os.getpid()))
     try:
         document.saveCopy(temporary)
         if not FreeCAD.GuiUp:
             add_view(document, temporary)
         _refuse_half_written(temporary)
+        if os.path.exists(file):
+            shutil.copymode(file, temporary)
         _to_disk(temporary)
-        os.replace(temporary, path)
+        os.replace(temporary, file)
         _to_disk(folder)
     except Exception as error:
         if isinstance(error, (OSError, zipfile.BadZipFile, RuntimeError, UserError)):
