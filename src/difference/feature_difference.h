@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -45,10 +46,10 @@ struct FeatureChange {
 enum class BoundaryVerdict { kept, vanished, appeared, trimmed_differently };
 struct FaceChange {
     BoundaryVerdict verdict = BoundaryVerdict::kept;
-    FaceId old_face, new_face;          ///< none where there is no partner
-    double old_area = 0, new_area = 0;  ///< mm^2, of faces that changed
-    bool inner = false;                 ///< vanished into the material, or appeared out of it; see tell_inner_faces
-    std::vector<FaceId> new_faces;      ///< all that overlap the old one, which may have been split
+    FaceId old_face, new_face;                 ///< none where there is no partner
+    std::optional<double> old_area, new_area;  ///< mm^2, of faces that changed; see tell_areas
+    bool inner = false;             ///< vanished into the material, or appeared out of it; see tell_inner_faces
+    std::vector<FaceId> new_faces;  ///< all that overlap the old one, which may have been split
 };
 
 struct EdgeChange {
@@ -127,6 +128,9 @@ struct FeatureDifference {
 /// For reports: which of the vanished faces now lie inside the material (the boundary became inner), and which of the
 /// appeared ones did before (inner became boundary), by a point of each.
 void tell_inner_faces(std::vector<FaceChange>& faces, const Brep& old_shape, const Brep& new_shape);
+
+/// For reports: the areas of faces that changed.
+void tell_areas(std::vector<FaceChange>& faces, const Brep& old_shape, const Brep& new_shape);
 
 /// What became of every edge, from the partners in the difference's first region. Poles are left out.
 std::vector<EdgeChange> edge_changes(const FeatureDifference& difference, const Brep& old_shape, const Brep& new_shape);

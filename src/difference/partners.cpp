@@ -12,7 +12,6 @@
 #include "core/ids.h"
 #include "core/tolerances.h"
 #include "difference/boundary_model.h"
-#include "difference/face_area.h"
 #include "difference/place_partners.h"
 #include "difference/underlying_geometry.h"
 
@@ -265,13 +264,7 @@ class FaceHistory {
         for (std::size_t f = 0; f < twins_of_.size(); ++f) changes.push_back(change_of(FaceId(f)));
         for (std::size_t f = 0; f < has_partner_.size(); ++f)
             if (!has_partner_[f])
-                changes.push_back({BoundaryVerdict::appeared,
-                                   FaceId(),
-                                   FaceId(f),
-                                   0,
-                                   area_of(pair_.new_model, FaceId(f)),
-                                   false,
-                                   {}});
+                changes.push_back({BoundaryVerdict::appeared, FaceId(), FaceId(f), {}, {}, false, {}});
         return changes;
     }
 
@@ -283,7 +276,7 @@ class FaceHistory {
 
     /// Marks the new faces that overlap the old one.
     FaceChange change_of(FaceId f) {
-        FaceChange change{BoundaryVerdict::vanished, f, FaceId(), 0, 0, false, {}};
+        FaceChange change{BoundaryVerdict::vanished, f, FaceId(), {}, {}, false, {}};
         for (const FaceId partner : region_.new_faces_of[f.index()]) {
             const std::vector<FaceId>& twins = twins_of_[f.index()];
             const bool kept = std::find(twins.begin(), twins.end(), partner) != twins.end();
@@ -298,9 +291,6 @@ class FaceHistory {
         if (change.new_face.is_valid() &&
             match_.groups[std::size_t(match_.group_of_old_face[f.index()])].is_unchanged())
             change.verdict = BoundaryVerdict::kept;
-        if (change.verdict == BoundaryVerdict::kept) return change;
-        change.old_area = area_of(pair_.old_model, f);
-        if (change.new_face.is_valid()) change.new_area = area_of(pair_.new_model, change.new_face);
         return change;
     }
 

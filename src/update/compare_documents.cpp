@@ -36,6 +36,7 @@ DocumentDifference compare_documents(const RawDocument& old_document, const RawD
     const double resolution = options.resolution > 0 ? options.resolution : new_state.brep.box().diagonal() / 100;
     DocumentDifference found;
     found.difference = compare(old_state, new_state, resolution, context);
+    tell_areas(found.difference.faces, old_state.brep, new_state.brep);
     tell_inner_faces(found.difference.faces, old_state.brep, new_state.brep);
     found.edges = edge_changes(found.difference, old_state.brep, new_state.brep);
     tell_inner_edges(found.edges, old_state.brep, new_state.brep);

@@ -315,6 +315,8 @@ void judge_edges(const CarriedRegion& region, const PartState& before, const Par
 
 void measure_conservativeness(const FeatureDifference& d, const PartState& before, const PartState& after,
                               RandomParts& random, Totals& totals) {
+    std::vector<FaceChange> faces = d.faces;
+    tell_areas(faces, before.brep, after.brep);
     const auto changed_area = [&](const Brep& of, const Brep& other, bool is_old) {
         PointOracle oracle(other);
         const auto samples = samples_on_faces(of, 6, random);
@@ -324,10 +326,10 @@ void measure_conservativeness(const FeatureDifference& d, const PartState& befor
             gone[s.face.index()] += !oracle.has_boundary(s.point, s.normal);
         }
         double area = 0;
-        for (const FaceChange& f : d.faces) {
+        for (const FaceChange& f : faces) {
             const FaceId id = is_old ? f.old_face : f.new_face;
             if (id.is_valid() && count[id.index()] > 0)
-                area += (is_old ? f.old_area : f.new_area) * gone[id.index()] / count[id.index()];
+                area += (is_old ? f.old_area : f.new_area).value_or(0) * gone[id.index()] / count[id.index()];
         }
         return area;
     };

@@ -109,7 +109,7 @@ def _item(cells, faces=(), verdict=None):
 def _face_item(change):
     old, new = change["old_face"] or "", change["new_face"] or ""
     name = old if old == new or not new else new if not old else "%s → %s" % (old, new)
-    areas = " → ".join("%.6g" % area for area, face in ((change["old_area"], old), (change["new_area"], new)) if face)
+    areas = " → ".join("%.6g" % area for area in (change["old_area"], change["new_area"]) if area is not None)
     detail = "" if change["verdict"] == "kept" else in_users_units(translate("FeatureMesh", "area %s mm^2") % areas)
     item = _item((name, "", detail, "", old, new), [new] if new else (), change["verdict"])
     item.setText(1, tables.verdict_in_words(change["verdict"], change.get("inner", False)))
