@@ -88,7 +88,9 @@ class BoxTree {
             if (!is_of_use(distance)) continue;
             const Node& node = nodes_[std::size_t(at)];
             if (node.left < 0) {
-                for (std::int32_t i = node.begin; i < node.end; ++i) visit(items_[std::size_t(i)].index);
+                for (std::int32_t i = node.begin; i < node.end; ++i)
+                    if (const Item& item = items_[std::size_t(i)]; is_of_use(squared_distance_to_box(p, item.box)))
+                        visit(item.index);
                 continue;
             }
             Waiting near = with_distance(node.left), far = with_distance(node.right);

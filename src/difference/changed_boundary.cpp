@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,10 +20,13 @@ double depth_in_box(const Vec3& p, const Box& box) {
     return std::max(0.0, std::min({low.x, low.y, low.z, high.x, high.y, high.z}));
 }
 
-std::vector<Box> boxes_of(std::span<const Triangle> triangles) {
-    std::vector<Box> boxes(triangles.size());
+/// Triangles lie beside those before them, for faces are halved into cells: so many together are one thing of the tree.
+constexpr std::size_t run = 4;
+
+std::vector<Box> boxes_of_runs(std::span<const Triangle> triangles) {
+    std::vector<Box> boxes((triangles.size() + run - 1) / run);
     for (std::size_t t = 0; t < triangles.size(); ++t)
-        for (const Vec3& corner : triangles[t]) boxes[t].add(corner);
+        for (const Vec3& corner : triangles[t]) boxes[t / run].add(corner);
     return boxes;
 }
 }  // namespace
@@ -30,13 +34,18 @@ std::vector<Box> boxes_of(std::span<const Triangle> triangles) {
 struct ChangedBoundary::Tree {
     std::vector<Triangle> triangles;
     std::optional<Box> domain;
-    BoxTree boxes{boxes_of(triangles)};
+    BoxTree boxes{boxes_of_runs(triangles)};
 
+    std::span<const Triangle> run_of(std::size_t number) const {
+        return std::span(triangles).subspan(run * number, std::min(run, triangles.size() - run * number));
+    }
     /// The smaller of `most` and the squared distance; of the places below `enough` any will do.
     double least_distance(const Vec3& p, double most, double enough) const {
-        return boxes.least_distance(p, most, enough, [&](std::int32_t t) {
-            const auto& [a, b, c] = triangles[std::size_t(t)];
-            return squared_distance_to_triangle(p, a, b, c);
+        return boxes.least_distance(p, most, enough, [&](std::int32_t r) {
+            double least = std::numeric_limits<double>::infinity();
+            for (const auto& [a, b, c] : run_of(std::size_t(r)))
+                least = std::min(least, squared_distance_to_triangle(p, a, b, c));
+            return least;
         });
     }
 };

@@ -3,6 +3,7 @@
 
 #include <BRepTools.hxx>
 #include <algorithm>
+#include <numeric>
 
 #include "brep/solid_probe.h"
 #include "core/distances.h"
@@ -57,9 +58,9 @@ class TrimRaster {
         widen_margins();
         by_crossings_ = has_open_lines() && borders_close();
         if (by_crossings_) sort_into_columns();
-        std::vector<int> all(segments_.size());
-        for (std::size_t i = 0; i < all.size(); ++i) all[i] = int(i);
-        visit(root_, all, {});
+        entering_.resize(segments_.size());
+        std::iota(entering_.begin(), entering_.end(), 0);
+        visit(root_, 0, {});
     }
 
   private:
@@ -319,11 +320,13 @@ class TrimRaster {
         return extent <= bounds.least;
     }
 
-    void visit(const UvBox& cell, const std::vector<int>& segments, ResolutionBounds bounds) {
+    /// `first`: from there on `entering_` has the segments that enter the cell.
+    void visit(const UvBox& cell, std::size_t first, ResolutionBounds bounds) {
         const Uv scale = chart_.scale();
         const double width = cell.size(0) * scale[0], height = cell.size(1) * scale[1];
         if (outside_domain(cell, width, height)) return;
-        if (segments.empty()) {
+        const std::size_t end = entering_.size();
+        if (first == end) {
             if (differs(cell)) emit(cell);
             return;
         }
@@ -334,10 +337,10 @@ class TrimRaster {
         UvBox low = cell, high = cell;
         low.high[k] = high.low[k] = 0.5 * (cell.low[k] + cell.high[k]);
         for (const UvBox* half : {&low, &high}) {
-            std::vector<int> entering;
-            for (const int s : segments)
-                if (enters(segments_[std::size_t(s)], *half)) entering.push_back(s);
-            visit(*half, entering, of_halves);
+            for (std::size_t i = first; i < end; ++i)
+                if (const int s = entering_[i]; enters(segments_[std::size_t(s)], *half)) entering_.push_back(s);
+            visit(*half, end, of_halves);
+            entering_.resize(end);
         }
     }
 
@@ -536,6 +539,7 @@ class TrimRaster {
     UvBox root_;
     Uv step_{};
     std::vector<Segment> segments_;
+    std::vector<int> entering_;  ///< the cell that is visited; before them those that enter the cells around it
     std::vector<Vec3> border_ends_;
     std::vector<std::pair<Vec3, Uv>> ends_;  ///< of all pieces, with their parameters
     std::vector<ToldCell> told_;             ///< the latest, without an order
