@@ -15,24 +15,28 @@ constexpr double radius_of_a_gap = 0.8;
 /// Beside an interface that is no lattice a point fits in closer than the lattice's distances.
 constexpr SeedOptions places_in_gaps{.clearance = 0.5, .spacing = 0.7, .spares_facets = true};
 
-/// By point: whether it is a corner of the interface with kept tets.
-std::vector<char> interface_points(std::size_t point_count, const Cavity& cavity) {
-    std::vector<char> is_at_interface(point_count, 0);
+/// By point: the size wanted there if it is a corner of the interface with kept tets, else 0.
+std::vector<double> sizes_at_interface(std::span<const Vec3> points, const Cavity& cavity, const WantedSize& size) {
+    std::vector<double> wanted(points.size(), 0);
     for (std::size_t f = 0; f < cavity.facets.size(); ++f)
         if (cavity.tet_of_facet[f].is_valid())
-            for (const int c : cavity.facets[f].corners) is_at_interface[c] = 1;
-    return is_at_interface;
+            for (const int c : cavity.facets[f].corners)
+                if (wanted[c] == 0) wanted[c] = size.at(points[c]);
+    return wanted;
 }
 
 /// Between the lattice and an interface there may be room for a point that neither has. Left empty, the mesh would get
 /// coarser with every update. Elsewhere a mesh from scratch has such room, too.
 std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<const Vec3> points, const Cavity& cavity,
                                  SeedSpace& space, const WantedSize& size) {
-    const std::vector<char> is_at_interface = interface_points(points.size(), cavity);
+    const std::vector<double> wanted = sizes_at_interface(points, cavity, size);
     std::vector<std::pair<double, Vec3>> gaps;
-    for (const auto& [a, b, c, d] : triangulation.tets) {
-        if (!(is_at_interface[a] || is_at_interface[b] || is_at_interface[c] || is_at_interface[d])) continue;
-        const Ball ball = circumsphere(points[a], points[b], points[c], points[d]);
+    for (const auto& tet : triangulation.tets) {
+        const auto corner = std::find_if(tet.begin(), tet.end(), [&](int c) { return wanted[c] > 0; });
+        if (corner == tet.end()) continue;
+        const Ball ball = circumsphere(points[tet[0]], points[tet[1]], points[tet[2]], points[tet[3]]);
+        const double least = (1 - 1e-9) * (wanted[*corner] - size.slope * ball.radius);  // wanted at its middle
+        if (ball.radius < radius_of_a_gap * least) continue;
         if (!(ball.radius > radius_of_a_gap * size.at(ball.center) && ball.radius < 2 * size.largest)) continue;
         gaps.emplace_back(-ball.radius, ball.center);
     }

@@ -8,6 +8,7 @@ namespace featuremesh {
 
 WantedSize wanted_size(const SizingField& sizing, const Mesh& surface) {
     WantedSize size{[&sizing](const Vec3& p) { return sizing.at(p); }, sizing.largest(), sizing.is_uniform()};
+    size.slope = sizing.growth() - 1;
     if (size.is_uniform || surface.triangles.empty()) return size;
     // the mean of directions: a turn for a factor of two
     constexpr std::size_t most_asked = 2000;

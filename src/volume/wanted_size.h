@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 
 #include "core/geometry.h"
 #include "mesh/mesh.h"
@@ -17,6 +18,8 @@ struct WantedSize {
     /// About the largest. A graded lattice has this size, halved again and again, so that where most of a part wants
     /// one size the lattice should come to just that, not to up to 1.4 times more or less.
     double root = largest;
+    /// Over a way the size changes by no more than this times the way; unknown where it is infinite.
+    double slope = std::numeric_limits<double>::infinity();
 };
 
 /// Keeps a reference to the field. The root is what the triangles of the surface want, doubled or halved, in the mean.
