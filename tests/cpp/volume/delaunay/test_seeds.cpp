@@ -110,6 +110,25 @@ TEST_CASE("active points need room") {
     }
 }
 
+TEST_CASE("points keep the distance that the size wants where they are, small sizes beside large ones") {
+    const Cavity cavity = box_boundary(8, 12);
+    const WantedSize graded{[](const Vec3& p) { return 0.02 + 0.15 * std::abs(p.x - 6); }, 0.92, false};
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> place(2, 10);
+    std::vector<Vec3> candidates, expected;
+    for (int i = 0; i < 3000; ++i)
+        candidates.push_back({6 + (i % 2 == 0 ? 0.02 : 1) * (place(random) - 6), place(random), place(random)});
+    constexpr double spacing = 0.7;
+    for (const Vec3& p : candidates)
+        if (std::none_of(expected.begin(), expected.end(),
+                         [&](const Vec3& q) { return distance(p, q) < spacing * graded.at(p); }))
+            expected.push_back(p);
+    REQUIRE(expected.size() < candidates.size());
+    const RunContext context;
+    SeedSpace space(cavity.points, cavity.facets, {}, graded, {}, context);
+    CHECK(space.with_room(candidates, {.clearance = 0.5, .spacing = spacing}) == expected);
+}
+
 TEST_CASE(
     "a point that comes closer than the lattice stays out of the balls around the facets where they are to be spared") {
     const Cavity cavity = box_boundary(8, 12);  // right-angled facets, their sides 1.5, the balls' radius 1.06
