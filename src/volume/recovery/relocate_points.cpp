@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "core/sort_once.h"
 #include "core/sorted_pair.h"
@@ -177,54 +178,72 @@ class Relocation {
         return outline.size() == fan.size() + (is_closed ? 0 : 1) ? outline : std::vector<int>{};
     }
 
-    /// A sector without tets stands for one that cannot be told apart.
-    std::vector<Sector> sectors_of(int point, const std::vector<Patch>& patches) const {
-        const std::vector<int>& star = tets_of_[point - first_];
-        std::map<Pair, std::vector<int>> across;  // the triangles (point, u, v)
-        for (const int t : star)
+    /// What meets at a point: by the ends of the triangles (point, u, v) the tets and the patch that have them.
+    struct Surroundings {
+        int point;
+        const std::vector<Patch>& patches;
+        std::map<Pair, std::vector<int>> tets;
+        struct Piece {
+            const Patch* patch;
+            Pair turned;  ///< as the patch has the ends
+        };
+        std::map<Pair, Piece> pieces;
+    };
+    Surroundings surroundings_of(int point, const std::vector<Patch>& patches) const {
+        Surroundings around{point, patches, {}, {}};
+        for (const int t : tets_of_[point - first_])
             for (int i = 0; i < 4; ++i)
                 for (int j = i + 1; j < 4; ++j)
                     if (tets_[t][i] != point && tets_[t][j] != point)
-                        across[sorted_pair(tets_[t][i], tets_[t][j])].push_back(t);
-        std::map<Pair, const Patch*> patch_at;
-        std::map<Pair, Pair> turn_of;
+                        around.tets[sorted_pair(tets_[t][i], tets_[t][j])].push_back(t);
         for (const Patch& patch : patches)
-            for (const Pair& uv : patch.fan)
-                patch_at[sorted_pair(uv[0], uv[1])] = &patch, turn_of[sorted_pair(uv[0], uv[1])] = uv;
-        std::map<int, int> sector_of;
+            for (const Pair& uv : patch.fan) around.pieces[sorted_pair(uv[0], uv[1])] = {&patch, uv};
+        return around;
+    }
+
+    std::vector<Sector> sectors_of(int point, const std::vector<Patch>& patches) const {
+        const Surroundings around = surroundings_of(point, patches);
+        std::set<int> taken;
         std::vector<Sector> sectors;
-        for (const int seed : star) {
-            if (sector_of.contains(seed)) continue;
-            Sector sector;
-            std::map<const Patch*, bool> is_behind;
-            sector.tets.push_back(seed), sector_of[seed] = static_cast<int>(sectors.size());
-            bool is_plain = true;
-            for (std::size_t i = 0; i < sector.tets.size(); ++i) {
-                const int t = sector.tets[i];
-                for (int k = 0; k < 4; ++k) {
-                    if (tets_[t][k] == point) continue;
-                    const auto& face = opposite_face[k];
-                    Corners facet{tets_[t][face[0]], tets_[t][face[1]], tets_[t][face[2]]};
-                    while (facet[0] != point) std::rotate(facet.begin(), facet.begin() + 1, facet.end());
-                    const Pair key = sorted_pair(facet[1], facet[2]);
-                    if (const auto patch = patch_at.find(key); patch != patch_at.end()) {
-                        const bool behind = turn_of[key] == Pair{facet[1], facet[2]};
-                        is_plain &= is_behind.emplace(patch->second, behind).first->second == behind;
-                        continue;
-                    }
-                    for (const int other : across[key])
-                        if (sector_of.emplace(other, static_cast<int>(sectors.size())).second)
-                            sector.tets.push_back(other);
-                }
-            }
-            if (!is_plain) sector.tets.clear();
-            for (const Patch& patch : patches)
-                if (const auto found = is_behind.find(&patch); found != is_behind.end())
-                    for (const Corners& c : patch.filled)
-                        sector.cones.push_back(found->second ? c : Corners{c[0], c[2], c[1]});
-            sectors.push_back(std::move(sector));
-        }
+        for (const int tet : tets_of_[point - first_])
+            if (taken.insert(tet).second) sectors.push_back(sector_from(tet, around, taken));
         return sectors;
+    }
+
+    /// Without tets where it lies on both sides of a patch, so that it cannot be told which is its own.
+    Sector sector_from(int first, const Surroundings& around, std::set<int>& taken) const {
+        Sector sector;
+        std::map<const Patch*, bool> is_behind;
+        sector.tets.push_back(first);
+        bool is_plain = true;
+        for (std::size_t i = 0; i < sector.tets.size(); ++i) {
+            const Tet& tet = tets_[sector.tets[i]];
+            for (int k = 0; k < 4; ++k) {
+                if (tet[k] == around.point) continue;
+                const Pair ends = ends_in(tet, k, around.point), key = sorted_pair(ends[0], ends[1]);
+                if (const auto piece = around.pieces.find(key); piece != around.pieces.end()) {
+                    const bool behind = piece->second.turned == ends;
+                    is_plain &= is_behind.emplace(piece->second.patch, behind).first->second == behind;
+                    continue;
+                }
+                for (const int other : around.tets.at(key))
+                    if (taken.insert(other).second) sector.tets.push_back(other);
+            }
+        }
+        if (!is_plain) sector.tets.clear();
+        for (const Patch& patch : around.patches)
+            if (const auto found = is_behind.find(&patch); found != is_behind.end())
+                for (const Corners& c : patch.filled)
+                    sector.cones.push_back(found->second ? c : Corners{c[0], c[2], c[1]});
+        return sector;
+    }
+
+    /// The other two corners of a tet's triangle, in the order in which the triangle turns with the point in front.
+    static Pair ends_in(const Tet& tet, int triangle, int point) {
+        const auto& face = opposite_face[triangle];
+        Corners corners{tet[face[0]], tet[face[1]], tet[face[2]]};
+        while (corners[0] != point) std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+        return {corners[1], corners[2]};
     }
 
     /// Looks for room along the way to the middle of the sector and along the mean of the facets' normals; in the end,
