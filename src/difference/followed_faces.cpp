@@ -30,6 +30,7 @@ class FaceFollower {
         followed_.resize(old_.brep.face_count());
         in_place_.resize(followed_.size());
         claimed_.assign(new_.brep.face_count(), 0);
+        taken_ = claimed_;
         for (std::size_t f = 0; f < followed_.size(); ++f) followed_[f].old_face = FaceId(f);
         for (const FaceChange& change : faces_in_place(old_.brep, new_.brep, RigidMotion{}))
             if (change.old_face.is_valid()) in_place_[change.old_face.index()] = change;
@@ -54,8 +55,7 @@ class FaceFollower {
         followed.new_faces = faces;
         std::sort(followed.new_faces.begin(), followed.new_faces.end());
         followed.by = by;
-        if (by != FollowedBy::place)
-            for (const FaceId g : faces) claimed_[g.index()] = 1;
+        for (const FaceId g : faces) taken_[g.index()] = 1, claimed_[g.index()] |= by != FollowedBy::place;
     }
     bool is_open(FaceId f) const { return followed_[f.index()].by == FollowedBy::nothing; }
 
@@ -209,11 +209,11 @@ class FaceFollower {
         return found;
     }
 
-    /// Gives each new face that nobody claims to the one old face that it is most like. Returns whether there was one.
+    /// Gives each new face that is of no old one to the one that it is most like. Returns whether there was one.
     bool follow_neighbours() {
         std::map<FaceId, std::vector<FaceId>> given;
-        for (std::size_t g = 0; g < claimed_.size(); ++g) {
-            if (claimed_[g]) continue;
+        for (std::size_t g = 0; g < taken_.size(); ++g) {
+            if (taken_[g]) continue;
             FaceId best;
             double most = 0, second = 0;
             for (std::size_t f = 0; f < followed_.size(); ++f) {
@@ -253,7 +253,8 @@ class FaceFollower {
     const std::vector<std::vector<int>> partners_;
     std::vector<FollowedFace> followed_;
     std::vector<FaceChange> in_place_;
-    std::vector<char> claimed_;                 // by new FaceId
+    std::vector<char> taken_;                   // by new FaceId: is it one of an old face?
+    std::vector<char> claimed_;                 // and is that more than its place?
     std::vector<std::vector<FaceId>> by_made_;  // by index into the new made faces
 };
 }  // namespace

@@ -7,6 +7,7 @@ from unittest import mock
 
 import FreeCAD
 import ObjectsFem
+import Part
 from freecad.featuremesh import api, history, references, versions
 from freecad.featuremesh.messages import in_english
 from parts import new_document, placement, rectangle
@@ -377,6 +378,42 @@ class Blocks(unittest.TestCase):
         self.document.recompute()
         self.assertAlmostEqual(self.area_of(body, load), 2000)
         self.assertTrue(any("become one" in line for line in warnings_of(self.mesh)), warnings_of(self.mesh))
+
+    def imported(self, shape, name="Imported"):
+        solid = self.document.addObject("Part::Feature", name)
+        solid.Shape = shape
+        return solid
+
+    def block_with_rib(self):
+        block, rib = Part.makeBox(100, 60, 20), Part.makeBox(30, 20, 20, FreeCAD.Vector(60, 20, 20))
+        return block.fuse(rib).removeSplitter()
+
+    def test_an_imported_solid_that_is_cut(self):
+        """What knows no features goes by places: faces that stayed are nobody else's, though they lie beside one that was cut."""
+        solid = self.imported(self.block_with_rib())
+        loads = [self.load(solid, "Face%d" % n) for n in range(1, len(solid.Shape.Faces) + 1)]
+        places = [solid.Shape.getElement(names_of(load)[0][1]).BoundBox for load in loads]
+        self.mesh_of(solid)
+        solid.Shape = solid.Shape.cut(Part.makeBox(30, 60, 20))
+        self.document.recompute()
+        for load, was in zip(loads, places):
+            now, = [solid.Shape.getElement(name).BoundBox for _, name in names_of(load)]
+            self.assertEqual([getattr(now, side) for side in ("YMin", "YMax", "ZMin", "ZMax")], [getattr(was, side) for side in ("YMin", "YMax", "ZMin", "ZMax")])
+            self.assertEqual((now.XMin, now.XMax), (max(was.XMin, 30), max(was.XMax, 30)))
+
+    def test_a_mesh_that_is_given_another_part(self):
+        """The next version of a file, imported beside the first one."""
+        solid = self.imported(self.block_with_rib())
+        loads = [self.load(solid, "Face%d" % n) for n in range(1, len(solid.Shape.Faces) + 1)]
+        areas = [self.area_of(solid, load) for load in loads]
+        self.mesh_of(solid)
+        other = self.imported(solid.Shape.fuse(Part.makeBox(5, 5, 5, FreeCAD.Vector(10, 10, 20))).removeSplitter(), "Next")
+        setattr(self.mesh, versions.part_property(self.mesh), other)
+        self.document.recompute()
+        self.assertEqual({name for load in loads for name, _ in names_of(load)}, {"Next"})
+        self.assertEqual([line for line in warnings_of(self.mesh) if "not on the meshed part" in line], [])
+        for load, area in zip(loads, areas):
+            self.assertIn(round(area - self.area_of(other, load), 6), (0, 25))
 
     def test_a_group_and_a_refinement_follow(self):
         body = self.block()

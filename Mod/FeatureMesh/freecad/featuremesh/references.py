@@ -107,7 +107,8 @@ def follow(obj, known, resolver, numbering):
         now += [new for new in found if new not in now]
         if not found:
             lost.append(name)
-    if may_change(obj, resolver) and (lost or now != known["names"] or plain_pairs(obj) != known["pairs"]):
+    is_elsewhere = bool(resolver.of_object(obj)[1])   # the mesh was given another part
+    if may_change(obj, resolver) and (lost or now != known["names"] or plain_pairs(obj) != known["pairs"] or is_elsewhere):
         _refer(obj, resolver.bearer, now)
         if lost and not now:
             _mark(obj, lost)
