@@ -4,6 +4,7 @@ import os
 import tempfile
 import unittest
 
+import FreeCAD
 import Part
 from freecad.featuremesh import engine, reading
 from freecad.featuremesh.errors import UserError
@@ -293,6 +294,20 @@ class Finding(unittest.TestCase):
         document.recompute()
         self.assertIs(reading.find_meshable(document), box)
         self.assertIs(reading.find_meshable(document, "Plane"), plane)
+
+    def test_a_sketch_of_which_nothing_is_made(self):
+        document = new_document()
+        sketch = document.addObject("Sketcher::SketchObject", "Frame")
+        sketch.addGeometry(Part.LineSegment(FreeCAD.Vector(0, 0), FreeCAD.Vector(30, 0)))
+        document.recompute()
+        self.assertIs(reading.find_meshable(document), sketch)
+        self.assertIs(reading.find_meshable(document, "Frame"), sketch)
+        extrusion = document.addObject("Part::Extrusion", "Wall")
+        extrusion.Base, extrusion.Dir, extrusion.LengthFwd = sketch, FreeCAD.Vector(0, 0, 1), 20
+        document.recompute()
+        self.assertIs(reading.find_meshable(document), extrusion)
+        with self.assertRaisesRegex(UserError, "Frame has no solid"):
+            reading.find_meshable(document, "Frame")
 
     def test_unknown_name_comes_with_a_near_one(self):
         document = new_document()

@@ -94,8 +94,8 @@ def find_meshable(document, name=None):
 
 
 def final_parts(document):
-    """The objects with a solid that no other one uses; where there is no solid, those with a face, or else with an edge."""
-    return next((found for found in (_final_objects(document.Objects, kind) for kind in _KINDS) if found), [])
+    """The objects with a solid that no other one uses; where there is no solid, those with a face, or else with an edge, or else what is only drawn."""
+    return next((found for found in (_final_objects(document.Objects, kind) for kind in _KINDS) if found), list(filter(_is_drawn_alone, document.Objects)))
 
 
 def final_solids_of(objects):
@@ -557,10 +557,19 @@ def _checked_part(obj):
     if obj.isDerivedFrom("App::Part") or obj.isDerivedFrom("App::DocumentObjectGroup"):
         raise UserError(said("{object:text} is a group, name one of its objects: {members:text}",
                              object=describe(obj), members=", ".join(member.Name for member in obj.Group)))
-    shape = _shape_of(obj)
-    if not _has(shape, "Edge" if not obj.isDerivedFrom("Part::Part2DObject") else "Face"):
+    if not (_is_drawn_alone(obj) or _has(_shape_of(obj), "Face" if is_drawn(obj) else "Edge")):
         raise UserError(said("{object:text} has no solid{error:text}", object=describe(obj), error=": " + error_of(obj) if error_of(obj) else ""))
     return obj
+
+
+def is_drawn(obj):
+    """Is it a sketch, or a wire of Draft?"""
+    return obj.isDerivedFrom("Part::Part2DObject")
+
+
+def _is_drawn_alone(obj):
+    """Is nothing made of what was drawn, so that its lines may be beams?"""
+    return is_drawn(obj) and has_shape(obj) and not any(user.isDerivedFrom("Part::Feature") for user in obj.InList)
 
 
 def _is_candidate(obj, kind):

@@ -70,9 +70,7 @@ def chosen(document, mesh):
 
 
 def edit_in_fem(mesh, obj):
-    """Opens FEM's own panel of `obj`, with the part in view, of which more can be clicked there."""
-    from ..gui.showing import show_part
-    show_part(versions.part_of(mesh))
+    """Opens FEM's own panel of `obj`, in which more of the part can be clicked."""
     Gui.getDocument(obj.Document).setEdit(obj.Name)
 
 
@@ -119,7 +117,7 @@ def _part_of(obj):
     group = obj.getParentGeoFeatureGroup()
     if group is not None and group.TypeId == "PartDesign::Body":
         return group
-    if reading.has_shape(obj):
+    if reading.has_shape(obj) and not reading.is_drawn(obj):
         return obj
     made_of_it = [part for part in reading.final_parts(obj.Document) if obj in reading.dependencies(part)]
     return made_of_it[0] if len(made_of_it) == 1 else obj

@@ -24,6 +24,15 @@ def box(chooser):
     chooser.currentTextChanged.connect(tell)
 
 
+def text(words):
+    """A label with as many lines as its words need, however narrow; its tool tip has them, too, for a word may be longer than a line."""
+    label = QtGui.QLabel(words)
+    label.setWordWrap(True)
+    label.setMinimumWidth(1)
+    label.setToolTip(words)
+    return label
+
+
 def margins(layout):
     """FreeCAD puts margins of its own around a panel."""
     layout.setContentsMargins(_MARGIN, layout.contentsMargins().top(), _MARGIN, layout.contentsMargins().bottom())

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tells the model's side which object's task panel is open, and when it is closed; shows why an analysis is not solved."""
+"""Tells the model's side which object's task panel is open, and when it is closed; shows the part while its faces are asked for, and why an analysis is not
+solved."""
 
 import FreeCADGui as Gui
 
 from .. import history, references, solve_guard
-from . import errors
+from . import errors, showing
 
 
 def install():
@@ -22,7 +23,17 @@ def _is_in_edit(obj):
 
 class _Observer:
 
+    def __init__(self):
+        self._before = []   # what was seen before the panel was opened
+
+    def slotInEdit(self, view):
+        obj = getattr(view, "Object", None)
+        if obj is not None and hasattr(obj, "References"):
+            self._before = showing.show_to_click(obj)
+
     def slotResetEdit(self, view):
         obj = getattr(view, "Object", None)
         if obj is not None and hasattr(obj, "References"):
             history.settle(obj)
+            showing.restore(self._before)
+            self._before = []

@@ -9,7 +9,7 @@ from .. import mesh_object, view_provider, versions
 from ..errors import UserError
 from ..messages import of_error
 from ..user_words import in_words
-from . import narrow
+from . import narrow, showing
 from .closes_with_object import ClosesWithObject
 from .cut_box import CutBox
 
@@ -40,7 +40,7 @@ class OverlayPanel(ClosesWithObject):
         self.layout.addWidget(self.note)
         self.overlay = self.make_overlay()
         Gui.Selection.clearSelection()   # what is selected is drawn in one colour
-        self.mesh.ViewObject.Visibility = True
+        self._seen_before = showing.show_elements(self.mesh)
         self._show()
         view_provider.followers.append(self._follow)
         self.watch(self.mesh)
@@ -78,6 +78,7 @@ class OverlayPanel(ClosesWithObject):
     def reject(self):
         self.end()
         self.mesh.ViewObject.Proxy.show(self.mesh, None)
+        showing.restore(self._seen_before)
         Gui.Control.closeDialog()
         return True
 

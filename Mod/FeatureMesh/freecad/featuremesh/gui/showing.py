@@ -4,8 +4,11 @@
 import FreeCAD
 from PySide import QtCore
 
-from .. import api, assembled, versions
+from .. import analyses, api, assembled, versions
+from ..live_result import is_live_result
 from ..mesh_object import is_feature_mesh
+
+_DRAWN_BY_FEM = ("Fem::FemMeshObject", "Fem::FemPostObject")   # meshes, those of results too, and pipelines
 
 
 def show_part(part):
@@ -18,8 +21,29 @@ def show_part(part):
     return before
 
 
+def show_to_click(obj):
+    """Shows the parts whose faces the panel of an FEM object asks for where their meshes are seen in their place, or nothing: some panels of FEM hide all
+    meshes. Returns what `restore` needs to show the meshes again."""
+    before = []
+    for mesh in api.meshes_of(obj.Document):
+        part = versions.part_of(mesh)
+        if part is not None and not part.ViewObject.Visibility and _is_about(obj, mesh):
+            show_part(part)
+            before += [(obj.Document.Name, part.Name, False), (obj.Document.Name, mesh.Name, True)]
+    return before
+
+
+def show_elements(mesh):
+    """Shows the mesh, and hides what would cover its elements: what it is of, other meshes of that, and results. Returns what `restore` needs."""
+    covers = [*_meshed(mesh), *(obj for obj in mesh.Document.Objects if _may_cover(obj, mesh))]
+    before = [(obj.Document.Name, obj.Name, obj.ViewObject.Visibility) for obj in (*covers, mesh)]
+    _set_visible(covers, False)
+    mesh.ViewObject.Visibility = True
+    return before
+
+
 def restore(before):
-    """Makes visible and hides what was so before show_part, as far as it is still there."""
+    """Makes visible and hides what was so before, as far as it is still there."""
     for document_name, name, visible in before:
         document = FreeCAD.listDocuments().get(document_name)
         obj = document.getObject(name) if document is not None else None
@@ -72,6 +96,16 @@ class _Observer:
         for place in [place for place in self._shown if place[0] == name and document is not None]:
             if document.getObject(place[1]) is not None:
                 _set_visible([part for part in map(document.getObject, self._shown.pop(place)) if part is not None], False)
+
+
+def _is_about(obj, mesh):
+    """Has an FEM object to do with the mesh: a load, a support, a material of its analysis, one of its groups or refinements?"""
+    return obj in mesh.MeshRegionList or obj in mesh.MeshGroupList or any(obj in analysis.Group for analysis in analyses.holding(mesh))
+
+
+def _may_cover(obj, mesh):
+    is_of_another = is_feature_mesh(obj) and versions.part_of(obj) is not versions.part_of(mesh)
+    return obj is not mesh and not is_of_another and (is_live_result(obj) or any(obj.isDerivedFrom(kind) for kind in _DRAWN_BY_FEM))
 
 
 def _meshed(mesh):

@@ -70,8 +70,8 @@ class MeshPanel:
         settings = QtGui.QFormLayout()
         layout.addLayout(settings)
         part, holding = versions.part_of(self.mesh), analyses.holding(self.mesh)
-        settings.addRow(translate("FeatureMesh", "Part"), QtGui.QLabel(part.Label if part is not None else "-"))
-        settings.addRow(translate("FeatureMesh", "Analysis"), QtGui.QLabel(", ".join(analysis.Label for analysis in holding) or "-"))
+        settings.addRow(translate("FeatureMesh", "Part"), narrow.text(part.Label if part is not None else "-"))
+        settings.addRow(translate("FeatureMesh", "Analysis"), narrow.text(", ".join(analysis.Label for analysis in holding) or "-"))
         self.size = self._length("Size")
         self.min_size = self._length("MinSize")
         self.min_automatic = QtGui.QCheckBox(translate("FeatureMesh", "automatic"))
@@ -101,13 +101,13 @@ class MeshPanel:
                               (translate("FeatureMesh", "Smallest"), self.min_automatic),
                               ("", self.min_size),
                               (translate("FeatureMesh", "Mesh of"), self.dimension),
-                              (translate("FeatureMesh", "Element"), self.order),
+                              (None, self.order),   # its words need all the width
                               (translate("FeatureMesh", "Per circle"), self.per_circle),
                               (translate("FeatureMesh", "Across gaps"), self.across_gap),
                               (translate("FeatureMesh", "Growth"), self.growth),
                               (translate("FeatureMesh", "Ignore below"), self.details),
                               ("", self.ignore_below)):
-            settings.addRow(label, widget)
+            settings.addRow(*((widget,) if label is None else (label, widget)))
         for chooser in (self.dimension, self.order, self.details):
             narrow.box(chooser)
         layout.addWidget(self.automatic)
@@ -158,14 +158,16 @@ class MeshPanel:
     def _progress_bar(self):
         """Shown while there is progress, with a button that ends the work."""
         self.working = QtGui.QWidget()
-        row = QtGui.QHBoxLayout(self.working)
-        row.setContentsMargins(0, 0, 0, 0)
+        rows = QtGui.QGridLayout(self.working)
+        rows.setContentsMargins(0, 0, 0, 0)
+        self.step = narrow.text("")
         self.progress = QtGui.QProgressBar()
         self.progress.setRange(0, 100)
         self.stop_button = QtGui.QPushButton(translate("FeatureMesh", "Stop"))
         self.stop_button.clicked.connect(self.cancel)
-        row.addWidget(self.progress, 1)
-        row.addWidget(self.stop_button)
+        rows.addWidget(self.step, 0, 0, 1, 2)
+        rows.addWidget(self.progress, 1, 0)
+        rows.addWidget(self.stop_button, 1, 1)
         self.working.hide()
         return self.working
 
@@ -317,11 +319,11 @@ class MeshPanel:
 
     def _poll(self):
         self.progress.setValue(round(100 * self.running.share))
-        self.progress.setFormat("%s: %%p %%" % step_in_words(self.running.step))
+        self.step.setText(step_in_words(self.running.step))
         if not self.running.is_done():
             return
         self._timer.stop()
-        self.progress.setFormat(translate("FeatureMesh", "handing over to FreeCAD"))
+        self.step.setText(translate("FeatureMesh", "handing over to FreeCAD"))
         error, self.running = self.running.error, None
         try:
             if error is not None:
@@ -350,7 +352,7 @@ class MeshPanel:
         self.full_button.setEnabled(not running)
         self.working.setVisible(running)
         self.progress.setValue(0)
-        self.progress.setFormat("")
+        self.step.setText("")
 
     def _failed(self, error):
         self._close_when_done = False
