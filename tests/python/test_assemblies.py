@@ -4,6 +4,7 @@ import json
 import os
 import re
 import shutil
+import sys
 import tempfile
 import unittest
 
@@ -52,6 +53,23 @@ def face_at(shape, solid, z):
     """Name of the horizontal face of one solid of a shape at that height."""
     own = [face for face in shape.Solids[solid].Faces if face.BoundBox.ZLength < 1e-6 and abs(face.CenterOfMass.z - z) < 1e-6]
     return next("Face%d" % number for number, face in enumerate(shape.Faces, 1) if face.isSame(own[0]))
+
+
+def said_by_freecad(work):
+    """What FreeCAD writes to its console, as text, while `work` is done."""
+    with tempfile.TemporaryFile() as said:
+        sys.stdout.flush()
+        kept = [os.dup(number) for number in (1, 2)]
+        try:
+            for number in (1, 2):
+                os.dup2(said.fileno(), number)
+            work()
+        finally:
+            for number, handle in zip((1, 2), kept):
+                os.dup2(handle, number)
+                os.close(handle)
+        said.seek(0)
+        return said.read().decode(errors="replace")
 
 
 class InADocument(unittest.TestCase):
@@ -112,6 +130,24 @@ class Assembly(InADocument):
         self.assertTrue(assembled.is_assembled(versions.part_of(mesh)))
         self.assertEqual(versions.part_of(mesh).Parts, boxes)
         self.check_edit(mesh, boxes)
+
+    def test_parts_in_containers_are_within_reach(self):
+        """FreeCAD warns at each recompute of links that lead into a container, unless they are for that."""
+        container = self.document.addObject("App::Part", "Machine")
+        box = container.newObject("Part::Box", "Box")
+        self.document.recompute()
+
+        def work():
+            FreeCAD.Console.PrintWarning("it is heard\n")
+            for part in (box, container):
+                mesh = api.add_mesh(part, 3, order=1)
+                api.add_size_zone(mesh, "Distance", [(box, "Face1")] if part is box else [(versions.part_of(mesh), "Face1")], inner=1, distance=1)
+                box.Length = box.Length.Value + 1
+                self.document.recompute()
+                self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        said = said_by_freecad(work)
+        self.assertIn("it is heard", said)
+        self.assertNotIn("scope", said)
 
     def test_a_part_that_is_hidden_placed_or_in_a_container_in_it_counts(self):
         outer, inner = (self.document.addObject("App::Part", name) for name in ("Outer", "Inner"))

@@ -72,7 +72,7 @@ AUTOMATIC_SHARE = 0.1   # of Size is the smallest size where none is given
 def add(mesh):
     """Adds what the object lacks: all of it when new, what came later when from an older document."""
     if "Shape" not in mesh.PropertiesList and "Part" not in mesh.PropertiesList:
-        mesh.addProperty("App::PropertyLink", "Part", "Mesh", "The part to mesh")
+        mesh.addProperty("App::PropertyLinkGlobal", "Part", "Mesh", "The part to mesh")
     for kind, name, group, default, read_only, tooltip in PROPERTIES:
         if name not in mesh.PropertiesList:
             mesh.addProperty(kind, name, group, tooltip, _NO_TOUCH if name == "ReferredTo" else 0)

@@ -88,7 +88,7 @@ def find_meshable(document, name=None):
     if not final:
         raise UserError(said("the document {document:text} has no solid to mesh", document=document.Label))
     if len(final) > 1:
-        raise UserError(said("the document has several solids, select one (in the console, name it with --object): {solids:text}",
+        raise UserError(said("the document has several solids, select one, or the container of those to mesh (in the console, name it with --object): {solids:text}",
                              solids=", ".join(describe(obj) for obj in final)))
     return final[0]
 

@@ -25,7 +25,7 @@ class SharedMesh:
         self._shown = ""   # which state of the mesh FemMesh is of
         shared.addProperty("App::PropertyLink", "Mesh", "Mesh", "The mesh object whose mesh this analysis is solved with")
         if versions.part_property(mesh) not in shared.PropertiesList:
-            shared.addProperty("App::PropertyLink", versions.part_property(mesh), "Mesh", "The meshed part")
+            shared.addProperty("App::PropertyLinkGlobal", versions.part_property(mesh), "Mesh", "The meshed part")
         shared.Mesh = mesh
         setattr(shared, versions.part_property(mesh), versions.part_of(mesh))
 

@@ -28,7 +28,7 @@ PROPERTIES = [
     ("App::PropertyLength", "Height", "Zone", 10.0, False, "Height of the box or the cylinder, along its z axis"),
     ("App::PropertyLength", "Radius", "Zone", 5.0, False, "Radius of the sphere or the cylinder"),
     ("App::PropertyLength", "Distance", "Zone", 0.0, False, "How far from the references the inner size reaches"),
-    ("App::PropertyLinkSubList", "References", "Zone", None, False, "Faces, edges and vertices from which the distance is measured"),
+    ("App::PropertyLinkSubListGlobal", "References", "Zone", None, False, "Faces, edges and vertices from which the distance is measured"),
     ("App::PropertyLength", "InnerSize", "Size", 1.0, False, "Wanted edge length of the elements inside"),
     ("App::PropertyLength", "OuterSize", "Size", 0.0, False, "Edge length to which it grows outside; 0: the size of the mesh"),
     ("App::PropertyLength", "Transition", "Size", 0.0, False, "Over how much it grows to the outer size; 0: as fast as the mesh's Growth allows"),

@@ -3205,8 +3205,8 @@
       <translation>das Dokument hat mehrere Netze, das zu übernehmende auswählen: {meshes:text}</translation>
     </message>
     <message>
-      <source>the document has several solids, select one (in the console, name it with --object): {solids:text}</source>
-      <translation>das Dokument hat mehrere Volumenkörper, einen auswählen (in der Konsole mit --object angeben): {solids:text}</translation>
+      <source>the document has several solids, select one, or the container of those to mesh (in the console, name it with --object): {solids:text}</source>
+      <translation>das Dokument hat mehrere Volumenkörper, einen auswählen oder den Container derer, die zu vernetzen sind (in der Konsole mit --object angeben): {solids:text}</translation>
     </message>
     <message>
       <source>the document holds no mesh state</source>
