@@ -10,6 +10,7 @@ from unittest import mock
 import FreeCAD
 from freecad.featuremesh import engine, job, messages, reading, user_words
 from parts import new_document, plate_with_hole
+from PySide import QtCore
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "resources" / "translations"))
@@ -55,6 +56,17 @@ class Templates(unittest.TestCase):
 
 
 class Messages(unittest.TestCase):
+    def test_numbers_have_the_decimal_sign_of_freecad(self):
+        before = QtCore.QLocale()
+        self.addCleanup(QtCore.QLocale.setDefault, before)
+        message = messages.said("{number:number}, {length:length}, {volume:volume}, {extent:extent}, {point:point}, {text:text}", number=0.5, length=2.25,
+                                volume=1.5, extent=[1.5, 2.0], point=[1.5, -2.0, 0.25], text="0.20.2")
+        for locale, words in (("de_DE", "0,5, 2,25 mm, 1,5 mm^3, 1,5 x 2 mm, (1,5; -2; 0,25) mm, 0.20.2"),
+                              ("C", "0.5, 2.25 mm, 1.5 mm^3, 1.5 x 2 mm, (1.5, -2, 0.25) mm, 0.20.2")):
+            QtCore.QLocale.setDefault(QtCore.QLocale(locale))
+            self.assertEqual(user_words.in_words(message), words)
+            self.assertIn("0.5, 2.25 mm", messages.english(message))
+
     def test_one_is_in_the_singular(self):
         def folded(count):
             return messages.said("{triangles:count} {triangles:triangle is|triangles are} folded", triangles=count)

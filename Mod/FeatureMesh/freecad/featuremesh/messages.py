@@ -99,8 +99,9 @@ def _owned(value, owners):
 class Words(string.Formatter):
     """Puts messages into words; the kinds in a template are those of src/core/message.h."""
 
-    def __init__(self, translated=lambda words: words, with_units=lambda text: text):
-        self._translated, self._with_units = translated, with_units
+    def __init__(self, translated=lambda words: words, with_units=lambda text: text, as_shown=lambda numbers: numbers):
+        """`as_shown` gives numbers the decimal sign that the user is used to."""
+        self._translated, self._with_units, self._as_shown = translated, with_units, as_shown
 
     def put(self, message):
         if not is_message(message):
@@ -119,19 +120,20 @@ class Words(string.Formatter):
     _count = _text
 
     def _number(self, value):
-        return "%.6g" % (value if abs(value) >= 5e-10 else 0)
+        return self._as_shown(_digits(value))
 
     def _length(self, value):
-        return self._with_units(self._number(value) + " mm")
+        return self._as_shown(self._with_units(_digits(value) + " mm"))
 
     def _volume(self, value):
-        return self._with_units(self._number(value) + " mm^3")
+        return self._as_shown(self._with_units(_digits(value) + " mm^3"))
 
     def _extent(self, value):
-        return self._with_units(" x ".join(map(self._number, value)) + " mm")
+        return self._as_shown(self._with_units(" x ".join(map(_digits, value)) + " mm"))
 
     def _point(self, value):
-        return self._with_units("(%s) mm" % ", ".join(map(self._number, value)))
+        text = self._as_shown(self._with_units("(%s) mm" % ", ".join(map(_digits, value))))
+        return text if self._as_shown("0.5") == "0.5" else text.replace(", ", "; ")   # beside decimal commas
 
     def _entities(self, names):
         shown, more = ", ".join(names[:_MOST_ENTITIES]), len(names) - _MOST_ENTITIES
@@ -141,6 +143,10 @@ class Words(string.Formatter):
 
     def _messages(self, messages):
         return "; ".join(self.put(message) for message in _listed(messages))
+
+
+def _digits(value):
+    return "%.6g" % (value if abs(value) >= 5e-10 else 0)
 
 
 def _owned_names(value, owners):

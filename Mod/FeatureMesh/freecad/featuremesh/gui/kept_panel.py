@@ -6,7 +6,7 @@ from PySide import QtGui
 
 from .. import overlays
 from ..messages import said
-from ..user_words import in_words
+from ..user_words import as_shown, in_words
 from .overlay_panel import OverlayPanel
 
 translate = FreeCAD.Qt.translate
@@ -36,7 +36,7 @@ class KeptPanel(OverlayPanel):
         if self.overlay is not None:
             count, kept = len(self.overlay.kept), int(self.overlay.kept.sum())
             texts = [in_words(message) for message in (
-                said("kept: {elements:count} {elements:element|elements} ({share:text} %)", elements=kept, share="%.1f" % (100 * kept / count)),
+                said("kept: {elements:count} {elements:element|elements} ({share:text} %)", elements=kept, share=as_shown("%.1f" % (100 * kept / count))),
                 said("new: {elements:count} {elements:element|elements}", elements=count - kept),
                 said("active: {nodes:count} {nodes:node kept as start position|nodes kept as start positions}, free to move", nodes=len(self.overlay.active)))]
         for label, text in zip(self.labels, texts):

@@ -11,7 +11,7 @@ from PySide import QtCore, QtGui
 from .. import api, live_overlay, live_result, live_view, messages, user_words, view_provider, versions
 from ..errors import UserError
 from ..mesh_properties import status_in_words
-from ..user_words import in_users_units
+from ..user_words import as_shown, in_users_units
 from . import live_runner, narrow
 from .closes_with_object import ClosesWithObject
 from .cut_box import CutBox
@@ -204,7 +204,7 @@ class Legend(QtGui.QWidget):
         self.labels, self._table = [], np.zeros((0, 3))
         if drawn is not None and np.isfinite(drawn.values).any():
             self._table = drawn.table
-            self.labels = ["%.3g" % value for value in np.linspace(*drawn.limits, _MARKS)]
+            self.labels = [as_shown("%.3g" % value) for value in np.linspace(*drawn.limits, _MARKS)]
             self.labels[-1] += " " + unit
             if not is_fresh:
                 self.labels = [translate("FeatureMesh", "out of date")]

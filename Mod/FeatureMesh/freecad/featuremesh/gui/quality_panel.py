@@ -9,7 +9,7 @@ from PySide import QtCore, QtGui
 from .. import overlays
 from ..messages import said
 from ..quality import MEASURES
-from ..user_words import in_words
+from ..user_words import as_shown, in_words
 from . import narrow
 from .overlay_panel import OverlayPanel
 
@@ -105,7 +105,7 @@ class QualityPanel(OverlayPanel):
         return translate("FeatureMesh", _DEGREES) if self._measure().unit else ""
 
     def _in_words(self, value):
-        return "%.*f%s" % (self._measure().digits, value, self._unit())
+        return as_shown("%.*f%s" % (self._measure().digits, value, self._unit()))
 
     def _limits(self):
         return self.bad.value(), self.good.value()
@@ -181,5 +181,5 @@ class Histogram(QtGui.QWidget):
             bar = max(height * count / most, 2 if count else 0)
             painter.fillRect(QtCore.QRectF(index * step + 1, height - bar, step - 2, bar), QtGui.QColor.fromRgbF(*colour))
             if index % 4 == 0:
-                painter.drawText(QtCore.QRectF(index * step, height + 2, 3 * step, 16), QtCore.Qt.AlignLeft, "%.*f" % (self._digits, self._edges[index]))
+                painter.drawText(QtCore.QRectF(index * step, height + 2, 3 * step, 16), QtCore.Qt.AlignLeft, as_shown("%.*f" % (self._digits, self._edges[index])))
         painter.end()

@@ -16,7 +16,7 @@ from ..mesh_properties import AUTOMATIC_SHARE, DIMENSIONS, NOT_MESHED, OPTION_OF
 from ..messages import of_error, said
 from . import narrow
 from .errors import select_named
-from ..user_words import in_words
+from ..user_words import as_shown, in_words
 from .running import RunningJob, step_in_words
 from .showing import show_mesh
 from .undo import undo_step
@@ -369,8 +369,8 @@ class MeshPanel:
         self._show_status()
         if mesh.TetCount:
             lines = [in_words(said("{nodes:count} {nodes:node|nodes}, {elements:count} {elements:element|elements} in {seconds:text}\u00a0s",
-                                   nodes=mesh.NodeCount, elements=mesh.TetCount, seconds="%.2f" % mesh.Seconds)),
-                     translate("FeatureMesh", "smallest angle %.1f deg, mean radius ratio %.3f") % (mesh.MinDihedral.Value, mesh.MeanRadiusRatio)]
+                                   nodes=mesh.NodeCount, elements=mesh.TetCount, seconds=as_shown("%.2f" % mesh.Seconds))),
+                     as_shown(translate("FeatureMesh", "smallest angle %.1f deg, mean radius ratio %.3f") % (mesh.MinDihedral.Value, mesh.MeanRadiusRatio))]
             if mesh.KeptNodes:
                 lines.append(translate("FeatureMesh", "kept by the last update: %d %% of the nodes, %d %% of the elements")
                              % (mesh.KeptNodes, mesh.KeptTets))
