@@ -68,6 +68,15 @@ class SolveGuard(unittest.TestCase):
         self.document.recompute()
         self.assertEqual(self.problem(), "")
 
+    def test_a_part_that_freecad_cannot_recompute(self):
+        """Its shape and its mesh are still those from before the edit."""
+        self.part.Length = 0
+        self.document.recompute()
+        self.refuses("last update failed: FreeCAD cannot recompute Beam: ")
+        self.part.Length = 40
+        self.document.recompute()
+        self.assertEqual(self.problem(), "")
+
     def test_settings_that_are_not_meshed_yet(self):
         self.mesh.Size = 6
         self.refuses("settings changed, not meshed yet")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import FreeCADGui as Gui
 
-from .. import api, statics, versions
+from .. import api, statics
 from .base import MeshCommand
 
 
@@ -15,9 +15,10 @@ class Command(MeshCommand):
 
     def run(self, document):
         from ..gui.live_panel import LivePanel
+        from ..gui.showing import what_covers
         chosen = [obj.Name for obj in Gui.Selection.getSelection(document.Name) if obj.isDerivedFrom("Fem::FemAnalysis")]
         live = api.live_result(api.find_analysis(document, *chosen[:1]))
         mesh = statics.mesh_of(live.Proxy.analysis(live))
-        for obj in (mesh, versions.part_of(mesh)):
-            obj.ViewObject.Visibility = False   # they would hide the deformed part
+        for obj in (mesh, *what_covers(mesh)):
+            obj.ViewObject.Visibility = obj is live   # all others would hide the deformed part
         Gui.Control.showDialog(LivePanel(live))

@@ -34,12 +34,17 @@ def show_to_click(obj):
 
 
 def show_elements(mesh):
-    """Shows the mesh, and hides what would cover its elements: what it is of, other meshes of that, and results. Returns what `restore` needs."""
-    covers = [*_meshed(mesh), *(obj for obj in mesh.Document.Objects if _may_cover(obj, mesh))]
+    """Shows the mesh, and hides what would cover its elements. Returns what `restore` needs."""
+    covers = what_covers(mesh)
     before = [(obj.Document.Name, obj.Name, obj.ViewObject.Visibility) for obj in (*covers, mesh)]
     _set_visible(covers, False)
     mesh.ViewObject.Visibility = True
     return before
+
+
+def what_covers(mesh):
+    """What lies where the mesh does: what it is of, other meshes of that, and results."""
+    return [*_meshed(mesh), *(obj for obj in mesh.Document.Objects if _may_cover(obj, mesh))]
 
 
 def restore(before):
@@ -75,7 +80,8 @@ class _Observer:
             QtCore.QTimer.singleShot(0, lambda: self._show(place, names))   # what is shown belongs to no step of undo
 
     def slotUndoDocument(self, document):
-        QtCore.QTimer.singleShot(0, lambda: self._hide(document.Name))
+        name = document.Name   # it may be closed at once
+        QtCore.QTimer.singleShot(0, lambda: self._hide(name))
 
     slotRedoDocument = slotUndoDocument
 
