@@ -343,7 +343,11 @@ def drive():
     assert mesh in analysis.Group
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
+    old = document.addObject("Fem::FemMeshObject", "OldResultMesh")   # as of a solution before
+    old.FemMesh = mesh.FemMesh
     Gui.runCommand("FeatureMesh_LiveResult")
+    assert not old.ViewObject.Visibility
+    document.removeObject(old.Name)
     spin()
     shown = panel("LivePanel")
     live = check_command(document, shown, mesh)

@@ -24,13 +24,18 @@ def box(chooser):
     chooser.currentTextChanged.connect(tell)
 
 
-def text(words):
-    """A label with as many lines as its words need, however narrow; its tool tip has them, too, for a word may be longer than a line."""
-    label = QtGui.QLabel(words)
-    label.setWordWrap(True)
-    label.setMinimumWidth(1)
-    label.setToolTip(words)
-    return label
+class OneLine(QtGui.QLabel):
+    """A label of one line, however narrow; what has no room in its middle is in its tool tip."""
+
+    def __init__(self, words):
+        super().__init__(words)
+        self._words = words
+        self.setToolTip(words)
+        self.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Fixed)
+
+    def resizeEvent(self, event):
+        super().resizeEvent(event)
+        self.setText(self.fontMetrics().elidedText(self._words, QtCore.Qt.ElideMiddle, self.width()))
 
 
 def margins(layout):
