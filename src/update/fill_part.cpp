@@ -16,6 +16,7 @@
 #include "update/our_errors.h"
 #include "update/shell_division.h"
 #include "volume/curved/mid_side_nodes.h"
+#include "volume/curved/straight_sides.h"
 #include "volume/obstacle.h"
 
 namespace featuremesh {
@@ -25,7 +26,8 @@ namespace {
 /// What came of one filling: a mesh, or why there is none. A mesh, too, may ask for other lengths, to get better.
 struct Attempt {
     std::optional<Filled> filled;
-    double smallest_jacobian = 1;  ///< scaled, of 10-node tetrahedra
+    std::optional<Filled> stand_in;  ///< where it is refused as folded: with straight sides there
+    double smallest_jacobian = 1;    ///< scaled, of 10-node tetrahedra
     Message refusal;
     SizeRequest request;
     bool has_narrow_faces = false;  ///< whose edges may be divided in another way
@@ -110,6 +112,29 @@ void ask_for_bent_shells(const Brep& brep, const Mesh& mesh, std::size_t kept, A
     attempt.request = std::move(request);
 }
 
+Filled filled_of(Mesh mesh, const SurfaceReport& surface, VolumeResult volume) {
+    return {.mesh = std::move(mesh),
+            .surface = surface,
+            .volume = std::move(volume.report),
+            .released = std::move(volume.released),
+            .moved = std::move(volume.moved),
+            .used_active = std::move(volume.used_active)};
+}
+
+/// Better than no mesh, where that is valid; with a warning, since FreeCAD finds the nodes of a face by their distance.
+std::optional<Filled> with_straight_sides(const Brep& brep, StraightSides straightened, const SurfaceReport& surface,
+                                          const VolumeResult& volume, const Message& why, RunContext& context) {
+    if (straightened.mesh.tets.empty()) return {};
+    Attempt check;
+    validate(straightened.mesh, brep, {}, 0, {}, check, context);
+    if (!check.refusal.empty()) return {};
+    Filled filled = filled_of(std::move(straightened.mesh), surface, volume);
+    filled.why_straight = why;
+    filled.surface.warnings.push_back(
+        say<Code::sides_stay_straight>(straightened.sides, straightened.places, Length{straightened.distance}));
+    return filled;
+}
+
 /// Where 10-node tetrahedra stay folded there is no mesh, and shorter edges are asked for there.
 void fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult surface, Kept kept,
                  const MeshOptions& options, Attempt& attempt, RunContext& context) {
@@ -140,6 +165,8 @@ void fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult surf
         attempt.request = {SizeReason::folded, std::move(second.place), std::move(second.shorter)};
         if (!second.is_valid()) {
             attempt.refusal = say<Code::tets_folded>(attempt.request.lengths.size(), attempt.request.place);
+            attempt.stand_in =
+                with_straight_sides(brep, std::move(second.straight), surface.report, volume, attempt.refusal, context);
             return;
         }
         mesh = std::move(second.mesh);
@@ -149,12 +176,7 @@ void fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult surf
     if (has_shells) kept.is_rim.clear();  // everything is checked: tets tell nothing about what is beside them
     validate(mesh, brep, std::move(kept), kept_tets - volume.released.size(), volume.released_nodes, attempt, context);
     if (!attempt.refusal.empty()) return;
-    attempt.filled = Filled{.mesh = std::move(mesh),
-                            .surface = std::move(surface.report),
-                            .volume = std::move(volume.report),
-                            .released = std::move(volume.released),
-                            .moved = std::move(volume.moved),
-                            .used_active = std::move(volume.used_active)};
+    attempt.filled = filled_of(std::move(mesh), surface.report, std::move(volume));
 }
 
 /// Of a part of faces or edges: here the filling ends.
@@ -210,6 +232,7 @@ class SizeLoop {
         for (;;) {
             Attempt attempt = try_once();
             if (attempt.filled) offer(attempt);
+            if (attempt.stand_in && !stand_in_) stand_in_ = std::move(attempt.stand_in);
             if (is_good_enough(attempt) || !may_go_on() || !change_something(attempt)) return outcome(attempt);
         }
     }
@@ -304,15 +327,16 @@ class SizeLoop {
         return true;
     }
 
-    /// Shorter edges mend a few thin elements or none, and details that may be left out are better left out.
+    /// Shorter edges mend a few thin elements or none, and details that may be left out are better left out. Those that
+    /// come with edges as short as 10-node tets need are not mended by still shorter ones.
     bool may_help_thin() {
         constexpr int most_thin_rounds = 2;
-        return thin_rounds_++ < most_thin_rounds && ignorable_below(brep_, options_) == 0;
+        return !stand_in_ && thin_rounds_++ < most_thin_rounds && ignorable_below(brep_, options_) == 0;
     }
 
     /// With the lengths of the last round it failed in another way.
     bool change_last_lengths(const Attempt& attempt) {
-        if (shorter_.empty() || folded_places_.empty()) return false;
+        if (shorter_.empty() || folded_places_.empty() || (stand_in_ && failures_ > 0)) return false;
         const double factor = ++failures_ % 2 == 1 ? 1.5 : 0.4;  // milder first, then stronger
         for (std::size_t i = first_of_last_; i < shorter_.size(); ++i) shorter_[i].size *= factor;
         note(attempt, "folded", *folded_places_.rbegin(),
@@ -344,6 +368,7 @@ class SizeLoop {
     }
 
     std::variant<Filled, Message> outcome(const Attempt& attempt) {
+        if (!best_) best_ = std::move(stand_in_);
         if (!best_) return attempt.refusal;
         best_->sizing = plain_;
         best_->refines_narrow_faces = options_.sizing.refines_narrow_faces;
@@ -365,7 +390,7 @@ class SizeLoop {
     Message why_plain_;
     std::size_t first_of_last_ = 0;
     int failures_ = 0, valid_ = 0, thin_rounds_ = 0;
-    std::optional<Filled> best_;
+    std::optional<Filled> best_, stand_in_;
     double best_jacobian_ = 0;
 };
 

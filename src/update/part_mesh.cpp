@@ -361,9 +361,12 @@ class Stages {
         }
         options_.ignored_below = std::max(0.0, options_.ignore_below);
         auto whole = fill_all(next);
-        if (const auto* refusal = std::get_if<Message>(&whole); refusal && ignores_details(*refusal)) {
+        if (const Message lacking = what_lacks(whole); !lacking.empty() && ignores_details(lacking)) {
             auto without_details = fill_all(next);
-            if (std::holds_alternative<Filled>(without_details)) whole = std::move(without_details);
+            if (what_lacks(without_details).empty() || std::holds_alternative<Message>(whole))
+                whole = std::move(without_details);
+            else
+                options_.ignored_below = std::max(0.0, options_.ignore_below);
         }
         if (const auto* refusal = std::get_if<Message>(&whole)) throw MeshError(*refusal);
         take(std::get<Filled>(std::move(whole)));
@@ -409,6 +412,12 @@ class Stages {
 
     std::variant<Filled, Message> fill_all(NextNumbers next) {
         return fill_part(part_->brep, *sizing_, nothing_kept(next), options_, adopted_sizes_, report_.rounds, context_);
+    }
+
+    /// Why there is no mesh, or one that is not on the shape all over.
+    static Message what_lacks(const std::variant<Filled, Message>& whole) {
+        const auto* filled = std::get_if<Filled>(&whole);
+        return filled ? filled->why_straight : std::get<Message>(whole);
     }
 
     /// Whether the part, refused as it is, may be filled without what is too small for elements of its own, and has

@@ -138,6 +138,7 @@ struct Curved {
     Mesh mesh;
     std::vector<TetId> low, folded;  ///< below the target, and those of them that are no valid elements
     double smallest = 1;             ///< scaled Jacobian
+    std::vector<bool> is_movable;    ///< by node
 };
 
 /// Gives the mesh its mid-side nodes; which nodes are new.
@@ -161,9 +162,9 @@ Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh
             is_movable[n] = mesh.node_numbers[n] >= kept->next_node_number;
     std::vector<bool> is_new = place_mid_side_nodes(brep, mesh, kept, context);
     std::copy(is_movable.begin(), is_movable.end(), is_new.begin());
-    Curved result{std::move(mesh), {}, {}, 1};
-    result.low = unfold_tets(result.mesh, projector, is_new, {wanted_scaled_jacobian, brep.tolerances().least_volume()},
-                             context);
+    Curved result{std::move(mesh), {}, {}, 1, std::move(is_new)};
+    result.low = unfold_tets(result.mesh, projector, result.is_movable,
+                             {wanted_scaled_jacobian, brep.tolerances().least_volume()}, context);
     for (const TetId t : result.low) {
         const double scaled_jacobian = min_scaled_jacobian(tet_nodes(result.mesh, t));
         result.smallest = std::min(result.smallest, scaled_jacobian);
@@ -242,17 +243,19 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
                 return {{}, shorter_lengths(curved.mesh, bent), place_of(curved.mesh, bent.front()), 0};
         if (curved.low.empty()) return {std::move(curved.mesh), {}, {}, 1};
         if (refinement == 0 && !curved.folded.empty()) {
+            if (!kept) failed.straight = straighten(curved.mesh, curved.folded, curved.is_movable, context);
             Mesh placed = mesh;
             place_mid_side_nodes(brep, placed, kept, context);
             if (BentWalls walls = find_bent_walls(brep, projector, placed, counts.tets, context);
                 !walls.lengths.empty())
-                return {{}, std::move(walls.lengths), place_of(placed, walls.place), 0};
+                return {{}, std::move(walls.lengths), place_of(placed, walls.place), 0, std::move(failed.straight)};
         }
         const std::vector<TetId> trouble = curved.folded.empty() ? curved.low : curved.folded;
         const std::vector<Entity> place = place_of(curved.mesh, trouble.front());
         if (refinement == 0) {
             trouble_at_first = trouble.size();
-            if (!curved.folded.empty()) failed = {{}, shorter_lengths(curved.mesh, trouble), place, 0};
+            if (!curved.folded.empty())
+                failed = {{}, shorter_lengths(curved.mesh, trouble), place, 0, std::move(failed.straight)};
         }
         // refining that makes more trouble than it ends would go on for ever
         const bool is_hopeless = refinement == most_refinements || trouble.size() > 4 * trouble_at_first + 50 ||

@@ -10,6 +10,7 @@
 #include "core/run_context.h"
 #include "mesh/mesh.h"
 #include "sizing/sizing_field.h"
+#include "volume/curved/straight_sides.h"
 
 namespace featuremesh {
 
@@ -19,6 +20,7 @@ struct SecondOrder {
     std::vector<SizeSource> shorter;  ///< edge lengths with which it may work, or get better where the aim is missed
     std::vector<Entity> place;        ///< the face at which that is, or the solid
     double smallest = 1;              ///< scaled Jacobian where the aim is missed
+    StraightSides straight = {};      ///< where elements stay folded and nothing is kept, with straight sides there
 
     bool is_valid() const { return !mesh.tets.empty(); }
 };

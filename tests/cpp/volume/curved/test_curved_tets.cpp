@@ -205,6 +205,34 @@ TEST_CASE("where the tets are valid, but miss the aim, shorter edges are asked f
     CHECK(good.shorter.empty());
 }
 
+TEST_CASE("where elements stay folded, a valid mesh has straight sides there, which alone are off the part") {
+    // the wall between bore and side is 0.0005 thick
+    const gp_Ax2 up(gp_Pnt(20, 5.0005, -5), gp::DZ());
+    const Brep brep(
+        BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(40, 30, 20).Shape(), BRepPrimAPI_MakeCylinder(up, 5, 40).Shape()).Shape());
+    RunContext context;
+    const SecondOrder result = try_second_order(brep, straight_mesh(brep, 3, context), nullptr, context);
+    REQUIRE_FALSE(result.is_valid());
+    const StraightSides& straight = result.straight;
+    CHECK(broken_invariants(straight.mesh).empty());
+    CHECK(measure_quality(straight.mesh).min_scaled_jacobian > 0.049);
+    CHECK(straight.sides > 0);
+    CHECK(distance_from_entities(brep, straight.mesh) < straight.distance + 1e-8);
+    const Projector projector(brep);
+    std::size_t off = 0, mids = 0;
+    for (std::size_t n = 0; n < straight.mesh.node_count(); ++n) {
+        if (straight.mesh.entities[n].dim != 2) continue;
+        const FaceId face(straight.mesh.entities[n].index);
+        const bool is_mid = n >= straight.mesh.corner_count;
+        const bool is_off = projector.nearest(face, straight.mesh.points[n]).distance > 1e-7;
+        CHECK((is_mid || !is_off));
+        mids += is_mid, off += is_off;
+    }
+    CHECK(off > 0);
+    CHECK(off <= straight.sides);
+    CHECK(off < mids / 2);
+}
+
 TEST_CASE("tets far thinner than their sides are bent follow them") {
     for (const double step : {1e-3, 3e-5}) {
         INFO(step);

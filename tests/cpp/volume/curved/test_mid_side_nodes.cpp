@@ -23,6 +23,7 @@
 #include "volume/curved/curved_tet_repair.h"
 #include "volume/curved/curved_tet_split.h"
 #include "volume/curved/mid_side_nodes.h"
+#include "volume/curved/straight_sides.h"
 
 using namespace featuremesh;
 using featuremesh::testing::mesh_surface;
@@ -251,4 +252,35 @@ TEST_CASE("splits of tets that lie at each other keep the mesh conforming") {
     Mesh mesh = straight;
     CHECK(split_folded_tets(mesh, curved, all, {}) > all.size() / 4);
     CHECK(several(broken_invariants(mesh, expectation_of(brep))).in_english() == "");
+}
+
+TEST_CASE("sides that fold tets are straight in the end, others stay, and what is off the shape is told") {
+    const Brep brep(BRepPrimAPI_MakeCylinder(10, 12).Shape());
+    Mesh mesh = with_mid_side_nodes_on_faces(brep, fan_mesh(brep, 8, {0, 0, 6}));
+    const NodeId middle = mesh.tets.front()[3];
+    const auto on_curved_face = std::find_if(mesh.entities.begin() + std::ptrdiff_t(mesh.corner_count),
+                                             mesh.entities.end(), [](const Entity& e) {
+                                                 return e == Entity{2, 0};
+                                             });
+    const std::size_t pushed = std::size_t(on_curved_face - mesh.entities.begin());
+    mesh.points[pushed] += 0.9 * (mesh.point(middle) - mesh.points[pushed]);
+    RunContext context;
+    const std::vector<TetId> folded = tets_at_most(mesh, 0, context);
+    REQUIRE(folded.size() >= 2);
+    const StraightSides result = straighten(mesh, folded, std::vector<bool>(mesh.points.size(), true), context);
+    CHECK(tets_at_most(result.mesh, 0.05, context).empty());
+    CHECK(result.mesh.tets == mesh.tets);
+    std::size_t moved = 0, moved_on_shape = 0;
+    double furthest = 0;
+    for (std::size_t n = 0; n < mesh.points.size(); ++n) {
+        const double off = distance(mesh.points[n], result.mesh.points[n]);
+        moved += off > 0, moved_on_shape += off > 1e-8 && mesh.entities[n].dim < 3;
+        furthest = std::max(furthest, off);
+    }
+    CHECK(result.distance == furthest);
+    CHECK(distance(mesh.points[pushed], result.mesh.points[pushed]) > 0.5 * furthest);
+    CHECK(result.sides == moved_on_shape);
+    CHECK(moved < (mesh.points.size() - mesh.corner_count) / 4);
+    CHECK(std::find(result.places.begin(), result.places.end(), Entity{2, 0}) != result.places.end());
+    CHECK(straighten(mesh, folded, std::vector<bool>(mesh.points.size(), false), context).mesh.tets.empty());
 }
