@@ -136,6 +136,7 @@ def add_export(subparsers):
     export.add_argument("part", metavar="PART.FCStd", help="a document with a mesh")
     export.add_argument("--format", required=True, choices=("vtu", "vtk", "inp", "bdf", "msh", "stl", "unv", "med", "z88"), help="format of the file")
     export.add_argument("out", metavar="OUT", help="the file to write")
+    add_object(export)
 
 
 def add_picture(subparsers):

@@ -23,19 +23,20 @@ from setup_log import say
 
 CLOSING_LINES = 30
 IN_FREECAD_LABEL = "in_freecad"   # of the tests that run in FreeCAD
+DOCUMENT = ".FCStd"   # the ending of its name
 TABLE_LINE = re.compile(r"\d+: (?=\| )")
 
 
 def mesh(given):
     part = existing_file(given.part)
     return finish(task(given, part=part, object=given.object, size=given.size, order=given.order, dimension=given.dimension,
-                       ignore_below=given.ignore_below, threads=given.threads, out=written_file(given.out), json=written_file(given.json)))
+                       ignore_below=given.ignore_below, threads=given.threads, out=written_document(given.out), json=written_file(given.json)))
 
 
 def adopt(given):
     part = existing_file(given.part)
     return finish(task(given, part=part, mesh=given.mesh, object=given.object, size=given.size, threads=given.threads,
-                       out=written_file(given.out), json=written_file(given.json)))
+                       out=written_document(given.out), json=written_file(given.json)))
 
 
 def update(given):
@@ -43,25 +44,25 @@ def update(given):
     if given.solve:
         set_up(packages.SOLVER_PACKAGES)
     return finish(task(given, part=part, object=given.object, set=given.set, full=given.full, solve=given.solve, threads=given.threads,
-                       out=written_file(given.out), json=written_file(given.json)))
+                       out=written_document(given.out), json=written_file(given.json)))
 
 
 def solve(given):
     part = existing_file(given.part)
     set_up(() if given.ccx else packages.SOLVER_PACKAGES)
     return finish(task(given, part=part, analysis=given.analysis, live=given.live, ccx=given.ccx, threads=given.threads,
-                       out=written_file(given.out), json=written_file(given.json)))
+                       out=written_document(given.out), json=written_file(given.json)))
 
 
 def renumber(given):
     part = existing_file(given.part)
-    return finish(task(given, part=part, object=given.object, out=written_file(given.out), json=written_file(given.json)))
+    return finish(task(given, part=part, object=given.object, out=written_document(given.out), json=written_file(given.json)))
 
 
 def transfer(given):
     part = existing_file(given.part)
     return finish(task(given, part=part, new=existing_file(given.new) if given.new else None, result=given.result, object=given.object,
-                       out=written_file(given.out), json=written_file(given.json)))
+                       out=written_document(given.out), json=written_file(given.json)))
 
 
 def diff(given):
@@ -79,7 +80,7 @@ def tree(given):
 
 def export(given):
     part = existing_file(given.part)
-    return finish(task(given, part=part, format=given.format, out=written_file(given.out)))
+    return finish(task(given, part=part, object=given.object, format=given.format, out=written_file(given.out)))
 
 
 def picture(given):
@@ -302,8 +303,25 @@ def existing_folder(name):
     return str(path.resolve())
 
 
+def written_document(name):
+    """The absolute path of a document to write, whose folder must exist."""
+    if name is not None and not is_document(name):
+        raise UserError(f"{name}: the name of a document ends in {DOCUMENT}")
+    return path_to_write(name)
+
+
 def written_file(name):
-    """The absolute path of a file to write, whose folder must exist."""
+    """The absolute path of another file to write, likewise."""
+    if name is not None and is_document(name):
+        raise UserError(f"{name} is the name of a document, which this would overwrite; name another file")
+    return path_to_write(name)
+
+
+def is_document(name):
+    return name.lower().endswith(DOCUMENT.lower())
+
+
+def path_to_write(name):
     if name is None:
         return None
     path = in_a_folder(name)

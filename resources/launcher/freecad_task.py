@@ -3,6 +3,7 @@
 
 The task goes in as JSON by the environment, the result comes back as a JSON file; a missing result is a crash.
 """
+import contextlib
 import json
 import os
 import shutil
@@ -12,7 +13,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from layout import BUILD, FREECAD_LOG, RELEASE, WORKBENCH, Failure
+from layout import FREECAD_LOG, RELEASE, WORKBENCH, Failure
 from setup_log import end_of
 
 TASK_SCRIPT = WORKBENCH / "freecad" / "featuremesh" / "cli.py"
@@ -31,12 +32,11 @@ def run_script(script, variables, lines_to=None, inherited=()):
     Lines of its standard error that start with `featuremesh:` are progress on a terminal, or go to `lines_to` as they come. It inherits
     the descriptors `inherited`.
     """
-    BUILD.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
-        result_file = Path(folder) / "result.json"
+        result_file, log_file = Path(folder) / "result.json", Path(folder) / FREECAD_LOG.name
         environment = freecad_environment(FEATUREMESH_RESULT=str(result_file), **variables)
         command = [freecadcmd(), str(script), f"--module-path={WORKBENCH}"]
-        with open(FREECAD_LOG, "w", encoding="utf-8") as log, subprocess.Popen(
+        with open(log_file, "w", encoding="utf-8") as log, subprocess.Popen(
                 command, env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.PIPE,
                 pass_fds=inherited) as process:
             try:
@@ -44,11 +44,18 @@ def run_script(script, variables, lines_to=None, inherited=()):
             except KeyboardInterrupt:
                 process.terminate()
                 raise
-        code = process.returncode
+        code, log_end = process.returncode, end_of(log_file)
+        keep(log_file)
         if not result_file.is_file():
             raise Failure(f"FreeCAD {how_it_ended(code)} before it was done, and no file was changed; "
-                          f"the end of {FREECAD_LOG}:\n{end_of(FREECAD_LOG)}")
+                          f"the end of what it said (all of it is in {FREECAD_LOG}):\n{log_end}")
         return json.loads(result_file.read_text(encoding="utf-8"))
+
+
+def keep(log_file):
+    """Makes the log that of the last run. Several runs at once have a log each until then; in another user's clone there is none to keep."""
+    with contextlib.suppress(OSError):
+        shutil.copyfile(log_file, FREECAD_LOG)
 
 
 def freecad_environment(**variables):

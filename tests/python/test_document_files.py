@@ -91,6 +91,36 @@ class Files(unittest.TestCase):
         with self.assertRaisesRegex(UserError, "cannot write"):
             documents.save_document(self.document, os.path.join(self.folder, "none", "part.FCStd"))
 
+    def altered(self, change):
+        """A copy of the document whose Document.xml was changed, opened."""
+        path = os.path.join(self.folder, "altered.FCStd")
+        with zipfile.ZipFile(self.path) as old, zipfile.ZipFile(path, "w") as new:
+            for name in old.namelist():
+                content = old.read(name)
+                new.writestr(name, change(content) if name == "Document.xml" else content)
+        return documents.open_document(path)
+
+    def not_replaced(self, opened, message):
+        with open(opened.FileName, "rb") as stream:
+            before = stream.read()
+        with self.assertRaisesRegex(UserError, message):
+            documents.save_document(opened, opened.FileName)
+        with open(opened.FileName, "rb") as stream:
+            self.assertEqual(stream.read(), before)
+        documents.save_document(opened, os.path.join(self.folder, "elsewhere.FCStd"))
+
+    def test_what_freecad_does_not_know_is_not_lost(self):
+        opened = self.altered(lambda xml: xml.replace(b'type="PartDesign::Body" name="Body"', b'type="Later::Body" name="Body"'))
+        self.not_replaced(opened, r"cannot read all of .*altered.FCStd: not Body \(Later::Body\), and writing it would lose that")
+
+    def test_what_ends_too_soon_is_not_replaced(self):
+        opened = self.altered(lambda xml: xml[:int(0.8 * len(xml))])
+        self.not_replaced(opened, "cannot read all of .*altered.FCStd, and writing it would lose that")
+
+    def test_a_document_that_was_read_whole_is_replaced(self):
+        opened = self.altered(lambda xml: xml)
+        documents.save_document(opened, opened.FileName)
+
     def test_colours_of_the_file_survive(self):
         view = b'<?xml version="1.0"?><Document><ViewProviderData><ViewProvider name="Body"><Property file="DiffuseColor"/></ViewProvider></ViewProviderData></Document>'
         with zipfile.ZipFile(self.path, "a") as archive:

@@ -151,6 +151,18 @@ class Solving(unittest.TestCase):
         self.assertEqual(report["solver"], "CalculiX")
         self.assertIn("needs PETSc", " ".join(map(english, report["warnings"])))
 
+    def test_an_analysis_without_a_solver_gets_one(self):
+        part = self.document.addObject("Part::Box", "Beam")
+        self.document.recompute()
+        analysis = analysis_of(self.document, part, [("Steel", STEEL, [])])
+        for member in [member for member in analysis.Group if hasattr(member, "AnalysisType")]:
+            self.document.removeObject(member.Name)
+        api.add_mesh(part, 5.0)
+        self.document.recompute()
+        for _ in range(2):
+            self.assertEqual(api.solve_analysis(analysis, "ccx")["solver"], "CalculiX")
+        self.assertEqual(len([member for member in analysis.Group if hasattr(member, "AnalysisType")]), 1)
+
     def test_two_materials_in_one_part(self):
         _, _, fragments, names = self.two_boxes()
         self.assertEqual(len(fragments.Shape.Solids), 2)

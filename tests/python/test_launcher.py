@@ -5,6 +5,7 @@ import datetime
 import io
 import json
 import os
+import shutil
 import stat
 import subprocess
 import sys
@@ -44,6 +45,15 @@ class CommandLine(unittest.TestCase):
             self.assertRegex(shown.stdout, rf"\n    {command} +[a-z]")
             self.assertEqual(run(command, "--help").returncode, 0)
 
+    def test_no_document_is_overwritten_by_what_is_none(self):
+        for words in (("mesh", __file__, "--json", "part.FCStd"), ("export", __file__, "--format", "inp", "part.FCStd"), ("picture", __file__, "--out", "part.fcstd"),
+                      ("diff", __file__, __file__, "--picture", "part.FCStd")):
+            done = run(*words)
+            self.assertEqual(done.returncode, 2)
+            self.assertRegex(done.stderr, "part.FCStd|part.fcstd is the name of a document, which this would overwrite")
+        done = run("mesh", __file__, "--out", "part.step")
+        self.assertEqual((done.returncode, done.stderr), (2, "featuremesh mesh: part.step: the name of a document ends in .FCStd\n"))
+
     def test_lengths_may_have_their_unit(self):
         for text in ("2.5", "2.5mm", " 2.5 mm"):
             self.assertEqual(parse(["mesh", "part.FCStd", "--size", text, "--ignore-below", text]).size, 2.5)
@@ -72,6 +82,16 @@ class CommandLine(unittest.TestCase):
             given.run(given)
         wanted = {"size": 3, "order": 1, "dimension": "faces", "ignore_below": 0.05, "object": "Plate"}
         self.assertEqual({name: asked.get(name) for name in wanted}, wanted)
+
+    def test_each_command_of_a_mesh_takes_the_object_that_it_is_of(self):
+        asked = {}
+        for words in (("mesh",), ("update",), ("renumber",), ("picture",), ("adopt", "--mesh", "Other"), ("export", "--format", "inp", "out.inp"), ("transfer",)):
+            with self.subTest(words=words), mock.patch.object(commands, "set_up"), \
+                    mock.patch.object(commands, "run_task", lambda task: asked.update(task) or {"exit_code": 0, "message": "", "data": {}}):
+                given = parse([words[0], __file__, *words[1:], "--object", "Plate"])
+                asked.clear()
+                given.run(given)
+                self.assertEqual(asked["object"], "Plate")
 
     def test_a_reader_that_has_seen_enough_is_no_error_to_tell_of(self):
         for words in (("--help",), ("bench", "--list")):
@@ -108,6 +128,30 @@ class FreecadTask(unittest.TestCase):
     def test_a_crash_is_told_with_its_signal_and_the_logs_end(self):
         with self.assertRaisesRegex(Failure, r"(?s)SIGSEGV.*no file was changed.*last words"):
             self.run_with("echo last words >&2; kill -SEGV $$")
+
+    def test_a_log_that_cannot_be_kept_is_no_failure(self):
+        with mock.patch.object(shutil, "copyfile", side_effect=PermissionError):
+            self.assertEqual(self.run_with("echo '{}' > $FEATUREMESH_RESULT"), {})
+
+    def test_each_of_two_runs_tells_the_end_of_its_own_log(self):
+        with tempfile.TemporaryDirectory() as folder:
+            ready = Path(folder) / "ready"
+            os.mkfifo(ready)
+            said = []
+
+            def first():
+                try:
+                    self.run_with(f"echo of the first >&2; cat {ready}; exit 0")
+                except Failure as failure:
+                    said.append(str(failure))
+            thread = threading.Thread(target=first)
+            thread.start()
+            with self.assertRaisesRegex(Failure, "of the second"):
+                self.run_with("echo of the second >&2; exit 0")
+            ready.write_text("", encoding="utf-8")
+            thread.join()
+        self.assertIn("of the first", said[0])
+        self.assertNotIn("of the second", said[0])
 
     def test_an_end_without_result_is_a_failure(self):
         with self.assertRaisesRegex(Failure, "exit code 0"):

@@ -78,6 +78,13 @@ class Messages(unittest.TestCase):
         template = engine.load().message_templates()["misfit_outside"]
         self.assertEqual(messages.english(messages.said(template, elements=1)), "1 element is outside the part")
 
+    def test_what_is_no_number_is_no_nothing(self):
+        self.assertEqual(messages.english(messages.said("{a:number} {b:number} {c:number}", a=float("nan"), b=float("inf"), c=1e-12)), "nan inf 0")
+
+    def test_an_error_of_freecads_is_said_without_its_wrapping(self):
+        self.assertEqual(messages.of_error(ValueError({"sclassname": "N4Base10ValueErrorE", "sErrMsg": "no external\n object", "iline": 0})), "no external object")
+        self.assertEqual(messages.of_error(OSError(2, "No such file")), "[Errno 2] No such file")
+
     def test_each_kind_of_parameter(self):
         template = "; ".join("{a%s:%s}" % (kind, kind) for kind in OF_EACH_KIND if kind != "messages")
         said = {"template": template, "parameters": {"a" + kind: value for kind, value in OF_EACH_KIND.items()}}

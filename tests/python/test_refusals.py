@@ -75,6 +75,100 @@ class Parts(unittest.TestCase):
         self.assertEqual(api.add_mesh(box, FreeCAD.Units.Quantity("0.3 cm")).Size.Value, 3)
 
 
+    def test_nothing_is_left_behind(self):
+        container, box = self.document.addObject("App::Part", "Container"), self.document.addObject("Part::Box", "Inside")
+        container.addObject(box)
+        self.document.recompute()
+        self.refused("not -1", container, -1)
+        count = len(self.document.Objects)
+        with self.assertRaises(TypeError):
+            api.add_mesh(box, 3, threads="all")
+        self.assertEqual(len(self.document.Objects), count)
+
+    def test_a_number_that_is_none_is_called_so(self):
+        self.refused("not nan", self.box(), float("nan"))
+        self.refused("nan is no length", self.document.Box, 3, ignore_below=float("nan"))
+
+
+class OfAMesh(unittest.TestCase):
+    """What is given beside a mesh, or in its place."""
+
+    def setUp(self):
+        self.document = new_document()
+        self.body = plate_with_hole(self.document)
+        self.analysis = ObjectsFem.makeAnalysis(self.document, "Analysis")
+        self.mesh = api.add_mesh(self.body, 8, order=1)
+        self.count = len(self.document.Objects)
+
+    def refused(self, words, function, *arguments, **more):
+        with self.assertRaisesRegex(UserError, words):
+            function(*arguments, **more)
+        self.assertEqual(len(self.document.Objects), self.count)
+
+    def test_another_object_than_a_mesh(self):
+        removed = self.document.addObject("Part::Box", "Removed")
+        self.document.removeObject("Removed")
+        for function, more in ((api.update_mesh, ()), (api.renumber_mesh, ()), (api.estimate_tets, ()), (api.show_kept, ()), (api.show_quality, ()), (api.show_plain, ()),
+                               (api.draw_quality, ("mesh.png",)), (api.export_mesh, ("mesh.inp",)), (api.add_local_size, ([(self.body, "Face1")],)),
+                               (api.add_group, ([(self.body, "Face1")],)), (api.add_size_zone, ()), (api.share_mesh, (self.analysis,)),
+                               (api.transfer_field, (self.mesh, [1.0]))):
+            with self.subTest(function=function.__name__):
+                self.refused("Body is no mesh of FeatureMesh", function, self.body, *more)
+                self.refused("None is no object of a document; give a mesh of FeatureMesh", function, None, *more)
+                self.refused("it was deleted", function, removed, *more)
+
+    def test_another_object_than_an_analysis(self):
+        for function in (api.solve, api.solve_analysis, api.live_result, api.copy_analysis):
+            with self.subTest(function=function.__name__):
+                self.refused("Body is no analysis", function, self.body)
+                self.refused("None is no object of a document; give an analysis", function, None)
+        self.refused("the solver is live or ccx, not gmsh", api.solve_analysis, self.analysis, "gmsh")
+
+    def test_no_document(self):
+        for function in (api.recompute, api.find_mesh, api.find_part, api.find_analysis):
+            with self.subTest(function=function.__name__):
+                self.refused("None is no open document", function, None)
+        self.refused("None is no open document", api.set_parameters, None, ["Plate.Length=8"])
+
+    def test_an_analysis_of_another_document(self):
+        other = FreeCAD.newDocument("Other")
+        try:
+            analysis = ObjectsFem.makeAnalysis(other, "There")
+            self.refused("are in two documents", api.share_mesh, self.mesh, analysis)
+            self.assertEqual([obj.Name for obj in other.Objects], ["There"])
+            with self.assertRaises(ValueError):
+                api.add_study(self.body, analysis)
+            self.assertEqual(len(self.document.Objects), self.count)
+        finally:
+            FreeCAD.closeDocument("Other")
+
+    def test_references(self):
+        for words, references in (("not of Body:Face99", [(self.body, "Face99")]), ("not of Body:Face0", [(self.body, "Face0")]), ("not of Body:Lid", [(self.body, "Lid")]),
+                                  ("a reference is an object and a name", ["Face1"]), ("a reference is an object and a name", [(self.body, ["Face1"])]),
+                                  ("None is no object of a document", [(None, "Face1")])):
+            for function, kind in ((api.add_local_size, ()), (api.add_group, ()), (api.add_size_zone, ("Distance",))):
+                with self.subTest(words=words, function=function.__name__):
+                    self.refused(words, function, self.mesh, *kind, references)
+
+    def test_sizes_of_refinements(self):
+        for wrong, words in ((0, "greater than 0 mm, not 0"), (-1, "greater than 0 mm, not -1"), (float("nan"), "not nan"), ("x", "x is no length")):
+            self.refused(words, api.add_local_size, self.mesh, [(self.body, "Face1")], wrong)
+            self.refused(words, api.add_size_zone, self.mesh, inner=wrong)
+        self.refused("length has to be 0 mm or more, not -2", api.add_size_zone, self.mesh, length=-2)
+        self.refused("inf is no length", api.add_size_zone, self.mesh, outer=float("inf"))
+        with self.assertRaises(TypeError):
+            api.add_size_zone(self.mesh, placement=FreeCAD.Vector(1, 2, 3))
+        self.assertEqual(len(self.document.Objects), self.count)
+        self.assertEqual(api.add_local_size(self.mesh, [(self.body, "Face1")], "0.2 cm").CharacteristicLength.Value, 2)
+
+    def test_limits_and_cuts(self):
+        api.update_mesh(self.mesh)
+        for limits in ((1,), (1, 1), "ab", 5, (0, float("nan"))):
+            self.refused("two numbers that differ", api.show_quality, self.mesh, "radius_ratio", limits)
+        for cut in ("z=nan", 5, "z"):
+            self.refused("a cut is x, y or z", api.show_quality, self.mesh, cut=cut)
+
+
 class FarTooSmall(unittest.TestCase):
     def setUp(self):
         self.document = new_document()
@@ -96,6 +190,9 @@ class FarTooSmall(unittest.TestCase):
     def test_the_size(self):
         self.mesh.Size = 1e-9
         self.refused("a size of 1e-09 mm would make more than a million million elements; at most 50 million are made")
+        self.mesh.Size = float("inf")
+        with self.assertRaisesRegex(engine.load().InputError, "is larger than the part"):
+            api.update_mesh(self.mesh)
         self.mesh.Size = 0.01
         with self.assertRaisesRegex(engine.load().InputError, "A size of 0.01 mm would make about [0-9]+ million"):
             api.update_mesh(self.mesh)

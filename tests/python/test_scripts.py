@@ -65,6 +65,10 @@ class Run(unittest.TestCase):
             self.assertEqual(answer["exit_code"], 2, answer)
             self.assertIn(words, answer["message"])
 
+    def test_a_script_that_is_cancelled_runs_once(self):
+        answer, printed = self.run_script("print(1)\nraise KeyboardInterrupt\n")
+        self.assertEqual((answer["exit_code"], answer["message"], printed), (1, "cancelled", "1\n"))
+
     def test_the_end_asked_for_is_no_error(self):
         self.assertEqual(self.run_script("import sys\nprint(1)\nsys.exit()\n")[0]["exit_code"], 0)
 

@@ -241,6 +241,8 @@ class Studies(StudyTest):
 
     def test_wrong_use_is_told_in_one_line(self):
         self.study("run", "part.FCStd", *VARIED, "--sampling", "grid", "--responses", "volume", "--folder", "there")
+        (self.folder / "endless.csv").write_text("Plate.Length\ninf\n", encoding="utf-8")
+        (self.folder / "latin.toml").write_text('document = "käse"', encoding="latin-1")
         run, two = ("run", "part.FCStd"), ("--responses", "mass", "--cases", "2")
         for words, message in (
                 (run, "say what to vary"),
@@ -260,6 +262,12 @@ class Studies(StudyTest):
                 ((*run, *VARIED, "--responses", "max_mises@Face99", "--cases", "2", "--folder", "b"), "the part has no Face99"),
                 ((*run, *VARIED, "--responses", "displacement_z@20,20,5", "--cases", "2", "--folder", "b"), "the point (20, 20, 5) mm, where a response is asked for, is not"),
                 ((*run, *VARIED, "--responses", "frequency_1", "--cases", "2", "--folder", "c", "--solver", "ccx"), "needs an analysis of the kind"),
+                ((*run, *VARIED, "--responses", "mass:p1.2.3", "--cases", "2"), "cannot read the response 'mass:p1.2.3'"),
+                ((*run, *VARIED, "--responses", "frequency_0", "--cases", "2"), "counts its modes from 1"),
+                ((*run, *VARIED, "--responses", "mass", "--cases", "1000000000"), "a study has at most 100000 cases; 1000000000 are too many"),
+                ((*run, "--vary", "Plate.Length=1:2:1000000000", "--responses", "mass", "--sampling", "grid"), "needs two levels to 100000, not 1000000000"),
+                ((*run, "--vary", "Plate.Length=1:2", "--responses", "mass", "--sampling", "csv", "--rows", "endless.csv", "--folder", "d"), "line 2: inf is no number"),
+                (("run", "latin.toml"), "latin.toml cannot be read"),
                 ((*run, "--vary", "Plate.Length=2:1", *two), "the range of Plate.Length has to rise, not 2:1; write its low end first"),
                 (("resume", "there", "--time-limit", "-1"), "the time limit of a case is more than 0 s, not -1"),
                 (("add", "there", "--cases", "2"), "the sampling grid is complete"),

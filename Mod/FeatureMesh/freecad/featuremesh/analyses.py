@@ -3,7 +3,9 @@
 
 import FreeCAD
 
-from .reading import describe
+from .errors import UserError
+from .messages import said
+from .reading import describe, refuse_gone
 from .resolving import Resolver
 
 translate = FreeCAD.Qt.translate
@@ -28,6 +30,13 @@ def for_new_mesh(part, active=None):
         return None, ""
     return None, translate("FeatureMesh", "The mesh is in no analysis, because none of %s is active: drag it into the one that it is for.") % (
         ", ".join(describe(analysis) for analysis in every))
+
+
+def refuse_other(obj):
+    """Throws UserError for what is no analysis."""
+    refuse_gone(obj, said("an analysis"))
+    if not obj.isDerivedFrom("Fem::FemAnalysis"):
+        raise UserError(said("{analysis:text} is no analysis", analysis=describe(obj)))
 
 
 def analyses_of(document):

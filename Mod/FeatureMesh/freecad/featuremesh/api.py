@@ -18,8 +18,9 @@ from . import live_result as live_results
 from .about import facts
 from .errors import StateError, UserError
 from .messages import of_error, said
-from .mesh_object import FeatureMesh, is_feature_mesh, options_of
+from .mesh_object import FeatureMesh, is_feature_mesh, options_of, refuse_other
 from .mesh_properties import DIMENSIONS, FROM_SHAPE
+from .refusals import all_or_nothing, finite_length, length_of, measure_of, refuse_no_document, refuse_no_references, refuse_no_size
 from .reports import plain
 
 translate = FreeCAD.Qt.translate
@@ -44,31 +45,42 @@ def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=
         raise UserError(said("the order is 1 (4-node) or 2 (10-node), not {order:text}", order=str(order)))
     if dimension not in DIMENSIONS:
         raise UserError(said("the dimension is one of {dimensions:text}, not {dimension:text}", dimensions=", ".join(DIMENSIONS), dimension=str(dimension)))
+    with all_or_nothing(part.Document):
+        part = _shown_by_one(part)
+        size = default_size(part, elements) if size is None else length_of(size)
+        check_size(size, part)
+        ignore_below = finite_length(ignore_below)
+        mesh = part.Document.addObject(versions.mesh_object_type(), name)
+        FeatureMesh(mesh)
+        setattr(mesh, versions.part_property(mesh), part)
+        mesh.Size, mesh.Order, mesh.Threads, mesh.Automatic = size, "2nd" if order == 2 else "1st", threads, automatic
+        mesh.Dimension, mesh.IgnoreBelow = dimension, ignore_below
+        if join_analysis:
+            _join_analysis(mesh, part, active_analysis)
+        return mesh
+
+
+def _shown_by_one(part):
+    """The part, or the object that shows all parts of a container, or what a link shows. Throws UserError for what cannot be meshed."""
     if assembled.is_to_be_shown(part):
         if not assembled.is_container(part):
             reading.refuse_unmeshable(part)
         part = assembled.of(part)
     reading.refuse_unmeshable(part)
-    size = default_size(part, elements) if size is None else length_of(size)
-    check_size(size, part)
-    ignore_below = length_of(ignore_below)
-    mesh = part.Document.addObject(versions.mesh_object_type(), name)
-    FeatureMesh(mesh)
-    setattr(mesh, versions.part_property(mesh), part)
-    mesh.Size, mesh.Order, mesh.Threads, mesh.Automatic = size, "2nd" if order == 2 else "1st", threads, automatic
-    mesh.Dimension, mesh.IgnoreBelow = dimension, ignore_below
-    if join_analysis:
-        analysis, remark = analyses.for_new_mesh(part, active_analysis)
-        if analysis is not None:
-            analysis.addObject(mesh)
-        if remark:
-            FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, remark))
-    return mesh
+    return part
+
+
+def _join_analysis(mesh, part, active):
+    analysis, remark = analyses.for_new_mesh(part, active)
+    if analysis is not None:
+        analysis.addObject(mesh)
+    if remark:
+        FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, remark))
 
 
 def update_mesh(mesh, full=False, progress=None):
     """Brings the mesh up to date with its part, locally unless `full`. Returns the report (a dict)."""
-    reading.refuse_gone(mesh)
+    refuse_other(mesh)
     report = mesh.Proxy.update(mesh, full, progress)
     mesh.purgeTouched()
     return report
@@ -81,6 +93,7 @@ def adopt_mesh(foreign, part=None, size=None, progress=None):
     bits and numbers. Analyses get the new object in place of the old one, which stays in the document. Returns the mesh object and
     the report. Throws UserError.
     """
+    reading.refuse_gone(foreign, said("the FEM mesh of another maker"))
     if is_feature_mesh(foreign):
         raise UserError(said("{foreign:text} is FeatureMesh's own already", foreign=reading.describe(foreign)))
     if not foreign.isDerivedFrom("Fem::FemMeshObject"):
@@ -112,6 +125,7 @@ def renumber_mesh(mesh):
 
     Returns the largest node and element numbers before. Throws UserError when the mesh has no usable state.
     """
+    refuse_other(mesh)
     try:
         return mesh.Proxy.renumber(mesh)
     except (StateError, engine.load().StateError) as error:
@@ -124,7 +138,8 @@ def recompute(document):
     Throws UserError that names the feature and FreeCAD's message when a mesh's part has a feature in error that was not
     in error before, and the mesh's own error when that is what failed.
     """
-    meshes = [obj for obj in document.Objects if is_feature_mesh(obj)]
+    refuse_no_document(document)
+    meshes = meshes_of(document)
     before = recompute_errors.in_error(document)
     reports = {mesh: mesh.Report for mesh in meshes}
     start = time.perf_counter()
@@ -140,12 +155,15 @@ def recompute(document):
 
 def set_parameters(document, assignments):
     """Applies edits such as "Pad.Length=12" or "Sketch.HoleX=30"; does not recompute. Throws UserError."""
+    refuse_no_document(document)
     for assignment in assignments:
         edits.set_parameter(document, assignment)
 
 
 def difference(old_part, new_part, resolution=0.0):
     """The feature difference of two objects, from one document or two (see featuremesh_engine.compare)."""
+    for part in (old_part, new_part):
+        reading.refuse_gone(part)
     return engine.load().compare(reading.read_document(old_part), reading.read_document(new_part), resolution)
 
 
@@ -156,11 +174,13 @@ def draw_difference(old_part, new_part, found, path):
 
 def tree(part):
     """The feature tree of `part` as the engine understands it (see featuremesh_engine.read_tree)."""
+    reading.refuse_gone(part)
     return engine.load().read_tree(reading.read_document(part))
 
 
 def difference_to_file(part, path):
     """The feature difference between the part of the document in `path` (old) and `part` (new)."""
+    reading.refuse_gone(part)
     active = FreeCAD.ActiveDocument
     with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
         copy = os.path.join(folder, os.path.basename(path))  # FreeCAD opens no file twice, and `path` may be open
@@ -188,6 +208,7 @@ def estimate_input(mesh, raw=None, **settings):
 
     `raw` is the part as it was read before, when it is known to be the same still.
     """
+    refuse_other(mesh)
     part = versions.part_of(mesh)
     options = options_of(mesh, part)
     options.update((name, value) for name, value in settings.items() if value is not None)
@@ -206,7 +227,7 @@ def add_local_size(mesh, references, size=None):
     container; None for none yet. Throws UserError when there are none, or when they are not on the part.
     """
     names = _refined_names(mesh, references)
-    region = ObjectsFem.makeMeshRegion(mesh.Document, mesh, mesh.Size.Value / 2 if size is None else size)
+    region = ObjectsFem.makeMeshRegion(mesh.Document, mesh, _size_of(mesh, size))
     region.References = _references(mesh, names)
     return region
 
@@ -220,22 +241,27 @@ def add_size_zone(mesh, kind="Box", references=None, placement=None, inner=None,
     """
     if kind not in size_zone.KINDS:
         raise UserError(said("a refinement zone is one of {kinds:text}, not {kind:text}", kinds=", ".join(size_zone.KINDS), kind=kind))
-    names = _refined_names(mesh, references) if kind == size_zone.DISTANCE else []
+    names = _refined_names(mesh, references if kind == size_zone.DISTANCE else None)
     unknown = set(measures) - {name.lower() for name in size_zone.MEASURES[kind]}
     if unknown:
         raise UserError(said("a zone of the kind {kind:text} has no {property:text}", kind=kind, property=sorted(unknown)[0]))
-    zone = size_zone.add(mesh, kind, mesh.Size.Value / 2 if inner is None else inner)
-    zone.OuterSize, zone.Transition, zone.References = outer, transition, _references(mesh, names)
-    size_zone.fit_to(zone, versions.part_of(mesh).Shape.BoundBox)
-    for name, value in measures.items():
-        setattr(zone, name.capitalize(), value)
-    if placement is not None:
-        zone.Placement = placement
-    return zone
+    inner, outer, transition = _size_of(mesh, inner), measure_of("outer", outer), measure_of("transition", transition)
+    with all_or_nothing(mesh.Document):
+        zone = size_zone.add(mesh, kind, inner)
+        zone.OuterSize, zone.Transition, zone.References = outer, transition, _references(mesh, names)
+        size_zone.fit_to(zone, versions.part_of(mesh).Shape.BoundBox)
+        for name, value in measures.items():
+            setattr(zone, name.capitalize(), measure_of(name, value))
+        if placement is not None:
+            zone.Placement = placement
+        return zone
 
 
 def refer_size_zone(zone, mesh, references):
     """Lets the distance of a refinement zone of `mesh` be measured from other references, which are as for add_local_size. Throws UserError."""
+    reading.refuse_gone(zone, said("a refinement zone"))
+    if not size_zone.is_zone(zone):
+        raise UserError(said("{object:text} is no refinement zone", object=reading.describe(zone)))
     zone.References = _references(mesh, _refined_names(mesh, references))
 
 
@@ -257,6 +283,7 @@ def show_kept(mesh, cut=None):
     `cut` opens the mesh: "z=5" (whole elements below z = 5 mm stay), "z>5" (those above). Throws UserError when there was no update
     since the document was opened.
     """
+    refuse_other(mesh)
     return overlays.show(mesh, overlays.kept(mesh), plane_of(cut))
 
 
@@ -265,21 +292,25 @@ def show_quality(mesh, measure="dihedral_angle", limits=None, cut=None):
 
     `limits` are what is bad and what is good, by default the measure's own; `cut` as for show_kept. Throws UserError.
     """
+    refuse_other(mesh)
     return overlays.show(mesh, overlays.quality(mesh, measure, limits), plane_of(cut))
 
 
 def draw_quality(mesh, path, measure="dihedral_angle", limits=None, cut=None, filled=False):
     """Writes a picture of the elements as show_quality colours them, cut open by whole elements or `filled`. Returns the overlays.Overlay."""
+    refuse_other(mesh)
     return mesh_drawing.draw(mesh, path, measure, limits, plane_of(cut), filled)
 
 
 def show_plain(mesh):
     """Takes colours away again."""
+    refuse_other(mesh)
     overlays.hide(mesh)
 
 
 def export_mesh(mesh, path, file_format=None):
     """Writes the mesh with its groups as one of export.FORMATS (by default what the file's name says)."""
+    refuse_other(mesh)
     export.write(mesh, path, file_format or os.path.splitext(path)[1].lstrip("."))
 
 
@@ -290,6 +321,9 @@ def transfer_field(old, new, values):
     update keep `mesh.Proxy.arrays(mesh)`. Returns a dict: values, errors (an estimate in the field's unit), sources (0 the same
     node, 1 interpolated in an old element, 2 outside: from the nearest point of the old boundary) and figures.
     """
+    for mesh in (old, new):
+        if not isinstance(mesh, dict):
+            refuse_other(mesh)
     arrays = [mesh if isinstance(mesh, dict) else mesh.Proxy.arrays(mesh) for mesh in (old, new)]
     return transfer.field(*arrays, values)
 
@@ -297,8 +331,12 @@ def transfer_field(old, new, values):
 def transfer_result(result, mesh, name=None):
     """Adds a result object with the fields of `result`, which may be of another document, on the mesh object `mesh`.
 
-    Returns it and a report with the estimated error of each field.
+    Returns it and a report with the estimated error of each field. Throws UserError.
     """
+    refuse_other(mesh)
+    reading.refuse_gone(result, said("a result"))
+    if not result.isDerivedFrom("Fem::FemResultObject"):
+        raise UserError(said("{result:text} is no result", result=reading.describe(result)))
     return transfer.result(result, mesh, name)
 
 
@@ -314,8 +352,11 @@ def solve_analysis(analysis, which=None, threads=0, keep="", progress=None):
     """Solves the analysis and leaves FreeCAD's own result object in it. Returns the report.
 
     `which` is "live" (linear statics, from our mesh's arrays), "ccx" (CalculiX through FreeCAD), or None: live where that knows all
-    that the analysis holds, else CalculiX, and the report's warnings say why. Throws UserError.
+    that the analysis holds, else CalculiX, which gets a solver object where there is none, and the report's warnings say why. Throws UserError.
     """
+    if which not in (None, "live", "ccx"):
+        raise UserError(said("the solver is live or ccx, not {solver:text}", solver=str(which)))
+    analyses.refuse_other(analysis)
     solve_guard.refuse(analysis)
     from . import calculix   # FreeCAD's tools for CalculiX take a while to load
     if which == "ccx":
@@ -339,9 +380,7 @@ def solve_analysis(analysis, which=None, threads=0, keep="", progress=None):
 def live_result(analysis):
     """The live result of the analysis, added and solved where it has none: after each recompute its `Result` is FreeCAD's result object of the part as
     it is. In the window it is solved beside FreeCAD's own thread, in a script at once. `Status` says whether it is up to date."""
-    reading.refuse_gone(analysis)
-    if not analysis.isDerivedFrom("Fem::FemAnalysis"):
-        raise UserError(said("{analysis:text} is no analysis", analysis=reading.describe(analysis)))
+    analyses.refuse_other(analysis)
     live = live_results.add(analysis)
     if live.Status != live_results.UP_TO_DATE:
         solve_live(live)
@@ -350,6 +389,9 @@ def live_result(analysis):
 
 def solve_live(live):
     """Solves a live result now, whether it is Automatic or not: in the window beside FreeCAD's own thread, in a script at once. Throws UserError."""
+    reading.refuse_gone(live, said("a live result"))
+    if not live_results.is_live_result(live):
+        raise UserError(said("{object:text} is no live result", object=reading.describe(live)))
     if live_results.solve_later is not None:
         live_results.solve_later(live)
     else:
@@ -359,17 +401,22 @@ def solve_live(live):
 def add_study(part, analysis=None):
     """Adds a study of the part to its document: what it varies and asks for are properties. `study.study_object.start(study)` runs it.
 
-    `analysis` is by default the one that has the part's mesh, else the only one.
+    `analysis` is by default the one that has the part's mesh, else the only one. Throws UserError.
     """
+    reading.refuse_unmeshable(part)
+    if analysis is not None:
+        analyses.refuse_other(analysis)
     from .study import study_object   # it uses this module
     found = [obj for obj in part.Document.Objects if obj.isDerivedFrom("Fem::FemAnalysis")]
     of_the_part = [obj for obj in found if any(is_feature_mesh(member) and versions.part_of(member) is part for member in obj.Group)]
     candidates = of_the_part or found
-    return study_object.add(part, analysis or (candidates[0] if len(candidates) == 1 else None))
+    with all_or_nothing(part.Document):
+        return study_object.add(part, analysis or (candidates[0] if len(candidates) == 1 else None))
 
 
 def find_analysis(document, name=None):
     """The document's analysis, the one of that name where there are several. Throws UserError."""
+    refuse_no_document(document)
     found = [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemAnalysis") and (not name or name in (obj.Name, obj.Label))]
     if not found:
         raise UserError(said("the document {document:text} has no analysis{name:text}; add one in FreeCAD's FEM workbench",
@@ -393,7 +440,9 @@ def about():
 def share_mesh(mesh, analysis):
     """Lets a second analysis be solved with `mesh`: it gets an object with the same nodes, elements and numbers and the groups of its own loads,
     supports and materials, which follows every update. Returns it. Throws UserError when the analysis has a mesh already."""
-    reading.refuse_gone(mesh)
+    reading.refuse_gone(mesh, said("a mesh of FeatureMesh"))
+    if not analyses.is_ours(mesh):
+        refuse_other(mesh)
     return load_cases.share(mesh, analysis)
 
 
@@ -402,13 +451,13 @@ def copy_analysis(analysis, name=None, mesh="shared"):
 
     `mesh` is "shared" (see share_mesh), "own" for a mesh object of its own, or "none". Returns the copy. Throws UserError.
     """
-    reading.refuse_gone(analysis)
     return load_cases.copy(analysis, name, mesh)
 
 
 def find_part(document, name=None):
     """What is to be meshed: the object of that name, else the only solid that no other one uses; for a container the object that shows its parts, for a
     link the one that shows that. Throws UserError."""
+    refuse_no_document(document)
     named = reading.find_object(document, name) if name else None
     part = named if named is not None and assembled.is_container(named) else reading.find_meshable(document, name)
     return assembled.of(part) if assembled.is_to_be_shown(part) else part
@@ -416,6 +465,7 @@ def find_part(document, name=None):
 
 def find_mesh(document, part_name=None):
     """The document's mesh object, of that part when named. Throws UserError: none, or several."""
+    refuse_no_document(document)
     meshes = meshes_of(document)
     if part_name:
         part = reading.find_object(document, part_name)
@@ -438,36 +488,30 @@ def default_size(part, elements=DEFAULT_ELEMENTS):
     return round(size, digits)
 
 
-def length_of(value):
-    """A number, a quantity or a text such as "0.5 in" in mm. Throws UserError."""
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        pass
-    try:
-        quantity = FreeCAD.Units.Quantity(value)
-        if quantity.Unit == FreeCAD.Units.Length:
-            return quantity.Value
-    except (TypeError, ValueError, ArithmeticError, OSError):
-        pass
-    raise UserError(said("{value:text} is no length", value=str(value)))
+def _size_of(mesh, value):
+    """Of a refinement, mm: half the mesh's where none is given. Throws UserError."""
+    size = mesh.Size.Value / 2 if value is None else length_of(value)
+    refuse_no_size(size)
+    return size
 
 
 def plane_of(cut):
     """The section.Plane of a text such as "z=5", None for None. Throws UserError."""
     try:
-        return None if cut is None else section.plane_from_text(cut)
+        return None if cut is None else section.plane_from_text(str(cut))
     except ValueError:
         raise UserError(said("a cut is x, y or z with =, < or > and a number, such as z=5, not {cut:text}", cut=str(cut))) from None
 
 
 def _names_on_part(mesh, references, request):
     """Names of what (object, name) pairs mean on the part. Throws UserError with the request when there are none, or for what is not on the part."""
+    refuse_other(mesh)
     part = versions.part_of(mesh)
     if references is None:
         return []
+    refuse_no_references(references)
     resolver = resolving.Resolver(part)
-    meant = [(obj, sub, resolver.names(obj, sub)) for obj, sub in references]
+    meant = [(obj, sub, [name for name in resolver.names(obj, sub) or [] if resolving.is_element_of(part.Shape, name)]) for obj, sub in references]
     foreign = [resolving.describe(obj, sub) for obj, sub, names in meant if not names]
     if not references or foreign:
         raise UserError(said(request, part=reading.describe(part), foreign=said(", not of {foreign:text}", foreign=foreign[0]) if foreign else ""))
@@ -487,9 +531,8 @@ def _references(mesh, names):
 
 def check_size(size, part):
     """Throws UserError for a size that is not positive or larger than the part."""
+    refuse_no_size(size)
     diagonal = part.Shape.BoundBox.DiagonalLength
-    if not size > 0 or math.isinf(size):
-        raise UserError(said("the size has to be greater than 0 mm, not {size:number}", size=size))
     if size > diagonal:
         raise UserError(said("the size {size:length} is larger than the part ({diagonal:length} across); try {better:length}",
                              size=size, diagonal=diagonal, better=default_size(part)))

@@ -17,14 +17,13 @@ import FreeCAD
 import numpy as np
 from femtools import ccxtools
 
-from . import frd, statics, statics_model, statics_result
+from . import frd, solving, statics, statics_model, statics_result
 from .errors import UserError
 from .messages import said
 from .reading import describe
 
 _TOTAL = re.compile(r"total force \(fx,fy,fz\) for set (\S+) and time\s+\S+\s+(\S+)\s+(\S+)\s+(\S+)")
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
-_NO_SOLVER = QT_TRANSLATE_NOOP("FeatureMesh", "the analysis {analysis:text} has no solver: add a CalculiX solver")
 _SEVERAL_SOLVERS = QT_TRANSLATE_NOOP("FeatureMesh", "the analysis {analysis:text} has several solvers: leave one CalculiX solver in it")
 _ENERGY = re.compile(r"total internal energy for set \S+ and time\s+\S+\s+(\S+)")
 _MASS = re.compile(r"total mass for set \S+ and time\s+\S+\s+(\S+)")
@@ -161,11 +160,11 @@ def _read_arrays(analysis, known, path):
 
 
 def solver_of(analysis):
-    """Its only CalculiX solver. Throws UserError."""
+    """Its only CalculiX solver, or a new one where it has none. Throws UserError."""
     solvers = [member for member in statics_model.members_of(analysis) if hasattr(member, "AnalysisType")]
-    if len(solvers) != 1:
-        raise UserError(said(_SEVERAL_SOLVERS if solvers else _NO_SOLVER, analysis=describe(analysis)))
-    return solvers[0]
+    if len(solvers) > 1:
+        raise UserError(said(_SEVERAL_SOLVERS, analysis=describe(analysis)))
+    return solvers[0] if solvers else solving.add_solver(analysis)
 
 
 def program():

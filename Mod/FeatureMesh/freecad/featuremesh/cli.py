@@ -34,6 +34,8 @@ def run(task):
         return _failure(2, error)
     except EngineMissing as error:
         return _failure(1, error)
+    except KeyboardInterrupt:
+        return _failure(1, KeyboardInterrupt("cancelled"))   # FreeCAD would run the whole file once more
     except Exception as error:
         if tasks.is_users_fault(error):
             return _failure(2, error)
@@ -43,8 +45,8 @@ def run(task):
 
 
 def _failure(code, error):
-    text = " ".join(str(error).split()) or type(error).__name__
-    return {"exit_code": code, "message": text, "data": {}}
+    from freecad.featuremesh import messages
+    return {"exit_code": code, "message": messages.english(messages.of_error(error)), "data": {}}
 
 
 def _find_package():

@@ -6,6 +6,7 @@ import re
 import shutil
 import zipfile
 from xml.etree import ElementTree
+from xml.parsers import expat
 from xml.sax.saxutils import quoteattr
 
 import FreeCAD
@@ -14,6 +15,7 @@ from . import reading, versions
 from .errors import UserError
 from .messages import of_error, said
 
+_OBJECT = re.compile(r'<Object type="([^"]*)" name="([^"]*)"')   # in the list of a document's objects
 _FROM_THE_CORNER = 1, -1, 1
 _TURNED_TO_IT = "0.742906 0.307722 0.594473 1.21713"   # axis and angle of FreeCAD's isometric view
 
@@ -47,8 +49,10 @@ def save_document(document, path):
     """Saves a copy to `path`, whole or not at all.
 
     What the document shows (colours, views) is taken from its file; where that has none, the meshes are shown, or the parts. A link
-    stays one, and a file that is there keeps who may read it.
+    stays one, and a file that is there keeps who may read it. Throws UserError, also where the file would be replaced and FreeCAD could
+    not read all of it.
     """
+    _refuse_to_lose(document, path)
     file = os.path.realpath(path)
     folder, name = os.path.split(file)
     if not os.path.isdir(folder):
@@ -71,6 +75,28 @@ def save_document(document, path):
         raise
     finally:
         _remove([name for name in os.listdir(folder) if name.startswith(os.path.basename(temporary))], folder)
+
+
+def _refuse_to_lose(document, path):
+    """FreeCAD leaves out what it does not know, and says nothing where a file ends too soon."""
+    source = document.FileName
+    if not (os.path.isfile(path) and os.path.isfile(source) and os.path.samefile(path, source)):
+        return
+    with zipfile.ZipFile(source) as archive:
+        written = archive.read("Document.xml")
+    lost = ["%s (%s)" % (name, kind) for kind, name in _OBJECT.findall(written.decode("utf-8", "replace")) if document.getObject(name) is None]
+    if lost or not _is_whole(written):
+        raise UserError(said("FreeCAD {version:text} cannot read all of {path:text}{objects:messages}, and writing it would lose that; write another file with "
+                             "--out, or take the FreeCAD that it was made with",
+                             version=versions.text(), path=path, objects=said(": not {objects:text}", objects=", ".join(lost)) if lost else ""))
+
+
+def _is_whole(xml):
+    try:
+        expat.ParserCreate().Parse(xml, True)
+    except expat.ExpatError:
+        return False
+    return True
 
 
 def _refuse_half_written(path):

@@ -14,8 +14,10 @@ MESHES = ("shared", "own", "none")
 
 def share(mesh, analysis):
     """Lets a second analysis be solved with the mesh `mesh`. Returns the object in it. Throws UserError when it has a mesh already."""
-    if not analysis.isDerivedFrom("Fem::FemAnalysis"):
-        raise UserError(said("{analysis:text} is no analysis", analysis=reading.describe(analysis)))
+    analyses.refuse_other(analysis)
+    if analysis.Document is not mesh.Document:
+        raise UserError(said("{mesh:text} and {analysis:text} are in two documents; an analysis is solved with a mesh of its own document",
+                             mesh=reading.describe(mesh), analysis=reading.describe(analysis)))
     there = analyses.meshes_of(analysis)
     if there:
         raise UserError(said("{analysis:text} has {mesh:text} already, and an analysis is solved with one mesh",
@@ -25,6 +27,7 @@ def share(mesh, analysis):
 
 def copy(analysis, name, mesh):
     """A copy of the analysis with copies of its loads, supports, materials and solvers, without results. Throws UserError."""
+    analyses.refuse_other(analysis)
     if mesh not in MESHES:
         raise UserError(said("the mesh of a copy is one of {kinds:text}, not {kind:text}", kinds=", ".join(MESHES), kind=mesh))
     document = analysis.Document

@@ -19,7 +19,8 @@ from .messages import said
 from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE,
                               differ_from_mesh, failed, failure_of, is_of_its_part, settings_of, status_in_words)
 from .numbering import Numbering
-from .reading import describe, elements_of_today, read_document, shape_of_record, with_elements
+from .reading import describe, elements_of_today, read_document, refuse_gone, shape_of_record, with_elements
+from .refusals import refuse_no_size
 from .reports import add_fallback, plain, remarks_of
 from .resolving import CLICKED, Resolver
 from .user_words import in_words
@@ -530,6 +531,15 @@ def is_feature_mesh(obj):
     return isinstance(getattr(obj, "Proxy", None), FeatureMesh)
 
 
+def refuse_other(obj):
+    """Throws UserError for what is no mesh object of ours."""
+    refuse_gone(obj, said("a mesh of FeatureMesh"))
+    if not is_feature_mesh(obj):
+        source = analyses.source_of(obj)
+        raise UserError(said("{object:text} is no mesh of FeatureMesh", object=describe(obj)) if source is None else
+                        said("{object:text} shows the mesh of {mesh:text}; give that one", object=describe(obj), mesh=describe(source)))
+
+
 def options_of(mesh, part, raw=None, refined=None):
     """The engine's options from the object's properties and its refinements, which are read where they are not given; `raw` is the part as it
     was read, if it was. Throws UserError."""
@@ -538,6 +548,7 @@ def options_of(mesh, part, raw=None, refined=None):
     if not 0 <= mesh.QualityTarget <= _HIGHEST_TARGET:
         raise UserError(said("the property QualityTarget of {mesh:text} has to lie between 0 and {highest:number} degrees, not {target:number}",
                              mesh=describe(mesh), highest=_HIGHEST_TARGET, target=mesh.QualityTarget))
+    refuse_no_size(mesh.Size.Value)
     options["threads"] = int(options["threads"]) or os.cpu_count() or 1
     options["order"] = 2 if mesh.Order == "2nd" else 1
     if mesh.Dimension != FROM_SHAPE:

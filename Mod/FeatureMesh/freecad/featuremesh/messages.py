@@ -31,8 +31,10 @@ def alternatives(names):
 
 
 def of_error(error):
-    """What an error says: its message, or its text without line breaks."""
-    return getattr(error, "message", None) or " ".join(str(error).split()) or type(error).__name__
+    """What an error says: its message, or its text without line breaks. FreeCAD's own errors have theirs within a dict."""
+    first = error.args[0] if error.args else None
+    words = first["sErrMsg"] if isinstance(first, dict) and "sErrMsg" in first else str(error)
+    return getattr(error, "message", None) or " ".join(words.split()) or type(error).__name__
 
 
 def english(message):
@@ -146,7 +148,7 @@ class Words(string.Formatter):
 
 
 def _digits(value):
-    return "%.6g" % (value if abs(value) >= 5e-10 else 0)
+    return "%.6g" % (0 if abs(value) < 5e-10 else value)
 
 
 def _owned_names(value, owners):

@@ -78,11 +78,19 @@ def quality(mesh, measure="dihedral_angle", limits=None):
     """The elements by one of quality.MEASURES; `limits` (what is bad, what is good) are by default the measure's own. Throws UserError."""
     if measure not in MEASURES:
         raise UserError(said("there is no measure {measure:text}, only {measures:text}", measure=measure, measures=", ".join(MEASURES)))
-    if limits is not None and (not np.isfinite(limits).all() or limits[0] == limits[1]):
-        raise UserError(said("the two limits of {measure:text} have to differ", measure=measure))
+    if limits is not None and not _are_limits(limits):
+        raise UserError(said("the limits of {measure:text} are two numbers that differ, not {limits:text}", measure=measure, limits=str(limits)))
     arrays = mesh.Proxy.arrays(mesh)
     values = values_of(mesh, measure, arrays)
     return Overlay(colours=MEASURES[measure].colours(values, limits), values=values, **_mesh_of(arrays))
+
+
+def _are_limits(limits):
+    try:
+        bad, good = map(float, limits)
+    except (TypeError, ValueError):
+        return False
+    return bool(np.isfinite((bad, good)).all()) and bad != good
 
 
 def worst_tets(mesh, count=10, measure="dihedral_angle"):

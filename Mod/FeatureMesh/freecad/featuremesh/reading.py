@@ -182,10 +182,13 @@ def refuse_errors(part):
         raise UserError(said("FreeCAD could not compute {part:text}: {error:text}", part=describe(part), error=error_of(part)))
 
 
-def refuse_gone(obj):
-    """Throws UserError for what is no object of an open document."""
+A_PART = said("a body, or a Part object with a solid")
+
+
+def refuse_gone(obj, wanted=A_PART):
+    """Throws UserError for what is no object of an open document; `wanted` is a message that says what to give."""
     if not isinstance(obj, FreeCAD.DocumentObject):
-        raise UserError(said("{object:text} is no object of a document; give a body, or a Part object with a solid", object=str(obj)))
+        raise UserError(said("{object:text} is no object of a document; give {wanted:messages}", object=str(obj), wanted=wanted))
     try:
         obj.Name
     except ReferenceError:

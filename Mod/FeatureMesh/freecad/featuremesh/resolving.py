@@ -130,6 +130,12 @@ class Resolver:
         return ["%s%d" % (kind, i + 1) for i, own in enumerate(getattr(self.part.Shape, _MEMBERS[kind])) if _same_place(own, place)][:1]
 
 
+def is_element_of(shape, name):
+    """Has the shape a face, edge, vertex or solid of that name?"""
+    found = _ELEMENT.match(name)
+    return found is not None and 1 <= int(found.group(2)) <= shape.countElement(found.group(1))
+
+
 def path_of(obj, sub):
     """The objects that a reference leads through, the last of which has the element; and the element's plain name."""
     *names, element = plain(sub).split(".")

@@ -33,7 +33,7 @@ def plane_from_text(text):
     """The plane that "z=5" or "z<5" says (what is below stays) and "z>5" (what is above). Throws ValueError."""
     for sign in "=<>":
         axis, found, place = text.replace(" ", "").partition(sign)
-        if found and axis in AXES:
+        if found and axis in AXES and np.isfinite(float(place)):
             return plane_across(axis, float(place), keeps_above=sign == ">")
     raise ValueError("a plane is x=, y= or z= a number, not %r" % text)
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 import FreeCAD
 import ObjectsFem
 
-from . import reading, solve_guard
+from . import analyses, reading, solve_guard
 from .errors import UserError
 from .messages import said
 
@@ -28,9 +28,7 @@ class Solution:
 def solve(analysis):
     """Solves `analysis` with its CalculiX solver, which it gets if it has none. Throws UserError when something is missing or CalculiX fails."""
     from femtools import ccxtools
-    reading.refuse_gone(analysis)
-    if not analysis.isDerivedFrom("Fem::FemAnalysis"):
-        raise UserError(said("{analysis:text} is no analysis", analysis=reading.describe(analysis)))
+    analyses.refuse_other(analysis)
     solve_guard.refuse(analysis)
     program = shutil.which("ccx")
     if not program:
@@ -64,6 +62,11 @@ def solver_of(analysis):
     for member in analysis.Group:
         if getattr(getattr(member, "Proxy", None), "Type", "") == _TYPE and not getattr(member, "Suppressed", False):
             return member
+    return add_solver(analysis)
+
+
+def add_solver(analysis):
+    """A new CalculiX solver for linear statics in the analysis."""
     make = getattr(ObjectsFem, "makeSolverCalculiXCcxTools", None) or ObjectsFem.makeSolverCalculixCcxTools
     solver = make(analysis.Document, "CalculiX")
     solver.GeometricalNonlinearity = "linear"

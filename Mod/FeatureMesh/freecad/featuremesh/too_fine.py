@@ -26,7 +26,8 @@ def refuse_too_fine(shape, size, growth, refinements):
 
     `refinements` are (entity such as "Face12", size in mm, name of the refinement).
     """
-    if _PER_CUBE * _box_volume(shape) > _COUNTLESS * size ** 3 > 0 and _PER_CUBE * shape.Volume > _COUNTLESS * size ** 3:
+    countless = _COUNTLESS * size * size * size   # infinite for the largest numbers
+    if _PER_CUBE * _box_volume(shape) > countless > 0 and _PER_CUBE * shape.Volume > countless:
         raise UserError(said("a size of {size:length} would make more than a million million elements; at most {most:count} million are made. Choose a "
                              "larger size",
                              size=size, most=round(MOST / 1e6)))

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a study is: the document, what is varied and how, what is asked for. Read from study.toml or from a command line."""
 
+import math
 import os
 import re
 from dataclasses import asdict, dataclass, field
@@ -13,6 +14,7 @@ from .response_words import Response, parse_response
 SAMPLINGS = ("grid", "one_at_a_time", "lhs", "sobol", "halton", "box_behnken", "central_composite", "csv")
 COUNTED = ("lhs", "sobol", "halton")   # those that take any number of cases
 SOLVERS = ("live", "ccx")
+MOST_CASES = 100000   # of a study, so that a number with too many noughts is told at once
 KEPT_FILES = ("mesh", "inp", "frd")
 # What each key of a study's file holds.
 _NUMBER = (int, float)
@@ -90,7 +92,7 @@ def read_toml(path):
     try:
         with open(path, "rb") as stream:
             given = tomllib.load(stream)
-    except tomllib.TOMLDecodeError as error:
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise UserError(said("{path:text} cannot be read: {why:messages}", path=path, why=of_error(error))) from error
     _refuse_wrong(given, _KEYS, path)
     folder = os.path.dirname(os.path.abspath(path))
@@ -141,6 +143,7 @@ def check(study):
     if study.sampling in COUNTED and not study.cases > 0:
         raise UserError(said("the sampling {sampling:text} needs a number of cases, such as --cases 32 (in a study's file cases = 32)",
                              sampling=study.sampling))
+    refuse_too_many(study.cases)
     if study.sampling == "csv" and not study.rows:
         raise UserError(said("the sampling csv needs a file of rows: --rows ROWS.csv (in a study's file rows = \"ROWS.csv\")"))
     if study.sampling == "box_behnken" and len(study.parameters) < 3:
@@ -165,6 +168,12 @@ def check(study):
         Expression(text, said("the constraint"))
 
 
+def refuse_too_many(cases):
+    """Throws UserError for more cases than anybody can mean."""
+    if cases > MOST_CASES:
+        raise UserError(said("a study has at most {most:count} cases; {cases:count} are too many", most=MOST_CASES, cases=cases))
+
+
 def check_limits(study):
     """Throws UserError for a limit that no case could keep to."""
     if not study.seconds_limit > 0:
@@ -187,12 +196,13 @@ def _refuse_wrong(given, known, where):
 def _check_parameter(parameter):
     if bool(parameter.bounds) == bool(parameter.values):
         raise UserError(said("the parameter {parameter:text} needs a range of two numbers or a list of values", parameter=parameter.name))
-    if parameter.bounds and not parameter.bounds[0] < parameter.bounds[1]:
+    if parameter.bounds and not -math.inf < parameter.bounds[0] < parameter.bounds[1] < math.inf:
         low, high = parameter.bounds
         raise UserError(said("the range of {name:text} has to rise, not {low:number}:{high:number}; write its low end first",
                              name=parameter.name, low=low, high=high))
-    if parameter.levels < 2:
-        raise UserError(said("{parameter:text} needs at least two levels, not {levels:count}", parameter=parameter.name, levels=parameter.levels))
+    if not 2 <= parameter.levels <= MOST_CASES:
+        raise UserError(said("{parameter:text} needs two levels to {most:count}, not {levels:count}", parameter=parameter.name, most=MOST_CASES,
+                             levels=parameter.levels))
 
 
 def _parameter(given, path):

@@ -4,7 +4,7 @@
 from ..errors import UserError
 from ..messages import alternatives, said
 from . import sampling
-from .design import COUNTED
+from .design import COUNTED, refuse_too_many
 
 
 def plan(folder):
@@ -22,6 +22,7 @@ def extend(folder, count=None, csv_path=None):
     if csv_path:
         database.add_cases(_with_messages(study, sampling.read_rows(study, csv_path)), "csv")
         return sum(database.counts().values()) - before
+    refuse_too_many(before + count)
     if study.sampling not in COUNTED:
         raise UserError(said("the sampling {sampling:text} is complete; add rows of a CSV file, or start a study with {others:messages}",
                              sampling=study.sampling, others=alternatives(COUNTED)))

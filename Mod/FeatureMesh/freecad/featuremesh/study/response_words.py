@@ -19,7 +19,7 @@ OF_PART = ("mass", "volume", "area")   # need no solution
 STRESSES = ("max_mises", "max_principal", "min_principal")
 _OF_NODES = (*STRESSES, "max_displacement", "displacement_x", "displacement_y", "displacement_z", "max_temperature", "min_temperature")
 _BY_MODE = ("buckling_factor", "frequency")
-_KEYS = {"name", "kind", "at", "percentile", "mode", "expression", "file"}
+_KEYS = {"name": str, "kind": str, "at": str, "percentile": (int, float), "mode": int, "expression": str, "file": str}   # what each holds
 
 
 @dataclass
@@ -56,6 +56,8 @@ def parse_response(given):
                              kind=response.kind, near=said(", did you mean {name:text}?", name=near[0]) if near else "", kinds=", ".join(KINDS)))
     if response.percentile is not None and (response.kind not in _OF_NODES or not 0 <= response.percentile <= 100):
         raise UserError(said("the response {response:text} cannot have a percentile, or one outside of 0 to 100", response=response.name))
+    if response.mode < 1:
+        raise UserError(said("the response {response:text} counts its modes from 1", response=response.name))
     if response.at and response.kind not in _OF_NODES and not (response.kind or "").startswith("reaction"):
         raise UserError(said("the response {response:text} is of the whole part, not at {place:text}", response=response.name, place=response.at))
     if response.expression:
@@ -77,6 +79,8 @@ def _from_table(given):
     for key in given:
         if key not in _KEYS:
             raise UserError(said("a response has no {key:text}; known are {known:text}", key=key, known=", ".join(sorted(_KEYS))))
+        if not isinstance(given[key], _KEYS[key]) or isinstance(given[key], bool):
+            raise UserError(said("{key:text} of the response {response:text} cannot be {value:text}", key=key, response=str(given), value=repr(given[key])))
     name = given.get("name") or given.get("kind") or given.get("file")
     if not name:
         raise UserError(said("a response has no name: {response:text}", response=str(given)))
@@ -86,7 +90,7 @@ def _from_table(given):
 def _from_text(text):
     own_name, equals, rest = text.partition("=")
     words = rest if equals else text
-    found = re.fullmatch(r"\s*([a-z_]+?)(?:_?(\d+))?(?:@(.+?))?(?::p([\d.]+))?\s*", words)
+    found = re.fullmatch(r"\s*([a-z_]+?)(?:_?(\d+))?(?:@(.+?))?(?::p(\d+(?:\.\d+)?))?\s*", words)
     if not found or (found.group(2) and found.group(1) not in _BY_MODE):
         raise UserError(said("cannot read the response '{response:text}'; it is KIND, KIND@PLACE or KIND:p95", response=text))
     kind, mode, place, percentile = found.groups()

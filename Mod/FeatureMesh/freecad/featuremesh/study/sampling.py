@@ -11,9 +11,7 @@ import numpy as np
 from ..errors import UserError
 from ..messages import of_error, said
 from .classic_designs import box_behnken, central_composite
-from .design import COUNTED
-
-_MOST_CASES = 100000
+from .design import COUNTED, MOST_CASES
 
 
 def rows(study, base, count=None, start=0, batch=0):
@@ -116,8 +114,8 @@ def _one_at_a_time(study, base):
 
 
 def _limited(product, study):
-    found = [list(row) for row in itertools.islice(product, _MOST_CASES + 1)]
-    if len(found) > _MOST_CASES:
+    found = [list(row) for row in itertools.islice(product, MOST_CASES + 1)]
+    if len(found) > MOST_CASES:
         raise UserError(said("the grid of {parameters:count} {parameters:parameter|parameters} has more than {most:count} cases; take fewer levels, or sobol",
-                             parameters=len(study.parameters), most=_MOST_CASES))
+                             parameters=len(study.parameters), most=MOST_CASES))
     return found

@@ -335,6 +335,10 @@
       <translation>--slurm {jobs:count}: mindestens ein Job ist nötig</translation>
     </message>
     <message>
+      <source>: not {objects:text}</source>
+      <translation>: nicht {objects:text}</translation>
+    </message>
+    <message>
       <source>; did you mean {names:messages}?</source>
       <translation>; war {names:messages} gemeint?</translation>
     </message>
@@ -423,6 +427,10 @@
       <translation>FreeCAD hat kein Dokument geschrieben</translation>
     </message>
     <message>
+      <source>FreeCAD {version:text} cannot read all of {path:text}{objects:messages}, and writing it would lose that; write another file with --out, or take the FreeCAD that it was made with</source>
+      <translation>FreeCAD {version:text} kann nicht alles von {path:text} lesen{objects:messages}, und es ginge beim Schreiben verloren; mit --out eine andere Datei schreiben oder das FreeCAD nehmen, mit dem sie gemacht wurde</translation>
+    </message>
+    <message>
       <source>Its libraries</source>
       <translation>Bibliotheken</translation>
     </message>
@@ -467,6 +475,10 @@
       <translation>Was wichtig ist</translation>
     </message>
     <message>
+      <source>a body, or a Part object with a solid</source>
+      <translation>einen Körper oder ein Part-Objekt mit einem Volumenkörper</translation>
+    </message>
+    <message>
       <source>a case needs about {needed:text} GB of memory, and {free:text} GB are free; take a coarser mesh, or free memory</source>
       <translation>ein Fall braucht etwa {needed:text} GB Speicher, und {free:text} GB sind frei; ein gröberes Netz nehmen oder Speicher freigeben</translation>
     </message>
@@ -479,8 +491,24 @@
       <translation>eine Liste in eckigen Klammern</translation>
     </message>
     <message>
+      <source>a live result</source>
+      <translation>ein Live-Ergebnis</translation>
+    </message>
+    <message>
+      <source>a mesh of FeatureMesh</source>
+      <translation>ein Netz von FeatureMesh</translation>
+    </message>
+    <message>
       <source>a number</source>
       <translation>eine Zahl</translation>
+    </message>
+    <message>
+      <source>a reference is an object and a name, such as (part, "Face3"), not {reference:text}</source>
+      <translation>ein Verweis ist ein Objekt und ein Name, etwa (part, "Face3"), nicht {reference:text}</translation>
+    </message>
+    <message>
+      <source>a refinement zone</source>
+      <translation>eine Verfeinerungszone</translation>
     </message>
     <message>
       <source>a response has no name: {response:text}</source>
@@ -495,8 +523,16 @@
       <translation>eine Zielgröße ist ein Text wie "max_mises" oder eine Tabelle, nicht {response:text}</translation>
     </message>
     <message>
+      <source>a result</source>
+      <translation>ein Ergebnis</translation>
+    </message>
+    <message>
       <source>a study asks for figures of solids, of shells or of beams alone, and {part:text} has several of them in one analysis; study a part of one kind, or ask for its volume or area only</source>
       <translation>eine Studie fragt nach Werten von Volumenkörpern, von Schalen oder von Balken allein, und {part:text} hat mehrere davon in einer Analyse; ein Bauteil einer Art untersuchen, oder nur nach seinem Volumen oder seiner Fläche fragen</translation>
+    </message>
+    <message>
+      <source>a study has at most {most:count} cases; {cases:count} are too many</source>
+      <translation>eine Studie hat höchstens {most:count} Fälle; {cases:count} sind zu viele</translation>
     </message>
     <message>
       <source>a table</source>
@@ -533,6 +569,10 @@
     <message>
       <source>additive</source>
       <translation>additiv</translation>
+    </message>
+    <message>
+      <source>an analysis</source>
+      <translation>eine Analyse</translation>
     </message>
     <message>
       <source>around one face or edge at most {most:count} million are made</source>
@@ -885,6 +925,10 @@
       <translation>die Arbeitsprozesse von Dask mit seinem Ausgangsdokument sind weg</translation>
     </message>
     <message>
+      <source>the FEM mesh of another maker</source>
+      <translation>das FEM-Netz eines anderen Vernetzers</translation>
+    </message>
+    <message>
       <source>the analysis gives no {what:messages}</source>
       <translation>die Analyse ergibt keine Werte für: {what:messages}</translation>
     </message>
@@ -917,6 +961,10 @@
       <translation>das Dokument hat mehrere Ergebnisse, eines mit --result angeben: {results:text}</translation>
     </message>
     <message>
+      <source>the document was closed</source>
+      <translation>das Dokument wurde geschlossen</translation>
+    </message>
+    <message>
       <source>the document {document:text} has no analysis{name:text}; add one in FreeCAD's FEM workbench</source>
       <translation>das Dokument {document:text} hat keine Analyse{name:text}; eine in FreeCADs Arbeitsbereich FEM anlegen</translation>
     </message>
@@ -939,6 +987,10 @@
     <message>
       <source>the limit {limit:text} has to compare two things by &lt;=, &lt;, &gt;= or &gt;</source>
       <translation>die Grenze {limit:text} muss zwei Dinge mit &lt;=, &lt;, &gt;= oder &gt; vergleichen</translation>
+    </message>
+    <message>
+      <source>the limits of {measure:text} are two numbers that differ, not {limits:text}</source>
+      <translation>die Grenzen von {measure:text} sind zwei verschiedene Zahlen, nicht {limits:text}</translation>
     </message>
     <message>
       <source>the live solver needs PETSc: {why:messages}</source>
@@ -995,6 +1047,10 @@
     <message>
       <source>the response {response:text} cannot have a percentile, or one outside of 0 to 100</source>
       <translation>die Zielgröße {response:text} kann kein Perzentil haben, oder keines außerhalb von 0 bis 100</translation>
+    </message>
+    <message>
+      <source>the response {response:text} counts its modes from 1</source>
+      <translation>die Zielgröße {response:text} zählt ihre Moden ab 1</translation>
     </message>
     <message>
       <source>the response {response:text} is of the whole part, not at {place:text}</source>
@@ -1145,6 +1201,10 @@
       <translation>%s und %d weitere</translation>
     </message>
     <message>
+      <source>{document:text} is no open document</source>
+      <translation>{document:text} ist kein offenes Dokument</translation>
+    </message>
+    <message>
       <source>{document:text} was changed since the study began; its cases are of the document as it was then (base.FCStd in its folder). `study resume {folder:text} --keep-base` goes on with that</source>
       <translation>{document:text} wurde geändert, seit die Studie begann; ihre Fälle gelten für das Dokument, wie es damals war (base.FCStd in ihrem Ordner). `study resume {folder:text} --keep-base` macht damit weiter</translation>
     </message>
@@ -1189,12 +1249,20 @@
       <translation>{format:text} würde die Schalen dieses Netzes verlieren; es als inp, vtu, vtk, msh, unv oder med exportieren</translation>
     </message>
     <message>
+      <source>{key:text} of the response {response:text} cannot be {value:text}</source>
+      <translation>{key:text} der Zielgröße {response:text} kann nicht {value:text} sein</translation>
+    </message>
+    <message>
       <source>{kind:messages}, {error:text} ({percent:text} % of the spread)</source>
       <translation>{kind:messages}, {error:text} ({percent:text} % der Spannweite)</translation>
     </message>
     <message>
       <source>{member:text} did not arrive on the disk whole; is it full?</source>
       <translation>{member:text} kam nicht vollständig auf der Platte an; ist sie voll?</translation>
+    </message>
+    <message>
+      <source>{mesh:text} and {analysis:text} are in two documents; an analysis is solved with a mesh of its own document</source>
+      <translation>{mesh:text} und {analysis:text} sind in zwei Dokumenten; eine Analyse wird mit einem Netz ihres eigenen Dokuments gelöst</translation>
     </message>
     <message>
       <source>{nodes:count} {nodes:boundary node is|boundary nodes are} off the surface</source>
@@ -1219,6 +1287,26 @@
     <message>
       <source>{object:text} has no property {name:text}{near:messages}</source>
       <translation>{object:text} hat keine Eigenschaft {name:text}{near:messages}</translation>
+    </message>
+    <message>
+      <source>{object:text} is no live result</source>
+      <translation>{object:text} ist kein Live-Ergebnis</translation>
+    </message>
+    <message>
+      <source>{object:text} is no mesh of FeatureMesh</source>
+      <translation>{object:text} ist kein Netz von FeatureMesh</translation>
+    </message>
+    <message>
+      <source>{object:text} is no object of a document; give {wanted:messages}</source>
+      <translation>{object:text} ist kein Objekt eines Dokuments; {wanted:messages} angeben</translation>
+    </message>
+    <message>
+      <source>{object:text} is no refinement zone</source>
+      <translation>{object:text} ist keine Verfeinerungszone</translation>
+    </message>
+    <message>
+      <source>{object:text} shows the mesh of {mesh:text}; give that one</source>
+      <translation>{object:text} zeigt das Netz von {mesh:text}; dieses angeben</translation>
     </message>
     <message>
       <source>{object:text}.{name:text} is computed ({content:text}), change what it depends on</source>
@@ -1269,8 +1357,8 @@
       <translation>{one:text} oder {others:messages}</translation>
     </message>
     <message>
-      <source>{parameter:text} needs at least two levels, not {levels:count}</source>
-      <translation>{parameter:text} braucht mindestens zwei Stufen, nicht {levels:count}</translation>
+      <source>{parameter:text} needs two levels to {most:count}, not {levels:count}</source>
+      <translation>{parameter:text} braucht zwei bis {most:count} Stufen, nicht {levels:count}</translation>
     </message>
     <message>
       <source>{part:text} has a mesh already: {mesh:text}; delete one of the two</source>
@@ -1389,6 +1477,10 @@
       <translation>{place:text}, wo nach einer Zielgröße gefragt ist, gibt es nicht mehr</translation>
     </message>
     <message>
+      <source>{property:text} has to be 0 mm or more, not {value:number}</source>
+      <translation>{property:text} muss 0 mm oder mehr sein, nicht {value:number}</translation>
+    </message>
+    <message>
       <source>{response:text}: least {least:text} in case {case:count}, largest {largest:text} in case {other:count}</source>
       <translation>{response:text}: kleinster Wert {least:text} in Fall {case:count}, größter Wert {largest:text} in Fall {other:count}</translation>
     </message>
@@ -1403,6 +1495,10 @@
     <message>
       <source>{result:text} has values for {values:count} {values:node|nodes}, its mesh {mesh:text} has {nodes:count}</source>
       <translation>{result:text} hat Werte für {values:count} Knoten, sein Netz {mesh:text} hat {nodes:count}</translation>
+    </message>
+    <message>
+      <source>{result:text} is no result</source>
+      <translation>{result:text} ist kein Ergebnis</translation>
     </message>
     <message>
       <source>{sampling:text}: {states:text}. Every case starts from one base mesh ({nodes:count} {nodes:node|nodes}, {elements:count} {elements:element|elements}); {solved:messages}.</source>
@@ -1511,10 +1607,6 @@
     <message>
       <source>{value:text} is no length</source>
       <translation>{value:text} ist keine Länge</translation>
-    </message>
-    <message>
-      <source>{object:text} is no object of a document; give a body, or a Part object with a solid</source>
-      <translation>{object:text} ist kein Objekt eines Dokuments; einen Körper oder ein Part-Objekt mit einem Volumenkörper angeben</translation>
     </message>
     <message>
       <source>%s is not that of the part as it is, its last update failed: %s</source>
@@ -3177,10 +3269,6 @@
       <translation>die Analyse hat keinen Werkstoff: einen hinzufügen</translation>
     </message>
     <message>
-      <source>the analysis {analysis:text} has no solver: add a CalculiX solver</source>
-      <translation>die Analyse {analysis:text} hat keinen Löser: einen CalculiX-Löser hinzufügen</translation>
-    </message>
-    <message>
       <source>the analysis {analysis:text} has several solvers: leave one CalculiX solver in it</source>
       <translation>die Analyse {analysis:text} hat mehrere Löser: nur einen CalculiX-Löser darin lassen</translation>
     </message>
@@ -3395,10 +3483,6 @@
     <message>
       <source>the surface mesh does not close at {place:entities}; check the shape there, or try another size</source>
       <translation>das Oberflächennetz schließt sich nicht bei {place:entities}; dort die Form prüfen, oder eine andere Größe versuchen</translation>
-    </message>
-    <message>
-      <source>the two limits of {measure:text} have to differ</source>
-      <translation>die beiden Grenzen von {measure:text} müssen verschieden sein</translation>
     </message>
     <message>
       <source>the two parts look unrelated: they have no feature name in common</source>
