@@ -119,7 +119,13 @@ class Files(unittest.TestCase):
 
     def test_a_document_that_was_read_whole_is_replaced(self):
         opened = self.altered(lambda xml: xml)
-        documents.save_document(opened, opened.FileName)
+        for _ in range(2):
+            documents.save_document(opened, opened.FileName)
+
+    def test_what_another_program_saved_meanwhile_is_not_undone(self):
+        opened = self.altered(lambda xml: xml)
+        self.document.saveCopy(opened.FileName)
+        self.not_replaced(opened, "altered.FCStd was saved by another program meanwhile")
 
     def test_colours_of_the_file_survive(self):
         view = b'<?xml version="1.0"?><Document><ViewProviderData><ViewProvider name="Body"><Property file="DiffuseColor"/></ViewProvider></ViewProviderData></Document>'

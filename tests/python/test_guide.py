@@ -3,7 +3,9 @@
 import ast
 import re
 import unittest
+import zipfile
 from pathlib import Path
+from xml.etree import ElementTree
 
 ROOT = Path(__file__).resolve().parents[2]
 WORKBENCH = ROOT / "Mod" / "FeatureMesh" / "freecad" / "featuremesh"
@@ -44,6 +46,19 @@ class Guide(unittest.TestCase):
         commands = set(re.findall(r'command\(subparsers, "(\w+)"', arguments))
         self.assertGreater(len(commands), 10)
         self.assertLessEqual(set(re.findall(r"\./featuremesh (\w+)", GUIDE)), commands)
+
+    def test_every_dimension_that_it_sets_is_in_the_example(self):
+        """The commands are typed as they stand, with a copy of the bracket."""
+        with zipfile.ZipFile(ROOT / "resources" / "examples" / "bracket.FCStd") as archive:
+            document = ElementTree.fromstring(archive.read("Document.xml"))
+        objects = {entry.get("name"): {inner.get("name") for inner in entry.iter("Property")} | {inner.get("Name") for inner in entry.iter("Constrain")}
+                   for entry in document.findall("ObjectData/Object")}
+        commands = "\n".join(line for line in GUIDE.splitlines() if line.startswith("    "))
+        python = "\n".join(re.findall(r"```python\n(.*?)```", GUIDE, re.DOTALL))
+        targets = re.findall(r"--(?:set|vary) (\w+)\.(\w+)=", commands) + re.findall(r'set = "(\w+)\.(\w+)"', commands) + re.findall(r'\["(\w+)\.(\w+)=', python)
+        self.assertGreater(len(targets), 8)
+        for name, dimension in targets:
+            self.assertIn(dimension, objects.get(name, ()), name)
 
     def test_our_properties_on_the_page_beside_gmsh_and_netgen_exist(self):
         page = (ROOT / "docs" / "beside-gmsh-and-netgen.md").read_text(encoding="utf-8")

@@ -16,6 +16,8 @@ from .errors import UserError
 from .messages import of_error, said
 
 _OBJECT = re.compile(r'<Object type="([^"]*)" name="([^"]*)"')   # in the list of a document's objects
+# What the file of each document that was opened was then, by the document's name.
+_stamps = {}
 _FROM_THE_CORNER = 1, -1, 1
 _TURNED_TO_IT = "0.742906 0.307722 0.594473 1.21713"   # axis and angle of FreeCAD's isometric view
 
@@ -39,8 +41,11 @@ def open_document(path):
         raise
     if damaged:
         raise UserError(said("{path:text} is damaged: {member:text} in it cannot be read", path=path, member=damaged))
+    stamp = _stamp_of(path)
     try:
-        return FreeCAD.openDocument(path, True)
+        document = FreeCAD.openDocument(path, True)
+        _stamps[document.Name] = path, stamp
+        return document
     except Exception as error:
         raise UserError(said("FreeCAD cannot open {path:text}: {why:messages}", path=path, why=of_error(error))) from error
 
@@ -69,6 +74,8 @@ def save_document(document, path):
         _to_disk(temporary)
         os.replace(temporary, file)
         _to_disk(folder)
+        if _stamps.get(document.Name, ("",))[0] == path:
+            _stamps[document.Name] = path, _stamp_of(path)
     except Exception as error:
         if isinstance(error, (OSError, zipfile.BadZipFile, RuntimeError, UserError)):
             raise UserError(said("cannot write {path:text}: {why:messages}", path=path, why=of_error(error))) from error
@@ -78,10 +85,14 @@ def save_document(document, path):
 
 
 def _refuse_to_lose(document, path):
-    """FreeCAD leaves out what it does not know, and says nothing where a file ends too soon."""
+    """FreeCAD leaves out what it does not know, and says nothing where a file ends too soon; and somebody else may have saved the file meanwhile."""
     source = document.FileName
     if not (os.path.isfile(path) and os.path.isfile(source) and os.path.samefile(path, source)):
         return
+    opened, stamp = _stamps.get(document.Name, (None, None))
+    if opened == source and stamp != _stamp_of(source):
+        raise UserError(said("{path:text} was saved by another program meanwhile, which writing it would undo; do this again, or write another file with --out",
+                             path=path))
     with zipfile.ZipFile(source) as archive:
         written = archive.read("Document.xml")
     lost = ["%s (%s)" % (name, kind) for kind, name in _OBJECT.findall(written.decode("utf-8", "replace")) if document.getObject(name) is None]
@@ -89,6 +100,12 @@ def _refuse_to_lose(document, path):
         raise UserError(said("FreeCAD {version:text} cannot read all of {path:text}{objects:messages}, and writing it would lose that; write another file with "
                              "--out, or take the FreeCAD that it was made with",
                              version=versions.text(), path=path, objects=said(": not {objects:text}", objects=", ".join(lost)) if lost else ""))
+
+
+def _stamp_of(path):
+    """Changes when the file is written, or another one takes its place."""
+    status = os.stat(path)
+    return status.st_ino, status.st_size, status.st_mtime_ns
 
 
 def _is_whole(xml):

@@ -1453,6 +1453,10 @@
       <translation>{path:text} ist von einem neueren FeatureMesh (Schema {schema:text}, dieses liest {newest:count})</translation>
     </message>
     <message>
+      <source>{path:text} was saved by another program meanwhile, which writing it would undo; do this again, or write another file with --out</source>
+      <translation>{path:text} wurde inzwischen von einem anderen Programm gespeichert, was beim Schreiben verloren ginge; den Befehl wiederholen oder mit --out eine andere Datei schreiben</translation>
+    </message>
+    <message>
       <source>{path:text}, line {line:count}: {text:text} is no number for {parameter:text}</source>
       <translation>{path:text}, Zeile {line:count}: {text:text} ist keine Zahl für {parameter:text}</translation>
     </message>
