@@ -73,7 +73,8 @@ def build(target):
     say(f"building {WHAT[target]}")
     run_logged(["cmake", "--preset", "release", "-B", RELEASE, f"-DPython_EXECUTABLE={PYTHON}", f"-DPython3_EXECUTABLE={PYTHON}",
                 f"-DPYTHON_EXECUTABLE={PYTHON}", f"-DFEATUREMESH_CGAL_DIR={CGAL / 'usr'}"], "configuring the build", cwd=ROOT)
-    run_logged(["cmake", "--build", RELEASE, "-j", str(compilers_at_once()), "--target", target], "building", cwd=ROOT)
+    run_logged(["cmake", "--build", RELEASE, "-j", str(compilers_at_once()), "--target", target], "building", cwd=ROOT,
+               start_new_session=True)
 
 
 def compilers_at_once():

@@ -6,6 +6,7 @@ import io
 import json
 import os
 import shutil
+import signal
 import stat
 import subprocess
 import sys
@@ -27,6 +28,7 @@ import engine_build  # noqa: E402
 import freecad_roots  # noqa: E402
 import freecad_task  # noqa: E402
 import packages  # noqa: E402
+import setup_log  # noqa: E402
 import tidy  # noqa: E402
 import wheels  # noqa: E402
 from arguments import parse  # noqa: E402
@@ -35,6 +37,14 @@ from layout import RELEASE, Failure, Unavailable, UserError  # noqa: E402
 
 def run(*words):
     return subprocess.run([str(LAUNCHER), *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def is_running(process):
+    """A process that ended may still wait for whoever has to hear of it."""
+    try:
+        return Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return False
 
 
 class CommandLine(unittest.TestCase):
@@ -384,6 +394,23 @@ class SetUp(unittest.TestCase):
             (Path(folder) / "setup-stamp.json").write_text("{", encoding="utf-8")
             engine_build.set_up()
             self.assertEqual(steps, engine)
+
+    def test_what_a_build_started_ends_with_the_launcher(self):
+        with tempfile.TemporaryDirectory() as folder:
+            started = Path(folder) / "started"
+            os.mkfifo(started)
+
+            def cancel():
+                self.grandchild = int(started.read_text(encoding="utf-8"))
+                os.kill(os.getpid(), signal.SIGINT)
+            threading.Thread(target=cancel).start()
+            with mock.patch.multiple(setup_log, BUILD=Path(folder), SETUP_LOG=Path(folder) / "setup.log"), self.assertRaises(KeyboardInterrupt):
+                setup_log.run_logged(["sh", "-c", f"sleep 60 & echo $! > {started}; wait"], "building", start_new_session=True)
+        for _ in range(100):
+            if not is_running(self.grandchild):
+                return
+            time.sleep(0.1)
+        self.fail("it goes on")
 
     def test_only_one_set_up_at_a_time(self):
         steps = []

@@ -12,7 +12,9 @@ import traceback
 
 
 def run_from_environment():
-    """Runs the task, writes the result and ends the process with its exit code."""
+    """Runs the task, writes the result and ends the process with its exit code; without its launcher it ends at once."""
+    from freecad.featuremesh.study import parent_process
+    parent_process.end_with(os.getppid())
     result = run(json.loads(os.environ["FEATUREMESH_TASK"]))
     path = os.environ["FEATUREMESH_RESULT"]
     with open(path + ".tmp", "w", encoding="utf-8") as stream:

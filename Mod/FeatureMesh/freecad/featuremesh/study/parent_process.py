@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A process of a study ends when the one that started it does, even when that is killed."""
+"""A process of a study or of a command ends when the one that started it does, even when that is killed."""
 
 import ctypes
 import os
