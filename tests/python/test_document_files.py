@@ -121,6 +121,8 @@ class Files(unittest.TestCase):
         opened = self.altered(lambda xml: xml)
         for _ in range(2):
             documents.save_document(opened, opened.FileName)
+        opened.removeObject("HoleSketch")   # what was there and is not wanted any longer
+        documents.save_document(opened, opened.FileName)
 
     def test_what_another_program_saved_meanwhile_is_not_undone(self):
         opened = self.altered(lambda xml: xml)

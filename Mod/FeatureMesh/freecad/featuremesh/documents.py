@@ -5,6 +5,7 @@ import os
 import re
 import shutil
 import zipfile
+from dataclasses import dataclass
 from xml.etree import ElementTree
 from xml.parsers import expat
 from xml.sax.saxutils import quoteattr
@@ -16,10 +17,18 @@ from .errors import UserError
 from .messages import of_error, said
 
 _OBJECT = re.compile(r'<Object type="([^"]*)" name="([^"]*)"')   # in the list of a document's objects
-# What the file of each document that was opened was then, by the document's name.
-_stamps = {}
+# By the name of each document that was opened.
+_opened = {}
 _FROM_THE_CORNER = 1, -1, 1
 _TURNED_TO_IT = "0.742906 0.307722 0.594473 1.21713"   # axis and angle of FreeCAD's isometric view
+
+
+@dataclass
+class _Opened:
+    """What is known of the file of a document from when it was opened."""
+    path: str
+    stamp: tuple
+    left_out: list   # "Name (Type)" of the objects that FreeCAD did not make
 
 
 def open_document(path):
@@ -32,7 +41,7 @@ def open_document(path):
         with zipfile.ZipFile(path) as archive:
             if "Document.xml" not in archive.namelist():
                 raise UserError(said("{path:text} is not a FreeCAD document: it has no Document.xml", path=path))
-            damaged = archive.testzip()
+            written, damaged = archive.read("Document.xml"), archive.testzip()
     except (zipfile.BadZipFile, OSError, EOFError, ValueError, NotImplementedError) as error:
         raise UserError(said("{path:text} is damaged: {why:messages}", path=path, why=of_error(error))) from error
     except Exception as error:
@@ -44,7 +53,7 @@ def open_document(path):
     stamp = _stamp_of(path)
     try:
         document = FreeCAD.openDocument(path, True)
-        _stamps[document.Name] = path, stamp
+        _opened[document.Name] = _Opened(path, stamp, _left_out(document, written))
         return document
     except Exception as error:
         raise UserError(said("FreeCAD cannot open {path:text}: {why:messages}", path=path, why=of_error(error))) from error
@@ -74,8 +83,8 @@ def save_document(document, path):
         _to_disk(temporary)
         os.replace(temporary, file)
         _to_disk(folder)
-        if _stamps.get(document.Name, ("",))[0] == path:
-            _stamps[document.Name] = path, _stamp_of(path)
+        if document.Name in _opened and _opened[document.Name].path == path:
+            _opened[document.Name].stamp = _stamp_of(path)
     except Exception as error:
         if isinstance(error, (OSError, zipfile.BadZipFile, RuntimeError, UserError)):
             raise UserError(said("cannot write {path:text}: {why:messages}", path=path, why=of_error(error))) from error
@@ -89,17 +98,22 @@ def _refuse_to_lose(document, path):
     source = document.FileName
     if not (os.path.isfile(path) and os.path.isfile(source) and os.path.samefile(path, source)):
         return
-    opened, stamp = _stamps.get(document.Name, (None, None))
-    if opened == source and stamp != _stamp_of(source):
+    known = _opened.get(document.Name)
+    if known is None or known.path != source:
+        return
+    if known.stamp != _stamp_of(source):
         raise UserError(said("{path:text} was saved by another program meanwhile, which writing it would undo; do this again, or write another file with --out",
                              path=path))
     with zipfile.ZipFile(source) as archive:
-        written = archive.read("Document.xml")
-    lost = ["%s (%s)" % (name, kind) for kind, name in _OBJECT.findall(written.decode("utf-8", "replace")) if document.getObject(name) is None]
-    if lost or not _is_whole(written):
+        is_whole = _is_whole(archive.read("Document.xml"))
+    if known.left_out or not is_whole:
         raise UserError(said("FreeCAD {version:text} cannot read all of {path:text}{objects:messages}, and writing it would lose that; write another file with "
                              "--out, or take the FreeCAD that it was made with",
-                             version=versions.text(), path=path, objects=said(": not {objects:text}", objects=", ".join(lost)) if lost else ""))
+                             version=versions.text(), path=path, objects=said(": not {objects:text}", objects=", ".join(known.left_out)) if known.left_out else ""))
+
+
+def _left_out(document, xml):
+    return ["%s (%s)" % (name, kind) for kind, name in _OBJECT.findall(xml.decode("utf-8", "replace")) if document.getObject(name) is None]
 
 
 def _stamp_of(path):
