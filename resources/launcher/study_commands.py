@@ -271,6 +271,8 @@ def export(given):
 
 
 def report(given):
+    if given.limit and not given.minimise:
+        raise UserError("--limit says what the case of --minimise has to keep; give both")
     set_up(packages.STUDY_PACKAGES)
     with errors_of_studies():
         from freecad.featuremesh.study import report as page

@@ -49,6 +49,9 @@ class Studies(StudyTest):
             self.assertAlmostEqual(float(row["strain_energy"]), work, delta=0.1 * work)
         self.assertEqual(self.part.read_bytes(), before)
         self.assertIn("0 waiting, 0 running, 3 done, 0 infeasible, 0 failed", self.study("status", "mine")[0])
+        self.study("report", "mine")
+        self.assertRegex((self.folder / "mine" / "report.html").read_text(encoding="utf-8"), r"mass: least [\d.]+ kg in case \d, largest [\d.]+ kg in case")
+        self.assertIn("compromises are between two responses, not mass", self.study("report", "mine", "--pareto", "mass", code=2)[1])
         self.assertIn("added 2 cases", self.study("add", "mine", "--cases", "2")[0])
         self.study("run", "part.FCStd", *VARIED, "--sampling", "sobol", "--cases", "5", "--responses", "volume", "--folder", "longer")
         self.assertEqual(list(self.results("mine")), list(self.results("longer")))   # the sequence went on where it had stopped
@@ -268,6 +271,7 @@ class Studies(StudyTest):
                 ((*run, "--vary", "Plate.Length=1:2:1000000000", "--responses", "mass", "--sampling", "grid"), "needs two levels to 100000, not 1000000000"),
                 ((*run, "--vary", "Plate.Length=1:2", "--responses", "mass", "--sampling", "csv", "--rows", "endless.csv", "--folder", "d"), "line 2: inf is no number"),
                 (("run", "latin.toml"), "latin.toml cannot be read"),
+                (("report", "there", "--limit", "volume <= 1"), "give both"),
                 ((*run, "--vary", "Plate.Length=2:1", *two), "the range of Plate.Length has to rise, not 2:1; write its low end first"),
                 (("resume", "there", "--time-limit", "-1"), "the time limit of a case is more than 0 s, not -1"),
                 (("add", "there", "--cases", "2"), "the sampling grid is complete"),

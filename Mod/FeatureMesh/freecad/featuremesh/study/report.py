@@ -84,7 +84,7 @@ class _Page:
         for response in data.study.responses:
             least, largest = (pick(data.cases, key=lambda case: case.responses[response.name]) for pick in (min, max))
             rows.append(said("{response:text}: least {least:text} in case {case:count}, largest {largest:text} in case {other:count}", response=response.name,
-                             least=_shown(least.responses[response.name]), case=least.id, largest=_shown(largest.responses[response.name]), other=largest.id))
+                             least=_with_unit(least, response), case=least.id, largest=_with_unit(largest, response), other=largest.id))
         return "<ul>%s</ul>" % "".join("<li>%s</li>" % self._words(row) for row in rows)
 
     def _what_matters(self):
@@ -113,6 +113,8 @@ class _Page:
             if name not in responses:
                 raise UserError(said("the study has no response {response:text}; it has {responses:text}", response=name, responses=", ".join(responses)))
         if len(names) != 2:
+            if pair:
+                raise UserError(said("compromises are between two responses, not {responses:text}", responses=", ".join(pair)))
             return []
         front = answers.pareto(data, *names)
         title = said("Compromises between {one:text} and {other:text}", one=names[0], other=names[1])
@@ -149,6 +151,10 @@ def _surface(found):
 def _index(value):
     """Without the sign of a zero: indices are sums over random points."""
     return round(value, 3) + 0.0
+
+
+def _with_unit(case, response):
+    return " ".join(filter(None, (_shown(case.responses[response.name]), response.unit)))
 
 
 def _shown(value):

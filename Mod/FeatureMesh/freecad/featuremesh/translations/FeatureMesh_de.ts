@@ -647,6 +647,10 @@
       <translation>gemeinsam</translation>
     </message>
     <message>
+      <source>compromises are between two responses, not {responses:text}</source>
+      <translation>Kompromisse gibt es zwischen zwei Zielgrößen, nicht {responses:text}</translation>
+    </message>
+    <message>
       <source>copies</source>
       <translation>Kopien</translation>
     </message>
