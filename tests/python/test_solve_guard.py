@@ -63,7 +63,7 @@ class SolveGuard(unittest.TestCase):
     def test_a_failed_mesh_is_solved_by_no_way(self):
         self.mesh.Size = 0
         self.document.recompute()
-        self.refuses("last update failed: the property Size|last update failed: .*larger than zero")
+        self.refuses("last update failed: the size has to be greater than 0")
         self.mesh.Size = 5
         self.document.recompute()
         self.assertEqual(self.problem(), "")

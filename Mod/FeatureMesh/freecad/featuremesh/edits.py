@@ -6,9 +6,9 @@ import math
 import FreeCAD
 
 from .errors import UserError
-from .messages import of_error, said
+from .messages import close_names, of_error, said
 from .properties import DIMENSIONS
-from .reading import close_names, describe, find_object
+from .reading import describe, find_object
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 _NO_PROPERTY = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} has no property {name:text}{near:messages}")

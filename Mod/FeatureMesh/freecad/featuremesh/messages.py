@@ -7,6 +7,7 @@ A message is {"template": English words with {name:kind} where a parameter goes,
 {"Face12": ["Fillet"]}, by their labels. So it is kept in documents. Older documents hold English sentences, which stay as they are.
 """
 
+import difflib
 import string
 
 _MOST_ENTITIES = 6   # are named
@@ -28,6 +29,12 @@ def several(messages):
 def alternatives(names):
     """"A or B or C", as a parameter of a message."""
     return names[0] if len(names) == 1 else said("{one:text} or {others:messages}", one=names[0], others=alternatives(names[1:]))
+
+
+def close_names(name, known):
+    """The known names nearest to `name`, as a message that goes on with a sentence; "" where none is near."""
+    near = difflib.get_close_matches(name, known, 3, 0.5)
+    return said("; did you mean {names:messages}?", names=alternatives(near)) if near else ""
 
 
 def of_error(error):

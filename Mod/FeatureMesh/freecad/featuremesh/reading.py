@@ -18,7 +18,7 @@ import Sketcher
 
 from . import versions
 from .errors import UserError
-from .messages import alternatives, said
+from .messages import close_names, said
 from .properties import (
     document_of, matrix_entries, name_of, objects_out_of, properties_of, property_if_any, property_of, state_of, type_of,
 )
@@ -138,13 +138,6 @@ def find_object(document, name):
         raise UserError(said("{count:count} objects have the label {label:text}, use a name: {names:text}",
                              count=len(labelled), label=name, names=", ".join(obj.Name for obj in labelled)))
     raise UserError(said("the document has no object {name:text}{near:messages}", name=name, near=close_names(name, [o.Name for o in document.Objects])))
-
-
-def close_names(name, known):
-    """The known names nearest to `name`, as a message that goes on with a sentence; "" where none is near."""
-    import difflib
-    near = difflib.get_close_matches(name, known, 3, 0.5)
-    return said("; did you mean {names:messages}?", names=alternatives(near)) if near else ""
 
 
 def describe(obj):
