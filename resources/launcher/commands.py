@@ -84,10 +84,9 @@ def export(given):
 
 
 def picture(given):
-    part = existing_file(given.part)
+    part, out = existing_file(given.part), written_file(given.out or Path(given.part).stem + ".png")
     set_up(packages.PICTURE_PACKAGES)
-    return finish(task(given, part=part, object=given.object, quality=given.quality, limits=given.limits, cut=given.cut, filled=given.filled,
-                       out=written_file(given.out or Path(given.part).stem + ".png")))
+    return finish(task(given, part=part, object=given.object, quality=given.quality, limits=given.limits, cut=given.cut, filled=given.filled, out=out))
 
 
 def run(given):

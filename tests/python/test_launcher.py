@@ -145,17 +145,19 @@ class FreecadTask(unittest.TestCase):
 
     def test_each_of_two_runs_tells_the_end_of_its_own_log(self):
         with tempfile.TemporaryDirectory() as folder:
-            ready = Path(folder) / "ready"
+            started, ready = (Path(folder) / name for name in ("started", "ready"))
+            os.mkfifo(started)
             os.mkfifo(ready)
             said = []
 
             def first():
                 try:
-                    self.run_with(f"echo of the first >&2; cat {ready}; exit 0")
+                    self.run_with(f"echo of the first >&2; echo > {started}; cat {ready}; exit 0")
                 except Failure as failure:
                     said.append(str(failure))
             thread = threading.Thread(target=first)
             thread.start()
+            started.read_text(encoding="utf-8")   # until then the program in FreeCAD's place is the first's
             with self.assertRaisesRegex(Failure, "of the second"):
                 self.run_with("echo of the second >&2; exit 0")
             ready.write_text("", encoding="utf-8")
