@@ -8,7 +8,8 @@ from unittest import mock
 import FreeCAD
 import ObjectsFem
 import Part
-from freecad.featuremesh import api, history, references, versions
+from freecad.featuremesh import api, history, references, state, versions
+from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import in_english
 from parts import new_document, placement, rectangle
 from test_references import groups_of, names_of, open_example
@@ -124,6 +125,16 @@ class OnTheBracket(unittest.TestCase):
     def test_holes_that_change_one_after_the_other(self):
         self.set("HoleSketch.Hole6Radius=5")
         self.assert_stayed()
+        self.set("HoleSketch.Hole4Radius=5")
+        self.assert_stayed()
+
+    def test_a_mesh_that_could_not_be_stored_between_two_edits(self):
+        """Then the references have moved with the part, and the mesh is that of before."""
+        with mock.patch.object(state, "save", side_effect=OSError("no space left on device")):
+            with self.assertRaisesRegex(UserError, "is the disk full"):
+                self.set("HoleSketch.Hole6Radius=5")
+        self.lost |= {("Fillet", "of the boss")} - set(self.all_labels())   # see assert_stayed; it was said of that update
+        self.said |= {obj.Name for obj, _ in references.unmended(self.analysis)}
         self.set("HoleSketch.Hole4Radius=5")
         self.assert_stayed()
 

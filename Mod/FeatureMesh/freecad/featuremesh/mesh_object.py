@@ -467,6 +467,7 @@ class FeatureMesh:
             if state.checksum_of(mesh.SavedState) != checksum:
                 raise UserError(said("the copy in {folder:text} is not whole", folder=os.path.dirname(mesh.SavedState)))
         except (OSError, RuntimeError, UserError) as error:
+            self.note_references(mesh, self._referring(mesh), job.raw)   # they are where the part is, the mesh is not
             raise UserError(said("the new mesh's state cannot be stored ({why:messages}), the old mesh stays; is the disk full?",
                                  why=messages.of_error(error))) from error
         self._checksum = self._shown = checksum
@@ -491,7 +492,6 @@ class FeatureMesh:
         mixed_elements.install()
         for hook in on_ready:
             hook(mesh)
-
 
 
 def _show_in_other_analyses(mesh):
