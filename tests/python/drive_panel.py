@@ -373,7 +373,7 @@ def check_report_view(document, mesh):
     said = report_view()[before:]
     picture("report_view")
     times = 1 if versions().version() < (1, 0) else 2   # since 1.0 FreeCAD itself prints the same line twice
-    assert 1 <= said.count("%s: The mesh size is 0 mm" % mesh.Label) <= times and "Traceback" not in said and "File" not in said and "class" not in said, said
+    assert 1 <= said.count("%s: the size has to be greater than 0 mm" % mesh.Label) <= times and "Traceback" not in said and "File" not in said and "class" not in said, said
     mesh.Size = 6
     document.recompute()
     before = len(report_view())
