@@ -108,7 +108,7 @@ def check_study_results(document, study, folder):
         window.click(results.report_button)
     page = Path(path, "report.html").read_text(encoding="utf-8")
     words = ("Studie von part.FCStd", "7 fertig, 1 nicht machbar, 1 fehlgeschlagen", "(1200 Knoten, 1 Element); mitlaufend gelöst", "Was wichtig ist", "Haupteffekt",
-             "kleinster Wert 1 in Fall 1", "er wurde von außen beendet")
+             "kleinster Wert 1 kg in Fall 1", "er wurde von außen beendet")
     assert not [text for text in words if text not in page], page[:4000]
     results.close()
 

@@ -26,10 +26,10 @@ def show_to_click(obj):
     meshes. Returns what `restore` needs to show the meshes again."""
     before = []
     for mesh in api.meshes_of(obj.Document):
-        part = versions.part_of(mesh)
-        if part is not None and not part.ViewObject.Visibility and _is_about(obj, mesh):
-            show_part(part)
-            before += [(obj.Document.Name, part.Name, False), (obj.Document.Name, mesh.Name, True)]
+        for shown in _meshed(mesh)[-1:]:   # of assembled parts what they are in
+            if not shown.ViewObject.Visibility and _is_about(obj, mesh):
+                shown.ViewObject.Visibility, mesh.ViewObject.Visibility = True, False
+                before += [(obj.Document.Name, shown.Name, False), (obj.Document.Name, mesh.Name, True)]
     return before
 
 
