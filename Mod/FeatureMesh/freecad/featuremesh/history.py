@@ -28,7 +28,7 @@ def settle(obj):
     """To be called when the task panel of an FEM object was closed: it may have been given other references."""
     for mesh in obj.Document.Objects:
         if _is_ours(mesh):
-            mesh.Proxy.references_changed(mesh, obj)
+            mesh.Proxy.references_changed(mesh, obj, in_panel=True)
 
 
 def deleted_of(document):

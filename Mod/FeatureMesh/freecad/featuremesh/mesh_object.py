@@ -279,13 +279,14 @@ class FeatureMesh:
         finally:
             self._following = False
 
-    def references_changed(self, mesh, obj):
-        """To be called when an object was given other references."""
+    def references_changed(self, mesh, obj, in_panel=False):
+        """To be called when an object was given other references, with `in_panel` when its panel was closed."""
         known = self._record(mesh).get(obj.Name)
         if self._following or obj not in self._referring(mesh) or not mesh.SavedState:
             return
         deleted = history.deleted_of(mesh.Document)
-        if known and any(pair[0] in deleted for pair in known["pairs"]) and not references.was_changed_by_hand(obj, known, deleted):
+        if known and (not in_panel and references.are_set_again(obj, known, deleted)
+                      or any(pair[0] in deleted for pair in known["pairs"]) and not references.was_changed_by_hand(obj, known, deleted)):
             return
         references.mend(obj)
         self.settle(mesh, [obj])
@@ -487,9 +488,8 @@ class FeatureMesh:
     def _get_ready(self, mesh):
         mesh_properties.add(mesh)
         history.watch()
-        solve_guard.install()
-        contact_faces.install()
-        mixed_elements.install()
+        for part in (solve_guard, contact_faces, mixed_elements):
+            part.install()
         for hook in on_ready:
             hook(mesh)
 

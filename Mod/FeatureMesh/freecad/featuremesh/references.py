@@ -89,6 +89,11 @@ def differs(obj, known, deleted):
     return plain_pairs(obj) not in (known["pairs"], [pair for pair in known["pairs"] if pair[0] not in deleted])
 
 
+def are_set_again(obj, known, deleted):
+    """Were they set to what they were? Since 1.0 FreeCAD does so whenever a script gives the part another shape, whose faces of these names are others."""
+    return versions.follows_faces() and not is_being_edited(obj) and not differs(obj, known, deleted)
+
+
 def was_changed_by_hand(obj, known, deleted):
     """The same where FreeCAD does not follow references itself, which changes them, too."""
     return not versions.follows_faces() and differs(obj, known, deleted)
