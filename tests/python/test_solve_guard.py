@@ -61,21 +61,14 @@ class SolveGuard(unittest.TestCase):
         self.assertEqual(self.problem(), "")
 
     def test_a_failed_mesh_is_solved_by_no_way(self):
-        self.mesh.Size = 0
-        self.document.recompute()
-        self.refuses("last update failed: the size has to be greater than 0")
-        self.mesh.Size = 5
-        self.document.recompute()
-        self.assertEqual(self.problem(), "")
-
-    def test_a_part_that_freecad_cannot_recompute(self):
-        """Its shape and its mesh are still those from before the edit."""
-        self.part.Length = 0
-        self.document.recompute()
-        self.refuses("last update failed: FreeCAD cannot recompute Beam: ")
-        self.part.Length = 40
-        self.document.recompute()
-        self.assertEqual(self.problem(), "")
+        """Nor one whose part FreeCAD cannot recompute: shape and mesh are still those from before the edit."""
+        for obj, name, good, why in ((self.mesh, "Size", 5, "the size has to be greater than 0"), (self.part, "Length", 40, "FreeCAD cannot recompute Beam: ")):
+            setattr(obj, name, 0)
+            self.document.recompute()
+            self.refuses("last update failed: " + why)
+            setattr(obj, name, good)
+            self.document.recompute()
+            self.assertEqual(self.problem(), "")
 
     def test_settings_that_are_not_meshed_yet(self):
         self.mesh.Size = 6

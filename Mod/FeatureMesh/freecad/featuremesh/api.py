@@ -147,7 +147,9 @@ def recompute(document):
     seconds = time.perf_counter() - start
     new = recompute_errors.in_error(document) - before
     for mesh in meshes:
-        recompute_errors.refuse_of_part(versions.part_of(mesh), new)
+        error = recompute_errors.error_of_part(versions.part_of(mesh), new)
+        if error is not None:
+            raise error
         if mesh.Report != reports[mesh]:
             seconds -= mesh.Seconds
     return max(seconds, 0.0)

@@ -13,7 +13,7 @@ import traceback
 
 def run_from_environment():
     """Runs the task, writes the result and ends the process with its exit code; without its launcher it ends at once."""
-    from freecad.featuremesh.study import parent_process
+    from freecad.featuremesh import parent_process
     parent_process.end_with(os.getppid())
     result = run(json.loads(os.environ["FEATUREMESH_TASK"]))
     path = os.environ["FEATUREMESH_RESULT"]

@@ -8,7 +8,6 @@ groups by which a solver finds the nodes of constraints are renewed when the ref
 import FreeCAD
 
 from . import analyses, recompute_errors, references, results, versions
-from .errors import UserError
 
 _WATCHED = ("References", "Group", "MeshGroupList", "MeshRegionList")
 _observer = None
@@ -83,9 +82,8 @@ class _Observer:
 def _fail_meshes(document, objects):
     """The mesh of a part that FreeCAD could not recompute is that of the part before the edit."""
     for mesh in filter(_is_ours, document.Objects):
-        try:
-            recompute_errors.refuse_of_part(versions.part_of(mesh), objects)
-        except UserError as error:
+        error = recompute_errors.error_of_part(versions.part_of(mesh), objects)
+        if error is not None:
             mesh.Proxy.fail(mesh, error)
 
 

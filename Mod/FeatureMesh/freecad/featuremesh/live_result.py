@@ -252,7 +252,7 @@ def _begin_early(mesh, part_mesh):
 
 
 def _outdate(live):
-    """Something of it changed outside a recompute, which would call execute."""
+    """Something of it changed, and no recompute calls execute for that."""
     if cancel is not None:
         cancel(live)
     if live.Status in (UP_TO_DATE, SOLVING):
@@ -262,11 +262,8 @@ def _outdate(live):
 def _fail(document, objects):
     """The result of an analysis with a member that FreeCAD could not recompute is that of before the edit."""
     for live in filter(is_live_result, document.Objects):
-        failed_ones = [member for member in live.Members if member in objects and not mesh_object.is_feature_mesh(member)]
-        try:
-            for member in failed_ones:
-                recompute_errors.refuse(member)
-        except UserError as error:
+        error = recompute_errors.first_error([member for member in live.Members if not mesh_object.is_feature_mesh(member)], objects)
+        if error is not None:
             _outdate(live)
             live.Proxy.fail(live, error)
 

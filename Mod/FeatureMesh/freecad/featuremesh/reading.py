@@ -23,6 +23,7 @@ from .properties import (
     document_of, matrix_entries, name_of, objects_out_of, properties_of, property_if_any, property_of, state_of, type_of,
 )
 
+_A_PART = said("a body, or a Part object with a solid")
 translate = FreeCAD.Qt.translate
 # A pattern's direction, a sketch's plane: needed for the dependencies, but without any volume of their own. The engine's `is_reference`
 # (feature_types.cpp) means the same types; here they also spare the reading of shapes.
@@ -175,10 +176,7 @@ def refuse_errors(part):
         raise UserError(said("FreeCAD could not compute {part:text}: {error:text}", part=describe(part), error=error_of(part)))
 
 
-A_PART = said("a body, or a Part object with a solid")
-
-
-def refuse_gone(obj, wanted=A_PART):
+def refuse_gone(obj, wanted=_A_PART):
     """Throws UserError for what is no object of an open document; `wanted` is a message that says what to give."""
     if not isinstance(obj, FreeCAD.DocumentObject):
         raise UserError(said("{object:text} is no object of a document; give {wanted:messages}", object=str(obj), wanted=wanted))

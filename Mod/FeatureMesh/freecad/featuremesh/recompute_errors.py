@@ -17,16 +17,15 @@ def in_error(document):
     return {obj for obj in document.Objects if error_of(obj)}
 
 
-def refuse(obj):
-    """Throws UserError with FreeCAD's message of an object in error."""
-    raise UserError(said("FreeCAD cannot recompute {object:text}: {error:text}", object=describe(obj), error=error_of(obj)))
+def first_error(depends_on, objects):
+    """The UserError of the first that is among the objects in error, with FreeCAD's message; None where none is."""
+    failed = next((obj for obj in depends_on if obj in objects), None)
+    return failed and UserError(said("FreeCAD cannot recompute {object:text}: {error:text}", object=describe(failed), error=error_of(failed)))
 
 
-def refuse_of_part(part, objects):
-    """The same where the part's shape comes from one of the objects in error."""
-    for obj in dependencies(part) if part is not None and objects else ():
-        if obj in objects:
-            refuse(obj)
+def error_of_part(part, objects):
+    """The same of what the part's shape comes from."""
+    return first_error(dependencies(part), objects) if part is not None and objects else None
 
 
 def watch(hook):

@@ -10,4 +10,4 @@ class Command(MeshCommand):
 
     def run(self, document):
         mesh = selected_mesh(document)
-        edit_in_fem(mesh, api.add_group(mesh, chosen(document, mesh)))
+        edit_in_fem(api.add_group(mesh, chosen(document, mesh)))

@@ -69,7 +69,7 @@ def chosen(document, mesh):
     return [(entry.Object, name) for entry in entries for name in entry.SubElementNames or ("",)]
 
 
-def edit_in_fem(mesh, obj):
+def edit_in_fem(obj):
     """Opens FEM's own panel of `obj`, in which more of the part can be clicked."""
     Gui.getDocument(obj.Document).setEdit(obj.Name)
 

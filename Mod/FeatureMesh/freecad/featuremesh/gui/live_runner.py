@@ -79,9 +79,8 @@ class _Run:
         self._timer.timeout.connect(self._look)
 
     def start(self):
-        early, self._early = self._early, None
-        self.stop()
-        self._early, self._is_wanted = early, True
+        self._leave()
+        self._is_wanted = True
         self._timer.start()
 
     def begin_early(self, arrays):
@@ -94,10 +93,19 @@ class _Run:
         self._timer.start()
 
     def stop(self):
-        for running in (self.running, self._early[1] if self._early else None):
-            if running is not None:
-                running.cancel()   # its thread ends by itself, and what it finds is not looked at
-        self.job = self.running = self._early = None
+        self._forget_early()
+        self._leave()
+
+    def _forget_early(self):
+        if self._early is not None:
+            self._early[1].cancel()
+        self._early = None
+
+    def _leave(self):
+        """Ends what is under way, but not what began early."""
+        if self.running is not None:
+            self.running.cancel()   # its thread ends by itself, and what it finds is not looked at
+        self.job = self.running = None
         self._is_wanted = False
         self._timer.stop()
         self._bar.end()
@@ -135,14 +143,12 @@ class _Run:
         except (UserError, RuntimeError) as error:
             self._fail(error)
             return
-        early, self._early = self._early, None
-        if early is not None and early[0].statics.is_same(job.statics):
-            self.job, self.running = early
+        if self._early is not None and self._early[0].statics.is_same(job.statics):
+            (self.job, self.running), self._early = self._early, None
             self.job.state = job.state
-            return
-        if early is not None:
-            early[1].cancel()
-        self.job, self.running = job, RunningJob(job)
+        else:
+            self._forget_early()
+            self.job, self.running = job, RunningJob(job)
 
     def _end(self):
         job, error = self.job, self.running.error

@@ -15,7 +15,7 @@ import traceback
 def main():
     """Begins the study, or goes on with it, and runs what waits. How it ended is in the folder's run.json."""
     said = json.loads(os.environ["FEATUREMESH_STUDY_RUN"])
-    from freecad.featuremesh.study import parent_process
+    from freecad.featuremesh import parent_process
     parent_process.end_with(said["parent"])
     signal.signal(signal.SIGTERM, _interrupt)
     from freecad.featuremesh.errors import UserError

@@ -21,7 +21,7 @@ _ASKED_TO_END = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGHUP)
 def main():
     """Serves until the requests end."""
     said = json.loads(os.environ["FEATUREMESH_STUDY_WORKER"])
-    from freecad.featuremesh.study import parent_process
+    from freecad.featuremesh import parent_process
     parent_process.end_with(said["parent"])
     requests, answers = os.fdopen(said["requests"], "r", encoding="utf-8"), os.fdopen(said["answers"], "w", encoding="utf-8")
     from freecad.featuremesh.messages import of_error
@@ -63,7 +63,7 @@ def _in_copy(work, parent, folder, writer):
     """Never returns."""
     try:
         os.setpgid(0, 0)
-        from freecad.featuremesh.study import parent_process
+        from freecad.featuremesh import parent_process
         parent_process.end_with(parent)
         log = os.open(os.path.join(folder, "freecad.log"), os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o644)
         os.dup2(log, 1)
