@@ -404,6 +404,7 @@ class SetUp(unittest.TestCase):
 
             def cancel():
                 self.grandchild = int(started.read_text(encoding="utf-8"))
+                time.sleep(0.3)   # until the launcher waits for the build
                 os.kill(os.getpid(), signal.SIGINT)
             threading.Thread(target=cancel).start()
             with mock.patch.multiple(setup_log, BUILD=Path(folder), SETUP_LOG=Path(folder) / "setup.log"), self.assertRaises(KeyboardInterrupt):
