@@ -32,9 +32,11 @@ class LinearSolver {
     /// Returns false and changes nothing where that would take too long.
     virtual bool factor() = 0;
 
-    /// Takes another matrix and keeps the preconditioner: `origin` is by node the node at the last set-up, -1 for those
-    /// that were not there or are held otherwise now. The new nodes' own block is factored.
-    virtual void carry_over(BlockMatrix matrix, std::vector<std::int32_t> origin) = 0;
+    /// Takes another matrix and keeps the aggregation: `origin` is by node (with a coarse level by its nodes) the node
+    /// at the last set-up, -1 for those that were not there or are held otherwise now. The new nodes' own block is
+    /// factored.
+    virtual void carry_over(BlockMatrix matrix, std::optional<CoarseLevel> coarse,
+                            std::vector<std::int32_t> origin) = 0;
 
     /// The matrix that it solves; empty before it has one.
     virtual const BlockMatrix& matrix() const = 0;

@@ -30,15 +30,7 @@ class Factor {
         return true;
     }
 
-    void serve(PC preconditioner) {
-        check(PCSetType(preconditioner, PCSHELL));
-        check(PCShellSetContext(preconditioner, this));
-        check(PCShellSetApply(preconditioner, [](PC pc, Vec in, Vec out) -> PetscErrorCode {
-            void* self = nullptr;
-            PetscCall(PCShellGetContext(pc, &self));
-            return MatSolve(static_cast<Factor*>(self)->factor_, in, out);
-        }));
-    }
+    void apply(Vec in, Vec out) { check(MatSolve(factor_, in, out)); }
 
     void reset() { factor_.reset(); }
 

@@ -43,4 +43,21 @@ using Matrix = Owned<Mat, MatDestroy>;
 using Vector = Owned<Vec, VecDestroy>;
 using Preconditioner = Owned<PC, PCDestroy>;
 
+/// Makes `preconditioner` one that does what `by.apply(in, out)` does.
+template <class By>
+void use_shell(PC preconditioner, By& by) {
+    check(PCSetType(preconditioner, PCSHELL));
+    check(PCShellSetContext(preconditioner, &by));
+    check(PCShellSetApply(preconditioner, [](PC pc, Vec in, Vec out) -> PetscErrorCode {
+        void* self = nullptr;
+        PetscCall(PCShellGetContext(pc, &self));
+        try {
+            static_cast<By*>(self)->apply(in, out);
+        } catch (const Error&) {  // C code lies between here and the caller
+            return PetscErrorCode(PETSC_ERR_LIB);
+        }
+        return PetscErrorCode(0);
+    }));
+}
+
 }  // namespace featuremesh

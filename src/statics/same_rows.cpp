@@ -71,11 +71,7 @@ SameRows AssembledModel::rows_for(const StaticsModel& model, const TetsOfNodes& 
             if (!is_same(model, std::size_t(around.tets[std::size_t(t)]),
                          std::size_t(around_.tets[std::size_t(t - first + first_before)]), origin))
                 return false;
-        return std::is_sorted(matrix.neighbours.begin() + matrix.starts[before],
-                              matrix.neighbours.begin() + matrix.starts[before + 1],
-                              [&](std::int32_t a, std::int32_t b) {
-                                  return same.node_now[std::size_t(a)] < same.node_now[std::size_t(b)];
-                              });
+        return true;
     };
     parallel_for(context, origin.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t node = begin; node < end; ++node)

@@ -7,26 +7,29 @@
 #include "core/errors.h"
 #include "core/messages.h"
 #include "statics/coarse_level.h"
+#include "statics/rigid_balance.h"
 
 namespace featuremesh {
 
 namespace {
 
 /// More new nodes are not factored by themselves: a new preconditioner is cheaper. Of all nodes, and times the root of
-/// their number: factoring takes work like the square of the new ones, a set-up, which is less for 10-node tets, like
-/// all nodes.
-constexpr double most_new_share = 0.08, most_new_linear = 10, most_new_quadratic = 6;
+/// their number: factoring takes work like the square of the new ones, a set-up like all nodes.
+constexpr double most_new_share = 0.08, most_new_root = 10;
 /// With more new nodes than that a start from the last displacements saves less than balancing the new ones costs.
 constexpr double most_fresh_share = 0.2;
 /// A kept preconditioner may take this many times the iterations of its own matrix, and then some.
 constexpr int patience = 3, more_iterations = 10;
+/// Iterations go on to this share of the tolerance, since the residual is computed again by other sums.
+constexpr double nearer = 0.9;
+/// A start whose error has less than this share of the energy norm of all says well enough what that is.
+constexpr double good_start = 0.1;
 /// Aggregation that takes more is given up for a factor, where that is to be had. That of 4-node tets costs more than
 /// hundreds of iterations; that of 10-node tets is of an eighth of the unknowns.
 constexpr int slow_linear = 350, slow_quadratic = 50;
 
-double most_new_nodes(const Mesh& mesh) {
-    const auto all = double(mesh.node_count());
-    return std::min(most_new_share * all, (mesh.order == 1 ? most_new_linear : most_new_quadratic) * std::sqrt(all));
+double most_new_nodes(std::size_t all) {
+    return std::min(most_new_share * double(all), most_new_root * std::sqrt(double(all)));
 }
 
 char held_bits(const StaticsModel& model, std::size_t node) {
@@ -41,18 +44,33 @@ bool are_same(const std::vector<Material>& a, const std::vector<Material>& b) {
     });
 }
 
-double norm(std::span<const double> values) {
-    double sum = 0;
-    for (const double value : values) sum += value * value;
-    return std::sqrt(sum);
-}
-
 /// Forces out of balance, zero on held components.
 std::vector<double> residual_of(const StaticsModel& model, std::span<const double> resisting) {
     std::vector<double> residual(resisting.size());
     for (std::size_t i = 0; i < residual.size(); ++i)
         residual[i] = model.is_held[i] ? 0 : model.loads[i] - resisting[i];
     return residual;
+}
+
+double product(std::span<const double> a, std::span<const double> b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+    return sum;
+}
+
+double norm(std::span<const double> values) { return std::sqrt(product(values, values)); }
+
+/// The solution's energy norm is at least this, and hardly more where the displacements are a good start: by Cauchy and
+/// Schwarz the work of all forces along the start is at most the product of its norm and the solution's.
+double least_energy_norm(const StaticsModel& model, std::span<const double> unbalanced,
+                         std::span<const double> residual, std::span<const double> displacements) {
+    double work = 0, energy = 0;
+    for (std::size_t i = 0; i < unbalanced.size(); ++i) {
+        const double moved = displacements[i] - model.given[i];
+        work += unbalanced[i] * moved;
+        energy += (unbalanced[i] - residual[i]) * moved;
+    }
+    return energy > 0 ? std::abs(work) / std::sqrt(energy) : 0;
 }
 
 const auto by_number = [](const auto& state, Number number) { return state.number < number; };
@@ -92,17 +110,21 @@ StaticsSolution StaticsSolver::solve(const StaticsModel& model, RunContext& cont
         const std::vector<double> unbalanced = residual_of(model, resisting);
         if (norm(unbalanced) > 0) {
             start_from_last(model, unbalanced, solution);
-            if (solution.kept_start_share > 0)
+            double whole = 0;
+            if (solution.kept_start_share > 0) {
                 resisting = resisting_forces(model, solution.displacements, around, context);
-            balance(model, around, unbalanced, solution, resisting, context);
+                whole = least_energy_norm(model, unbalanced, residual_of(model, resisting), solution.displacements);
+            }
+            balance(model, around, {unbalanced, whole}, solution, resisting, context);
         }
     }
     RunContext::Step step(context, "stresses");
     solution.reactions.assign(resisting.size(), 0.0);
-    for (std::size_t i = 0; i < resisting.size(); ++i) {
+    for (std::size_t i = 0; i < resisting.size(); ++i)
         if (model.is_held[i]) solution.reactions[i] = resisting[i] - model.loads[i];
-        solution.strain_energy += resisting[i] * solution.displacements[i] / 2;
-    }
+    // The second product takes out what the first is wrong by in the first order of the error.
+    solution.strain_energy =
+        product(resisting, solution.displacements) / 2 + product(residual_of(model, resisting), solution.displacements);
     solution.stresses = nodal_stresses(model, solution.displacements, around, context);
     solution.discretisation_error = discretisation_error(model, solution.displacements, solution.stresses, context);
     remember(model, solution);
@@ -111,27 +133,35 @@ StaticsSolution StaticsSolver::solve(const StaticsModel& model, RunContext& cont
 
 /// Iterates, with better and better preconditioners, until what is left of the unbalanced forces is within the
 /// tolerance. `resisting` is what the displacements resist with, before and after.
-void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around, std::span<const double> unbalanced,
+void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around, const Unbalanced& unbalanced,
                             StaticsSolution& solution, std::vector<double>& resisting, RunContext& context) {
     enum { carried, aggregated, final } by = solution.kept_preconditioner ? carried : aggregated;
-    double whole = whole_energy_norm(unbalanced);
+    double whole = unbalanced.least_energy_norm;
+    int with_it = 0;  // iterations with the present preconditioner
     for (int rounds_left = 4;;) {
         const std::vector<double> residual = residual_of(model, resisting);
-        solution.residual = norm(residual) / norm(unbalanced);
-        solution.energy_error = solver_->energy_norm(residual) / whole;
+        const double left = solver_->energy_norm(residual);
+        if (left > good_start * whole) whole = whole_energy_norm(unbalanced.forces);
+        solution.residual = norm(residual) / norm(unbalanced.forces);
+        solution.energy_error = left / whole;
         if (solution.energy_error <= tolerance) return;
         const int most = by == carried      ? patience * setup_.iterations + more_iterations
                          : by == aggregated ? (model.mesh.order == 1 ? slow_linear : slow_quadratic)
                                             : most_iterations;
-        const int done = rounds_left-- > 0
-                             ? solver_->solve(residual, solution.displacements, tolerance / 2 * whole, most, context)
-                             : -1;
+        std::vector<double> moved(residual.size(), 0.0);
+        const int done =
+            rounds_left-- > 0 ? solver_->solve(residual, moved, nearer * tolerance * whole, most, context) : -1;
+        RigidBalance(model, solver_->matrix(), context).correct(residual, moved);
+        for (std::size_t i = 0; i < moved.size(); ++i)  // the aggregates' motions move held components, too, if hardly
+            if (!model.is_held[i]) solution.displacements[i] += moved[i];
         resisting = resisting_forces(model, solution.displacements, around, context);
         solution.iterations += done < 0 ? most : done;
-        if (by != carried) setup_.iterations = done < 0 ? most : done;
+        with_it += done < 0 ? most : done;
+        if (by != carried) setup_.iterations = with_it;
         if (done >= 0) continue;
         if (by == final) throw KernelError(say<Code::not_converged>());
         rounds_left = 4;
+        with_it = 0;
         if (by == carried) {
             setup_ = {};
             solution.kept_preconditioner = prepare(model, around, context);
@@ -141,7 +171,7 @@ void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around
             solver_->factor();
             by = final;
         }
-        whole = whole_energy_norm(unbalanced);
+        whole = 0;
     }
 }
 
@@ -162,27 +192,28 @@ bool StaticsSolver::prepare(const StaticsModel& model, const TetsOfNodes& around
     RunContext::Step step(context, "setup");
     std::vector<std::int32_t> origin = origins(model);
     const auto fresh = std::count(origin.begin(), origin.end(), -1);
-    if (double(fresh) <= most_new_nodes(model.mesh)) {
-        solver_->carry_over(std::move(matrix), std::move(origin));
+    std::optional<CoarseLevel> coarse;
+    if (model.mesh.order == 2) coarse = coarse_level(model, context);
+    if (double(fresh) <= most_new_nodes(origin.size())) {
+        solver_->carry_over(std::move(matrix), std::move(coarse), std::move(origin));
         assembled_ = AssembledModel(model, around);
         return true;
     }
-    std::optional<CoarseLevel> coarse;
-    if (model.mesh.order == 2) coarse = coarse_level(model, context);
     solver_->set_up(std::move(matrix), model.mesh.points, std::move(coarse));
     assembled_ = AssembledModel(model, around);
     setup_ = {};
     setup_.materials = model.materials;
-    for (std::size_t node = 0; node < model.mesh.node_count(); ++node)
+    for (std::size_t node = 0; node < origin.size(); ++node)
         setup_.nodes.push_back({model.mesh.node_numbers[node], std::int32_t(node), {}, held_bits(model, node)});
     std::sort(setup_.nodes.begin(), setup_.nodes.end(),
               [](const NodeState& a, const NodeState& b) { return a.number < b.number; });
     return false;
 }
 
-/// By node that of the last set-up, -1 where it was not there or was held otherwise; all -1 when nothing can be kept.
+/// By node of linear displacements that of the last set-up, -1 where it was not there or was held otherwise; all -1
+/// when nothing can be kept.
 std::vector<std::int32_t> StaticsSolver::origins(const StaticsModel& model) const {
-    std::vector<std::int32_t> origin(model.mesh.node_count(), -1);
+    std::vector<std::int32_t> origin(model.mesh.order == 2 ? model.mesh.corner_count : model.mesh.node_count(), -1);
     if (!are_same(setup_.materials, model.materials)) return origin;
     for (std::size_t node = 0; node < origin.size(); ++node) {
         const Number number = model.mesh.node_numbers[node];
@@ -194,7 +225,8 @@ std::vector<std::int32_t> StaticsSolver::origins(const StaticsModel& model) cons
 }
 
 /// Gives kept nodes their last displacements, and new ones such that they are balanced among those: at rest they would
-/// be farther off than if nothing had moved. The preconditioner that is carried over does the latter by itself.
+/// be farther off than if nothing had moved. Of 4-node tets a preconditioner that is carried over does the latter by
+/// itself.
 void StaticsSolver::start_from_last(const StaticsModel& model, std::span<const double> unbalanced,
                                     StaticsSolution& solution) const {
     const std::size_t count = model.mesh.node_count();
@@ -210,7 +242,7 @@ void StaticsSolver::start_from_last(const StaticsModel& model, std::span<const d
                 if (!model.is_held[i]) moved[i] = at->displacement[int(c)] - model.given[i];
     }
     if (double(fresh.size()) > most_fresh_share * double(count)) return;
-    if (!solution.kept_preconditioner) solver_->balance_within(fresh, unbalanced, moved);
+    if (!solution.kept_preconditioner || model.mesh.order == 2) solver_->balance_within(fresh, unbalanced, moved);
     for (std::size_t i = 0; i < moved.size(); ++i) solution.displacements[i] += moved[i];
     solution.kept_start_share = 1 - double(fresh.size()) / double(count);
 }

@@ -36,7 +36,7 @@ struct StaticsSolution {
 /// Keeps what the next solution can start from: the preconditioner, and the displacements by node number.
 class StaticsSolver {
   public:
-    static constexpr double tolerance = 1e-7;  ///< of the energy norm
+    static constexpr double tolerance = 1e-6;  ///< of the energy norm
     static constexpr int most_iterations = 500;
 
     /// Throws InputError for a model that cannot be solved and KernelError where the solver does not converge.
@@ -60,9 +60,14 @@ class StaticsSolver {
         int iterations = 20;  ///< of the first solution with it; until one is found a guess
     };
 
+    struct Unbalanced {
+        std::span<const double> forces;  ///< that the displacements have to balance, 0 on held components
+        double least_energy_norm;        ///< of what balances them, 0 where nothing is known
+    };
+
     std::vector<std::int32_t> origins(const StaticsModel& model) const;
     bool prepare(const StaticsModel& model, const TetsOfNodes& around, RunContext& context);
-    void balance(const StaticsModel& model, const TetsOfNodes& around, std::span<const double> unbalanced,
+    void balance(const StaticsModel& model, const TetsOfNodes& around, const Unbalanced& unbalanced,
                  StaticsSolution& solution, std::vector<double>& resisting, RunContext& context);
     double whole_energy_norm(std::span<const double> unbalanced);
     void start_from_last(const StaticsModel& model, std::span<const double> unbalanced,

@@ -25,8 +25,10 @@ bool is_same(const SameRows* same, std::size_t node) { return same && same->row[
 
 void copy_neighbours(const SameRows& same, std::size_t node, std::vector<std::int32_t>& found) {
     const auto row = std::size_t(same.row[node]);
+    const auto first = std::ptrdiff_t(found.size());
     for (auto k = same.matrix.starts[row]; k < same.matrix.starts[row + 1]; ++k)
         found.push_back(same.node_now[std::size_t(same.matrix.neighbours[std::size_t(k)])]);
+    if (!std::is_sorted(found.begin() + first, found.end())) std::sort(found.begin() + first, found.end());
 }
 
 void gather_neighbours(const Mesh& mesh, const TetsOfNodes& around, std::size_t node,
@@ -69,6 +71,8 @@ class Rows {
         : neighbours_(matrix.neighbours.data() + matrix.starts[node],
                       std::size_t(matrix.starts[node + 1] - matrix.starts[node])),
           values_(matrix.values.data() + 9 * matrix.starts[node]) {}
+
+    void clear() { std::fill_n(values_, 9 * neighbours_.size(), 0.0); }
 
     /// Adds the block of the row's shape function and another one's at one point: the part of div(stress) that
     /// depends on it. `first` and `shear` are Lame's constants times the point's volume.
@@ -119,6 +123,7 @@ void add_element(const ElementType& element, const Lame& lame, std::size_t node,
 void fill_rows(const StaticsModel& model, const std::vector<Lame>& lame, const TetsOfNodes& around, std::size_t node,
                BlockMatrix& matrix) {
     Rows rows(matrix, node);
+    rows.clear();
     for (auto t = around.starts[node]; t < around.starts[node + 1]; ++t) {
         const auto tet = std::size_t(around.tets[std::size_t(t)]);
         with_element(model.mesh, tet, [&](const auto& element) {
@@ -128,11 +133,19 @@ void fill_rows(const StaticsModel& model, const std::vector<Lame>& lame, const T
     rows.hold(node, model.is_held);
 }
 
+/// Neighbours may follow one another in another order than in the earlier matrix.
 void copy_rows(const SameRows& same, std::size_t node, BlockMatrix& matrix) {
     const auto row = std::size_t(same.row[node]);
-    std::copy(same.matrix.values.begin() + 9 * same.matrix.starts[row],
-              same.matrix.values.begin() + 9 * same.matrix.starts[row + 1],
-              matrix.values.begin() + 9 * matrix.starts[node]);
+    const std::int32_t* before = same.matrix.neighbours.data() + same.matrix.starts[row];
+    const std::int32_t* now = matrix.neighbours.data() + matrix.starts[node];
+    const auto count = std::size_t(matrix.starts[node + 1] - matrix.starts[node]);
+    const double* from = same.matrix.values.data() + 9 * same.matrix.starts[row];
+    double* to = matrix.values.data() + 9 * matrix.starts[node];
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::int32_t neighbour = same.node_now[std::size_t(before[k])];
+        const auto at = now[k] == neighbour ? k : std::size_t(std::lower_bound(now, now + count, neighbour) - now);
+        for (std::size_t r = 0; r < 3; ++r) std::copy_n(from + 3 * (r * count + k), 3, to + 3 * (r * count + at));
+    }
 }
 
 }  // namespace
@@ -154,7 +167,7 @@ TetsOfNodes tets_of_nodes(const Mesh& mesh) {
 BlockMatrix assemble_stiffness(const StaticsModel& model, const TetsOfNodes& around, RunContext& context,
                                const SameRows* same) {
     BlockMatrix matrix = pattern_of(model.mesh, around, context, same);
-    matrix.values.assign(9 * matrix.neighbours.size(), 0.0);
+    matrix.values.resize(9 * matrix.neighbours.size());
     std::vector<Lame> lame;
     for (const Material& material : model.materials) lame.push_back({material.lame_first(), material.shear_modulus()});
     parallel_for(context, model.mesh.node_count(), grain, [&](std::size_t begin, std::size_t end) {

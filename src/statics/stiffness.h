@@ -3,6 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <new>
+#include <utility>
 #include <vector>
 
 #include "core/run_context.h"
@@ -18,13 +21,30 @@ struct TetsOfNodes {
 };
 TetsOfNodes tets_of_nodes(const Mesh& mesh);
 
+/// Numbers that are not set when a vector of them grows: whole matrices are written once only, on all threads.
+template <class T>
+struct Unset : std::allocator<T> {
+    template <class U>
+    struct rebind {
+        using other = Unset<U>;
+    };
+    template <class U>
+    void construct(U* at) noexcept {
+        ::new (static_cast<void*>(at)) U;
+    }
+    template <class U, class... Arguments>
+    void construct(U* at, Arguments&&... arguments) {
+        ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);
+    }
+};
+
 /// A sparse symmetric matrix of 3 x 3 blocks. The neighbours of node i, itself included, are `neighbours[starts[i]]` to
 /// `neighbours[starts[i + 1]]`, ascending. Its values begin at `values[9 * starts[i]]`: three rows, one after the
 /// other, each with three values per neighbour.
 struct BlockMatrix {
     std::vector<std::int64_t> starts;
     std::vector<std::int32_t> neighbours;
-    std::vector<double> values;
+    std::vector<double, Unset<double>> values;
 
     std::size_t node_count() const { return starts.empty() ? 0 : starts.size() - 1; }
 };

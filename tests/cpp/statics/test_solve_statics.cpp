@@ -87,10 +87,10 @@ TEST_CASE("a bar in tension: stress, reactions and strain energy are those of th
             CHECK(stress[0] == Approx(50).epsilon(1e-6));
             CHECK(std::abs(stress[1]) + std::abs(stress[3]) < 1e-3);
         }
-        CHECK(distance(sum_of(solution.reactions), {-5000, 0, 0}) < 1e-3);
+        CHECK(distance(sum_of(solution.reactions), {-5000, 0, 0}) < 1e-6);
         CHECK(solution.strain_energy == Approx(0.5 * 50 * 50 / 210000.0 * 10000).epsilon(1e-6));
         CHECK(solution.energy_error <= StaticsSolver::tolerance);
-        CHECK(solution.residual < 1e-6);
+        CHECK(solution.residual < 1e-5);
     }
 }
 
@@ -106,7 +106,13 @@ TEST_CASE("a cantilever comes to the deflection of a beam with shear, and reacti
         const double error = std::abs(deepest(solution) / beam - 1);
         CHECK(error < error_before);
         error_before = error;
-        CHECK(distance(sum_of(solution.reactions), {0, 0, force}) < 1e-6 * force);
+        CHECK(distance(sum_of(solution.reactions), {0, 0, force}) < 1e-10 * force);  // far below the tolerance
+        Vec3 moment;
+        for (std::size_t i = 0; i < mesh.node_count(); ++i) {
+            const double* r = solution.reactions.data() + 3 * i;
+            moment += cross(mesh.points[i], {r[0], r[1], r[2]});
+        }
+        CHECK(distance(moment, {force * side / 2, -force * length, 0}) < 1e-10 * force * length);
     }
     CHECK(error_before < 0.01);
 }
@@ -118,7 +124,7 @@ TEST_CASE("self weight stretches a hanging bar by its own formula") {
     StaticsModel model = free_model(mesh, {210000, 0, density});
     hold(model, [&](const Vec3& p) { return p.z == height; });
     add_weight(mesh, model.materials, model.tet_materials, {0, 0, -gravity}, model.loads);
-    CHECK(deepest(solved(model)) == Approx(density * gravity * height * height / (2 * 210000)).epsilon(1e-6));
+    CHECK(deepest(solved(model)) == Approx(density * gravity * height * height / (2 * 210000)).epsilon(1e-5));
 }
 
 TEST_CASE("solutions have the same bytes for any number of threads") {
@@ -216,13 +222,14 @@ TEST_CASE("flat elements, on which aggregation is slow, are solved by a factor, 
     const Mesh mesh = solved_box(order == 1 ? 10 : 6, order, {side, side, 1});
     RunContext context;
     StaticsSolver solver;
-    const StaticsSolution first = solver.solve(cantilever(mesh, side, 1, 0.3), context);
-    if (order == 2) CHECK(first.iterations > 50);  // so many of aggregation, then those with the factor
+    StaticsModel model = cantilever(mesh, side, 2, 0.3);
+    model.loads[3 * (mesh.corner_count - 1)] += 1;
+    const StaticsSolution first = solver.solve(model, context);
+    CHECK(first.iterations > (order == 1 ? 350 : 50));  // so many of aggregation, then those with the factor
     CHECK(first.iterations <= (order == 1 ? 400 : 200));
     CHECK(first.energy_error <= StaticsSolver::tolerance);
 
-    StaticsModel model = cantilever(mesh, side, 2, 0.3);
-    model.loads[3 * (mesh.corner_count - 1)] += 1;
+    for (double& load : model.loads) load *= 1.5;
     const StaticsSolution kept = solver.solve(model, context), fresh = solved(model);
     CHECK(kept.kept_preconditioner);
     CHECK(kept.iterations < fresh.iterations);

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A stiffness matrix as PETSc reads it.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/geometry.h"
+#include "statics/petsc_objects.h"
+#include "statics/petsc_products.h"
+
+namespace featuremesh {
+
+/// A matrix as PETSc reads it. Its products are made on several threads, each row by itself.
+struct System {
+    BlockMatrix blocks;
+    Matrix exact;    ///< what is solved
+    Matrix rounded;  ///< what is preconditioned: products in single precision, which have half the memory to read
+    RunContext threads;
+
+    PetscInt size() const { return PetscInt(3 * blocks.node_count()); }
+
+    void take(BlockMatrix taken) {
+        exact.reset(), rounded.reset();
+        blocks = std::move(taken);
+        make_shell(exact, &System::multiply_exactly);
+    }
+
+    /// For a preconditioner that asks for products and the diagonal only.
+    void round_products() {
+        round();
+        make_shell(rounded, &System::multiply_rounded);
+    }
+
+    /// For one that looks at every entry. PETSc shares the values; only products are rounded.
+    void round_products_of_entries() {
+        round();
+        if (blocks.values.size() > std::size_t(std::numeric_limits<PetscInt>::max()))
+            throw InputError(say<Code::too_fine_to_solve>());
+        starts_.assign(std::size_t(size()) + 1, 0);
+        columns_.resize(blocks.values.size());
+        for (std::size_t node = 0; node < blocks.node_count(); ++node) {
+            const auto begin = std::size_t(blocks.starts[node]), end = std::size_t(blocks.starts[node + 1]);
+            const std::size_t width = 3 * (end - begin);
+            for (std::size_t r = 0; r < 3; ++r) {
+                const std::size_t at = 9 * begin + r * width;
+                starts_[3 * node + r + 1] = PetscInt(at + width);
+                for (std::size_t k = 0; k < width; ++k)
+                    columns_[at + k] = 3 * blocks.neighbours[begin + k / 3] + PetscInt(k % 3);
+            }
+        }
+        check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, size(), size(), starts_.data(), columns_.data(),
+                                        blocks.values.data(), rounded.fresh()));
+        check(MatSetBlockSize(rounded, 3));
+        check(MatSetOption(rounded, MAT_SPD, PETSC_TRUE));
+        Owned<PetscContainer, PetscContainerDestroy> self;
+        check(PetscContainerCreate(PETSC_COMM_SELF, self.fresh()));
+        check(PetscContainerSetPointer(self, this));
+        check(PetscObjectCompose((PetscObject)(Mat)rounded, owner, (PetscObject)(PetscContainer)self));
+        check(MatSetOperation(rounded, MATOP_MULT, (void (*)(void)) & System::multiply_entries));
+        products_.serve(rounded);
+    }
+
+  private:
+    using Product = PetscErrorCode (*)(Mat, Vec, Vec);
+
+    void round() { rounded_ = {3, blocks.starts, blocks.neighbours, blocks.values.data(), threads}; }
+
+    void make_shell(Matrix& shell, Product product) {
+        check(MatCreateShell(PETSC_COMM_SELF, size(), size(), size(), size(), this, shell.fresh()));
+        check(MatShellSetOperation(shell, MATOP_MULT, (void (*)(void))product));
+        check(MatShellSetOperation(shell, MATOP_GET_DIAGONAL, (void (*)(void)) & System::get_diagonal));
+        check(MatSetOption(shell, MAT_SPD, PETSC_TRUE));
+    }
+
+    static PetscErrorCode multiply_exactly(Mat of, Vec in, Vec out) {
+        System* self = nullptr;
+        PetscCall(MatShellGetContext(of, &self));
+        return self->multiply(in, out);
+    }
+
+    static PetscErrorCode multiply_rounded(Mat of, Vec in, Vec out) {
+        System* self = nullptr;
+        PetscCall(MatShellGetContext(of, &self));
+        return multiply_by(self->rounded_, in, out, self->threads);
+    }
+
+    static PetscErrorCode multiply_entries(Mat of, Vec in, Vec out) {
+        PetscObject found = nullptr;
+        void* self = nullptr;
+        PetscCall(PetscObjectQuery((PetscObject)of, owner, &found));
+        PetscCall(PetscContainerGetPointer((PetscContainer)found, &self));
+        return multiply_by(static_cast<System*>(self)->rounded_, in, out, static_cast<System*>(self)->threads);
+    }
+
+    static PetscErrorCode get_diagonal(Mat of, Vec out) {
+        System* self = nullptr;
+        PetscScalar* y = nullptr;
+        PetscCall(MatShellGetContext(of, &self));
+        PetscCall(VecGetArrayWrite(out, &y));
+        const BlockMatrix& blocks = self->blocks;
+        for (std::size_t node = 0; node < blocks.node_count(); ++node) {
+            const auto first = blocks.neighbours.begin() + blocks.starts[node];
+            const auto last = blocks.neighbours.begin() + blocks.starts[node + 1];
+            const auto at = std::size_t(std::lower_bound(first, last, std::int32_t(node)) - first);
+            const auto width = 3 * std::size_t(last - first);
+            for (std::size_t r = 0; r < 3; ++r)
+                y[3 * node + r] = blocks.values[9 * std::size_t(blocks.starts[node]) + r * width + 3 * at + r];
+        }
+        PetscCall(VecRestoreArrayWrite(out, &y));
+        return PetscErrorCode(0);
+    }
+
+    PetscErrorCode multiply(Vec in, Vec out) {
+        const PetscScalar* x = nullptr;
+        PetscScalar* y = nullptr;
+        PetscCall(VecGetArrayRead(in, &x));
+        PetscCall(VecGetArrayWrite(out, &y));
+        parallel_for(threads, blocks.node_count(), 4096, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t node = begin; node < end; ++node) {
+                const auto first = std::size_t(blocks.starts[node]), last = std::size_t(blocks.starts[node + 1]);
+                const std::size_t width = 3 * (last - first);
+                const double* row = blocks.values.data() + 9 * first;
+                double sums[3] = {0, 0, 0};
+                for (std::size_t k = first; k < last; ++k, row += 3) {
+                    const double* u = x + 3 * std::size_t(blocks.neighbours[k]);
+                    for (std::size_t r = 0; r < 3; ++r)
+                        sums[r] += row[r * width] * u[0] + row[r * width + 1] * u[1] + row[r * width + 2] * u[2];
+                }
+                for (std::size_t r = 0; r < 3; ++r) y[3 * node + r] = sums[r];
+            }
+        });
+        PetscCall(VecRestoreArrayRead(in, &x));
+        PetscCall(VecRestoreArrayWrite(out, &y));
+        return PetscErrorCode(0);
+    }
+
+    static constexpr const char* owner = "featuremesh_system";
+
+    RoundedBlocks rounded_;
+    std::vector<PetscInt> starts_, columns_;
+    ProductsByBlocks products_{blocks, threads};
+};
+
+inline void name_rigid_motions(const System& system, std::span<const Vec3> points) {
+    Vector places;
+    check(VecCreateSeq(PETSC_COMM_SELF, system.size(), places.fresh()));
+    check(VecSetBlockSize(places, 3));
+    PetscScalar* values = nullptr;
+    check(VecGetArrayWrite(places, &values));
+    for (std::size_t node = 0; node < points.size(); ++node)
+        for (int c = 0; c < 3; ++c) values[3 * node + std::size_t(c)] = points[node][c];
+    check(VecRestoreArrayWrite(places, &values));
+    MatNullSpace motions = nullptr;
+    check(MatNullSpaceCreateRigidBody(places, &motions));
+    const PetscErrorCode code = MatSetNearNullSpace(system.rounded, motions);
+    MatNullSpaceDestroy(&motions);
+    check(code);
+}
+
+}  // namespace featuremesh

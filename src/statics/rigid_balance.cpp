@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "statics/rigid_balance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry.h"
+
+namespace featuremesh {
+
+namespace {
+
+constexpr std::size_t grain = 4096;  // nodes
+/// A motion that is resisted less than this, as a share of what each is by itself, is one of the others.
+constexpr double least_pivot = 1e-9;
+
+bool is_held(const StaticsModel& model, std::size_t node) {
+    return model.is_held[3 * node] || model.is_held[3 * node + 1] || model.is_held[3 * node + 2];
+}
+
+}  // namespace
+
+RigidBalance::RigidBalance(const StaticsModel& model, const BlockMatrix& matrix, RunContext& context) : model_(model) {
+    const std::size_t nodes = matrix.node_count();
+    for (const Vec3& point : model.mesh.points) middle_ += point / double(nodes);
+    for (const Vec3& point : model.mesh.points) radius_ = std::max(radius_, distance(point, middle_));
+    std::vector<std::vector<Resisted>> of_chunk(nodes / grain + 1);
+    parallel_for(context, nodes, grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t node = begin; node < end; ++node) {
+            const auto first = std::size_t(matrix.starts[node]), last = std::size_t(matrix.starts[node + 1]);
+            const auto is_beside = [&](std::int32_t other) { return is_held(model, std::size_t(other)); };
+            if (std::none_of(matrix.neighbours.begin() + std::ptrdiff_t(first),
+                             matrix.neighbours.begin() + std::ptrdiff_t(last), is_beside))
+                continue;
+            for (std::size_t r = 0; r < 3; ++r) {
+                Resisted resisted{3 * node + r, {}};
+                if (model.is_held[resisted.component]) continue;
+                const double* value = matrix.values.data() + 9 * first + r * 3 * (last - first);
+                for (std::size_t k = first; k < last; ++k)
+                    for (std::size_t c = 0; c < 3; ++c, ++value) {
+                        const Motions motions = at(3 * std::size_t(matrix.neighbours[k]) + c);
+                        for (std::size_t i = 0; i < count; ++i) resisted.by[i] += *value * motions[i];
+                    }
+                of_chunk[begin / grain].push_back(resisted);
+            }
+        }
+    });
+    Square stiffness{};
+    for (const auto& chunk : of_chunk)
+        for (const Resisted& resisted : chunk) {
+            const Motions motions = at(resisted.component);
+            for (std::size_t i = 0; i < count; ++i)
+                for (std::size_t j = 0; j < count; ++j) stiffness[i][j] += motions[i] * resisted.by[j];
+            resisted_.push_back(resisted);
+        }
+    factor(stiffness);
+}
+
+/// How far each motion moves a component; held ones stay.
+RigidBalance::Motions RigidBalance::at(std::size_t component) const {
+    Motions motions{};
+    if (model_.is_held[component]) return motions;
+    const int c = int(component % 3);
+    const Vec3 p = (model_.mesh.points[component / 3] - middle_) / radius_;
+    const std::array<Vec3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        motions[axis] = axes[axis][c];
+        motions[axis + 3] = cross(axes[axis], p)[c];
+    }
+    return motions;
+}
+
+void RigidBalance::factor(Square stiffness) {
+    for (std::size_t j = 0; j < count; ++j) {
+        double pivot = stiffness[j][j];
+        for (std::size_t k = 0; k < j; ++k) pivot -= factor_[j][k] * factor_[j][k];
+        if (!(pivot > least_pivot * stiffness[j][j])) continue;
+        factor_[j][j] = std::sqrt(pivot);
+        for (std::size_t i = j + 1; i < count; ++i) {
+            double sum = stiffness[i][j];
+            for (std::size_t k = 0; k < j; ++k) sum -= factor_[i][k] * factor_[j][k];
+            factor_[i][j] = sum / factor_[j][j];
+        }
+    }
+}
+
+RigidBalance::Motions RigidBalance::solve(Motions forces) const {
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t k = 0; k < i; ++k) forces[i] -= factor_[i][k] * forces[k];
+        forces[i] = factor_[i][i] > 0 ? forces[i] / factor_[i][i] : 0;
+    }
+    for (std::size_t i = count; i-- > 0;) {
+        for (std::size_t k = i + 1; k < count; ++k) forces[i] -= factor_[k][i] * forces[k];
+        forces[i] = factor_[i][i] > 0 ? forces[i] / factor_[i][i] : 0;
+    }
+    return forces;
+}
+
+void RigidBalance::correct(std::span<const double> forces, std::span<double> moved) const {
+    Motions left{};
+    for (std::size_t component = 0; component < forces.size(); ++component) {
+        const Motions motions = at(component);
+        for (std::size_t i = 0; i < count; ++i) left[i] += motions[i] * forces[component];
+    }
+    for (const Resisted& resisted : resisted_)
+        for (std::size_t i = 0; i < count; ++i) left[i] -= resisted.by[i] * moved[resisted.component];
+    const Motions by = solve(left);
+    for (std::size_t component = 0; component < moved.size(); ++component) {
+        const Motions motions = at(component);
+        for (std::size_t i = 0; i < count; ++i) moved[component] += by[i] * motions[i];
+    }
+}
+
+}  // namespace featuremesh
