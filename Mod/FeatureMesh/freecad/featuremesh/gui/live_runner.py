@@ -82,6 +82,7 @@ class _Run:
         self._leave()
         self._is_wanted = True
         self._timer.start()
+        QtCore.QTimer.singleShot(0, self._look)   # a solution that began early may be there when the recompute ends, before the window draws the old one
 
     def begin_early(self, arrays):
         self.stop()
@@ -130,7 +131,7 @@ class _Run:
             return
         if self.running is None:
             self._begin() if self._is_wanted else self.stop()   # the recompute failed
-        elif self.running.is_done():
+        if self.running is not None and self.running.is_done():
             self._end()
         if self.running is not None:
             self._bar.show_step(*self.words())
