@@ -69,11 +69,11 @@ RoundedBlocks::RoundedBlocks(std::size_t side, std::span<const std::int64_t> sta
     });
 }
 
-void RoundedBlocks::multiply(const double* x, double* y, RunContext& threads) const {
+void RoundedBlocks::multiply(const double* x, double* y, RunContext& threads, [[maybe_unused]] bool by_parts) const {
     const Rows rows{starts_.data(), columns_.data(), values_.data(), x, y};
     parallel_for(threads, starts_.size() - 1, grain, [&](std::size_t begin, std::size_t end) {
 #if defined(__x86_64__)
-        if (has_avx2) return multiply_by_avx2(side_, rows, begin, end);
+        if (has_avx2 && !by_parts) return multiply_by_avx2(side_, rows, begin, end);
 #endif
         multiply_anywhere(side_, rows, begin, end);
     });

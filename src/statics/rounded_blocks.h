@@ -19,8 +19,8 @@ class RoundedBlocks {
     RoundedBlocks(std::size_t side, std::span<const std::int64_t> starts, std::span<const std::int32_t> columns,
                   const double* values, RunContext& threads);
 
-    /// y = A x, each row by itself, in one order on every machine.
-    void multiply(const double* x, double* y, RunContext& threads) const;
+    /// y = A x, each row by itself, in one order on every machine; `by_parts` as on one without AVX2.
+    void multiply(const double* x, double* y, RunContext& threads, bool by_parts = false) const;
 
   private:
     std::size_t side_ = 0;
