@@ -11,6 +11,7 @@
 #include "statics/petsc_factor.h"
 #include "statics/petsc_objects.h"
 #include "statics/petsc_system.h"
+#include "statics/petsc_transfers.h"
 
 namespace featuremesh {
 
@@ -22,6 +23,7 @@ class Aggregation {
     void set_up(BlockMatrix matrix, std::span<const Vec3> points) {
         present_.take({});
         multigrid_.reset();
+        transfers_.reset();
         factor_.reset();
         is_carried_ = false;
         earlier_.take(std::move(matrix));
@@ -33,6 +35,7 @@ class Aggregation {
         check(PCSetOperators(multigrid_, earlier_.rounded, earlier_.rounded));
         check(PCSetFromOptions(multigrid_));
         check(PCSetUp(multigrid_));
+        transfers_.serve(multigrid_, earlier_.threads);
     }
 
     /// Puts the matrix's Cholesky factor in place of the aggregation. Returns false and changes nothing where that
@@ -64,6 +67,7 @@ class Aggregation {
 
   private:
     System earlier_, present_;  // that of the last set-up, and the one carried over to
+    Transfers transfers_;
     Preconditioner multigrid_;
     Factor factor_;
     Carried carried_;

@@ -73,6 +73,24 @@ inline PetscErrorCode multiply_by(const RoundedBlocks& matrix, Vec in, Vec out, 
     return VecRestoreArrayWrite(out, &y);
 }
 
+/// Lets a matrix of PETSc's find something of ours again.
+inline void attach(Mat of, const char* name, void* what) {
+    Owned<PetscContainer, PetscContainerDestroy> container;
+    check(PetscContainerCreate(PETSC_COMM_SELF, container.fresh()));
+    check(PetscContainerSetPointer(container, what));
+    check(PetscObjectCompose((PetscObject)of, name, (PetscObject)(PetscContainer)container));
+}
+
+template <class What>
+PetscErrorCode find(Mat of, const char* name, What*& what) {
+    PetscObject found = nullptr;
+    void* pointer = nullptr;
+    PetscCall(PetscObjectQuery((PetscObject)of, name, &found));
+    PetscCall(PetscContainerGetPointer((PetscContainer)found, &pointer));
+    what = static_cast<What*>(pointer);
+    return PetscErrorCode(0);
+}
+
 /// Lets PETSc make the products of a stiffness matrix, and of those that come of them, by blocks.
 class ProductsByBlocks {
   public:
@@ -184,7 +202,7 @@ class ProductsByBlocks {
         Level& level = *levels_.back();
         const PetscScalar* values = nullptr;
         check(MatSeqAIJGetArrayRead(of, &values));
-        level.rounded = {6, level.pattern.starts, level.pattern.columns, values, threads_};
+        level.rounded = {6, 6, level.pattern.starts, level.pattern.columns, values, threads_};
         check(MatSeqAIJRestoreArrayRead(of, &values));
         attach(of, level_name, &level);
         check(MatSetOperation(of, MATOP_MULT, (void (*)(void))multiply));
@@ -194,24 +212,6 @@ class ProductsByBlocks {
         Level* level = nullptr;
         PetscCall(find(of, level_name, level));
         return multiply_by(level->rounded, in, out, level->threads);
-    }
-
-    /// Something of ours that a matrix of PETSc's is to find again.
-    static void attach(Mat of, const char* name, void* what) {
-        Owned<PetscContainer, PetscContainerDestroy> container;
-        check(PetscContainerCreate(PETSC_COMM_SELF, container.fresh()));
-        check(PetscContainerSetPointer(container, what));
-        check(PetscObjectCompose((PetscObject)of, name, (PetscObject)(PetscContainer)container));
-    }
-
-    template <class What>
-    static PetscErrorCode find(Mat of, const char* name, What*& what) {
-        PetscObject found = nullptr;
-        void* pointer = nullptr;
-        PetscCall(PetscObjectQuery((PetscObject)of, name, &found));
-        PetscCall(PetscContainerGetPointer((PetscContainer)found, &pointer));
-        what = static_cast<What*>(pointer);
-        return PetscErrorCode(0);
     }
 
     /// Makes `product` a matrix of such blocks.

@@ -67,7 +67,7 @@ struct System {
   private:
     using Product = PetscErrorCode (*)(Mat, Vec, Vec);
 
-    void round() { rounded_ = {3, blocks.starts, blocks.neighbours, blocks.values.data(), threads}; }
+    void round() { rounded_ = {3, 3, blocks.starts, blocks.neighbours, blocks.values.data(), threads}; }
 
     void make_shell(Matrix& shell, Product product) {
         check(MatCreateShell(PETSC_COMM_SELF, size(), size(), size(), size(), this, shell.fresh()));

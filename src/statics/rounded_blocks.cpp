@@ -21,50 +21,63 @@ struct Rows {
 };
 
 /// A column that does not fill its vectors is read beyond its end, and what comes of that is left out.
-template <std::size_t side>
+template <std::size_t height, std::size_t across>
 [[gnu::always_inline]] inline void multiply_rows(const Rows& rows, std::size_t begin, std::size_t end) {
-    constexpr std::size_t vectors = (side + lanes - 1) / lanes;
+    constexpr std::size_t vectors = (height + lanes - 1) / lanes;
     for (std::size_t row = begin; row < end; ++row) {
         Sums sums[vectors][3] = {};
         for (auto k = std::size_t(rows.starts[row]); k < std::size_t(rows.starts[row + 1]); ++k) {
-            const float* block = rows.values + side * side * k;
-            const double* u = rows.x + side * std::size_t(rows.columns[k]);
-            for (std::size_t c = 0; c < side; ++c)
+            const float* block = rows.values + height * across * k;
+            const double* u = rows.x + across * std::size_t(rows.columns[k]);
+            for (std::size_t c = 0; c < across; ++c)
                 for (std::size_t v = 0; v < vectors; ++v) {
-                    const Rounded& column = *reinterpret_cast<const Rounded*>(block + side * c + lanes * v);
+                    const Rounded& column = *reinterpret_cast<const Rounded*>(block + height * c + lanes * v);
                     sums[v][c % 3] += __builtin_convertvector(column, Sums) * u[c];
                 }
         }
-        for (std::size_t r = 0; r < side; ++r) {
+        for (std::size_t r = 0; r < height; ++r) {
             const auto& of = sums[r / lanes];
-            rows.y[side * row + r] = of[0][r % lanes] + of[1][r % lanes] + of[2][r % lanes];
+            rows.y[height * row + r] = of[0][r % lanes] + of[1][r % lanes] + of[2][r % lanes];
         }
     }
 }
 
-void multiply_anywhere(std::size_t side, const Rows& rows, std::size_t begin, std::size_t end) {
-    side == 3 ? multiply_rows<3>(rows, begin, end) : multiply_rows<6>(rows, begin, end);
+[[gnu::always_inline]] inline void multiply_blocks(std::size_t height, std::size_t across, const Rows& rows,
+                                                   std::size_t begin, std::size_t end) {
+    if (height == 3)
+        across == 3 ? multiply_rows<3, 3>(rows, begin, end) : multiply_rows<3, 6>(rows, begin, end);
+    else
+        across == 3 ? multiply_rows<6, 3>(rows, begin, end) : multiply_rows<6, 6>(rows, begin, end);
+}
+
+void multiply_anywhere(std::size_t height, std::size_t across, const Rows& rows, std::size_t begin, std::size_t end) {
+    multiply_blocks(height, across, rows, begin, end);
 }
 
 #if defined(__x86_64__)
-[[gnu::target("avx2")]] void multiply_by_avx2(std::size_t side, const Rows& rows, std::size_t begin, std::size_t end) {
-    side == 3 ? multiply_rows<3>(rows, begin, end) : multiply_rows<6>(rows, begin, end);
+[[gnu::target("avx2")]] void multiply_by_avx2(std::size_t height, std::size_t across, const Rows& rows,
+                                              std::size_t begin, std::size_t end) {
+    multiply_blocks(height, across, rows, begin, end);
 }
 const bool has_avx2 = __builtin_cpu_supports("avx2");
 #endif
 
 }  // namespace
 
-RoundedBlocks::RoundedBlocks(std::size_t side, std::span<const std::int64_t> starts,
+RoundedBlocks::RoundedBlocks(std::size_t height, std::size_t across, std::span<const std::int64_t> starts,
                              std::span<const std::int32_t> columns, const double* values, RunContext& threads)
-    : side_(side), starts_(starts), columns_(columns), values_(side * side * columns.size() + 2 * lanes) {
+    : height_(height),
+      across_(across),
+      starts_(starts),
+      columns_(columns),
+      values_(height * across * columns.size() + 2 * lanes) {
     parallel_for(threads, starts.size() - 1, grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t row = begin; row < end; ++row) {
-            const auto first = std::size_t(starts[row]), width = side * (std::size_t(starts[row + 1]) - first);
-            const double* from = values + side * side * first;
-            float* to = values_.data() + side * side * first;
+            const auto first = std::size_t(starts[row]), width = across * (std::size_t(starts[row + 1]) - first);
+            const double* from = values + height * across * first;
+            float* to = values_.data() + height * across * first;
             for (std::size_t k = 0; k < width; ++k)
-                for (std::size_t r = 0; r < side; ++r) to[side * k + r] = float(from[r * width + k]);
+                for (std::size_t r = 0; r < height; ++r) to[height * k + r] = float(from[r * width + k]);
         }
     });
 }
@@ -73,9 +86,9 @@ void RoundedBlocks::multiply(const double* x, double* y, RunContext& threads, [[
     const Rows rows{starts_.data(), columns_.data(), values_.data(), x, y};
     parallel_for(threads, starts_.size() - 1, grain, [&](std::size_t begin, std::size_t end) {
 #if defined(__x86_64__)
-        if (has_avx2 && !by_parts) return multiply_by_avx2(side_, rows, begin, end);
+        if (has_avx2 && !by_parts) return multiply_by_avx2(height_, across_, rows, begin, end);
 #endif
-        multiply_anywhere(side_, rows, begin, end);
+        multiply_anywhere(height_, across_, rows, begin, end);
     });
 }
 

@@ -97,36 +97,36 @@ TEST_CASE("products of an aggregation by blocks are those of the matrices, on an
 }
 
 TEST_CASE("products in single precision are those of the rounded matrix, on any number of threads") {
-    const std::size_t side = GENERATE(3, 6), rows = 5000;
+    const std::size_t height = GENERATE(3, 6), across = GENERATE(3, 6), rows = 5000;
     std::mt19937 random(11);
-    BlockPattern pattern{side, side, {0}, {}};
+    BlockPattern pattern{height, across, {0}, {}};
     for (std::size_t row = 0; row < rows; ++row) {
         for (const std::size_t column : {row / 2, row, rows - 1})
             if (pattern.columns.size() == pattern.begin(row) || std::size_t(pattern.columns.back()) < column)
                 pattern.columns.push_back(std::int32_t(column));
         pattern.starts.push_back(std::int64_t(pattern.columns.size()));
     }
-    std::vector<double> values(pattern.place(rows)), x(side * rows), expected(side * rows, 0.0);
+    std::vector<double> values(pattern.place(rows)), x(across * rows), expected(height * rows, 0.0);
     for (double& value : values) value = double(random() % 2000) / 700 - 1;
     for (double& value : x) value = double(random() % 2000) / 900 - 1;
     for (std::size_t row = 0; row < rows; ++row)
         for (std::size_t block = pattern.begin(row); block < pattern.end(row); ++block)
-            for (std::size_t r = 0; r < side; ++r)
-                for (std::size_t c = 0; c < side; ++c)
-                    expected[side * row + r] +=
+            for (std::size_t r = 0; r < height; ++r)
+                for (std::size_t c = 0; c < across; ++c)
+                    expected[height * row + r] +=
                         double(float(values[pattern.place(row, block) + r * pattern.width(row) + c])) *
-                        x[side * std::size_t(pattern.columns[block]) + c];
+                        x[across * std::size_t(pattern.columns[block]) + c];
     std::vector<std::vector<double>> found;
     for (const int threads : {1, 4}) {
         RunContext context;
         context.threads = threads;
-        const RoundedBlocks matrix(side, pattern.starts, pattern.columns, values.data(), context);
-        found.emplace_back(side * rows, 7.0);
+        const RoundedBlocks matrix(height, across, pattern.starts, pattern.columns, values.data(), context);
+        found.emplace_back(height * rows, 7.0);
         matrix.multiply(x.data(), found.back().data(), context);
         double most = 0;
-        for (std::size_t i = 0; i < side * rows; ++i) most = std::max(most, std::abs(found.back()[i] - expected[i]));
+        for (std::size_t i = 0; i < height * rows; ++i) most = std::max(most, std::abs(found.back()[i] - expected[i]));
         CHECK(most < 1e-13);
-        std::vector<double> by_parts(side * rows, 7.0);
+        std::vector<double> by_parts(height * rows, 7.0);
         matrix.multiply(x.data(), by_parts.data(), context, true);
         CHECK(by_parts == found.back());  // a machine without AVX2 has the same bytes
     }
