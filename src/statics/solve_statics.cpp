@@ -60,16 +60,11 @@ double product(std::span<const double> a, std::span<const double> b) {
 
 double norm(std::span<const double> values) { return std::sqrt(product(values, values)); }
 
-/// The solution's energy norm is at least this, and hardly more where the displacements are a good start: by Cauchy and
+/// The energy norm of the solution is at least this, and hardly more where `moved` is a good start: by Cauchy and
 /// Schwarz the work of all forces along the start is at most the product of its norm and the solution's.
-double least_energy_norm(const StaticsModel& model, std::span<const double> unbalanced,
-                         std::span<const double> residual, std::span<const double> displacements) {
-    double work = 0, energy = 0;
-    for (std::size_t i = 0; i < unbalanced.size(); ++i) {
-        const double moved = displacements[i] - model.given[i];
-        work += unbalanced[i] * moved;
-        energy += (unbalanced[i] - residual[i]) * moved;
-    }
+double least_energy_norm(std::span<const double> unbalanced, std::span<const double> residual,
+                         std::span<const double> moved) {
+    const double work = product(unbalanced, moved), energy = work - product(residual, moved);
     return energy > 0 ? std::abs(work) / std::sqrt(energy) : 0;
 }
 
@@ -106,16 +101,12 @@ StaticsSolution StaticsSolver::solve(const StaticsModel& model, RunContext& cont
     {
         RunContext::Step step(context, "solve");
         solution.displacements = model.given;
-        resisting = resisting_forces(model, solution.displacements, around, context);
+        resisting.assign(model.given.size(), 0.0);
+        if (norm(model.given) > 0) resisting = resisting_forces(model, solution.displacements, around, context);
         const std::vector<double> unbalanced = residual_of(model, resisting);
         if (norm(unbalanced) > 0) {
-            start_from_last(model, unbalanced, solution);
-            double whole = 0;
-            if (solution.kept_start_share > 0) {
-                resisting = resisting_forces(model, solution.displacements, around, context);
-                whole = least_energy_norm(model, unbalanced, residual_of(model, resisting), solution.displacements);
-            }
-            balance(model, around, {unbalanced, whole}, solution, resisting, context);
+            const Start start = start_from_last(model, unbalanced, solution, context);
+            balance(model, around, unbalanced, start, solution, resisting, context);
         }
     }
     RunContext::Step step(context, "stresses");
@@ -133,18 +124,20 @@ StaticsSolution StaticsSolver::solve(const StaticsModel& model, RunContext& cont
 
 /// Iterates, with better and better preconditioners, until what is left of the unbalanced forces is within the
 /// tolerance. `resisting` is what the displacements resist with, before and after.
-void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around, const Unbalanced& unbalanced,
-                            StaticsSolution& solution, std::vector<double>& resisting, RunContext& context) {
+void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around, std::span<const double> unbalanced,
+                            const Start& start, StaticsSolution& solution, std::vector<double>& resisting,
+                            RunContext& context) {
     enum { carried, aggregated, final } by = solution.kept_preconditioner ? carried : aggregated;
-    double whole = unbalanced.least_energy_norm;
+    double whole = start.least_energy_norm;
     int with_it = 0;  // iterations with the present preconditioner
+    std::vector<double> residual = start.residual;
+    bool is_of_elements = false;
     for (int rounds_left = 4;;) {
-        const std::vector<double> residual = residual_of(model, resisting);
         const double left = solver_->energy_norm(residual);
-        if (left > good_start * whole) whole = whole_energy_norm(unbalanced.forces);
-        solution.residual = norm(residual) / norm(unbalanced.forces);
+        if (left > good_start * whole) whole = whole_energy_norm(unbalanced);
+        solution.residual = norm(residual) / norm(unbalanced);
         solution.energy_error = left / whole;
-        if (solution.energy_error <= tolerance) return;
+        if (solution.energy_error <= tolerance && is_of_elements) return;
         const int most = by == carried      ? patience * setup_.iterations + more_iterations
                          : by == aggregated ? (model.mesh.order == 1 ? slow_linear : slow_quadratic)
                                             : most_iterations;
@@ -155,6 +148,8 @@ void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around
         for (std::size_t i = 0; i < moved.size(); ++i)  // the aggregates' motions move held components, too, if hardly
             if (!model.is_held[i]) solution.displacements[i] += moved[i];
         resisting = resisting_forces(model, solution.displacements, around, context);
+        residual = residual_of(model, resisting);
+        is_of_elements = true;
         solution.iterations += done < 0 ? most : done;
         with_it += done < 0 ? most : done;
         if (by != carried) setup_.iterations = with_it;
@@ -227,8 +222,8 @@ std::vector<std::int32_t> StaticsSolver::origins(const StaticsModel& model) cons
 /// Gives kept nodes their last displacements, and new ones such that they are balanced among those: at rest they would
 /// be farther off than if nothing had moved. Of 4-node tets a preconditioner that is carried over does the latter by
 /// itself.
-void StaticsSolver::start_from_last(const StaticsModel& model, std::span<const double> unbalanced,
-                                    StaticsSolution& solution) const {
+StaticsSolver::Start StaticsSolver::start_from_last(const StaticsModel& model, const std::vector<double>& unbalanced,
+                                                    StaticsSolution& solution, RunContext& context) const {
     const std::size_t count = model.mesh.node_count();
     std::vector<std::int32_t> fresh;
     std::vector<double> moved(3 * count, 0.0);
@@ -241,10 +236,15 @@ void StaticsSolver::start_from_last(const StaticsModel& model, std::span<const d
             for (std::size_t i = 3 * node, c = 0; c < 3; ++i, ++c)
                 if (!model.is_held[i]) moved[i] = at->displacement[int(c)] - model.given[i];
     }
-    if (double(fresh.size()) > most_fresh_share * double(count)) return;
+    if (double(fresh.size()) > most_fresh_share * double(count)) return {unbalanced, 0};
     if (!solution.kept_preconditioner || model.mesh.order == 2) solver_->balance_within(fresh, unbalanced, moved);
     for (std::size_t i = 0; i < moved.size(); ++i) solution.displacements[i] += moved[i];
     solution.kept_start_share = 1 - double(fresh.size()) / double(count);
+    std::vector<double> residual(moved.size());
+    multiply(solver_->matrix(), moved.data(), residual.data(), context);
+    for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = unbalanced[i] - residual[i];
+    const double least = least_energy_norm(unbalanced, residual, moved);
+    return {std::move(residual), least};
 }
 
 void StaticsSolver::remember(const StaticsModel& model, const StaticsSolution& solution) {

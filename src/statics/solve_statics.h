@@ -60,18 +60,19 @@ class StaticsSolver {
         int iterations = 20;  ///< of the first solution with it; until one is found a guess
     };
 
-    struct Unbalanced {
-        std::span<const double> forces;  ///< that the displacements have to balance, 0 on held components
-        double least_energy_norm;        ///< of what balances them, 0 where nothing is known
+    /// What a solution starts from.
+    struct Start {
+        std::vector<double> residual;  ///< what it leaves of the forces out of balance, by the matrix
+        double least_energy_norm;      ///< of what balances all of them; 0 where nothing is known
     };
 
     std::vector<std::int32_t> origins(const StaticsModel& model) const;
     bool prepare(const StaticsModel& model, const TetsOfNodes& around, RunContext& context);
-    void balance(const StaticsModel& model, const TetsOfNodes& around, const Unbalanced& unbalanced,
-                 StaticsSolution& solution, std::vector<double>& resisting, RunContext& context);
+    void balance(const StaticsModel& model, const TetsOfNodes& around, std::span<const double> unbalanced,
+                 const Start& start, StaticsSolution& solution, std::vector<double>& resisting, RunContext& context);
     double whole_energy_norm(std::span<const double> unbalanced);
-    void start_from_last(const StaticsModel& model, std::span<const double> unbalanced,
-                         StaticsSolution& solution) const;
+    Start start_from_last(const StaticsModel& model, const std::vector<double>& unbalanced, StaticsSolution& solution,
+                          RunContext& context) const;
     void remember(const StaticsModel& model, const StaticsSolution& solution);
 
     std::unique_ptr<LinearSolver> solver_;

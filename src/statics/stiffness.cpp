@@ -177,4 +177,21 @@ BlockMatrix assemble_stiffness(const StaticsModel& model, const TetsOfNodes& aro
     return matrix;
 }
 
+void multiply(const BlockMatrix& matrix, const double* x, double* y, RunContext& context) {
+    parallel_for(context, matrix.node_count(), 4 * grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t node = begin; node < end; ++node) {
+            const auto first = std::size_t(matrix.starts[node]), last = std::size_t(matrix.starts[node + 1]);
+            const std::size_t width = 3 * (last - first);
+            const double* row = matrix.values.data() + 9 * first;
+            double sums[3] = {0, 0, 0};
+            for (std::size_t k = first; k < last; ++k, row += 3) {
+                const double* u = x + 3 * std::size_t(matrix.neighbours[k]);
+                for (std::size_t r = 0; r < 3; ++r)
+                    sums[r] += row[r * width] * u[0] + row[r * width + 1] * u[1] + row[r * width + 2] * u[2];
+            }
+            for (std::size_t r = 0; r < 3; ++r) y[3 * node + r] = sums[r];
+        }
+    });
+}
+
 }  // namespace featuremesh

@@ -49,6 +49,9 @@ struct BlockMatrix {
     std::size_t node_count() const { return starts.empty() ? 0 : starts.size() - 1; }
 };
 
+/// y = A x, each row by itself.
+void multiply(const BlockMatrix& matrix, const double* x, double* y, RunContext& context);
+
 /// Rows that an earlier matrix has already.
 struct SameRows {
     const BlockMatrix& matrix;
