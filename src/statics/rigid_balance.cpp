@@ -56,12 +56,15 @@ RigidBalance::RigidBalance(const StaticsModel& model, const BlockMatrix& matrix,
     factor(stiffness);
 }
 
+/// From the middle, in radii.
+Vec3 RigidBalance::place(std::size_t node) const { return (model_.mesh.points[node] - middle_) / radius_; }
+
 /// How far each motion moves a component; held ones stay.
 RigidBalance::Motions RigidBalance::at(std::size_t component) const {
     Motions motions{};
     if (model_.is_held[component]) return motions;
     const int c = int(component % 3);
-    const Vec3 p = (model_.mesh.points[component / 3] - middle_) / radius_;
+    const Vec3 p = place(component / 3);
     const std::array<Vec3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         motions[axis] = axes[axis][c];
@@ -97,17 +100,20 @@ RigidBalance::Motions RigidBalance::solve(Motions forces) const {
 }
 
 void RigidBalance::correct(std::span<const double> forces, std::span<double> moved) const {
-    Motions left{};
-    for (std::size_t component = 0; component < forces.size(); ++component) {
-        const Motions motions = at(component);
-        for (std::size_t i = 0; i < count; ++i) left[i] += motions[i] * forces[component];
+    const auto vector_at = [](const auto& of, std::size_t i) { return Vec3{of[i], of[i + 1], of[i + 2]}; };
+    Vec3 force, moment;
+    for (std::size_t node = 0; node < forces.size() / 3; ++node) {
+        const Vec3 here = vector_at(forces, 3 * node);
+        force += here, moment += cross(place(node), here);
     }
+    Motions left{force.x, force.y, force.z, moment.x, moment.y, moment.z};
     for (const Resisted& resisted : resisted_)
         for (std::size_t i = 0; i < count; ++i) left[i] -= resisted.by[i] * moved[resisted.component];
     const Motions by = solve(left);
-    for (std::size_t component = 0; component < moved.size(); ++component) {
-        const Motions motions = at(component);
-        for (std::size_t i = 0; i < count; ++i) moved[component] += by[i] * motions[i];
+    for (std::size_t node = 0; node < forces.size() / 3; ++node) {
+        const Vec3 step = vector_at(by, 0) + cross(vector_at(by, 3), place(node));
+        for (int c = 0; c < 3; ++c)
+            if (!model_.is_held[3 * node + std::size_t(c)]) moved[3 * node + std::size_t(c)] += step[c];
     }
 }
 

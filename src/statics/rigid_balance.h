@@ -27,6 +27,7 @@ class RigidBalance {
     using Motions = std::array<double, count>;
     using Square = std::array<Motions, count>;
 
+    Vec3 place(std::size_t node) const;
     Motions at(std::size_t component) const;
     void factor(Square stiffness);
     Motions solve(Motions forces) const;
