@@ -12,6 +12,7 @@
 #include "statics/petsc_objects.h"
 #include "statics/petsc_system.h"
 #include "statics/petsc_transfers.h"
+#include "statics/stiffness.h"
 
 namespace featuremesh {
 

@@ -9,6 +9,7 @@
 #include "statics/petsc_nodes_block.h"
 #include "statics/petsc_objects.h"
 #include "statics/petsc_system.h"
+#include "statics/stiffness.h"
 
 namespace featuremesh {
 

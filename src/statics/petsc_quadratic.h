@@ -11,6 +11,7 @@
 #include "statics/petsc_aggregation.h"
 #include "statics/petsc_objects.h"
 #include "statics/petsc_system.h"
+#include "statics/stiffness.h"
 
 namespace featuremesh {
 

@@ -8,9 +8,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/errors.h"
 #include "core/geometry.h"
+#include "core/messages.h"
 #include "statics/petsc_objects.h"
 #include "statics/petsc_products.h"
+#include "statics/rounded_blocks.h"
+#include "statics/stiffness.h"
 
 namespace featuremesh {
 

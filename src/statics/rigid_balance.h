@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry.h"
 #include "core/run_context.h"
 #include "statics/model.h"
 #include "statics/stiffness.h"

@@ -23,10 +23,10 @@ TetsOfNodes tets_of_nodes(const Mesh& mesh);
 
 /// Numbers that are not set when a vector of them grows: whole matrices are written once only, on all threads.
 template <class T>
-struct Unset : std::allocator<T> {
+struct UnsetValues : std::allocator<T> {
     template <class U>
     struct rebind {
-        using other = Unset<U>;
+        using other = UnsetValues<U>;
     };
     template <class U>
     void construct(U* at) noexcept {
@@ -44,7 +44,7 @@ struct Unset : std::allocator<T> {
 struct BlockMatrix {
     std::vector<std::int64_t> starts;
     std::vector<std::int32_t> neighbours;
-    std::vector<double, Unset<double>> values;
+    std::vector<double, UnsetValues<double>> values;
 
     std::size_t node_count() const { return starts.empty() ? 0 : starts.size() - 1; }
 };
