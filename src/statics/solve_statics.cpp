@@ -134,19 +134,16 @@ void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around
     bool is_of_elements = false;
     for (int rounds_left = 4;;) {
         const double left = solver_->energy_norm(residual);
-        if (left > good_start * whole) whole = whole_energy_norm(unbalanced);
+        if (whole == 0 || left > good_start * whole) whole = whole_energy_norm(unbalanced);
         solution.residual = norm(residual) / norm(unbalanced);
         solution.energy_error = left / whole;
         if (solution.energy_error <= tolerance && is_of_elements) return;
         const int most = by == carried      ? patience * setup_.iterations + more_iterations
                          : by == aggregated ? (model.mesh.order == 1 ? slow_linear : slow_quadratic)
                                             : most_iterations;
-        std::vector<double> moved(residual.size(), 0.0);
-        const int done =
-            rounds_left-- > 0 ? solver_->solve(residual, moved, nearer * tolerance * whole, most, context) : -1;
-        RigidBalance(model, solver_->matrix(), context).correct(residual, moved);
-        for (std::size_t i = 0; i < moved.size(); ++i)  // the aggregates' motions move held components, too, if hardly
-            if (!model.is_held[i]) solution.displacements[i] += moved[i];
+        const int done = rounds_left-- > 0 ? move_by(model, residual, {nearer * tolerance * whole, most},
+                                                     solution.displacements, context)
+                                           : -1;
         resisting = resisting_forces(model, solution.displacements, around, context);
         residual = residual_of(model, resisting);
         is_of_elements = true;
@@ -168,6 +165,18 @@ void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around
         }
         whole = 0;
     }
+}
+
+/// Adds to the displacements what balances the residual to the target, and as a whole to the last digits. Returns the
+/// iterations, or -1 when they were not enough.
+int StaticsSolver::move_by(const StaticsModel& model, std::span<const double> residual, const Aim& aim,
+                           std::vector<double>& displacements, RunContext& context) {
+    std::vector<double> moved(residual.size(), 0.0);
+    const int done = solver_->solve(residual, moved, aim.energy_norm, aim.most_iterations, context);
+    RigidBalance(model, solver_->matrix(), context).correct(residual, moved);
+    for (std::size_t i = 0; i < moved.size(); ++i)  // the aggregates' motions move held components, too, if hardly
+        if (!model.is_held[i]) displacements[i] += moved[i];
+    return done;
 }
 
 double StaticsSolver::whole_energy_norm(std::span<const double> unbalanced) {

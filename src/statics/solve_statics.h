@@ -70,6 +70,12 @@ class StaticsSolver {
     bool prepare(const StaticsModel& model, const TetsOfNodes& around, RunContext& context);
     void balance(const StaticsModel& model, const TetsOfNodes& around, std::span<const double> unbalanced,
                  const Start& start, StaticsSolution& solution, std::vector<double>& resisting, RunContext& context);
+    struct Aim {
+        double energy_norm;  ///< of what is left
+        int most_iterations;
+    };
+    int move_by(const StaticsModel& model, std::span<const double> residual, const Aim& aim,
+                std::vector<double>& displacements, RunContext& context);
     double whole_energy_norm(std::span<const double> unbalanced);
     Start start_from_last(const StaticsModel& model, const std::vector<double>& unbalanced, StaticsSolution& solution,
                           RunContext& context) const;
