@@ -6,9 +6,10 @@
 #include <numeric>
 
 #include "brep/solid_probe.h"
-#include "core/distances.h"
 #include "core/ids.h"
 #include "difference/boundary_model.h"
+#include "difference/cell_strips.h"
+#include "difference/surface_cells.h"
 #include "difference/surface_chart.h"
 #include "difference/underlying_geometry.h"
 
@@ -23,7 +24,8 @@ constexpr double gap = 1e-6;  // mm, between ends of edges that are meant to mee
 struct Segment {
     Uv a, b;
     double margin;
-    bool is_border;  ///< left of it is difference and right of it not, or the other way round
+    bool is_border;    ///< left of it is difference and right of it not, or the other way round
+    bool is_straight;  ///< just so in the parameter plane
 };
 
 /// A cell that no border enters, and whether it belongs to the difference.
@@ -41,9 +43,9 @@ class TrimRaster {
           group_(group),
           resolution_(resolution),
           leaf_(resolution.finest),
-          triangles_(triangles),
           to_old_(pair.motion.inverse()),
-          chart_(underlying()) {}
+          chart_(underlying()),
+          cells_(chart_, resolution, triangles) {}
 
     void run() {
         if (chart_.underlying().kind == SurfaceKind::free_form) chart_.start_searches_in(natural_box());
@@ -51,9 +53,8 @@ class TrimRaster {
         root_ = root_box();
         if (chart_.underlying().kind == SurfaceKind::plane && !clip_root_to_domain()) return;
         chart_.scale_for(root_);
-        step_ = chart_.step_for_sag(resolution_.finest / 8);
-        least_free_form_cell_ = std::hypot(root_.size(0) * chart_.scale()[0], root_.size(1) * chart_.scale()[1]) / 150;
-        if (!known) return emit(root_);
+        cells_.begin_in(root_);
+        if (!known) return cells_.add(root_);
         shift_into_root();
         widen_margins();
         by_crossings_ = has_open_lines() && borders_close();
@@ -98,7 +99,7 @@ class TrimRaster {
         for (const Vec3& p : group_.points) {
             const auto uv = chart_.parameters(p, end_near(p));
             if (!uv) return false;
-            segments_.push_back({*uv, *uv, 0, false});
+            segments_.push_back({*uv, *uv, 0, false, true});
         }
         return true;
     }
@@ -118,11 +119,21 @@ class TrimRaster {
         ends_.insert(ends_.end(), {{points.front(), trace.front()}, {points.back(), trace.back()}});
         // The first point may be a pole, where u was arbitrary: it takes u from its neighbour.
         if (const auto again = chart_.parameters(points[0], trace[1])) trace[0] = *again;
-        const double margin = count == 1 ? 0.0 : 0.15;
-        for (std::size_t i = 0; i < std::size_t(count); ++i)
-            segments_.push_back({trace[i], trace[i + 1], margin, piece.is_border});
+        if (count == 1 || runs_around(trace))
+            segments_.push_back({trace.front(), trace.back(), 0, piece.is_border, true});
+        else
+            for (std::size_t i = 0; i < std::size_t(count); ++i)
+                segments_.push_back({trace[i], trace[i + 1], 0.15, piece.is_border, false});
         if (piece.is_border) border_ends_.push_back(points.front()), border_ends_.push_back(points.back());
         return true;
+    }
+
+    /// A circle round a cylinder or a cone is straight in the parameter plane.
+    bool runs_around(const std::vector<Uv>& trace) const {
+        const SurfaceKind kind = chart_.underlying().kind;
+        return (kind == SurfaceKind::cylinder || kind == SurfaceKind::cone) &&
+               std::all_of(trace.begin(), trace.end(),
+                           [&](const Uv& uv) { return std::abs(uv[1] - trace[0][1]) <= pair_.sameness.length; });
     }
 
     /// Parameters of the end of an earlier piece at the same place: on a free-form underlying surface a search from
@@ -327,11 +338,12 @@ class TrimRaster {
         if (outside_domain(cell, width, height)) return;
         const std::size_t end = entering_.size();
         if (first == end) {
-            if (differs(cell)) emit(cell);
+            if (differs(cell)) cells_.add(cell);
             return;
         }
+        if (is_between_lines(first)) return emit_between_lines(cell, first);
         const double extent = std::max(width, height);
-        if (is_small(cell, extent, bounds)) return emit(cell);
+        if (is_small(cell, extent, bounds)) return cells_.add(cell);
         const ResolutionBounds of_halves = bounds.after(resolution_.slope * 0.25 * extent);
         const int k = width >= height ? 0 : 1;
         UvBox low = cell, high = cell;
@@ -348,6 +360,44 @@ class TrimRaster {
         if (!pair_.domain) return false;
         const Vec3 centre = chart_.point(cell.at(0.5, 0.5));
         return !pair_.domain->grown(0.5 * std::hypot(width, height) + resolution_.finest).contains(centre);
+    }
+
+    /// Few lines, all straight, enter the cell, and what is between them can be told.
+    bool is_between_lines(std::size_t first) const {
+        constexpr std::size_t few = 8;
+        return by_crossings_ && entering_.size() - first <= few &&
+               std::all_of(entering_.begin() + std::ptrdiff_t(first), entering_.end(),
+                           [&](int s) { return segments_[std::size_t(s)].is_straight; });
+    }
+
+    /// Just what differs of the cell, and edges that only one state has.
+    void emit_between_lines(const UvBox& cell, std::size_t first) {
+        std::vector<UvLine> borders;
+        for (std::size_t i = first; i < entering_.size(); ++i) {
+            const Segment& s = segments_[std::size_t(entering_[i])];
+            const auto part = part_inside({s.a, s.b}, s.is_border ? cell : grown(cell, s.margin));
+            if (part && s.is_border)
+                borders.push_back(*part);
+            else if (part)
+                cells_.add_line(*part);
+        }
+        for (const CellStrip& strip : strips_of(cell, borders, 2 * gap / chart_.scale()[0])) emit_strip(strip);
+    }
+
+    UvBox grown(UvBox box, double margin) const {
+        for (std::size_t k = 0; k < 2; ++k)
+            box.low[k] -= margin / chart_.scale()[k], box.high[k] += margin / chart_.scale()[k];
+        return box;
+    }
+
+    /// Every border is one between what differs and what does not. Where nothing tells, all of the strip differs.
+    void emit_strip(const CellStrip& strip) {
+        const std::size_t widest = strip.widest();
+        std::optional<bool> differs;
+        for (const double share : {strip.middle, 0.37, 0.71})
+            if (!differs) differs = differs_by_crossings(strip.between(widest, share));
+        for (std::size_t k = 0; k + 1 < strip.heights.size(); ++k)
+            if (!differs || *differs == ((k + widest) % 2 == 0)) cells_.add_between(strip, k);
     }
 
     /// On these underlying surfaces the difference ends along every line u = const.
@@ -461,83 +511,15 @@ class TrimRaster {
         return result;
     }
 
-    void emit(const UvBox& cell) {
-        if (chart_.underlying().kind == SurfaceKind::free_form) return emit_free_form(cell);
-        const auto parts = [&](int k) { return std::max(1, int(std::ceil(cell.size(k) / step_[k] - 1e-9))); };
-        const int columns = parts(0), rows = parts(1);
-        const auto corner = [&](int i, int j) { return chart_.point(cell.at(double(i) / columns, double(j) / rows)); };
-        for (int i = 0; i < columns; ++i)
-            for (int j = 0; j < rows; ++j) {
-                const Vec3 a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1), d = corner(i, j + 1);
-                add_triangle(a, b, c);
-                add_triangle(a, c, d);
-            }
-    }
-
-    /// Corners in the order (0, 0), (1, 0), (1, 1), (0, 1).
-    using Corners = std::array<Vec3, 4>;
-
-    void emit_free_form(const UvBox& cell) {
-        const auto at = [&](double s, double t) { return chart_.point(cell.at(s, t)); };
-        const Vec3 middle = at(0.5, 0.5);
-        emit_free_form(cell, {at(0, 0), at(1, 0), at(1, 1), at(0, 1)}, {middle, resolution_.at(middle)}, 0);
-    }
-
-    struct Look {
-        Vec3 place;
-        double resolution;
-    };
-
-    // Quarters until the middles of a cell and of its borders are close to the two triangles. The resolution is asked
-    // for where the last look at it, nearby, leaves that open.
-    void emit_free_form(const UvBox& cell, const Corners& corners, Look look, int depth) {
-        const auto& [a, b, c, d] = corners;
-        const auto at = [&](double s, double t) { return chart_.point(cell.at(s, t)); };
-        const Vec3 ab = at(0.5, 0), bc = at(1, 0.5), cd = at(0.5, 1), da = at(0, 0.5), middle = at(0.5, 0.5);
-        const double strays = std::max({squared_distance_to_segment(ab, a, b), squared_distance_to_segment(bc, b, c),
-                                        squared_distance_to_segment(cd, c, d), squared_distance_to_segment(da, d, a),
-                                        squared_distance_to_segment(middle, a, c)});
-        const double extent = std::max(distance(a, c), distance(b, d));
-        const auto suffices = [&](double resolution) {
-            const double sag = resolution / 8;
-            return strays <= sag * sag && extent <= std::max(2 * resolution, least_free_form_cell_);
-        };
-        const double change = resolution_.slope * distance(look.place, middle);
-        const bool may_suffice = suffices(look.resolution + change);
-        bool does_suffice = may_suffice && suffices(look.resolution - change);
-        if (may_suffice && !does_suffice) {
-            look = {middle, resolution_.at(middle)};
-            does_suffice = suffices(look.resolution);
-        }
-        if (does_suffice || depth >= 9) {
-            add_triangle(a, b, c);
-            add_triangle(a, c, d);
-            return;
-        }
-        const Corners quarters[] = {{a, ab, middle, da}, {ab, b, bc, middle}, {da, middle, cd, d}, {middle, bc, c, cd}};
-        for (int quarter = 0; quarter < 4; ++quarter) {
-            UvBox part;
-            part.add(cell.at(0.5, 0.5));
-            part.add(cell.at(quarter & 1, quarter >> 1));
-            emit_free_form(part, quarters[quarter], look, depth + 1);
-        }
-    }
-
-    // At a pole a border has no length.
-    void add_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
-        if (squared_length(cross(b - a, c - a)) > 0) triangles_.push_back({a, b, c});
-    }
-
     const BoundaryPair& pair_;
     const BoundaryMatch& match_;
     const SurfaceGroup& group_;
     const Resolution& resolution_;
-    double leaf_, least_free_form_cell_ = 0;
-    std::vector<SpaceTriangle>& triangles_;
+    double leaf_;
     RigidMotion to_old_;
     SurfaceChart chart_;
+    SurfaceCells cells_;
     UvBox root_;
-    Uv step_{};
     std::vector<Segment> segments_;
     std::vector<int> entering_;  ///< the cell that is visited; before them those that enter the cells around it
     std::vector<Vec3> border_ends_;

@@ -18,7 +18,8 @@ using SpaceTriangle = std::array<Vec3, 3>;
 /// outside the domain.
 ///
 /// The parameter plane is halved again and again where a changed piece runs, down to the resolution. A cell that no
-/// changed piece enters lies wholly in the difference or wholly outside it: one point decides.
+/// changed piece enters lies wholly in the difference or wholly outside it: one point decides. One that few straight
+/// pieces enter is cut along them.
 void append_trim_difference(const BoundaryPair& pair, const BoundaryMatch& match, const SurfaceGroup& group,
                             const Resolution& resolution, std::vector<SpaceTriangle>& triangles);
 

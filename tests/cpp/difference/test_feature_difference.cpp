@@ -182,6 +182,29 @@ TEST_CASE("faces that cross like a plus are partners") {
     CHECK(d.regions[0].changed.distance({5, 15, 5}, 4) < 0.3);
 }
 
+TEST_CASE("what changed between straight edges has few triangles, and ends with it") {
+    const auto plate = [](double length) {
+        return part({{"Plate", Effect::adds, {box({0, 0, 0}, {length, 40, 10})}, {}},
+                     {"Hole", Effect::removes, {cylinder({20, 20, 0}, {0, 0, 1}, 5, 10)}, {}}});
+    };
+    const ChangedBoundary changed = diff(plate(60), plate(63), 0.1).regions[0].changed;
+    CHECK(changed.triangles().size() < 200);
+    CHECK(changed.distance({40, 20, 10}, 50) == Approx(20).margin(1e-9));  // from where the plate ended
+    CHECK(changed.distance({61, 20, 10}, 50) < 1e-9);
+    CHECK(changed.distance({63, 20, 5}, 50) < 1e-9);
+    CHECK(changed.distance({61, 20, 5}, 50) == Approx(1).margin(1e-9));
+}
+
+TEST_CASE("what changed round a cylinder ends with it") {
+    const auto pin = [](double height) {
+        return part({{"Pin", Effect::adds, {cylinder({0, 0, 0}, {0, 0, 1}, 5, height)}, {}}});
+    };
+    const ChangedBoundary changed = diff(pin(20), pin(22), 0.1).regions[0].changed;
+    CHECK(changed.distance({5, 0, 15}, 50) == Approx(5).margin(1e-3));
+    CHECK(changed.distance({0, -5, 21}, 50) < 0.1 / 4);
+    CHECK(changed.distance({0, 0, 21}, 50) == Approx(1).margin(0.1 / 4));
+}
+
 TEST_CASE("a face whose material changes sides is changed") {
     const FeatureDifference d = diff(part({{"A", Effect::adds, {box({0, 0, 0}, {10, 10, 5})}, {}}}),
                                      part({{"A", Effect::adds, {box({0, 0, 5}, {10, 10, 5})}, {}}}));
