@@ -169,23 +169,37 @@ class Keeper {
             reach.push_back(region.changed.box().is_empty() ? Box{} : region.changed.box().grown(widest));
         const std::vector<Box> resized = where_different(in_.old_sizing, in_.new_sizing);
         parallel_for(context_, node_count(), 4096, [&](std::size_t begin, std::size_t end) {
+            std::vector<std::size_t> may_be_near, may_be_resized;
             for (std::size_t n = begin; n < end; ++n) {
-                const auto r = std::size_t(motions_[n]);
                 const Vec3 p = nodes_.at(n);
                 const auto holds_p = [&](const Box& box) { return box.contains(p); };
-                const bool may_be_resized = r > 0 || std::any_of(resized.begin(), resized.end(), holds_p);
-                const bool may_be_near = !reach[r].is_empty() && reach[r].contains(p);
-                if (!may_be_resized && !may_be_near) continue;
-                const double wanted = in_.new_sizing.at(p), limit = in_.margin * wanted;
-                asked_[n] = {may_be_resized ? made_for(n) : 0, wanted, r > 0};
-                const bool is_resized = may_be_resized && size_changed(asked_[n].was, wanted);
-                if (!is_resized && !(may_be_near && nodes_.regions()[r].changed.is_within(limit, p))) continue;
-                if (is_untouched(n) && (in_.same_sizes_asked || !is_resized))
-                    near_change_[n] = 1;
-                else
-                    motions_[n] = dropped, is_resized_[n] = is_resized;
+                const bool is_carried = motions_[n] > 0, is_near = holds_p(reach[nodes_.motion_of(NodeId(n))]);
+                if (is_near) may_be_near.push_back(n);
+                if (is_carried || std::any_of(resized.begin(), resized.end(), holds_p))
+                    may_be_resized.push_back(n);
+                else if (!is_near)
+                    continue;
+                asked_[n] = {0, in_.new_sizing.at(p), is_carried};
             }
+            // of one field after the other: it finds the size at a node quickly that is beside the one before
+            for (const std::size_t n : may_be_resized) asked_[n].was = made_for(n);
+            for (const std::size_t n : may_be_resized)
+                if (size_changed(asked_[n].was, asked_[n].wanted)) drop(n, true);
+            for (const std::size_t n : may_be_near)
+                if (motions_[n] != dropped && is_near_change(n)) drop(n, false);
         });
+    }
+
+    bool is_near_change(std::size_t n) const {
+        const ChangedBoundary& changed = nodes_.regions()[nodes_.motion_of(NodeId(n))].changed;
+        return changed.is_within(in_.margin * asked_[n].wanted, nodes_.at(n));
+    }
+
+    void drop(std::size_t n, bool is_resized) {
+        if (is_untouched(n) && (in_.same_sizes_asked || !is_resized))
+            near_change_[n] = 1;
+        else
+            motions_[n] = dropped, is_resized_[n] = is_resized;
     }
 
     void place_on_entities() {
