@@ -10,34 +10,57 @@ namespace featuremesh {
 
 namespace {
 
-/// In wanted edge lengths; the circumspheres of the lattice's tets have 0.65.
-constexpr double radius_of_a_gap = 0.8;
-/// Beside an interface that is no lattice a point fits in closer than the lattice's distances.
+/// In wanted edge lengths; the circumspheres of the lattice's tets have 0.65. At active points only wider gaps count: a
+/// mesh from scratch has gaps at the boundary, too, and would have fewer tets.
+constexpr double radius_of_a_gap = 0.8, radius_among_active = 0.85;
+/// Beside an interface or active points, which are no lattice, a point fits in closer than the lattice's distances.
 constexpr SeedOptions places_in_gaps{.clearance = 0.5, .spacing = 0.7, .spares_facets = true};
 
-/// By point: the size wanted there if it is a corner of the interface with kept tets, else 0.
-std::vector<double> sizes_at_interface(std::span<const Vec3> points, const Cavity& cavity, const WantedSize& size) {
-    std::vector<double> wanted(points.size(), 0);
-    for (std::size_t f = 0; f < cavity.facets.size(); ++f)
-        if (cavity.tet_of_facet[f].is_valid())
-            for (const int c : cavity.facets[f].corners)
-                if (wanted[c] == 0) wanted[c] = size.at(points[c]);
-    return wanted;
-}
+/// Corners beside which the lattice may leave gaps: those of the interface with kept tets, and active points.
+class CornersOffLattice {
+  public:
+    CornersOffLattice(std::span<const Vec3> points, const Cavity& cavity, std::size_t active_count,
+                      const WantedSize& size)
+        : first_active_(static_cast<int>(cavity.points.size())), wanted_(points.size(), 0) {
+        for (std::size_t f = 0; f < cavity.facets.size(); ++f)
+            if (cavity.tet_of_facet[f].is_valid())
+                for (const int c : cavity.facets[f].corners)
+                    if (wanted_[c] == 0) wanted_[c] = size.at(points[c]);
+        for (std::size_t p = cavity.points.size(); p < cavity.points.size() + active_count; ++p)
+            wanted_[p] = size.at(points[p]);
+    }
 
-/// Between the lattice and an interface there may be room for a point that neither has. Left empty, the mesh would get
-/// coarser with every update. Elsewhere a mesh from scratch has such room, too.
-std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<const Vec3> points, const Cavity& cavity,
-                                 SeedSpace& space, const WantedSize& size) {
-    const std::vector<double> wanted = sizes_at_interface(points, cavity, size);
+    /// The size wanted at one of the tet's corners, if it has such corners; else 0.
+    double size_at(const std::array<int, 4>& tet) const {
+        const auto corner = std::find_if(tet.begin(), tet.end(), [&](int c) { return wanted_[c] > 0; });
+        return corner == tet.end() ? 0 : wanted_[*corner];
+    }
+
+    /// From which radius on the tet's circumsphere is a gap, in wanted edge lengths.
+    double least_radius(const std::array<int, 4>& tet) const {
+        const bool is_at_interface =
+            std::any_of(tet.begin(), tet.end(), [&](int c) { return c < first_active_ && wanted_[c] > 0; });
+        return is_at_interface ? radius_of_a_gap : radius_among_active;
+    }
+
+  private:
+    int first_active_;
+    std::vector<double> wanted_;  // by point; 0 at others
+};
+
+/// Between the lattice and an interface, or active points, there may be room for a point that neither has. Left empty,
+/// the mesh would get coarser with every update. Elsewhere a mesh from scratch has such room, too.
+std::vector<Vec3> points_in_gaps(const Triangulation& triangulation, std::span<const Vec3> points,
+                                 const CornersOffLattice& corners, SeedSpace& space, const WantedSize& size) {
     std::vector<std::pair<double, Vec3>> gaps;
     for (const auto& tet : triangulation.tets) {
-        const auto corner = std::find_if(tet.begin(), tet.end(), [&](int c) { return wanted[c] > 0; });
-        if (corner == tet.end()) continue;
+        const double wanted = corners.size_at(tet);
+        if (wanted == 0) continue;
         const Ball ball = circumsphere(points[tet[0]], points[tet[1]], points[tet[2]], points[tet[3]]);
-        const double least = (1 - 1e-9) * (wanted[*corner] - size.slope * ball.radius);  // wanted at its middle
-        if (ball.radius < radius_of_a_gap * least) continue;
-        if (!(ball.radius > radius_of_a_gap * size.at(ball.center) && ball.radius < 2 * size.largest)) continue;
+        const double least = (1 - 1e-9) * (wanted - size.slope * ball.radius);  // wanted at its middle
+        const double radius = corners.least_radius(tet);
+        if (ball.radius < radius * least) continue;
+        if (!(ball.radius > radius * size.at(ball.center) && ball.radius < 2 * size.largest)) continue;
         gaps.emplace_back(-ball.radius, ball.center);
     }
     std::sort(gaps.begin(), gaps.end(), [](const auto& a, const auto& b) {
@@ -100,16 +123,17 @@ CavityFill fill_cavity(const Cavity& cavity, std::span<const Ball> balls, std::s
                        const WantedSize& size, RunContext& context) {
     std::vector<Vec3> points = cavity.points;
     SeedSpace space(cavity.points, cavity.facets, balls, size, SeedOptions{}, context);
-    const std::vector<Vec3> seeds = space.seeds(active);
-    points.insert(points.end(), seeds.begin(), seeds.end());
-    if (balls.empty()) {
+    const Seeds seeds = space.seeds(active);
+    points.insert(points.end(), seeds.points.begin(), seeds.points.end());
+    if (balls.empty() && seeds.active_count == 0) {
         Triangulation triangulation = delaunay(points, context);
         return label_cavity(cavity, std::move(points), std::move(triangulation), context);
     }
     const auto growing = std::make_shared<GrowingDelaunay>();
     growing->insert(points, context);
     Triangulation triangulation = growing->tets(context);
-    const std::vector<Vec3> more = points_in_gaps(triangulation, points, cavity, space, size);
+    const CornersOffLattice corners(points, cavity, seeds.active_count, size);
+    const std::vector<Vec3> more = points_in_gaps(triangulation, points, corners, space, size);
     if (!more.empty()) {
         growing->insert(more, context);
         points.insert(points.end(), more.begin(), more.end());

@@ -419,11 +419,12 @@ SeedSpace::SeedSpace(std::span<const Vec3> points, std::span<const Facet> facets
     : data_(new Data{SeedOctree(points, facets, balls, size, options, context), size, options}) {}
 SeedSpace::~SeedSpace() = default;
 
-std::vector<Vec3> SeedSpace::seeds(std::span<const Vec3> active) {
-    std::vector<Vec3> seeds = with_room(active, proven_places);
-    for (const Vec3& p : seeds) data_->octree.add_point(p, data_->options.spacing * data_->size.at(p));
+Seeds SeedSpace::seeds(std::span<const Vec3> active) {
+    Seeds seeds{.points = with_room(active, proven_places)};
+    seeds.active_count = seeds.points.size();
+    for (const Vec3& p : seeds.points) data_->octree.add_point(p, data_->options.spacing * data_->size.at(p));
     const std::vector<Vec3> lattice = data_->octree.lattice_points();
-    seeds.insert(seeds.end(), lattice.begin(), lattice.end());
+    seeds.points.insert(seeds.points.end(), lattice.begin(), lattice.end());
     return seeds;
 }
 

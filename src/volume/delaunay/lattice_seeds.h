@@ -2,6 +2,7 @@
 // Start positions of inner nodes: a body-centred cubic lattice, graded by an octree.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
@@ -24,6 +25,11 @@ struct SeedOptions {
 /// long as the constant, four are 0.866 of it, which is the length asked for.
 constexpr double lattice_constant(double edge_length) { return edge_length * 1.1547005383792515; }
 
+struct Seeds {
+    std::vector<Vec3> points;
+    std::size_t active_count = 0;  ///< those in front are active points, the others the lattice's
+};
+
 /// Where seeds may be: inside the regions that the facets bound, not nearer to a facet than the clearance, and not
 /// inside a ball (such as the circumsphere of a kept tet). Keeps the spans of points and facets; they must outlive it.
 class SeedSpace {
@@ -36,7 +42,7 @@ class SeedSpace {
     /// from one another. The lattice is anchored at the origin of space, so that the same place and root size give the
     /// same points whatever is around it. Always the same order. Coordinates are off the exact lattice by 1e-6 of its
     /// constant, since exactly coplanar points cost exact arithmetic.
-    std::vector<Vec3> seeds(std::span<const Vec3> active);
+    Seeds seeds(std::span<const Vec3> active);
 
     /// Those of the candidates that are where seeds may be, with these distances (a clearance of at most the space's),
     /// in their order.

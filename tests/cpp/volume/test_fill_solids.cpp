@@ -7,6 +7,7 @@
 #include <functional>
 #include <random>
 #include <set>
+#include <span>
 
 #include "catch.h"
 #include "core/errors.h"
@@ -239,6 +240,21 @@ TEST_CASE("active points become nodes where there is room") {
     CHECK(is_near(active[0], 1.0));
     CHECK(is_near(active[2], 1.0));
     CHECK_FALSE(is_near(active[4], 1.0));
+}
+
+TEST_CASE("an update whose active points are no part of the lattice is no coarser than a full mesh") {
+    const Part part = prepare(box_part({0, 0, 0}, {20, 20, 20}), 3.0);
+    const VolumeResult full = fill(part);
+    const double end = GENERATE(10.0, 20.0);  // active points on one side only, or all over
+    std::vector<Vec3> active;
+    for (const Vec3& p : std::span(full.mesh.points).subspan(part.surface.node_count()))
+        if (p.x < end) active.push_back(p + Vec3{1.1, 0.7, 0.9});
+    RunContext context;
+    const VolumeResult result = fill_solids(part.brep, part.sizing, part.surface, active, VolumeOptions{}, context);
+    CHECK(findings(part.brep, result.mesh) == "");
+    CHECK(result.used_active.size() > active.size() / 2);
+    CHECK(result.report.new_nodes >= full.report.new_nodes);
+    CHECK(measure_quality(result.mesh).mean_radius_ratio > measure_quality(full.mesh).mean_radius_ratio - 0.01);
 }
 
 TEST_CASE("the same bytes for any number of threads") {

@@ -47,7 +47,7 @@ TEST_CASE("seeds are inside, clear of the facets and of balls") {
     const std::vector<Ball> balls{{{6, 6, 6}, 2.5}};
     const RunContext context;
     const SeedOptions options;
-    const auto seeds = SeedSpace(cavity.points, cavity.facets, balls, uniform(1.5), options, context).seeds({});
+    const auto seeds = SeedSpace(cavity.points, cavity.facets, balls, uniform(1.5), options, context).seeds({}).points;
     CHECK(seeds.size() > 200);
     for (const Vec3& p : seeds) {
         CHECK(is_in_box(p, 12));
@@ -60,7 +60,7 @@ TEST_CASE("active points without room leave the lattice as it is") {
     const Cavity cavity = box_boundary(8, 12);
     const RunContext context;
     const auto seeds_with = [&](std::span<const Vec3> active) {
-        return SeedSpace(cavity.points, cavity.facets, {}, uniform(1.5), {}, context).seeds(active);
+        return SeedSpace(cavity.points, cavity.facets, {}, uniform(1.5), {}, context).seeds(active).points;
     };
     std::vector<Vec3> on_boundary;
     for (const double x : {11.9, 6.1, 0.1})
@@ -72,8 +72,8 @@ TEST_CASE("active points without room leave the lattice as it is") {
 TEST_CASE("the lattice is anchored: another box around gives the same points inside") {
     const RunContext context;
     const Cavity small = box_boundary(6, 9), large = box_boundary(12, 18);
-    const auto few = SeedSpace(small.points, small.facets, {}, uniform(1.5), {}, context).seeds({});
-    auto many = SeedSpace(large.points, large.facets, {}, uniform(1.5), {}, context).seeds({});
+    const auto few = SeedSpace(small.points, small.facets, {}, uniform(1.5), {}, context).seeds({}).points;
+    auto many = SeedSpace(large.points, large.facets, {}, uniform(1.5), {}, context).seeds({}).points;
     const auto before = [](const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
     std::sort(many.begin(), many.end(), before);
     REQUIRE(!few.empty());
@@ -84,7 +84,7 @@ TEST_CASE("graded seeds are as dense as the sizes ask") {
     const Cavity cavity = box_boundary(10, 10);
     const WantedSize graded{[](const Vec3& p) { return 0.4 + 0.16 * p.x; }, 2.0, false};
     const RunContext context;
-    const auto seeds = SeedSpace(cavity.points, cavity.facets, {}, graded, {}, context).seeds({});
+    const auto seeds = SeedSpace(cavity.points, cavity.facets, {}, graded, {}, context).seeds({}).points;
     for (const double x : {1.0, 2.0, 4.0, 7.0}) {
         const auto count = std::count_if(seeds.begin(), seeds.end(), [&](const Vec3& p) {
             return std::abs(p.x - x) < 0.5 && p.y > 2 && p.y < 8 && p.z > 2 && p.z < 8;
@@ -100,7 +100,7 @@ TEST_CASE("active points need room") {
     const Cavity cavity = box_boundary(8, 12);
     const RunContext context;
     const std::vector<Vec3> active{{5, 5, 5}, {5.1, 5, 5}, {-1, 5, 5}, {0.2, 5, 5}, {8, 8, 8}};
-    const auto seeds = SeedSpace(cavity.points, cavity.facets, {}, uniform(1.5), {}, context).seeds(active);
+    const auto seeds = SeedSpace(cavity.points, cavity.facets, {}, uniform(1.5), {}, context).seeds(active).points;
     REQUIRE(seeds.size() > 2);
     CHECK(seeds[0] == active[0]);
     CHECK(seeds[1] == active[4]);
