@@ -36,6 +36,9 @@ void read(const py::dict& arrays, const char* name, std::vector<Row>& rows) {
     const auto array = py::array_t<Scalar, py::array::c_style | py::array::forcecast>::ensure(arrays[name]);
     if (!array)
         throw StateError(say<Code::damaged_state>(std::string("The saved array '") + name + "' is not numeric."));
+    if (!has_values_of(array, arrays[name]))
+        throw StateError(say<Code::damaged_state>(std::string("The saved array '") + name +
+                                                  "' has numbers that are not whole, or too large."));
     const bool fits = array.size() == 0 ||
                       (width == 1 ? array.ndim() == 1 : array.ndim() == 2 && std::size_t(array.shape(1)) == width);
     if (!fits)

@@ -23,6 +23,13 @@ py::array_t<Value> array_of(const std::vector<Value>& values, std::vector<py::ss
     return py::array_t<Value>(std::move(shape), values.data());
 }
 
+Indices indices_from(const py::handle& given) {
+    Indices indices = Indices::ensure(given);
+    if (!indices || !has_values_of(indices, given))
+        throw InputError(say<Code::wrong_call>("Indices are whole numbers below 2^31."));
+    return indices;
+}
+
 std::span<const std::int32_t> checked(const Indices& rows, std::size_t count) {
     const std::span<const std::int32_t> all(rows.data(), std::size_t(rows.size()));
     for (const std::int32_t row : all)
@@ -44,32 +51,35 @@ std::vector<Value> values_of(const Array& array) {
     return std::vector<Value>(array.data(), array.data() + array.size());
 }
 
-Rows weight(const py::dict& arrays, const Rows& materials, const Indices& tet_materials,
+Rows weight(const py::dict& arrays, const Rows& materials, const py::object& tet_materials,
             const std::array<double, 3>& gravity) {
     const Mesh mesh = mesh_from(arrays);
     const auto known = materials_from(materials);
-    const auto of_tets = checked(tet_materials, known.size());
+    const Indices rows = indices_from(tet_materials);
+    const auto of_tets = checked(rows, known.size());
     if (of_tets.size() != mesh.tets.size()) throw InputError(say<Code::wrong_call>("Every element needs a material."));
     std::vector<double> loads(3 * mesh.node_count(), 0.0);
     add_weight(mesh, known, of_tets, {gravity[0], gravity[1], gravity[2]}, loads);
     return array_of(loads, {py::ssize_t(mesh.node_count()), 3});
 }
 
-Rows pressure(const py::dict& arrays, const Indices& triangles, double value) {
+Rows pressure(const py::dict& arrays, const py::object& triangles, double value) {
     const Mesh mesh = mesh_from(arrays);
     std::vector<double> loads(3 * mesh.node_count(), 0.0);
-    add_pressure(mesh, checked(triangles, mesh.triangles.size()), value, loads);
+    add_pressure(mesh, checked(indices_from(triangles), mesh.triangles.size()), value, loads);
     return array_of(loads, {py::ssize_t(mesh.node_count()), 3});
 }
 
-Rows shares_of_area(const py::dict& arrays, const Indices& triangles) {
+Rows shares_of_area(const py::dict& arrays, const py::object& triangles) {
     const Mesh mesh = mesh_from(arrays);
-    return array_of(area_shares(mesh, checked(triangles, mesh.triangles.size())), {py::ssize_t(mesh.node_count())});
+    return array_of(area_shares(mesh, checked(indices_from(triangles), mesh.triangles.size())),
+                    {py::ssize_t(mesh.node_count())});
 }
 
-Rows shares_of_length(const py::dict& arrays, const Indices& segments) {
+Rows shares_of_length(const py::dict& arrays, const py::object& segments) {
     const Mesh mesh = mesh_from(arrays);
-    return array_of(length_shares(mesh, checked(segments, mesh.segments.size())), {py::ssize_t(mesh.node_count())});
+    return array_of(length_shares(mesh, checked(indices_from(segments), mesh.segments.size())),
+                    {py::ssize_t(mesh.node_count())});
 }
 
 Indices bodies(const py::dict& arrays) {
@@ -122,7 +132,7 @@ py::dict solve(const py::dict& arrays, const py::dict& given, const std::string&
     const auto held = given["held"].cast<py::array_t<bool, py::array::c_style | py::array::forcecast>>();
     const StaticsModel model{mesh,
                              materials_from(given["materials"].cast<Rows>()),
-                             values_of<std::int32_t>(given["tet_materials"].cast<Indices>()),
+                             values_of<std::int32_t>(indices_from(given["tet_materials"])),
                              values_of<double>(given["loads"].cast<Rows>()),
                              std::vector<char>(held.data(), held.data() + held.size()),
                              values_of<double>(given["given"].cast<Rows>())};

@@ -7,12 +7,15 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <exception>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
+#include "core/callers_progress.h"
 #include "core/errors.h"
 #include "update/part_mesh.h"
 
@@ -46,34 +49,34 @@ std::vector<SizeSource> adopted_sizes_from(const py::dict& arrays);
 MeshOptions options_made_with(const py::dict& arrays, MeshOptions asked);
 py::object motion_matrix(const RigidMotion& motion);
 
+/// Has the array the values that were given? Numbers that are no whole ones, or too large for it, were changed.
+template <class Scalar, int flags>
+bool has_values_of(const py::array_t<Scalar, flags>& array, const py::handle& given) {
+    if constexpr (!std::is_integral_v<Scalar>) return true;
+    const auto original = py::array::ensure(given);
+    return original.dtype().equal(array.dtype()) ||
+           py::module_::import("numpy").attr("array_equal")(array, original).template cast<bool>();
+}
+
 using Progress = std::optional<py::function>;
 /// More than any machine has: oneTBB makes room for all that are asked for.
 constexpr int most_threads = 1024;
 
-/// Runs engine work without the GIL, with the caller's progress function. What that raises cancels the work, which
-/// takes it for no failure of its own, and is raised then.
+/// Runs engine work without the GIL, with the caller's progress function. What that raises ends the work, and is
+/// raised.
 template <class Work>
 auto run_released(const Progress& progress, int threads, Work work) {
     RunContext context;
     context.threads = std::min(threads, most_threads);
-    std::exception_ptr raised;
+    std::function<bool(std::string_view, double)> ask;
     if (progress)
-        context.on_progress = [&](std::string_view step, double share) {
+        ask = [&](std::string_view step, double share) {
             const py::gil_scoped_acquire gil;
-            try {
-                return (*progress)(std::string(step), share).template cast<bool>();
-            } catch (...) {
-                raised = std::current_exception();
-                return false;
-            }
+            return (*progress)(std::string(step), share).template cast<bool>();
         };
+    CallersProgress asked(context, std::move(ask));
     const py::gil_scoped_release released;
-    try {
-        return work(context);
-    } catch (const Cancelled&) {
-        if (raised) std::rethrow_exception(raised);
-        throw;
-    }
+    return asked.run([&] { return work(context); });
 }
 
 }  // namespace featuremesh

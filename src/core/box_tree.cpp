@@ -5,9 +5,11 @@ namespace featuremesh {
 
 BoxTree::BoxTree(std::span<const Box> boxes) {
     items_.reserve(boxes.size());
-    for (const Box& box : boxes) items_.push_back({box, std::int32_t(items_.size())});
-    nodes_.reserve(boxes.size());
-    if (!boxes.empty()) build(0, std::int32_t(boxes.size()));
+    for (std::size_t i = 0; i < boxes.size();
+         ++i)  // an empty one is never met, and its middle has no place in any order
+        if (!boxes[i].is_empty()) items_.push_back({boxes[i], std::int32_t(i)});
+    nodes_.reserve(items_.size());
+    if (!items_.empty()) build(0, std::int32_t(items_.size()));
 }
 
 std::int32_t BoxTree::build(std::int32_t begin, std::int32_t end) {

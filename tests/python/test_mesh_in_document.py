@@ -234,6 +234,15 @@ class NarrowFace(unittest.TestCase):
             with self.subTest(name=name, damage=damage), self.assertRaises(engine.load().StateError):
                 engine.load().restore_part(saved.raw, saved.options, {**saved.arrays, name: damaged})
 
+    def test_the_engine_cuts_no_numbers(self):
+        saved = state.load(self.mesh.SavedState)
+        wide = {name: np.array(values, dtype=np.int64 if values.dtype.kind == "i" else values.dtype) for name, values in saved.arrays.items()}
+        self.assertEqual(engine.load().restore_part(saved.raw, saved.options, wide).arrays()["tets"].tolist(), saved.arrays["tets"].tolist())
+        for name, damage in (("tets", lambda values: values + 2 ** 32), ("entities", lambda values: values + 2 ** 32), ("triangles", lambda values: values + 0.25),
+                             ("node_numbers", lambda values: np.full(len(values), np.nan))):
+            with self.subTest(name=name), self.assertRaisesRegex(engine.load().StateError, "'%s' has numbers that are not whole, or too large" % name):
+                engine.load().restore_part(saved.raw, saved.options, {**wide, name: damage(wide[name])})
+
 
 class IgnoredDetails(unittest.TestCase):
     def setUp(self):

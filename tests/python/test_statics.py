@@ -525,6 +525,21 @@ class OnTheArrays(Case):
             with self.assertRaises(engine.load().InputError):
                 engine.load().solve_statics(arrays, model)
 
+    def test_indices_are_not_cut(self):
+        arrays, ours = self.arrays(1, 10.0), engine.load()
+        faces, steel = np.arange(3), np.array([[210000.0, 0.3, 7.85e-9]])
+        pressure = ours.statics_pressure(arrays, faces, 2.0)
+        self.assertGreater(np.abs(pressure).max(), 0)
+        self.assertTrue((ours.statics_pressure(arrays, faces.tolist(), 2.0) == pressure).all())
+        tets = np.zeros(len(arrays["tets"]))
+        model = self.model(arrays, arrays["points"][:, 0] == 0, np.zeros_like)
+        for added in (2 ** 32, 0.5):
+            for call in (lambda: ours.statics_pressure(arrays, faces + added, 2.0), lambda: ours.statics_area_shares(arrays, faces + added),
+                         lambda: ours.statics_length_shares(arrays, faces + added), lambda: ours.statics_weight(arrays, steel, tets + added, [0, 0, -9810]),
+                         lambda: ours.solve_statics(arrays, {**model, "tet_materials": tets + added})):
+                with self.assertRaisesRegex(ours.InputError, "whole numbers below 2"):
+                    call()
+
 
 class FreeMotions(Case):
     """Of arrays alone: which rigid motions some held components leave."""

@@ -34,6 +34,24 @@ TEST_CASE("a tree of boxes finds what going over all of them finds") {
     }
 }
 
+TEST_CASE("boxes with nothing in them are never met, and the tree is as without them") {
+    std::vector<Box> boxes;
+    for (int i = 0; i < 60; ++i) {
+        boxes.emplace_back();
+        if (i % 3 == 0) boxes.push_back({{double(i), 0, 0}, {i + 0.5, 1, 1}});
+    }
+    const BoxTree tree(boxes);
+    std::size_t met = 0, entered = 0;
+    const auto enters = [&](const Box&) { return ++entered, true; };
+    tree.visit_where(enters, [&](std::int32_t b) {
+        CHECK_FALSE(boxes[std::size_t(b)].is_empty());
+        ++met;
+    });
+    CHECK(met == 20);
+    CHECK(entered < 40);
+    CHECK(BoxTree(std::vector<Box>(9)).box().is_empty());
+}
+
 TEST_CASE("a tree of boxes finds what is nearest, and of equals the first") {
     std::mt19937 random(12);
     std::uniform_real_distribution<double> place(0, 100);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "catch.h"
+#include "core/callers_progress.h"
 #include "core/errors.h"
 #include "core/run_context.h"
 
@@ -30,6 +31,49 @@ TEST_CASE("cancel ends the work") {
     RunContext::Step step(context, "work");
     CHECK_THROWS_AS(context.progress(0.5), Cancelled);
     CHECK_THROWS_AS(parallel_for(context, 10, 1, [](std::size_t, std::size_t) {}), Cancelled);
+}
+
+namespace {
+
+/// Asks the caller's function, which throws, and ends as `end` says.
+template <class End>
+std::string thrown_by_work(const End& end) {
+    RunContext context;
+    CallersProgress asked(context, [](std::string_view, double) -> bool { throw std::runtime_error("the caller's"); });
+    try {
+        asked.run([&] {
+            RunContext::Step step(context, "work");
+            return end([&] { context.progress(0.5); });
+        });
+    } catch (const std::exception& thrown) {
+        return thrown.what();
+    }
+    return "nothing";
+}
+
+}  // namespace
+
+TEST_CASE("what the caller's progress function throws is thrown, however the work ends") {
+    CHECK(thrown_by_work([](const auto& ask) { ask(); }) == "the caller's");
+    const auto swallow = [](const auto& ask) {
+        try {
+            ask();
+        } catch (const Cancelled&) {  // as a library's callback does
+        }
+    };
+    CHECK(thrown_by_work(swallow) == "the caller's");
+    CHECK(thrown_by_work([&](const auto& ask) { return swallow(ask), 5; }) == "the caller's");
+    CHECK(thrown_by_work([&](const auto& ask) {
+              swallow(ask);
+              throw std::logic_error("what came of that");
+          }) == "the caller's");
+}
+
+TEST_CASE("work whose caller goes on gives its answer, or its own failure") {
+    RunContext context;
+    CallersProgress asked(context, [](std::string_view, double) { return true; });
+    CHECK(asked.run([&] { return context.progress(0.5), 5; }) == 5);
+    CHECK_THROWS_AS(asked.run([] { throw std::logic_error("its own"); }), std::logic_error);
 }
 
 TEST_CASE("a nested step is not counted in the outer one") {
