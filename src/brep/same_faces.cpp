@@ -31,28 +31,32 @@ std::vector<TopoDS_Face> faces_of_solids(const TopoDS_Shape& shape) {
     return faces;
 }
 
-/// Numbers that do not depend on the order of a face's edges nor on their direction. What is inside the border costs
-/// most and is only looked at where the borders agree.
+/// What does not depend on the order of a face's edges nor on their direction: sums over points of its border, and
+/// where these agree, as they do after a turn of a regular polygon on the spot, the points. What is inside the border
+/// costs most and is only looked at where the borders agree.
 class Signature {
   public:
     explicit Signature(const TopoDS_Face& face) : face_(face), kind_(BRepAdaptor_Surface(face, false).GetType()) {
         for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) add_edge(TopoDS::Edge(it.Current()));
+        std::sort(border_.begin(), border_.end(), [](const Vec3& a, const Vec3& b) { return a.x < b.x; });
     }
 
     double key() const { return moments_[0]; }
     /// Of the points of its border.
     const Box& box() const { return box_; }
     /// How far the keys of equal faces in a shape of that size may be apart.
-    double reach(double size) const { return 1e-9 * size * points_; }
+    double reach(double size) const { return 1e-9 * size * double(border_.size()); }
 
     bool matches(const Signature& other, double size) const {
-        if (kind_ != other.kind_ || points_ != other.points_) return false;
+        if (kind_ != other.kind_ || border_.size() != other.border_.size()) return false;
         for (std::size_t i = 0; i < moments_.size(); ++i)
             if (std::abs(moments_[i] - other.moments_[i]) > reach(size) * (i < 3 ? 1 : size)) return false;
+        const auto is_near_other = [&](const Vec3& p) { return other.has_point_near(p, reach(size)); };
+        if (!std::all_of(border_.begin(), border_.end(), is_near_other)) return false;
         const auto& [p, n] = inner();
         const auto& [q, m] = other.inner();
         for (int i = 0; i < 3; ++i)
-            if (std::abs(n[i] - m[i]) > 1e-6 || std::abs(p[i] - q[i]) > 1e-9 * size * (points_ + 1)) return false;
+            if (std::abs(n[i] - m[i]) > 1e-6 || std::abs(p[i] - q[i]) > reach(size) + 1e-9 * size) return false;
         return true;
     }
 
@@ -68,6 +72,13 @@ class Signature {
         const double u = (u1 + u2) / 2, v = (v1 + v2) / 2;
         return inner_.emplace(to_vec3(surface.Value(u, v)), outward_normal(surface, face_, u, v));
     }
+    bool has_point_near(const Vec3& p, double reach) const {
+        auto it = std::lower_bound(border_.begin(), border_.end(), p.x - reach,
+                                   [](const Vec3& q, double x) { return q.x < x; });
+        for (; it != border_.end() && it->x <= p.x + reach; ++it)
+            if (std::abs(it->y - p.y) <= reach && std::abs(it->z - p.z) <= reach) return true;
+        return false;
+    }
     void add_edge(const TopoDS_Edge& edge) {
         const BRepAdaptor_Curve curve(edge);
         if (!curve.Is3DCurve() && !curve.IsCurveOnSurface()) return;
@@ -78,12 +89,13 @@ class Signature {
         const std::array<double, 9> terms{p.x,       p.y,       p.z,       p.x * p.x, p.y * p.y,
                                           p.z * p.z, p.x * p.y, p.y * p.z, p.z * p.x};
         for (std::size_t i = 0; i < terms.size(); ++i) moments_[i] += terms[i];
-        ++points_;
+        border_.push_back(p);
         box_.add(p);
     }
 
     TopoDS_Face face_;
-    int kind_ = 0, points_ = 0;
+    int kind_ = 0;
+    std::vector<Vec3> border_;  // some of its points, by their x
     Box box_;
     std::array<double, 9> moments_{};  // first and second of the border points
     mutable std::optional<std::pair<Vec3, Vec3>> inner_;
@@ -226,8 +238,10 @@ std::vector<TopoDS_Shape> unshared_faces(const TopoDS_Shape& shape, const TopoDS
     return {left.begin(), left.end()};
 }
 
-ChangeOutline::ChangeOutline(const std::vector<TopoDS_Shape>& vanished, const std::vector<TopoDS_Shape>& appeared)
-    : vanished_(faces_of(vanished, appeared, size_)), appeared_(faces_of(appeared, vanished, size_)) {}
+ChangeOutline::ChangeOutline(const std::vector<TopoDS_Shape>& vanished, const std::vector<TopoDS_Shape>& appeared) {
+    vanished_ = faces_of(vanished, appeared, size_);
+    appeared_ = faces_of(appeared, vanished, size_);
+}
 
 std::vector<ChangeOutline::Face> ChangeOutline::faces_of(const std::vector<TopoDS_Shape>& faces,
                                                          const std::vector<TopoDS_Shape>& others, double& size) {

@@ -6,8 +6,8 @@ class TopoDS_Shape;
 
 namespace featuremesh {
 
-/// The same faces by identity, or the same volume, centre of mass, inertia and box to about 1e-8 of the size. A face
-/// split in two makes no difference.
+/// The same faces, or the same volume, centre of mass, inertia and box to about 1e-8 of the size, and the faces that
+/// only one of them has lie on those of the other. A face split in two makes no difference.
 bool same_solids(const TopoDS_Shape& a, const TopoDS_Shape& b);
 
 }  // namespace featuremesh
