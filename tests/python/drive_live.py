@@ -6,6 +6,7 @@ Run by test_window.py; see drive_window.py for the result and the pictures.
 import contextlib
 import os
 import sys
+import tempfile
 import time
 import unittest
 from unittest import mock
@@ -325,6 +326,26 @@ def check_ends(document, live):
     wait_for(lambda: not Gui.Control.activeDialog(), 5)
 
 
+def check_another_of_its_name(document, analysis):
+    """After the first is deleted, and after its document was closed and opened again."""
+    from freecad.featuremesh import api, documents, live_result
+    live = api.live_result(analysis)
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE, 60)
+    name, of_analysis = live.Name, analysis.Name
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, document.Name + ".FCStd")
+        documents.save_document(document, path)
+        FreeCAD.closeDocument(document.Name)
+        document = FreeCAD.openDocument(path)
+    assert document.Name == "Live"
+    live = document.getObject(name)
+    assert live.Proxy.analysis(live).Name == of_analysis
+    document.Force.Force = document.Force.Force * 1.5
+    assert live.Status == live_result.OUT_OF_DATE
+    document.recompute()
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE, 60)
+
+
 def drive():
     from freecad.featuremesh import api, engine
     from parts import plate_with_hole
@@ -360,6 +381,7 @@ def drive():
     check_ten_nodes(document, shown, live, mesh)
     check_freecads_own(document, shown, live)
     check_ends(document, live)
+    check_another_of_its_name(document, analysis)
 
 
 window.run(drive)

@@ -211,6 +211,41 @@ def check_units(mesh):
     assert (mesh.Size.Value, mesh.MinSize.Value, mesh.Status, mesh.TetCount) == (6.0, 0.6, "up to date", count), (mesh.Size, mesh.MinSize, mesh.Status)
 
 
+def check_numbers(mesh):
+    """What a script gave and the panel's boxes round, or do not reach, stays what it is; what is typed counts."""
+    mesh.Growth, mesh.ElementsPerCircle, mesh.ElementsAcrossGap = 1.255, 12.5, 25
+    mesh.Document.recompute()
+    mesh.ViewObject.doubleClicked()
+    spin(1)
+    settings = panel("MeshPanel")
+    assert settings.status.text() == "Status: up to date", settings.status.text()
+    settings.growth.setValue(1.5)
+    click_in_panel("Ok")
+    wait_for(lambda: not Gui.Control.activeDialog())
+    assert (mesh.Growth, mesh.ElementsPerCircle, mesh.ElementsAcrossGap) == (1.5, 12.5, 25), (mesh.Growth, mesh.ElementsPerCircle, mesh.ElementsAcrossGap)
+    mesh.Growth, mesh.ElementsPerCircle, mesh.ElementsAcrossGap = 1.3, 12, 0
+    mesh.Document.recompute()
+
+
+def check_without_part(mesh):
+    """The panel says what is missing."""
+    from freecad.featuremesh.versions import part_property
+    name = part_property(mesh)
+    part = getattr(mesh, name)
+    setattr(mesh, name, None)
+    mesh.ViewObject.doubleClicked()
+    spin(1)
+    settings = panel("MeshPanel")
+    wait_for(lambda: "has no part to mesh" in settings.estimate.text(), 20)
+    click_in_panel("Apply")
+    wait_for(lambda: settings.running is None)
+    assert "has no part to mesh" in settings.status.text(), settings.status.text()
+    click_in_panel("Cancel")
+    setattr(mesh, name, part)
+    mesh.Document.recompute()
+    assert mesh.Status == "up to date", mesh.Status
+
+
 def check_question(document, body, mesh):
     """The part has a mesh: open that, add another one, or neither."""
     before, seen = names(document), []
@@ -448,6 +483,8 @@ def drive():
     mesh = check_apply_and_ok(document, body)
     check_details(mesh)
     check_units(mesh)
+    check_numbers(mesh)
+    check_without_part(mesh)
     check_question(document, body, mesh)
     check_errors(document, body)
     check_report_view(document, mesh)

@@ -177,6 +177,31 @@ class Live(Case):
         self.document.recompute()
         self.check_is_fresh(analysis, live)
 
+    def test_what_cannot_be_solved_at_first_leaves_nothing_behind(self):
+        part = self.box()
+        analysis = self.analysis()
+        self.force(analysis, part, faces_at(part, 0, 40))
+        self.mesh(part, 4.0)
+        before = {obj.Name for obj in self.document.Objects}
+        with self.assertRaisesRegex(UserError, "add a support"):
+            api.live_result(analysis)
+        self.assertEqual({obj.Name for obj in self.document.Objects}, before)
+        self.fix(analysis, part, faces_at(part, 0, 0))
+        live = api.live_result(analysis)
+        self.check_is_fresh(analysis, live)
+        analysis.removeObject(self.document.Fixed)
+        with self.assertRaisesRegex(UserError, "add a support"):
+            api.live_result(analysis)
+        self.assertIn(live, self.document.Objects)   # it was there before
+
+    def test_an_analysis_that_is_gone_while_it_is_solved(self):
+        part, analysis, live = self.cantilever()
+        job = live.Proxy.prepare(live)
+        job.run(None)
+        analysis.removeObject(live)
+        with self.assertRaisesRegex(UserError, "belongs to no analysis"):
+            live.Proxy.finish(live, job)
+
     def test_why_it_failed_is_in_the_users_language(self):
         part, analysis, live = self.cantilever()
         for refer, english, german in (

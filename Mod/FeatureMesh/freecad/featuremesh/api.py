@@ -20,7 +20,7 @@ from .errors import StateError, UserError
 from .messages import of_error, said
 from .mesh_object import FeatureMesh, is_feature_mesh, options_of, refuse_other
 from .mesh_properties import DIMENSIONS, FROM_SHAPE
-from .refusals import all_or_nothing, finite_length, length_of, measure_of, refuse_no_document, refuse_no_references, refuse_no_size
+from .refusals import all_or_nothing, finite_length, length_of, measure_of, part_to_mesh, refuse_no_document, refuse_no_references, refuse_no_size
 from .reports import plain
 
 translate = FreeCAD.Qt.translate
@@ -211,7 +211,7 @@ def estimate_input(mesh, raw=None, **settings):
     `raw` is the part as it was read before, when it is known to be the same still.
     """
     refuse_other(mesh)
-    part = versions.part_of(mesh)
+    part = part_to_mesh(mesh)
     options = options_of(mesh, part)
     options.update((name, value) for name, value in settings.items() if value is not None)
     return raw or reading.read_document(part), options
@@ -381,12 +381,14 @@ def solve_analysis(analysis, which=None, threads=0, keep="", progress=None):
 
 def live_result(analysis):
     """The live result of the analysis, added and solved where it has none: after each recompute its `Result` is FreeCAD's result object of the part as
-    it is. In the window it is solved beside FreeCAD's own thread, in a script at once. `Status` says whether it is up to date."""
+    it is. In the window it is solved beside FreeCAD's own thread, in a script at once. `Status` says whether it is up to date. Throws UserError, and leaves
+    nothing new behind, where a script cannot solve it."""
     analyses.refuse_other(analysis)
-    live = live_results.add(analysis)
-    if live.Status != live_results.UP_TO_DATE:
-        solve_live(live)
-    return live
+    with all_or_nothing(analysis.Document):
+        live = live_results.add(analysis)
+        if live.Status != live_results.UP_TO_DATE:
+            solve_live(live)
+        return live
 
 
 def solve_live(live):
@@ -508,7 +510,7 @@ def plane_of(cut):
 def _names_on_part(mesh, references, request):
     """Names of what (object, name) pairs mean on the part. Throws UserError with the request when there are none, or for what is not on the part."""
     refuse_other(mesh)
-    part = versions.part_of(mesh)
+    part = part_to_mesh(mesh)
     if references is None:
         return []
     refuse_no_references(references)

@@ -115,9 +115,7 @@ class LiveResult:
 
     def prepare(self, live):
         """Reads what is to be solved. Returns a statics.SolveJob."""
-        analysis = self.analysis(live)
-        if analysis is None:
-            raise UserError(said("{live:text} belongs to no analysis", live=describe(live)))
+        analysis = self._own_analysis(live)
         mesh = statics.mesh_of(analysis)
         solve_guard.refuse(analysis)
         self.set_status(live, SOLVING)
@@ -131,13 +129,13 @@ class LiveResult:
         return statics.SolveJob(self.analysis(live), self.key(live), live.Threads, arrays)
 
     def finish(self, live, job):
-        """Shows the solution, then fills the result object, which takes FreeCAD longer. Returns the report."""
+        """Shows the solution, then fills the result object, which takes FreeCAD longer. Returns the report. Throws UserError."""
+        analysis = self._own_analysis(live)
         if self.solution is not None:
             self.before = self.solution
         self.solution, self.is_fresh = Solution(job.statics.arrays, job.fields), True
         for hook in on_solution:
             hook(live)
-        analysis = self.analysis(live)
         was_touched = "Touched" in analysis.State
         job.report["seconds"]["result"] = statics_result.timed_show(live, analysis, job, same_mesh=self.of_state == job.state)
         self.of_state, self.is_changed = job.state, False
@@ -190,6 +188,12 @@ class LiveResult:
         if members != live.Members:
             live.Members = members
             _outdate(live)
+
+    def _own_analysis(self, live):
+        analysis = self.analysis(live)
+        if analysis is None:
+            raise UserError(said("{live:text} belongs to no analysis", live=describe(live)))
+        return analysis
 
     def key(self, live):
         """The name under which the engine keeps what makes the next solution faster."""

@@ -20,7 +20,7 @@ from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, OP
                               differ_from_mesh, failed, failure_of, is_of_its_part, settings_of, status_in_words)
 from .numbering import Numbering
 from .reading import describe, elements_of_today, read_document, refuse_gone, shape_of_record, with_elements
-from .refusals import refuse_no_size
+from .refusals import part_to_mesh, refuse_no_size
 from .reports import add_fallback, plain, remarks_of
 from .resolving import CLICKED, Resolver
 from .user_words import in_words
@@ -139,10 +139,7 @@ class FeatureMesh:
     def prepare(self, mesh, full=False):
         """Reads what the engine needs from the document. Throws UserError."""
         start = time.perf_counter()
-        part = versions.part_of(mesh)
-        if part is None:
-            raise UserError(said("{mesh:text} has no part to mesh, set its property {property:text}",
-                                 mesh=describe(mesh), property=versions.part_property(mesh)))
+        part = part_to_mesh(mesh)
         raw = read_document(part)
         old, saved, problem = self._old(mesh)
         if full:

@@ -6,20 +6,22 @@ import math
 
 import FreeCAD
 
+from . import versions
 from .errors import UserError
 from .messages import said
-from .reading import refuse_gone
+from .reading import describe, refuse_gone
 
 
 @contextlib.contextmanager
 def all_or_nothing(document):
-    """Takes the objects that were added to the document meanwhile out again when an error ends that."""
+    """Takes the objects that were added to the document meanwhile out again when an error, or Ctrl-C, ends that."""
     before = set(document.Objects)
     try:
         yield
-    except Exception:
-        for obj in [obj for obj in document.Objects if obj not in before]:
-            document.removeObject(obj.Name)
+    except BaseException:
+        for name in [obj.Name for obj in document.Objects if obj not in before]:
+            if document.getObject(name) is not None:   # it may have gone with another one
+                document.removeObject(name)
         raise
 
 
@@ -31,6 +33,14 @@ def refuse_no_document(document):
         raise UserError(said("the document was closed")) from None
     except AttributeError:
         raise UserError(said("{document:text} is no open document", document=str(document))) from None
+
+
+def part_to_mesh(mesh):
+    """The part of a mesh object. Throws UserError where it has none."""
+    part = versions.part_of(mesh)
+    if part is None:
+        raise UserError(said("{mesh:text} has no part to mesh, set its property {property:text}", mesh=describe(mesh), property=versions.part_property(mesh)))
+    return part
 
 
 def refuse_no_references(references):

@@ -60,7 +60,10 @@ def run_of(live):
 
 def _run_for(live):
     key = live.Document.Name, live.Name
-    if key not in _runs:
+    known = _runs.get(key)
+    if known is None or known.live is not live:   # that of another object which had the name, perhaps in a document that was closed
+        if known is not None:
+            known.stop()
         _runs[key] = _Run(live)
     return _runs[key]
 

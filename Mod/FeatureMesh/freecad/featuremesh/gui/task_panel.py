@@ -11,6 +11,7 @@ from PySide import QtCore, QtGui
 
 from .. import analyses, api, log, reading, versions, view_provider
 from ..mesh_object import is_cancelled
+from ..refusals import part_to_mesh
 from ..reports import remarks_of
 from ..mesh_properties import AUTOMATIC_SHARE, DIMENSIONS, NOT_MESHED, OPTION_OF, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
 from ..messages import of_error, said
@@ -42,7 +43,7 @@ class MeshPanel:
         self.running = None
         self.job = None
         self._estimate = None
-        self._written = {}   # length widget -> (mm that were written into it, the text that it shows for them)
+        self._written = {}   # widget -> (mm or the number that was written into it, the text or the number that it shows for that)
         self._raw = None   # the part as it was read for the last estimate, until it is edited
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(mesh.Label)
@@ -202,10 +203,16 @@ class MeshPanel:
         widget.setSingleStep(step)
         widget.setDecimals(2 if step < 1 else 0)
         widget.setValue(getattr(self.mesh, name))
+        self._written[widget] = getattr(self.mesh, name), widget.value()
         widget.setMinimumWidth(70)
         widget.setToolTip(self._tooltip(name))
         widget.valueChanged.connect(self._settings_changed)
         return widget
+
+    def _number_in(self, widget):
+        """What was written counts as long as nothing else is typed: the widget rounds it, and brings it within its range."""
+        number, shown = self._written[widget]
+        return number if widget.value() == shown else widget.value()
 
     # What FreeCAD calls
 
@@ -258,8 +265,8 @@ class MeshPanel:
     def settings(self):
         """The panel's values by the names of the object's properties."""
         return {"Size": self._length_in(self.size), "MinSize": 0.0 if self.min_automatic.isChecked() else self._length_in(self.min_size),
-                "ElementsPerCircle": self.per_circle.value(), "ElementsAcrossGap": self.across_gap.value(),
-                "Growth": self.growth.value(), "Order": "2nd" if self.order.currentIndex() else "1st",
+                "ElementsPerCircle": self._number_in(self.per_circle), "ElementsAcrossGap": self._number_in(self.across_gap),
+                "Growth": self._number_in(self.growth), "Order": "2nd" if self.order.currentIndex() else "1st",
                 "Dimension": DIMENSIONS[self.dimension.currentIndex()],
                 "IgnoreBelow": self._ignored()}
 
@@ -283,7 +290,7 @@ class MeshPanel:
         self.apply_settings()
         self._compute_part()
         try:
-            api.check_size(self.mesh.Size.Value, versions.part_of(self.mesh))
+            api.check_size(self.mesh.Size.Value, part_to_mesh(self.mesh))
             self.job = self.mesh.Proxy.prepare(self.mesh, full)
         except Exception as error:
             self._failed(error)
