@@ -163,8 +163,10 @@ class Tasks(unittest.TestCase):
     def test_export(self):
         self.mesh()
         for name in export.FORMATS:
-            self.done(command="export", part=self.part, format=name, out=self.path("mesh." + name))
+            answer = self.done(command="export", part=self.part, format=name, out=self.path("mesh." + name))
             self.assertGreater(os.path.getsize(self.path("mesh." + name)), 10000)
+            has_groups = name not in ("stl", "z88")
+            self.assertEqual((answer["data"]["groups"] > 5, "groups" in answer["message"]), (has_groups, has_groups), answer["message"])
 
     def test_abaqus_surfaces_have_the_area_of_the_faces(self):
         self.mesh()

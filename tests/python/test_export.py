@@ -13,7 +13,7 @@ import numpy as np
 import ObjectsFem
 from freecad.featuremesh import api, versions
 from freecad.featuremesh.errors import UserError
-from freecad.featuremesh.formats import connectivity, is_single_entity
+from freecad.featuremesh.formats import connectivity, inp, is_single_entity
 from parts import new_document, plate_with_hole
 
 PAIRS = ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))   # whose middles are the nodes 4 to 9
@@ -225,6 +225,26 @@ class Export(unittest.TestCase):
         rows = self.truth.rows_of(read.points.astype(float), 1e-5)
         self.assertEqual(set(rows.tolist()), set(self.truth.blocks[2].reshape(-1).tolist()))
         self.assertEqual(Fem.read(self.exported("stl")).FaceCount, len(faces))
+
+
+class NamesOfSets(unittest.TestCase):
+    ARRAYS = {"points": np.eye(4, 3), "node_numbers": np.array([3, 4, 7, 9]), "tets": np.array([[0, 1, 2, 3]]), "tet_mids": np.zeros((0, 6), int),
+              "tet_numbers": np.array([5]), "tet_solids": np.zeros(1, int), "triangles": np.zeros((0, 3), int), "triangle_mids": np.zeros((0, 3), int),
+              "triangle_faces": np.zeros(0, int), "segments": np.zeros((0, 2), int), "segment_mids": np.zeros(0, int)}
+
+    def test_labels_of_groups_that_differ_are_sets_that_do(self):
+        labels = ["Größe", "Grüße", "left, right", "left right", "eall", "Sides", "sides", 100 * "x", 100 * "x" + "y"]
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "mesh.inp")
+            inp.write(path, self.ARRAYS, [(label, "Node", np.array([number])) for number, label in enumerate(labels, 1)])
+            with open(path, encoding="ascii") as stream:
+                sets = re.findall(r"[*]NSET, NSET=(.*)\n(.*)\n", stream.read())
+        self.assertEqual([members for _, members in sets], ["%d," % number for number in range(1, len(labels) + 1)])
+        names = [name for name, _ in sets]
+        self.assertEqual(len({name.upper() for name in names} - {"NALL", "EALL"}), len(labels), names)
+        for name in names:
+            self.assertRegex(name, r"^[A-Za-z0-9_-]{1,80}$")
+        self.assertIn("Sides", names)
 
 
 class QuadraticExport(Export):

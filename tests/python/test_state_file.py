@@ -95,6 +95,22 @@ class StateFile(unittest.TestCase):
                 self.assertEqual(after.arrays[name].tobytes(), values.tobytes())
         self.assertGreater(noticed, 150)
 
+    def test_the_checksum_and_numbers_of_a_damaged_file_are_not_known(self):
+        before = state.State(raw={"final_object": "", "records": [], "shapes": b""}, options={}, arrays={"counters": np.array([1, 4, 5, 9])})
+        checksum = state.save(self.path, before)
+        self.assertEqual(state.next_numbers_of(self.path), (5, 9))
+        with open(self.path, "rb") as stream:
+            whole = stream.read()
+        for place in range(len(whole) - 600, len(whole)):   # where the archive says what is in it
+            for bit in (1, 128):
+                damaged = bytearray(whole)
+                damaged[place] ^= bit
+                with open(self.path, "wb") as stream:
+                    stream.write(damaged)
+                with self.subTest(place=place, bit=bit):
+                    self.assertIn(state.checksum_of(self.path), ("", checksum))
+                    self.assertIn(state.next_numbers_of(self.path), (None, (5, 9)))
+
     def test_pickles_are_refused(self):
         members = {"meta": np.array([{"a": 1}], dtype=object), "shapes": np.zeros(1, dtype=np.uint8)}
         np.savez(self.path, **members)

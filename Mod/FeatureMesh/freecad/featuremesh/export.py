@@ -19,6 +19,7 @@ from .formats import bdf, fillings_of, inp, msh, stl, vtk, vtu
 translate = FreeCAD.Qt.translate
 # Names of formats and of their files -> the module that writes them; None: FreeCAD does.
 FORMATS = {"vtu": vtu, "vtk": vtk, "inp": inp, "bdf": bdf, "msh": msh, "stl": stl, "unv": None, "med": None, "z88": None}
+WITHOUT_GROUPS = ("stl", "z88")
 _LONGEST_MED_NAME = 64
 _BLOCK = 65536   # bytes, more than a disk that was full has left
 _MED_BYTES = 60   # of a node or element in a MED file at most, and

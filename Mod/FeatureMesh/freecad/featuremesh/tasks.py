@@ -9,6 +9,7 @@ import traceback
 
 from . import about, api, documents, engine, reading, tables, versions
 from .errors import UserError
+from .export import WITHOUT_GROUPS
 from .transfer import find_result
 from .mesh_object import element_count
 from .mesh_properties import FROM_SHAPE
@@ -114,9 +115,11 @@ def export(task):
     """Writes a document's mesh to another format."""
     document = documents.open_document(task["part"])
     obj = api.find_mesh(document, task.get("object"))
-    api.export_mesh(obj, task["out"], task.get("format"))
-    data = {"nodes": obj.FemMesh.NodeCount, "tets": obj.TetCount, "groups": obj.FemMesh.GroupCount}
-    return "wrote %s (%d nodes, %d elements, %d groups)" % (_shown(task["out"]), data["nodes"], data["tets"], data["groups"]), data
+    api.export_mesh(obj, task["out"], task["format"])
+    has_groups = task["format"] not in WITHOUT_GROUPS
+    data = {"nodes": obj.FemMesh.NodeCount, "tets": obj.TetCount, "groups": obj.FemMesh.GroupCount if has_groups else 0}
+    groups = ", %d groups" % data["groups"] if has_groups else ""
+    return "wrote %s (%d nodes, %d elements%s)" % (_shown(task["out"]), data["nodes"], data["tets"], groups), data
 
 
 def about_all(task):

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Abaqus and CalculiX: nodes, tets, node and element sets, and each face as an element surface; shells and beams, with sets."""
 
+import itertools
+import re
+
 import numpy as np
 
 from . import connectivity, fillings_of
@@ -9,12 +12,13 @@ from . import connectivity, fillings_of
 _TYPES = {"tets": ("C3D4", "C3D10"), "triangles": ("S3", "S6"), "segments": ("B31", "B32")}
 _CORNERS = {"tets": 4, "triangles": 3, "segments": 2}
 _KINDS = {"tets": "Volume", "triangles": "Face", "segments": "Edge"}
+_LONGEST_NAME = 80
 _MIDDLE_LAST = [0, 2, 1]   # a beam's nodes are in the order of its length
 _FACES = ((0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3))
 
 
 def write(path, arrays, groups):
-    """Sets have the groups' names; of groups of faces the element surfaces tell."""
+    """Sets have the groups' names, as far as sets may be called so; of groups of faces the element surfaces tell."""
     nodes, fillings = arrays["node_numbers"], fillings_of(arrays)
     kinds = ("Node", *(_KINDS[names[0]] for names, _ in fillings))
     elements = np.concatenate([arrays[own][rows] for (_, _, own, _), rows in fillings])
@@ -23,7 +27,7 @@ def write(path, arrays, groups):
         np.savetxt(stream, np.column_stack([nodes, arrays["points"]]), fmt="%d, %.17g, %.17g, %.17g")
         for (kind, mids, own, _), rows in fillings:
             _write_elements(stream, kind, arrays[own][rows], nodes[connectivity(arrays, kind, mids)[rows]])
-        for name, of, members in groups:
+        for name, (_, of, members) in zip(_distinct([name for name, _, _ in groups]), groups):
             members = members if of == "Node" else np.intersect1d(members, elements)
             if of in kinds and len(members):
                 keyword = "*NSET, NSET=" if of == "Node" else "*ELSET, ELSET="
@@ -31,6 +35,18 @@ def write(path, arrays, groups):
                 _write_numbers(stream, members)
         if "Volume" in kinds:
             _write_surfaces(stream, arrays)
+
+
+def _distinct(names):
+    """The names with nothing but letters of ASCII, digits, - and _, at most 80 of them; none twice: what has the name of another set joins that, and
+    small letters are no others."""
+    taken, found = {"NALL", "EALL"}, []
+    for name in names:
+        plain = re.sub(r"[^A-Za-z0-9_-]", "_", name)[:_LONGEST_NAME]
+        choices = itertools.chain([plain], ("%s_%d" % (plain[:_LONGEST_NAME - 6], number) for number in itertools.count(2)))
+        found.append(next(choice for choice in choices if choice.upper() not in taken))
+        taken.add(found[-1].upper())
+    return found
 
 
 def _write_elements(stream, kind, numbers, nodes):
