@@ -150,23 +150,32 @@ def test(given):
     if given.long:
         options.append("--verbose")
         environment["FEATUREMESH_LONG"] = "1"
-    process = subprocess.Popen(["ctest", "--test-dir", str(RELEASE), "--output-on-failure", "--no-tests=error", *options],
-                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", env=environment)
     log_file = RELEASE / "ctest.log"
-    lines = []
-    with open(log_file, "w", encoding="utf-8") as log:
-        for line in process.stdout:
-            log.write(line)
-            lines.append(line)
-            if "Test  #" in line or "Test #" in line:
-                print(line, end="", flush=True)
-            elif TABLE_LINE.match(line):
-                print(TABLE_LINE.sub("", line), end="", flush=True)
-    code = process.wait()
+    code, lines = run_ctest(options, environment, log_file)
     print_closing_lines(lines, failed=code != 0)
     if code:
         raise Failure(f"tests failed; everything they said: {log_file}")
     return 0
+
+
+def run_ctest(options, environment, log_file):
+    """Its exit code, and all that it said, of which tests and tables are shown as they come. It ends with the launcher."""
+    lines = []
+    with open(log_file, "w", encoding="utf-8") as log, subprocess.Popen(
+            ["ctest", "--test-dir", str(RELEASE), "--output-on-failure", "--no-tests=error", *options],
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", env=environment) as process:
+        try:
+            for line in process.stdout:
+                log.write(line)
+                lines.append(line)
+                if "Test  #" in line or "Test #" in line:
+                    print(line, end="", flush=True)
+                elif TABLE_LINE.match(line):
+                    print(TABLE_LINE.sub("", line), end="", flush=True)
+        except BaseException:
+            process.terminate()
+            raise
+    return process.returncode, lines
 
 
 def test_packages(given):

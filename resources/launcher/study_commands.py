@@ -3,6 +3,7 @@
 import contextlib
 import errno
 import os
+import shlex
 import sys
 import types
 from pathlib import Path
@@ -146,7 +147,7 @@ def run_cases(folder, given, keep_base=False):
             runner.run()
     except KeyboardInterrupt:
         shown.clear()
-        return tell_stopped(folder, f"featuremesh study resume {shown_path(folder.path)}")
+        return tell_stopped(folder, f"featuremesh study resume {typed_path(folder.path)}")
     finally:
         shown.clear()
     return tell_end(folder)
@@ -242,7 +243,7 @@ def tell_end(folder):
     """A study whose cases are infeasible is no failure; one with failed cases is."""
     counts = folder.database.counts()
     words = [f"{counts['done']} of {sum(counts.values())} cases done"] + [f"{counts[state]} {state}" for state in ("infeasible", "failed") if counts[state]]
-    print(", ".join(words) + f"; see them with: featuremesh study report {shown_path(folder.path)}")
+    print(", ".join(words) + f"; see them with: featuremesh study report {typed_path(folder.path)}")
     for case in folder.database.cases("failed"):
         print(f"warning: case {case.id}: {english(case.message)}", file=sys.stderr)
     return 1 if counts["failed"] else 0
@@ -282,6 +283,11 @@ def report(given):
         page.write(folder, out, given.pareto.split(",") if given.pareto else None, given.minimise, given.limit)
         print(f"wrote {shown_path(out)}")
         return 0
+
+
+def typed_path(path):
+    """As a word of a command, with quotes where its name needs them."""
+    return shlex.quote(shown_path(path))
 
 
 def shown_path(path):

@@ -29,6 +29,7 @@ import freecad_roots  # noqa: E402
 import freecad_task  # noqa: E402
 import packages  # noqa: E402
 import setup_log  # noqa: E402
+import study_commands  # noqa: E402
 import tidy  # noqa: E402
 import wheels  # noqa: E402
 from arguments import parse  # noqa: E402
@@ -102,6 +103,12 @@ class CommandLine(unittest.TestCase):
                 asked.clear()
                 given.run(given)
                 self.assertEqual(asked["object"], "Plate")
+
+    def test_a_folder_in_a_command_to_type_is_one_word(self):
+        self.assertEqual(study_commands.typed_path(str(Path.cwd() / "plate-study")), "plate-study")
+        folder = "/of Anna's part/$HOME"
+        typed = subprocess.run(["sh", "-c", f"printf %s {study_commands.typed_path(folder)}"], stdout=subprocess.PIPE, text=True, check=True).stdout
+        self.assertEqual(typed, folder)
 
     def test_a_reader_that_has_seen_enough_is_no_error_to_tell_of(self):
         for words in (("--help",), ("bench", "--list")):
@@ -414,6 +421,22 @@ class SetUp(unittest.TestCase):
                 return
             time.sleep(0.1)
         self.fail("it goes on")
+
+    def test_tests_end_with_the_launcher(self):
+        with tempfile.TemporaryDirectory() as folder:
+            ctest, started = Path(folder) / "ctest", Path(folder) / "started"
+            ctest.write_text(f"#!/bin/sh\necho $$ > {started}\necho '1/1 Test  #1: sleeps'\nexec sleep 60\n", encoding="utf-8")
+            ctest.chmod(0o755)
+            environment = {**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"}
+            with mock.patch.dict(os.environ, environment), mock.patch("builtins.print", side_effect=KeyboardInterrupt), self.assertRaises(KeyboardInterrupt):
+                commands.run_ctest([], environment, Path(folder) / "ctest.log")
+            process = int(started.read_text(encoding="utf-8"))
+        for _ in range(100):
+            if not is_running(process):
+                return
+            time.sleep(0.1)
+        os.kill(process, signal.SIGKILL)
+        self.fail("they go on")
 
     def test_only_one_set_up_at_a_time(self):
         steps = []
