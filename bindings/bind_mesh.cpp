@@ -83,7 +83,8 @@ void check_sizes(const Mesh& mesh) {
         mesh.tet_numbers.size() != mesh.tets.size() || mesh.segment_mids.size() != mids * mesh.segments.size() ||
         mesh.triangle_mids.size() != mids * mesh.triangles.size() || mesh.tet_mids.size() != mids * mesh.tets.size())
         throw StateError(say<Code::damaged_state>("The saved mesh is cut short: its arrays do not fit together."));
-    check_nodes(mesh.segments, n), check_nodes(mesh.triangles, n), check_nodes(mesh.tets, n);
+    const std::size_t corners = mesh.corner_count;
+    check_nodes(mesh.segments, corners), check_nodes(mesh.triangles, corners), check_nodes(mesh.tets, corners);
     check_nodes(mesh.segment_mids, n), check_nodes(mesh.triangle_mids, n), check_nodes(mesh.tet_mids, n);
     check_places(mesh.points);
 }

@@ -228,6 +228,11 @@ class NarrowFace(unittest.TestCase):
 
     def test_the_engine_refuses_arrays_with_impossible_numbers(self):
         saved = state.load(self.mesh.SavedState)
+        few_corners = {**saved.arrays, "counters": saved.arrays["counters"] * [1, 0, 1, 1]}
+        for call in (lambda: engine.load().transfer_field(few_corners, saved.arrays, np.zeros(len(saved.arrays["points"]))),
+                     lambda: engine.load().adopt_part(saved.raw, saved.options, few_corners)):
+            with self.assertRaisesRegex(engine.load().StateError, "nodes that it does not have"):
+                call()
         for name, damage in (("counters", 3), ("points", np.nan), ("entities", (9, 0)), ("entities", (3, 77)), ("tets", -7)):
             damaged = np.array(saved.arrays[name])
             damaged[0] = damage
