@@ -8,14 +8,16 @@ import importlib
 import os
 import signal
 import sys
+import tempfile
 import time
+from unittest import mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import window  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
-from window import PICTURES, answer_with, click_in_panel, figures, messages, open_dialog, panel, picture, spin, texts_of, wait_for  # noqa: E402
+from window import PICTURES, answer_with, click_in_panel, figures, is_shown, messages, open_dialog, panel, picture, spin, texts_of, wait_for  # noqa: E402
 
 
 def run_as_one_step(document, command):
@@ -137,6 +139,9 @@ def check_copy_and_deletion(api, document, body, mesh):
     run_and_accept("Std_Paste")
     copies = [other for other in api.meshes_of(document) if other is not mesh]
     assert len(copies) == 1 and points_of(copies[0]) == before, [other.Name for other in copies]
+    Gui.Selection.clearSelection()
+    Gui.runCommand("FeatureMesh_UpdateNow")
+    assert "several meshes, select one" in messages[-1] and not document.HasPendingTransaction, messages
     pasted = [obj for obj in document.Objects if obj not in (mesh, copies[0]) and obj.Name.startswith(body.Name) and obj is not body]
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(copies[0])
@@ -157,6 +162,33 @@ def check_copy_and_deletion(api, document, body, mesh):
     run_as_one_step(document, "FeatureMesh_UpdateNow")
     assert points_of(mesh) == before
     return mesh
+
+
+def check_tables_close(compare, saved):
+    """With the part, or the document, whose faces they would select."""
+    active = FreeCAD.ActiveDocument
+    for close in (lambda other: FreeCAD.closeDocument(other.Name), lambda other: other.removeObject("Body")):
+        other = FreeCAD.openDocument(saved)
+        name = other.Name
+        dialog = compare.Command().show(other.Body, saved)
+        assert is_shown(dialog)
+        close(other)
+        spin()
+        assert not is_shown(dialog)
+        if name in FreeCAD.listDocuments():
+            FreeCAD.closeDocument(name)
+    FreeCAD.setActiveDocument(active.Name)
+    spin()
+
+
+def check_names_of_files():
+    """The format is that of the filter unless the name says one; a dot in the name does not."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name, kind, written in (("1.5 mm", "NASTRAN (*.bdf)", "1.5 mm.bdf"), ("plate.INP", "VTK (*.vtu)", "plate.INP"), ("plate", "Surface (*.stl)", "plate.stl")):
+            with mock.patch.object(QtGui.QFileDialog, "getSaveFileName", return_value=(os.path.join(folder, name), kind)):
+                Gui.runCommand("FeatureMesh_Export")
+            assert os.listdir(folder) == [written], (name, os.listdir(folder), messages)
+            os.unlink(os.path.join(folder, written))
 
 
 def check_icons():
@@ -326,6 +358,8 @@ def drive():
     assert mesh.ViewObject.Visibility and not body.ViewObject.Visibility
     Gui.Selection.clearSelection()
 
+    check_tables_close(compare, saved)
+
     # A local size on a selected face; without a selection a message
     Gui.runCommand("FeatureMesh_AddLocalSize")
     spin()
@@ -350,6 +384,7 @@ def drive():
     picture("failed")
 
     check_errors(body)
+    check_names_of_files()
     check_preferences(api, engine, document, body)
 
     # In FreeCAD's FEM workbench

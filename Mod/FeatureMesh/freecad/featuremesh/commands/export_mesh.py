@@ -6,6 +6,7 @@ import FreeCADGui as Gui
 from PySide import QtGui
 
 from .. import api
+from ..export import FORMATS
 from .base import MeshCommand, selected_mesh
 
 _FILTERS = ";;".join(("VTK (*.vtu)", "VTK, legacy (*.vtk)", "Abaqus, CalculiX (*.inp)", "NASTRAN (*.bdf)", "Gmsh (*.msh)", "Surface (*.stl)",
@@ -20,7 +21,8 @@ class Command(MeshCommand):
 
     def run(self, document):
         mesh = selected_mesh(document)
-        path, kind = QtGui.QFileDialog.getSaveFileName(Gui.getMainWindow(), self.title, mesh.Label + ".vtu", _FILTERS)
+        path, kind = QtGui.QFileDialog.getSaveFileName(Gui.getMainWindow(), self.title, mesh.Label.replace("/", "-") + ".vtu", _FILTERS)
         if path:
             extension = re.search(r"\*(\.\w+)", kind).group(1)
-            api.export_mesh(mesh, path if os.path.splitext(path)[1] else path + extension)
+            has_format = os.path.splitext(path)[1].lstrip(".").lower() in FORMATS   # else a dot in a name, as in "plate 1.5 mm"
+            api.export_mesh(mesh, path if has_format else path + extension)

@@ -9,9 +9,11 @@ class Command(MeshCommand):
     tooltip = "Brings the mesh up to date with its part, only where the part changed"
 
     def run(self, document):
-        api.update_mesh(selected_mesh(document))
+        self._mesh = None
+        self._mesh = selected_mesh(document)
+        api.update_mesh(self._mesh)
 
     def failed(self, document, error):
-        mesh = selected_mesh(document)
-        mesh.Proxy.fail(mesh, error)   # putting the document back took this away, too
+        if self._mesh is not None:
+            self._mesh.Proxy.fail(self._mesh, error)   # putting the document back took this away, too
         super().failed(document, error)

@@ -46,12 +46,14 @@ def show_difference(part, found):
 
 
 class _Window(QtGui.QDialog):
+    """Closes with its part."""
 
     def __init__(self, title, header, note, part):
         super().__init__(Gui.getMainWindow())
-        self._part = part
+        self._part, self._document = part, part.Document
         self._before = []   # what was visible before the part was shown for a selection
-        self.finished.connect(lambda _: restore(self._before))
+        FreeCAD.addDocumentObserver(self)
+        self.finished.connect(lambda _: self._end())
         self.first_changed = None
         self.setWindowTitle(title)
         self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
@@ -77,6 +79,20 @@ class _Window(QtGui.QDialog):
             self.tree.scrollToItem(self.first_changed)
         self.show()
         return self
+
+    # FreeCAD's document observer
+
+    def slotDeletedObject(self, obj):
+        if obj is self._part:
+            self.close()
+
+    def slotDeletedDocument(self, document):
+        if document is self._document:
+            self.close()
+
+    def _end(self):
+        FreeCAD.removeDocumentObserver(self)
+        restore(self._before)
 
     def _select(self):
         Gui.Selection.clearSelection()
