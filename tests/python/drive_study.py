@@ -3,6 +3,7 @@
 import hashlib
 import os
 import sys
+import tempfile
 from pathlib import Path
 from unittest import mock
 
@@ -183,11 +184,32 @@ def check_report(study, results):
     path = opened.call_args[0][0].toLocalFile()
     page = Path(path).read_text(encoding="utf-8")
     assert page.count("data:image/png;base64,") == 4 and "Pareto" in page
+    with tempfile.TemporaryDirectory() as folder:
+        with mock.patch.object(QtGui.QFileDialog, "getSaveFileName", return_value=(os.path.join(folder, "of 12.5 mm"), "JSON (*.json)")):
+            click(results.export_button)
+        assert os.listdir(folder) == ["of 12.5 mm.json"], (os.listdir(folder), window.messages)
     results.close()
+
+
+def check_bounds_of_a_script(study):
+    """They have more digits than the panel shows, and stay what they are when something else is changed."""
+    before = study.Parameters
+    study.Parameters = ["Fillet.Radius=2.70000012:3.3"]
+    study.ViewObject.doubleClicked()
+    spin()
+    shown = panel("StudyPanel")
+    assert shown.dimensions.item_of("Fillet.Radius").text(1) == "2.7 : 3.3"
+    tick(shown, "Boss.Length")
+    assert "Fillet.Radius=2.70000012:3.3" in study.Parameters and len(study.Parameters) == 2, study.Parameters
+    tick(shown, "Boss.Length")
+    shown.reject()
+    study.Parameters = before
+    spin()
 
 
 def check_settings(document, study):
     """Double click in the tree; a range that is typed, a response at a face that is clicked, nothing ticked."""
+    check_bounds_of_a_script(study)
     study.ViewObject.doubleClicked()
     spin()
     shown = panel("StudyPanel")

@@ -10,6 +10,7 @@ from ..study import design
 
 translate = FreeCAD.Qt.translate
 _NAME, _RANGE = range(2)
+_RANGE_IN_WORDS = "%.6g : %.6g"
 
 
 class DimensionList(QtGui.QTreeWidget):
@@ -50,7 +51,7 @@ class DimensionList(QtGui.QTreeWidget):
         for target, item in self._items.items():
             if item.checkState(_NAME) == QtCore.Qt.Checked:
                 try:
-                    low, high = map(float, item.text(_RANGE).replace(",", ".").split(":"))
+                    low, high = self._range_of(item)
                 except ValueError:
                     raise UserError(said("the range of {target:text} has to be two numbers, such as 3 : 5", target=target)) from None
                 if not low < high:
@@ -88,8 +89,17 @@ class DimensionList(QtGui.QTreeWidget):
         self._groups[owner.Name].addChild(item)
 
     @staticmethod
+    def _range_of(item):
+        """What was shown counts as long as nothing else is typed: the text is rounded. Throws ValueError."""
+        shown = item.data(_RANGE, QtCore.Qt.UserRole)
+        if shown and item.text(_RANGE) == _RANGE_IN_WORDS % tuple(shown):
+            return shown
+        return map(float, item.text(_RANGE).replace(",", ".").split(":"))
+
+    @staticmethod
     def _show_range(item, bounds):
-        item.setText(_RANGE, "%.6g : %.6g" % tuple(bounds))
+        item.setData(_RANGE, QtCore.Qt.UserRole, [float(bound) for bound in bounds])
+        item.setText(_RANGE, _RANGE_IN_WORDS % tuple(bounds))
         item.setToolTip(_RANGE, item.text(_RANGE))
 
     def _took(self, item, column):

@@ -201,12 +201,12 @@ class StudyWindow(QtGui.QDialog):
         self.note.setText(translate("FeatureMesh", "The report is %s") % path)
 
     def _export(self):
-        path, _ = QtGui.QFileDialog.getSaveFileName(self, translate("FeatureMesh", "Save table"), os.path.join(self.study.Folder, "cases.csv"),
-                                                    "CSV (*.csv);;JSON (*.json)")
+        path, kind = QtGui.QFileDialog.getSaveFileName(self, translate("FeatureMesh", "Save table"), os.path.join(self.study.Folder, "cases.csv"),
+                                                       "CSV (*.csv);;JSON (*.json)")
         if path:
             folder = StudyFolder(self.study.Folder)
             try:
-                table.write(folder, path if os.path.splitext(path)[1] else path + ".csv")
+                table.write(folder, path if os.path.splitext(path)[1] in (".csv", ".json") else path + (".json" if kind.startswith("JSON") else ".csv"))
             except UserError as error:
                 errors.show(error)
             finally:
