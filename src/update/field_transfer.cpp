@@ -223,6 +223,7 @@ class Transfer {
             const auto nodes = element.node_ids();
             const auto& c = element.corners();
             const double volume = std::abs(signed_volume(c[0], c[1], c[2], c[3]));
+            if (volume == 0) continue;  // no gradient either; other makers' meshes may have such tets
             for (int k = 0; k < 4; ++k) {
                 Barycentric at{};
                 at[k] = 1;
@@ -311,6 +312,7 @@ class Transfer {
         Barycentric place{};
         elements_.visit_around(p, [&](std::int32_t t) {
             const Barycentric l = Element(old_, std::size_t(t)).locate(p);
+            if (!std::all_of(l.begin(), l.end(), [](double x) { return std::isfinite(x); })) return;  // without volume
             const double depth = *std::min_element(l.begin(), l.end());
             if (depth < deepest || (depth == deepest && best >= 0 && t > best) || !(depth > -inside_tolerance)) return;
             deepest = depth, best = t, place = l;

@@ -159,6 +159,26 @@ TEST_CASE("outside the old mesh the nearest point of its boundary counts") {
             REQUIRE(std::abs(found.errors[n] - 1.1 * (after->mesh.points[n].z - 10)) < 1e-9);
 }
 
+TEST_CASE("old tets without volume, which other makers' meshes may have, tell nothing") {
+    MeshOptions coarse, fine;
+    coarse.sizing.size = 3, fine.sizing.size = 2.6;
+    RunContext context;
+    const RawDocument box = PartDocument().box("Part", {0, 0, 0}, {20, 15, 10}).finish();
+    Mesh before = mesh_part(box, coarse, context).part_mesh->mesh;
+    const auto after = mesh_part(box, fine, context, {1000000, 1000000}).part_mesh;
+    std::vector<NodeId> below;
+    for (std::size_t n = 0; n < before.node_count(); ++n)
+        if (before.points[n].z == 0) below.emplace_back(n);
+    REQUIRE(below.size() > 20);
+    for (std::size_t i = 0; i + 3 < below.size(); ++i)
+        before.add_tet({below[i], below[i + 1], below[i + 2], below[i + 3]}, SolidId(std::size_t{0}));
+    const TransferredField found = carried(before, after->mesh, sampled(before, linear));
+    const auto is_finite = [](double x) { return std::isfinite(x); };
+    CHECK(std::all_of(found.values.begin(), found.values.end(), is_finite));
+    CHECK(std::all_of(found.errors.begin(), found.errors.end(), is_finite));
+    CHECK(largest_difference(after->mesh, found, linear, ValueSource::inside) < 1e-11);
+}
+
 TEST_CASE("values go along with a feature that moved, and sizes are checked") {
     const auto boss = [](double x) {
         return PartDocument()
