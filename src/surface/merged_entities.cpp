@@ -409,13 +409,24 @@ void MergedEntities::join_faces(const Brep& brep, const Projector& projector) {
             }
 }
 
-/// Those that only faces without triangles have.
+bool MergedEntities::is_short_spike(const Brep& brep, FaceId face, EdgeId edge) const {
+    const VertexId end = brep.ends_of(edge)[0];
+    if (brep.is_degenerated(edge) || !end.is_valid() ||
+        !featuremesh::is_point(brep, edge, vertex_of[end.index()], tolerance_))
+        return false;
+    const Stretches border = border_of(brep, face);
+    return std::all_of(border.begin(), border.end(),
+                       [&](const auto& use) { return use.first.first != edge_of[edge.index()] || use.second == 2; });
+}
+
+/// Those beside which no face has triangles: the ends of strips, too, that a large face has there and back.
 void MergedEntities::leave_out_bare_edges(const Brep& brep) {
     std::vector<char> has_triangles(brep.edge_count(), 0);  // by edge that has the chain: beside it, or no face is
     for (std::size_t e = 0; e < brep.edge_count(); ++e) {
         const auto faces = brep.faces_of(EdgeId(e));
-        has_triangles[edge_of[e].index()] |=
-            faces.empty() || std::any_of(faces.begin(), faces.end(), [&](FaceId f) { return !is_flat[f.index()]; });
+        has_triangles[edge_of[e].index()] |= faces.empty() || std::any_of(faces.begin(), faces.end(), [&](FaceId f) {
+                                                 return !is_flat[f.index()] && !is_short_spike(brep, f, EdgeId(e));
+                                             });
     }
     for (std::size_t e = 0; e < brep.edge_count(); ++e)
         if (!brep.is_degenerated(EdgeId(e)) && !has_triangles[edge_of[e].index()]) is_point[e] = 1;

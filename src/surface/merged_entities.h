@@ -45,6 +45,8 @@ struct MergedEntities {
     Stretches border_of(const Brep& brep, FaceId face) const;
     void find_flat_faces(const Brep& brep);
     void join_faces(const Brep& brep, const Projector& projector);
+    /// Whether the face's border has the edge, no longer than twice what is ignored, there and back again.
+    bool is_short_spike(const Brep& brep, FaceId face, EdgeId edge) const;
     void leave_out_bare_edges(const Brep& brep);
 
     std::vector<char> is_joined_;  ///< by face: it has no triangles since another lies on it

@@ -106,8 +106,10 @@ class Filling {
             report.slivers_before += one.angles.before;
             left += one.angles.left;
         }
-        for (std::size_t i = 0; i < cavities_.size(); ++i) refuse_hopeless(i);
-        if (left > 0) mend_interfaces(regions_, result_.mesh, is_released_, angles_, context_);
+        if (left > 0) {
+            for (std::size_t i = 0; i < cavities_.size(); ++i) refuse_hopeless(i);
+            mend_interfaces(regions_, result_.mesh, is_released_, angles_, context_);
+        }
         if (options_.moves_kept_nodes)
             report.released_for_shape =
                 relax_interfaces(regions_, result_.mesh, rim_tets_, is_released_, shapes_, context_);
@@ -215,12 +217,11 @@ class Filling {
         return region.has_interface() ? at_least + region.complex.tets.size() / tets_per_insertion : any_number;
     }
 
-    /// More tets without a volume to speak of than new vertices will be tried for.
+    /// More tets without a volume to speak of than new vertices will be tried for. Then other lengths are, or details
+    /// are ignored.
     void refuse_hopeless(std::size_t i) const {
         const TetComplex& complex = regions_[i].complex;
-        const std::size_t most = most_insertions(regions_[i]);
-        if (most == any_number) return;
-        if (count_thin(complex, angles_, context_) <= most) return;
+        if (count_thin(complex, angles_, context_) <= std::min(most_insertions(regions_[i]), most_for_thin)) return;
         if (const auto obstacle = if_thin(cavities_[i], complex)) throw MeshError(obstacle->message);
     }
 
