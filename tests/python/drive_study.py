@@ -12,7 +12,7 @@ import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import window  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
-from window import click, click_button_of, click_in_view, double_click, figures, is_whole, panel, picture, send_key, send_mouse, spin, wait_for  # noqa: E402
+from window import click, click_button_of, click_in_view, double_click, figures, is_whole, panel, picture, report_view, send_key, send_mouse, spin, wait_for  # noqa: E402
 
 LONG = 900   # s, for what a busy machine does in its own time
 
@@ -80,6 +80,9 @@ def check_five_clicks(document):
     assert study.Analysis is document.Analysis and study.Part.TypeId == "PartDesign::Body", (study.Analysis, study.Part)
     assert shown.status.text() == "not run yet" and not shown.results_button.isEnabled() and not shown.bar.isVisible()
     check_width(shown, 0)
+    for button in (shown.run_button, shown.results_button):
+        assert button.visibleRegion().boundingRect().size() == button.size(), button.text()   # without scrolling
+        assert button.mapTo(shown.form, QtCore.QPoint(0, 0)).y() < shown.dimensions.y()
     for target in ("Boss.Length", "Fillet.Radius"):
         item = tick(shown, target)
         clicks += 1
@@ -168,6 +171,16 @@ def check_rows(document, study, results):
     assert document.Fillet.Radius.Value == 3
 
 
+def check_is_left(shown):
+    """The panel that the case closed hears of no selection any longer, nor of the time."""
+    assert not Gui.Control.activeDialog()
+    Gui.Selection.addSelection(FreeCAD.ActiveDocument.Body)
+    Gui.Selection.clearSelection()
+    spin(1)
+    assert "already deleted" not in report_view(), report_view()
+    assert not shown._timer.isActive()
+
+
 def check_live(live, case):
     """The window's result is that of the case."""
     from freecad.featuremesh import live_result
@@ -217,8 +230,10 @@ def check_settings(document, study):
     assert item.checkState(0) == QtCore.Qt.Checked and item.text(1) == "2.7 : 3.3"
     type_range(shown, item, "2.7 : 5")
     assert "Fillet.Radius=2.7:5.0" in study.Parameters, study.Parameters
+    place = shown.dimensions.y()
     type_range(shown, item, "2.7 : x")
-    assert "two numbers" in shown.status.text() and "Fillet.Radius=2.7:5.0" in study.Parameters
+    assert shown.dimensions.y() == place   # nothing moves under the mouse
+    assert "two numbers" in shown.status.text() and "Fillet.Radius=2.7:5.0" in study.Parameters, (shown.status.text(), study.Parameters)
     type_range(shown, item, "2.7 : 5")
     for name in ("Live", "FeatureMesh"):
         obj = document.getObject(name)
@@ -283,6 +298,7 @@ def drive():
     shown, study, results = check_five_clicks(document)
     check_plots(study, results)
     check_rows(document, study, results)
+    check_is_left(shown)
     check_report(study, results)
     check_stop(check_settings(document, study), study)
 

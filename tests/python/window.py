@@ -101,6 +101,14 @@ def send_mouse(widget, place, *kinds):
     spin()
 
 
+def turn_wheel(widget):
+    """One step of the mouse's wheel, up, over the middle of a widget."""
+    place = widget.rect().center()
+    QtGui.QApplication.postEvent(widget, QtGui.QWheelEvent(QtCore.QPointF(place), QtCore.QPointF(widget.mapToGlobal(place)), QtCore.QPoint(), QtCore.QPoint(0, 120),
+                                                           QtCore.Qt.NoButton, QtCore.Qt.NoModifier, QtCore.Qt.NoScrollPhase, False))
+    spin(0.1)
+
+
 def type_into(widget, text):
     """Types a text in place of the one that a widget has, and leaves it by the Tab key; Enter would press OK."""
     send_key(widget, QtCore.Qt.Key_A, QtCore.Qt.ControlModifier)
@@ -178,6 +186,12 @@ def answer_with(text, seen):
     timer.timeout.connect(look)
     timer.start(50)
     return timer
+
+
+def report_view():
+    """What FreeCAD's report view has."""
+    return next(view.toPlainText() for view in Gui.getMainWindow().findChildren(QtGui.QTextEdit) if view.objectName() == "Report view"
+                or "Report" in type(view).__name__ or "Report" in (view.parent().objectName() if view.parent() else ""))
 
 
 def texts_of(action):

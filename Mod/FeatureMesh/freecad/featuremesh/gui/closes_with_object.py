@@ -10,12 +10,13 @@ class ClosesWithObject:
     """A document observer that closes its task panel when the object that it shows is deleted, or the object's document is closed."""
 
     def end(self):
-        """Leaves everything that the panel follows; may be called twice."""
+        """Leaves everything that the panel follows; may be called twice, also when the form is gone."""
         raise NotImplementedError
 
     def watch(self, obj):
         self._watched, self._document = obj, obj.Document
         FreeCAD.addDocumentObserver(self)
+        self.form.destroyed.connect(lambda: self.end())   # others close panels, too, without a word to them
 
     def unwatch(self):
         FreeCAD.removeDocumentObserver(self)

@@ -9,7 +9,7 @@ from .. import mesh_object, view_provider, versions
 from ..errors import UserError
 from ..messages import of_error
 from ..user_words import in_words
-from . import narrow, showing
+from . import narrow, showing, wheel
 from .closes_with_object import ClosesWithObject
 from .cut_box import CutBox
 
@@ -30,7 +30,7 @@ class OverlayPanel(ClosesWithObject):
         self.note = QtGui.QLabel()
         self.note.setWordWrap(True)
         self.cut = CutBox(self.draw)
-        self._later = QtCore.QTimer(self.form)
+        self._later = QtCore.QTimer()
         self._later.setSingleShot(True)
         self._later.timeout.connect(self.refresh)
 
@@ -38,6 +38,7 @@ class OverlayPanel(ClosesWithObject):
         """To be called when the panel's own widgets are there. Throws UserError when there is nothing to show."""
         self.layout.addWidget(self.cut)
         self.layout.addWidget(self.note)
+        wheel.scrolls(self.form)
         self.overlay = self.make_overlay()
         Gui.Selection.clearSelection()   # what is selected is drawn in one colour
         self._seen_before = showing.show_elements(self.mesh)

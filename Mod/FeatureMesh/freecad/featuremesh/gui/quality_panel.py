@@ -45,7 +45,7 @@ class QualityPanel(OverlayPanel):
         hint = QtGui.QLabel(translate("FeatureMesh", "The worst elements, click to see:"))
         for label in (self.summary, hint):
             label.setWordWrap(True)
-        self.worst.setMaximumHeight(130)
+        self.worst.setMaximumHeight(100)   # all of the panel is seen in a window of 1280 x 800
         self.worst.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
         limits = QtGui.QFormLayout()
         limits.addRow(self.measure)
@@ -154,7 +154,7 @@ class Histogram(QtGui.QWidget):
     def __init__(self):
         super().__init__()
         self.setObjectName("histogram")
-        self.setMinimumHeight(120)
+        self.setMinimumHeight(90)
         self.counts, self._colours, self._edges, self._digits = [], [], np.zeros(1), 0
         self.setToolTip(translate("FeatureMesh", "How many elements have which value of the measure"))
 

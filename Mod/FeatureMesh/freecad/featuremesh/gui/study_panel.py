@@ -9,7 +9,7 @@ from .. import user_words, view_provider, versions
 from ..errors import UserError
 from ..messages import of_error, said
 from ..study import design, response_words, study_object, window_run
-from . import errors, narrow, study_runs
+from . import errors, narrow, study_runs, wheel
 from .closes_with_object import ClosesWithObject
 from .dimension_list import DimensionList
 
@@ -42,6 +42,7 @@ _GIVEN_BY = {None: (), "static": ("mass", *_STATICS), "thermomech": ("mass", "ma
              "frequency": ("mass", "frequency_1"), "buckling": ("mass", "buckling_factor_1")}   # beside how much of the part there is
 _AT_A_PLACE = ("max_mises", "max_principal", "max_displacement")
 _LOOK_EVERY = 500   # ms
+_STATUS_LINES = 3
 
 
 class StudyPanel(ClosesWithObject):
@@ -64,11 +65,12 @@ class StudyPanel(ClosesWithObject):
         self.run_button, self.go_on_button = QtGui.QPushButton(), QtGui.QPushButton(translate("FeatureMesh", "Go on"))
         self.results_button = QtGui.QPushButton(translate("FeatureMesh", "Results"))
         self._lay_out()
+        wheel.scrolls(self.form)
         self.responses.itemChanged.connect(lambda _: self._take())
         self.run_button.clicked.connect(self._press)
         self.go_on_button.clicked.connect(self._go_on)
         self.results_button.clicked.connect(self.show_results)
-        self._timer = QtCore.QTimer(self.form)
+        self._timer = QtCore.QTimer()
         self._timer.timeout.connect(self.refresh)
         self._timer.start(_LOOK_EVERY)
         Gui.Selection.addObserver(self)
@@ -164,6 +166,7 @@ class StudyPanel(ClosesWithObject):
     def _lay_out(self):
         layout = QtGui.QVBoxLayout(self.form)
         narrow.margins(layout)
+        self._lay_out_run(layout)
         hint = QtGui.QLabel(translate("FeatureMesh", "Tick what is to vary. A click on a sketch, a feature or a face shows its dimensions."))
         hint.setWordWrap(True)
         for widget in (hint, self.dimensions, QtGui.QLabel(translate("FeatureMesh", "What each case is to tell:")), self.responses):
@@ -173,16 +176,23 @@ class StudyPanel(ClosesWithObject):
         form.addRow(translate("FeatureMesh", "Chosen"), self.sampling)
         form.addRow(translate("FeatureMesh", "Solver"), self.solver)
         form.addRow(translate("FeatureMesh", "At once"), self.jobs)
-        buttons = QtGui.QHBoxLayout()
-        for button in (self.run_button, self.go_on_button):
-            buttons.addWidget(button)
         for widget in (self.at, self.at_button):
             layout.addWidget(widget)
             widget.setVisible(self._kind in ("static", "thermomech"))
         layout.addLayout(form)
-        layout.addLayout(buttons)
-        layout.addWidget(self.results_button)
-        layout.addWidget(self.bar)
+
+    def _lay_out_run(self, layout):
+        """On top, where it is seen in a small window, too; nothing below moves when parts of it come and go."""
+        for widgets in ((self.run_button, self.results_button), (self.go_on_button, self.bar)):
+            row = QtGui.QHBoxLayout()
+            for widget in widgets:
+                policy = widget.sizePolicy()
+                policy.setRetainSizeWhenHidden(True)
+                widget.setSizePolicy(policy)
+                row.addWidget(widget)
+            layout.addLayout(row)
+        self.status.setMinimumHeight(_STATUS_LINES * self.status.fontMetrics().lineSpacing())
+        self.status.setAlignment(QtCore.Qt.AlignTop)
         layout.addWidget(self.status)
 
     def _in_words(self, run, running, done, total, left):

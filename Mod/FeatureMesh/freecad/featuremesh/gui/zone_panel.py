@@ -7,7 +7,7 @@ from PySide import QtGui
 
 from .. import api, size_zone, versions
 from ..view_provider import drawn_icon
-from . import errors, showing
+from . import errors, showing, wheel
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -31,6 +31,7 @@ class ZonePanel:
         self.form.setWindowTitle(zone.Label)
         self.form.setWindowIcon(drawn_icon("FeatureMesh_AddSizeZone"))
         self._build()
+        wheel.scrolls(self.form)
         self._show_rows()
 
     def _build(self):

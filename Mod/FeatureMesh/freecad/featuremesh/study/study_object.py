@@ -77,6 +77,7 @@ def add(part, analysis=None):
     StudyObject(obj)
     obj.Part, obj.Analysis = part, analysis
     obj.Responses = USUAL_RESPONSES.get(kind_of(analysis), [extent_of(part)])
+    obj.purgeTouched()
     return obj
 
 
