@@ -244,6 +244,23 @@ def check_cancel(document, live_panel, live):
     assert abs(live.MaxMises / before - 2) < 1e-3, (live.MaxMises, before)
 
 
+def check_analysis_deleted(document, live):
+    """Deleted while it is solved: that is said, and undo solves again."""
+    from freecad.featuremesh import live_result
+    from freecad.featuremesh.gui import live_runner
+    document.Force.Force = document.Force.Force * 0.5
+    document.recompute()
+    wait_for(lambda: live_runner.run_of(live) is not None and live_runner.run_of(live).running is not None, 20)
+    document.openTransaction("Delete")
+    document.removeObject("Analysis")
+    document.commitTransaction()
+    wait_for(lambda: live.Status.startswith("failed"), 60)
+    assert "belongs to no analysis" in live.Status, live.Status
+    Gui.runCommand("Std_Undo")
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE, 60)
+    assert live.Result in document.Analysis.Group, [obj.Name for obj in document.Analysis.Group]
+
+
 def check_free_motion(document, live_panel, live):
     """A support that is missing is said with the motion, and the motion is drawn."""
     from freecad.featuremesh import live_result
@@ -367,16 +384,18 @@ def drive():
     old = document.addObject("Fem::FemMeshObject", "OldResultMesh")   # as of a solution before
     old.FemMesh = mesh.FemMesh
     Gui.runCommand("FeatureMesh_LiveResult")
-    assert not old.ViewObject.Visibility
-    document.removeObject(old.Name)
     spin()
     shown = panel("LivePanel")
+    assert mesh.ViewObject.Visibility != bool(shown.view.drawn)   # there is something to see until there is a result
     live = check_command(document, shown, mesh)
+    assert not old.ViewObject.Visibility
+    document.removeObject(old.Name)
     check_settings(shown, live)
     check_edit(document, shown, live)
     check_load_after_mesh(document, live, mesh)
     check_edits_on_the_way(document, live, mesh)
     check_cancel(document, shown, live)
+    check_analysis_deleted(document, live)
     check_free_motion(document, shown, live)
     check_ten_nodes(document, shown, live, mesh)
     check_freecads_own(document, shown, live)

@@ -12,7 +12,7 @@ import FreeCADGui as Gui  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
 from PySide import QtGui  # noqa: E402
-from window import answer_with, button_in_panel, click, click_in_panel, figures, is_whole, panel, picture, spin, type_into, wait_for  # noqa: E402
+from window import answer_with, button_in_panel, click, click_in_panel, figures, is_whole, panel, picture, report_view, spin, turn_wheel, type_into, wait_for  # noqa: E402
 
 
 def names(document):
@@ -44,6 +44,7 @@ def check_cancel(document, sketch):
     assert settings.min_automatic.isChecked() and not settings.min_size.isVisible() and not settings.working.isVisible()
     assert settings.status.text() == "Status: not meshed yet", settings.status.text()
     picture("panel_new")
+    check_in_sight(settings)
     check_width(settings)
     click_in_panel("Cancel")
     assert names(document) == before and document.UndoCount == steps and not document.HasPendingTransaction
@@ -190,6 +191,76 @@ def check_details(mesh):
         click_in_panel("Ok")
         wait_for(lambda: not Gui.Control.activeDialog())
         assert (mesh.IgnoreBelow.Value, mesh.Status) == (wanted, "up to date"), mesh.IgnoreBelow
+
+
+def fields_of(settings):
+    """What the fields show."""
+    return (round(settings.size.property("rawValue"), 6), settings.min_automatic.isChecked(), settings.order.currentIndex(), settings.dimension.currentIndex(),
+            settings.per_circle.value(), settings.across_gap.value(), settings.growth.value(), settings.details.currentText(), settings.automatic.isChecked())
+
+
+def check_undo_while_open(document, mesh):
+    """Undo and redo change the fields of the open panel, too, so that the next Apply does not bring back what was undone."""
+    mesh.ViewObject.doubleClicked()
+    spin()
+    settings = panel("MeshPanel")
+    before, count = fields_of(settings), mesh.TetCount
+    type_into(settings.size, "5 mm")
+    click(settings.min_automatic)
+    for chooser, index in ((settings.order, 0 if mesh.Order == "2nd" else 1), (settings.dimension, 1), (settings.details, 2)):
+        chooser.setCurrentIndex(index)
+    for widget, text in ((settings.per_circle, "10"), (settings.across_gap, "1"), (settings.growth, "1.4")):
+        type_into(widget, text)
+    click(settings.automatic)
+    after = fields_of(settings)
+    assert all(one != other for one, other in zip(before, after)), (before, after)
+    click_in_panel("Apply")
+    wait_for(lambda: settings.running is None)
+    changed = mesh.TetCount
+    for _ in range(2):   # the mesh, then the settings
+        Gui.runCommand("Std_Undo")
+        spin()
+    assert fields_of(settings) == before and mesh.TetCount == count, (before, fields_of(settings))
+    wait_for(lambda: settings.status.text() == "Status: up to date")
+    for _ in range(2):
+        Gui.runCommand("Std_Redo")
+        spin()
+    assert fields_of(settings) == after and mesh.TetCount == changed, (after, fields_of(settings))
+    for _ in range(2):
+        Gui.runCommand("Std_Undo")
+        spin()
+    mesh.Growth = 1.333   # in the property editor; more digits than the field shows
+    wait_for(lambda: settings.growth.text() == "1.33")
+    assert "settings changed" in settings.status.text(), settings.status.text()
+    settings.growth.setValue(1.3)
+    click_in_panel("Ok")
+    wait_for(lambda: not Gui.Control.activeDialog())
+    assert (mesh.Size.Value, mesh.MinSize.Value, mesh.Growth, mesh.TetCount) == (6.0, 0.6, 1.3, count), (mesh.Size, mesh.MinSize, mesh.Growth)
+
+
+def check_wheel(mesh):
+    """The wheel over a field scrolls the panel and changes no setting, until the field is clicked."""
+    mesh.ViewObject.doubleClicked()
+    spin()
+    settings = panel("MeshPanel")
+    settings.full_button.setFocus()
+    before = fields_of(settings)
+    for widget in (settings.size, settings.dimension, settings.order, settings.per_circle, settings.across_gap, settings.growth, settings.details):
+        turn_wheel(widget)
+        assert fields_of(settings) == before and not widget.hasFocus(), (before, fields_of(settings))
+    with mock.patch.object(settings.growth, "hasFocus", lambda: True):   # without a window manager no window gets the focus
+        turn_wheel(settings.growth)
+    assert settings.growth.value() > before[6], settings.growth.value()
+    click_in_panel("Cancel")
+
+
+def check_in_sight(settings):
+    """How many elements come out, how far the mesher is, *Stop* and the status are above what few people change, for where there is little room."""
+    settings.working.show()
+    spin()
+    for widget in (settings.estimate, settings.working, settings.status):
+        assert settings.size.y() < widget.y() < settings.per_circle.y(), (widget, widget.y(), settings.per_circle.y())
+    settings.working.hide()
 
 
 def check_units(mesh):
@@ -394,11 +465,6 @@ def check_groups(document, body, mesh):
     document.recompute()
 
 
-def report_view():
-    return next(view.toPlainText() for view in Gui.getMainWindow().findChildren(QtGui.QTextEdit) if view.objectName() == "Report view"
-                or "Report" in type(view).__name__ or "Report" in (view.parent().objectName() if view.parent() else ""))
-
-
 def check_report_view(document, mesh):
     """A failed recompute is one sentence without lines of code; a warning that the last mesh had, too, is not said again."""
     before = len(report_view())
@@ -482,12 +548,15 @@ def drive():
     check_edit_while_open(document, body)
     mesh = check_apply_and_ok(document, body)
     check_details(mesh)
+    check_undo_while_open(document, mesh)
+    check_wheel(mesh)
     check_units(mesh)
     check_numbers(mesh)
     check_without_part(mesh)
     check_question(document, body, mesh)
     check_errors(document, body)
     check_report_view(document, mesh)
+    document.clearUndos()   # FreeCAD counts no more than twenty steps
     check_groups(document, body, mesh)
     check_solving(document, body, mesh)
     check_shown()

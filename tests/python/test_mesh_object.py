@@ -215,8 +215,10 @@ class MeshObject(MeshedPlate):
 
     def test_parts_that_are_missing_or_in_error(self):
         setattr(self.mesh, versions.part_property(self.mesh), None)
-        with self.assertRaisesRegex(UserError, "no part"):
-            api.update_mesh(self.mesh)
+        for work in (lambda: api.update_mesh(self.mesh), lambda: api.add_local_size(self.mesh, [(self.body, "Face1")]), lambda: api.add_group(self.mesh, [(self.body, "Face1")]),
+                     lambda: api.add_size_zone(self.mesh), lambda: api.estimate_tets(self.mesh)):
+            with self.assertRaisesRegex(UserError, "has no part to mesh, set its property"):
+                work()
         setattr(self.mesh, versions.part_property(self.mesh), self.body)
         api.update_mesh(self.mesh)
         self.document.getObject("Plate").Length = 0

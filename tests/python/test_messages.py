@@ -109,9 +109,10 @@ class Messages(unittest.TestCase):
         volume = messages.said("volume {old:volume} at {place:point}", old=16387.064, place=[25.4, 0.0, -2.54])
         FreeCAD.Units.setSchema(3)   # inches with decimals
         self.addCleanup(FreeCAD.Units.setSchema, 0)
-        self.assertEqual(user_words.in_words(TOO_LARGE), "The mesh size of 10.00 in is larger than the part, which is 2.00 in x 1.00 in x 0.50 in. "
+        self.assertEqual(user_words.in_words(TOO_LARGE), "The mesh size of 10 in is larger than the part, which is 2 in x 1 in x 0.5 in. "
                                                        "Ask for a smaller size.")
-        self.assertEqual(user_words.in_words(volume), "volume 1.00 in^3 at (1.00 in, 0.00 in, -0.10 in)")
+        self.assertEqual(user_words.in_words(volume), "volume 1 in^3 at (1 in, 0 in, -0.1 in)")
+        self.assertEqual(user_words.in_words("shorter than 0.0412 mm"), "shorter than 0.001622 in")   # which FreeCAD itself shows as 0.00 in
         self.assertIn("254 mm", messages.english(TOO_LARGE))
 
     def test_knows_what_it_is_about(self):
@@ -168,8 +169,17 @@ class Messages(unittest.TestCase):
         FreeCAD.Units.setSchema(3)
         self.addCleanup(FreeCAD.Units.setSchema, 0)
         self.assertEqual([user_words.in_words(text) for text in said], [
-            "The size of 10.00 in is larger than 2.00 in x 1.00 in x -0.50 in.", "volume 1.00 in^3 -> 2.00 in^3", "Face2 has 3 edges, Edge12 mm",
-            "node 7 at (1.00 in, 0.00 in, -0.10 in)"])
+            "The size of 10 in is larger than 2 in x 1 in x -0.5 in.", "volume 1 in^3 -> 2 in^3", "Face2 has 3 edges, Edge12 mm",
+            "node 7 at (1 in, 0 in, -0.1 in)"])
+
+    def test_figures_have_the_users_units(self):
+        self.addCleanup(FreeCAD.Units.setSchema, 0)
+        for schema, mpa, mm in ((0, (1.0, "MPa"), (1.0, "mm")), (3, (0.006894757, "psi"), (25.4, "in")), (4, (1.0, "MPa"), (10.0, "cm"))):
+            FreeCAD.Units.setSchema(schema)
+            for unit, wanted in (("MPa", mpa), ("mm", mm)):
+                one, name = user_words.unit_of(unit)
+                self.assertEqual(name, wanted[1], schema)
+                self.assertAlmostEqual(one / wanted[0], 1, 5)
 
     def test_sentences_of_older_documents_stay(self):
         self.assertEqual(user_words.in_words("meshed from scratch: 100 % new {words}"), "meshed from scratch: 100 % new {words}")

@@ -426,7 +426,7 @@ def find_analysis(document, name=None):
         raise UserError(said("the document {document:text} has no analysis{name:text}; add one in FreeCAD's FEM workbench",
                              document=document.Label, name=" " + name if name else ""))
     if len(found) > 1:
-        raise UserError(said("the document has several analyses, name one with --analysis: {analyses:text}",
+        raise UserError(said("the document has several analyses, select one (in the console, name it with --analysis): {analyses:text}",
                              analyses=", ".join(reading.describe(obj) for obj in found)))
     return found[0]
 

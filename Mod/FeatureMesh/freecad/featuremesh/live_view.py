@@ -7,6 +7,7 @@ from pivy import coin
 
 from . import live_overlay, live_result, view_provider
 from .element_view import ElementView
+from .gui import showing
 from .gui.edited_in_panel import EditedInPanel
 from .waiting import let_the_window_live
 
@@ -47,6 +48,7 @@ class ViewLiveResult(EditedInPanel):
         self._elements = None
         self._drawn = None
         self._drawn_from = ()   # what was drawn last
+        self._is_to_be_alone = False
         view.addDisplayMode(coin.SoGroup(), _MODE)
 
     def getDisplayModes(self, view):
@@ -90,6 +92,16 @@ class ViewLiveResult(EditedInPanel):
         """The live_overlay.FieldOverlay on the screen, None where there is nothing to draw."""
         return self._drawn
 
+    def show_alone(self, live):
+        """Hides what covers it as soon as there is something to see of it; until then the mesh is better than nothing."""
+        live.ViewObject.Visibility = self._is_to_be_alone = True
+        self._uncover(live)
+
+    def _uncover(self, live):
+        if self._is_to_be_alone and self._drawn is not None:
+            self._is_to_be_alone = False
+            showing.show_result(live)
+
     def draw(self, live):
         """Draws the solution as the settings say, or how the part can move where that is why there is none."""
         if not hasattr(live.Proxy, "solution"):
@@ -101,6 +113,7 @@ class ViewLiveResult(EditedInPanel):
             self._elements.end()
             return
         self._elements.show(self._drawn, self.settings.plane)
+        self._uncover(live)
         row = self._drawn.largest()
         self._elements.mark(self._drawn.points[[row]] if row is not None else (), (), _MARK)
 

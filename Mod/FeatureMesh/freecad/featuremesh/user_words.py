@@ -25,7 +25,12 @@ def in_words(message):
 
 def in_users_units(text):
     """The same text with its lengths, areas and volumes (mm, mm^2, mm^3) in the user's units."""
-    return text if FreeCAD.Units.getSchema() in _IN_MM else _QUANTITY.sub(_converted, text)
+    return text if are_lengths_in_mm() else _QUANTITY.sub(_converted, text)
+
+
+def are_lengths_in_mm():
+    """Does the user see lengths in mm?"""
+    return FreeCAD.Units.getSchema() in _IN_MM
 
 
 def as_shown(numbers):
@@ -33,9 +38,22 @@ def as_shown(numbers):
     return _DECIMAL.sub(r"\1,\2", numbers) if "," in FreeCAD.Units.Quantity("0.5 mm").UserString else numbers
 
 
+def unit_of(unit):
+    """(how many of `unit` is one of the user's, what that is called)."""
+    one = FreeCAD.Units.Quantity("1 " + unit)
+    _, factor, name = one.getUserPreferred()
+    if are_lengths_in_mm() or "*" in name:   # a unit that nobody reads, such as kg/(mm*s^2)
+        return 1.0, unit
+    return factor / one.Value, name
+
+
 def _converted(found):
     def shown(number):
-        return FreeCAD.Units.Quantity("%s %s" % (number.group(), found.group("unit"))).UserString
+        _, factor, name = quantity(number.group()).getUserPreferred()
+        return "%.5g %s" % (quantity(number.group()).Value / factor, name)   # FreeCAD itself would show 0.04 mm as 0.00 in
+
+    def quantity(number):
+        return FreeCAD.Units.Quantity("%s %s" % (number, found.group("unit")))
     return re.sub(_NUMBER, shown, found.group("numbers"))
 
 

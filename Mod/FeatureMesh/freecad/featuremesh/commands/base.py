@@ -7,7 +7,9 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from .. import api, assembled, reading, resolving, versions
+from ..errors import UserError
 from ..gui.undo import undo_step
+from ..messages import said
 from ..mesh_object import is_feature_mesh
 from ..view_provider import icon
 
@@ -50,14 +52,28 @@ class MeshCommand:
     def failed(self, document, error):
         """Shows what went wrong, after the document was put back as it was."""
         from ..gui import errors
-        meshes = api.meshes_of(document)
-        errors.show(error, versions.part_of(selected_mesh(document)) if len(meshes) == 1 else None)
+        meshes = _selected_meshes(document) or api.meshes_of(document)
+        errors.show(error, versions.part_of(meshes[0]) if len(meshes) == 1 else None)
 
 
 def selected_mesh(document):
-    """The selected mesh object, or the only one of the document. Throws UserError."""
-    meshes = [obj for obj in Gui.Selection.getSelection(document.Name) if is_feature_mesh(obj)]
+    """The selected mesh object, else that of a selected part, or the only one of the document. Throws UserError."""
+    meshes = _selected_meshes(document)
     return meshes[0] if meshes else api.find_mesh(document)
+
+
+def _selected_meshes(document):
+    """The selected mesh objects; where there are none the mesh of what else is selected, such as a face, if that has just one."""
+    selected = [obj for obj in Gui.Selection.getSelection(document.Name) if not _has_no_part(obj)]
+    chosen = [obj for obj in selected if is_feature_mesh(obj)]
+    parts = list(map(_part_of, selected))
+    of_parts = [mesh for mesh in api.meshes_of(document) if any(is_mesh_of(mesh, part) for part in parts)]
+    return chosen or (of_parts if len(of_parts) == 1 else [])
+
+
+def is_mesh_of(mesh, part):
+    """Is it the mesh of that part, or of the container or link in which it is shown?"""
+    return versions.part_of(mesh) is part or assembled.shows(versions.part_of(mesh), part)
 
 
 def chosen(document, mesh):
@@ -81,13 +97,16 @@ def selected_part(document):
                if step.isDerivedFrom("App::Link")]
     if through:
         return through[0]
-    selected = [obj for obj in Gui.Selection.getSelection(document.Name) if not _is_of_fem(obj)]
-    return reading.find_meshable(document, _part_of(selected[0]).Name if selected else None)
+    selected = [_part_of(obj) for obj in Gui.Selection.getSelection(document.Name) if not _has_no_part(obj)]
+    if len(set(selected)) > 1:
+        raise UserError(said("several parts are selected, select one, or the container of those to mesh: {parts:text}",
+                             parts=", ".join(map(reading.describe, dict.fromkeys(selected)))))
+    return reading.find_meshable(document, selected[0].Name if selected else None)
 
 
 def only_shown_part(document):
     """Where nothing that has to do with a part is selected, the one of the parts that is shown; else None."""
-    if any(not _is_of_fem(obj) for obj in Gui.Selection.getSelection(document.Name)):
+    if any(not _has_no_part(obj) for obj in Gui.Selection.getSelection(document.Name)):
         return None
     shown = [part for part in reading.final_parts(document) if part.ViewObject.Visibility]
     return shown[0] if len(shown) == 1 else None
@@ -95,7 +114,7 @@ def only_shown_part(document):
 
 def selected_container(document):
     """The selected App::Part, group or assembly, None where another thing is selected."""
-    selected = [obj for obj in Gui.Selection.getSelection(document.Name) if not _is_of_fem(obj)]
+    selected = [obj for obj in Gui.Selection.getSelection(document.Name) if not _has_no_part(obj)]
     return selected[0] if selected and assembled.is_container(selected[0]) else None
 
 
@@ -104,11 +123,10 @@ def _as_clicked(document):
     return Gui.Selection.getSelectionEx(document.Name, 0)
 
 
-def _is_of_fem(obj):
-    return not is_feature_mesh(obj) and any(obj.isDerivedFrom(kind) for kind in _OF_FEM)
-
-
-_OF_FEM = ("Fem::FemAnalysis", "Fem::FemMeshObject", "Fem::Constraint", "Fem::FemSolverObject", "Fem::FemResultObject", "App::MaterialObject")
+def _has_no_part(obj):
+    """Has a selected object nothing to do with a part: a load, a group of a mesh, a result, a study, a spreadsheet?"""
+    may_hold_parts = assembled.is_to_be_shown(obj) and not obj.isDerivedFrom("Fem::FemAnalysis")
+    return not (hasattr(obj, "Shape") or is_feature_mesh(obj) or may_hold_parts)
 
 
 def _part_of(obj):

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+import FemGui
 import FreeCADGui as Gui
 
 from .. import api, statics
@@ -15,10 +16,13 @@ class Command(MeshCommand):
 
     def run(self, document):
         from ..gui.live_panel import LivePanel
-        from ..gui.showing import what_covers
-        chosen = [obj.Name for obj in Gui.Selection.getSelection(document.Name) if obj.isDerivedFrom("Fem::FemAnalysis")]
-        live = api.live_result(api.find_analysis(document, *chosen[:1]))
-        mesh = statics.mesh_of(live.Proxy.analysis(live))
-        for obj in (mesh, *what_covers(mesh)):
-            obj.ViewObject.Visibility = obj is live   # all others would hide the deformed part
+        live = api.live_result(_chosen_analysis(document) or api.find_analysis(document))
+        statics.mesh_of(live.Proxy.analysis(live))   # throws where there is none
         Gui.Control.showDialog(LivePanel(live))
+
+
+def _chosen_analysis(document):
+    """The selected analysis, else FEM's active one; None where there is neither."""
+    chosen = [obj for obj in Gui.Selection.getSelection(document.Name) if obj.isDerivedFrom("Fem::FemAnalysis")]
+    active = FemGui.getActiveAnalysis()
+    return chosen[0] if chosen else active if active is not None and active.Document is document else None

@@ -16,7 +16,15 @@ class Command(MeshCommand):
 
     def run(self, document):
         from ..gui.study_panel import StudyPanel
-        chosen = [obj for obj in Gui.Selection.getSelection(document.Name) if study_object.is_study(obj)]
-        known = chosen or [obj for obj in document.Objects if study_object.is_study(obj)]
-        study = known[0] if known else api.add_study(selected_part(document))
-        Gui.Control.showDialog(StudyPanel(study))
+        Gui.Control.showDialog(StudyPanel(_chosen_study(document) or api.add_study(selected_part(document))))
+
+
+def _chosen_study(document):
+    """The selected study, else that of the selected part, or with nothing selected the first; None where there is none yet."""
+    selected = Gui.Selection.getSelection(document.Name)
+    known = [obj for obj in document.Objects if study_object.is_study(obj)]
+    chosen = [study for study in known if study in selected or not selected]
+    if known and not chosen:
+        part = selected_part(document)
+        chosen = [study for study in known if study.Part is part]
+    return chosen[0] if chosen else None

@@ -7,6 +7,7 @@ from PySide import QtCore, QtGui
 from ..errors import UserError
 from ..messages import said
 from ..study import design
+from ..user_words import are_lengths_in_mm
 
 translate = FreeCAD.Qt.translate
 _NAME, _RANGE = range(2)
@@ -23,7 +24,7 @@ class DimensionList(QtGui.QTreeWidget):
         self.setColumnCount(2)
         self.setHeaderLabels([translate("FeatureMesh", "dimension, as it is"), translate("FeatureMesh", "from : to")])
         self.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
-        self.setMinimumHeight(240)
+        self.setMinimumHeight(200)
         self._items, self._groups = {}, {}   # target -> item, name of an object -> item
         known = {parameter.target: parameter for parameter in map(design.parse_parameter, parameters)}
         self._others = [text for text in parameters if design.parse_parameter(text).target not in {entry.target for entry in dimensions}
@@ -77,7 +78,7 @@ class DimensionList(QtGui.QTreeWidget):
             self.addTopLevelItem(group)
             group.setFirstColumnSpanned(True)
             group.setExpanded(True)
-        item = QtGui.QTreeWidgetItem(["%s  %.6g%s" % (dimension.name, dimension.value, "°" if dimension.unit == "deg" else "")])
+        item = QtGui.QTreeWidgetItem(["%s  %.6g%s" % (dimension.name, dimension.value, _unit_to_tell(dimension.unit))])
         item.setToolTip(_NAME, ("%s  %.6g %s" % (dimension.name, dimension.value, dimension.unit)).strip())
         item.setFlags(QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable | QtCore.Qt.ItemIsUserCheckable | QtCore.Qt.ItemIsEditable)
         item.setData(_NAME, QtCore.Qt.UserRole, [float(value) for value in dimension.usual_range()])
@@ -116,3 +117,8 @@ class DimensionList(QtGui.QTreeWidget):
             item.setToolTip(_RANGE, item.text(_RANGE))
             self.blockSignals(False)
         self._changed()
+
+
+def _unit_to_tell(unit):
+    """Lengths are in mm here whatever the user sees elsewhere, which need not be told where that is mm, too."""
+    return "°" if unit == "deg" else " mm" if unit == "mm" and not are_lengths_in_mm() else ""

@@ -11,8 +11,9 @@ from PySide import QtCore, QtGui
 from .. import api, live_overlay, live_result, live_view, messages, user_words, view_provider, versions
 from ..errors import UserError
 from ..mesh_properties import status_in_words
-from ..user_words import as_shown, in_users_units
-from . import live_runner, narrow
+from ..messages import said
+from ..user_words import as_shown, in_words
+from . import live_runner, narrow, wheel
 from .closes_with_object import ClosesWithObject
 from .cut_box import CutBox
 from .undo import undo_step
@@ -20,6 +21,7 @@ from .undo import undo_step
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 _FIELDS = {"von_mises": QT_TRANSLATE_NOOP("FeatureMesh", "von Mises stress"), "displacement": QT_TRANSLATE_NOOP("FeatureMesh", "displacement")}
+_DECIMALS = 4
 _MARKS, _GAP = 4, 6   # of the legend, and pixels between them at least
 
 
@@ -51,12 +53,13 @@ class LivePanel(ClosesWithObject):
         self.ten_nodes.clicked.connect(self._take_ten_nodes)
         for widget in (self.legend, self.largest, self.cut, self.remarks, self.ten_nodes):
             layout.addWidget(widget)
+        wheel.scrolls(self.form)
         self._set_fields()
-        self._later = QtCore.QTimer(self.form)
+        self._later = QtCore.QTimer()
         self._later.setSingleShot(True)
         self._later.timeout.connect(self.refresh)
         self.button.clicked.connect(self._press)
-        live.ViewObject.Visibility = True
+        self.view.show_alone(live)
         live_view.followers.append(self._follow)
         live_runner.followers.append(self._follow_run)
         self.watch(self.live)
@@ -73,7 +76,7 @@ class LivePanel(ClosesWithObject):
         self.remarks.setText("\n".join(user_words.in_words(line) for line in report.get("warnings", [])) if is_fresh else "")
         mesh = live.Proxy.mesh(live)
         self.ten_nodes.setVisible(mesh is not None and mesh.Order == "1st")
-        self.legend.show_range(drawn, self._unit(), is_fresh)
+        self.legend.show_range(drawn, *self._unit(), is_fresh)
         self.largest.setText(self._largest_in_words(drawn) if is_fresh else "")
         if drawn is not None:
             self.cut.set_box(drawn.points)
@@ -95,7 +98,7 @@ class LivePanel(ClosesWithObject):
         self.scale, self.top = QtGui.QDoubleSpinBox(), QtGui.QDoubleSpinBox()
         for box, largest in ((self.scale, 1e9), (self.top, 1e12)):
             box.setRange(0, largest)
-            box.setDecimals(4)
+            box.setDecimals(_DECIMALS)
             box.setKeyboardTracking(False)
             box.setMinimumWidth(60)   # the panel may be narrow
             box.setSpecialValueText(translate("FeatureMesh", "automatic"))
@@ -116,28 +119,40 @@ class LivePanel(ClosesWithObject):
         self.field.setCurrentIndex(live_overlay.FIELDS.index(settings.field))
         self.difference.setChecked(settings.is_difference)
         self.scale.setValue(settings.scale)
-        self.top.setValue(settings.top)
+        self._show_top()
         self.field.currentIndexChanged.connect(lambda _: self._take_field())
         self.difference.toggled.connect(lambda _: self._take_field())
         self.scale.valueChanged.connect(lambda _: self._take())
         self.top.valueChanged.connect(lambda _: self._take())
 
     def _take_field(self):
-        """Another field has another range."""
+        """Another field has another range, and another unit."""
+        self._draw(0.0)
+        self._show_top()
+
+    def _show_top(self):
+        """Where the colours end, in the user's unit, with the settings of the view."""
+        one, unit = self._unit()
         self.top.blockSignals(True)
-        self.top.setValue(0)
+        self.top.setDecimals(_DECIMALS if one <= 1 else _DECIMALS + 2)
+        self.top.setSuffix(" " + unit)
+        self.top.setValue(self.view.settings.top / one)
         self.top.blockSignals(False)
-        self._take()
 
     def _take(self):
         """Draws as the widgets say."""
+        one, _ = self._unit()
+        self._draw(self.top.value() * one)
+
+    def _draw(self, top):
         self.view.settings = live_overlay.Settings(self.field.itemData(self.field.currentIndex()), self.difference.isChecked(), self.scale.value(),
-                                                   self.top.value(), self.cut.plane())
+                                                   top, self.cut.plane())
         self.view.draw(self.live)
         self.refresh()
 
     def _unit(self):
-        return live_overlay.UNITS[self.view.settings.field]
+        """(how many MPa or mm is one of the user's unit, what that is called)."""
+        return user_words.unit_of(live_overlay.UNITS[self.view.settings.field])
 
     def _largest_in_words(self, drawn):
         row = drawn.largest() if drawn is not None else None
@@ -145,8 +160,9 @@ class LivePanel(ClosesWithObject):
             return ""
         where = api.statics.place(drawn.arrays, row)
         times = live_overlay.scale_of(self.live.Proxy.solution, self.view.settings)
-        return in_users_units(translate("FeatureMesh", "largest: %.4g %s on %s, node %d at (%.4g, %.4g, %.4g) mm; displacements drawn %g times") % (
-            drawn.values[row], self._unit(), where["on"], where["node"], *where["mm"], times))
+        one, unit = self._unit()
+        return in_words(said("largest: {value:text} on {place:text}, node {node:count} at {point:point}; displacements drawn {times:number} times",
+                             value="%s %s" % (as_shown("%.4g" % (drawn.values[row] / one)), unit), place=where["on"], node=where["node"], point=where["mm"], times=times))
 
     def _show_run(self):
         run = live_runner.run_of(self.live)
@@ -200,11 +216,12 @@ class Legend(QtGui.QWidget):
         self.setMinimumHeight(44)
         self.labels, self._table = [], np.zeros((0, 3))
 
-    def show_range(self, drawn, unit, is_fresh):
+    def show_range(self, drawn, one, unit, is_fresh):
+        """In `unit`, of which one is `one` of the field's own."""
         self.labels, self._table = [], np.zeros((0, 3))
         if drawn is not None and np.isfinite(drawn.values).any():
             self._table = drawn.table
-            self.labels = [as_shown("%.3g" % value) for value in np.linspace(*drawn.limits, _MARKS)]
+            self.labels = [as_shown("%.3g" % (value / one)) for value in np.linspace(*drawn.limits, _MARKS)]
             self.labels[-1] += " " + unit
             if not is_fresh:
                 self.labels = [translate("FeatureMesh", "out of date")]

@@ -62,6 +62,14 @@ def show_mesh(mesh):
     mesh.ViewObject.Visibility = True
 
 
+def show_result(live):
+    """Shows a live result and hides what would cover it."""
+    mesh = live.Proxy.mesh(live)
+    if mesh is not None:
+        _set_visible([mesh, *what_covers(mesh)], False)
+    live.ViewObject.Visibility = True
+
+
 def install():
     """Lets parts be seen again whose mesh is gone."""
     FreeCAD.addDocumentObserver(_Observer())

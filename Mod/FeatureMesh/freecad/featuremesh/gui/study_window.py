@@ -179,10 +179,7 @@ class StudyWindow(QtGui.QDialog):
         analysis = self.study.Analysis
         if study_object.is_for_live(analysis):
             live = api.live_result(analysis)
-            for obj in (live.Proxy.mesh(live), self.study.Part):
-                if obj is not None:
-                    obj.ViewObject.Visibility = False   # they would hide the deformed part
-            live.ViewObject.Visibility = True
+            live.ViewObject.Proxy.show_alone(live)
         else:
             api.solve(analysis)
 

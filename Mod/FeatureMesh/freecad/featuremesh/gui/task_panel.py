@@ -15,7 +15,7 @@ from ..refusals import part_to_mesh
 from ..reports import remarks_of
 from ..mesh_properties import AUTOMATIC_SHARE, DIMENSIONS, NOT_MESHED, OPTION_OF, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
 from ..messages import of_error, said
-from . import narrow
+from . import narrow, wheel
 from .errors import select_named
 from ..user_words import as_shown, in_words
 from .running import RunningJob, step_in_words
@@ -43,7 +43,7 @@ class MeshPanel:
         self.running = None
         self.job = None
         self._estimate = None
-        self._written = {}   # widget -> (mm or the number that was written into it, the text or the number that it shows for that)
+        self._written = {}   # field -> (its Qt property, what was written into that, the text that it shows for it)
         self._raw = None   # the part as it was read for the last estimate, until it is edited
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(mesh.Label)
@@ -58,6 +58,7 @@ class MeshPanel:
         self._follow_timer = QtCore.QTimer(self.form)
         self._follow_timer.setSingleShot(True)
         self._follow_timer.timeout.connect(self._part_changed)
+        self._fields = self._setting_fields()
         view_provider.followers.append(self._follow)
         self._show_result()
         self._settings_changed()
@@ -98,11 +99,13 @@ class MeshPanel:
         self.automatic.setChecked(self.mesh.Automatic)
         self.automatic.setToolTip(self._tooltip("Automatic"))
         self._choose_details()
+        self.estimate, self.status, self.result = QtGui.QLabel(""), QtGui.QLabel(""), QtGui.QLabel("")
         for label, widget in ((translate("FeatureMesh", "Size"), self.size),
                               (translate("FeatureMesh", "Smallest"), self.min_automatic),
                               ("", self.min_size),
                               (translate("FeatureMesh", "Mesh of"), self.dimension),
                               (None, self.order),   # its words need all the width
+                              (None, self.estimate), (None, self._progress_bar()), (None, self.status),   # seen without scrolling where there is little room
                               (translate("FeatureMesh", "Per circle"), self.per_circle),
                               (translate("FeatureMesh", "Across gaps"), self.across_gap),
                               (translate("FeatureMesh", "Growth"), self.growth),
@@ -112,20 +115,16 @@ class MeshPanel:
         for chooser in (self.dimension, self.order, self.details):
             narrow.box(chooser)
         layout.addWidget(self.automatic)
-        self.estimate = QtGui.QLabel("")
-        self.estimate.setWordWrap(True)
-        layout.addWidget(self.estimate)
         self.full_button = QtGui.QPushButton(translate("FeatureMesh", "From scratch"))
         self.full_button.setToolTip(translate("FeatureMesh", "Throws the mesh away and meshes the whole part"))
         self.full_button.clicked.connect(lambda: self.start(True))
         layout.addWidget(self.full_button)
-        layout.addWidget(self._progress_bar())
-        self.status, self.result = QtGui.QLabel(""), QtGui.QLabel("")
-        for label in (self.status, self.result):
+        layout.addWidget(self.result)
+        for label in (self.estimate, self.status, self.result):
             label.setWordWrap(True)
             label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-            layout.addWidget(label)
         layout.addStretch()
+        wheel.scrolls(self.form)
 
     def _choose_details(self):
         """Which details get no elements of their own; a length has a field of its own below."""
@@ -133,14 +132,14 @@ class MeshPanel:
         self.details.addItems([translate("FeatureMesh", "automatic"), translate("FeatureMesh", "a length"), translate("FeatureMesh", "off")])
         self.details.setToolTip(self._tooltip("IgnoreBelow"))
         length = self.mesh.IgnoreBelow.Value
-        self.details.setCurrentIndex(_OFF if length < 0 else _A_LENGTH if length else _AUTOMATIC)
+        self.details.setCurrentIndex(_row_of_details(length))
         self.details.currentIndexChanged.connect(self._settings_changed)
         self.ignore_below = self._length("IgnoreBelow", length if length > 0 else self.mesh.Size.Value * _IGNORED_SHARE)
 
     def _ignored(self):
         """IgnoreBelow as the panel has it."""
         known = self.mesh.IgnoreBelow.Value
-        return {_AUTOMATIC: 0.0, _A_LENGTH: self._length_in(self.ignore_below), _OFF: known if known < 0 else -1.0}[self.details.currentIndex()]
+        return {_AUTOMATIC: 0.0, _A_LENGTH: self._value_in(self.ignore_below), _OFF: known if known < 0 else -1.0}[self.details.currentIndex()]
 
     def _dimension_changed(self):
         self._name_orders()
@@ -182,37 +181,33 @@ class MeshPanel:
         widget = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
         widget.setProperty("unit", "mm")
         widget.setProperty("minimum", 0.0)
-        self._write_length(widget, getattr(self.mesh, name).Value if length is None else length)
+        self._write(widget, getattr(self.mesh, name).Value if length is None else length)
         widget.setMinimumWidth(70)
         widget.setToolTip(self._tooltip(name))
         widget.valueChanged.connect(self._settings_changed)
         return widget
 
-    def _write_length(self, widget, length):
-        widget.setProperty("rawValue", length)
-        self._written[widget] = length, widget.property("text")
+    def _write(self, widget, value, kind="rawValue"):
+        widget.blockSignals(True)
+        widget.setProperty(kind, value)
+        widget.blockSignals(False)
+        self._written[widget] = kind, value, widget.property("text")
 
-    def _length_in(self, widget):
-        """In mm. FreeCAD's widget rounds to what it shows, 8 mm to 0.31 in; what was written counts as long as nothing else is typed."""
-        length, text = self._written[widget]
-        return length if widget.property("text") == text else widget.property("rawValue")
+    def _value_in(self, widget):
+        """Lengths are in mm. A field rounds to what it shows, 8 mm to 0.31 in; what was written counts as long as nothing else is typed."""
+        kind, value, text = self._written[widget]
+        return value if widget.property("text") == text else widget.property(kind)
 
     def _number(self, name, least, most, step=1.0):
         widget = QtGui.QDoubleSpinBox()
         widget.setRange(least, most)
         widget.setSingleStep(step)
         widget.setDecimals(2 if step < 1 else 0)
-        widget.setValue(getattr(self.mesh, name))
-        self._written[widget] = getattr(self.mesh, name), widget.value()
+        self._write(widget, getattr(self.mesh, name), "value")
         widget.setMinimumWidth(70)
         widget.setToolTip(self._tooltip(name))
         widget.valueChanged.connect(self._settings_changed)
         return widget
-
-    def _number_in(self, widget):
-        """What was written counts as long as nothing else is typed: the widget rounds it, and brings it within its range."""
-        number, shown = self._written[widget]
-        return number if widget.value() == shown else widget.value()
 
     # What FreeCAD calls
 
@@ -264,17 +259,22 @@ class MeshPanel:
 
     def settings(self):
         """The panel's values by the names of the object's properties."""
-        return {"Size": self._length_in(self.size), "MinSize": 0.0 if self.min_automatic.isChecked() else self._length_in(self.min_size),
-                "ElementsPerCircle": self._number_in(self.per_circle), "ElementsAcrossGap": self._number_in(self.across_gap),
-                "Growth": self._number_in(self.growth), "Order": "2nd" if self.order.currentIndex() else "1st",
+        return {"Size": self._value_in(self.size), "MinSize": 0.0 if self.min_automatic.isChecked() else self._value_in(self.min_size),
+                "ElementsPerCircle": self._value_in(self.per_circle), "ElementsAcrossGap": self._value_in(self.across_gap),
+                "Growth": self._value_in(self.growth), "Order": "2nd" if self.order.currentIndex() else "1st",
                 "Dimension": DIMENSIONS[self.dimension.currentIndex()],
                 "IgnoreBelow": self._ignored()}
 
+    def _wanted(self):
+        return {**self.settings(), "Automatic": self.automatic.isChecked()}
+
+    def _differs(self, name, value):
+        """Has the object another value?"""
+        return getattr(getattr(self.mesh, name), "Value", getattr(self.mesh, name)) != value
+
     def apply_settings(self):
         """The panel's values into the object's properties, those that differ, as one undo step."""
-        wanted = {**self.settings(), "Automatic": self.automatic.isChecked()}
-        changed = {name: value for name, value in wanted.items()
-                   if getattr(getattr(self.mesh, name), "Value", getattr(self.mesh, name)) != value}
+        changed = {name: value for name, value in self._wanted().items() if self._differs(name, value)}
         if not changed:
             return
         with self._undo_step(translate("FeatureMesh", "Mesh settings")):
@@ -310,8 +310,33 @@ class MeshPanel:
         self.cancel()
 
     def _follow(self, mesh, name):
-        if mesh is self.mesh and name in ("Status", "Report"):
+        if mesh is not self.mesh:
+            return
+        if name in ("Status", "Report"):
             self._follow_timer.start(0)
+        elif name in self._fields and self._differs(name, self._wanted()[name]):
+            self._fields[name](getattr(getattr(mesh, name), "Value", getattr(mesh, name)))
+            self._settings_changed()
+
+    def _setting_fields(self):
+        """{name: what shows another value of that setting}, for undo, the property editor and scripts while the panel is open."""
+        return {"Size": lambda value: self._write(self.size, value), "MinSize": self._show_min_size,
+                "ElementsPerCircle": lambda value: self._write(self.per_circle, value, "value"),
+                "ElementsAcrossGap": lambda value: self._write(self.across_gap, value, "value"),
+                "Growth": lambda value: self._write(self.growth, value, "value"),
+                "Order": lambda value: self.order.setCurrentIndex(1 if value == "2nd" else 0),
+                "Dimension": lambda value: self.dimension.setCurrentIndex(DIMENSIONS.index(value)),
+                "IgnoreBelow": self._show_ignored, "Automatic": self.automatic.setChecked}
+
+    def _show_min_size(self, length):
+        if length:
+            self._write(self.min_size, length)
+        self.min_automatic.setChecked(not length)
+
+    def _show_ignored(self, length):
+        if length > 0:
+            self._write(self.ignore_below, length)
+        self.details.setCurrentIndex(_row_of_details(length))
 
     def _part_changed(self):
         """The part was edited, or an edit undone, while the panel is open."""
@@ -398,9 +423,7 @@ class MeshPanel:
         self.min_size.setVisible(not self.min_automatic.isChecked())
         self.ignore_below.setVisible(self.details.currentIndex() == _A_LENGTH)
         if self.min_automatic.isChecked():
-            self.min_size.blockSignals(True)
-            self._write_length(self.min_size, round(self._length_in(self.size) * AUTOMATIC_SHARE, 9))   # what it starts with when it is asked for
-            self.min_size.blockSignals(False)
+            self._write(self.min_size, round(self._value_in(self.size) * AUTOMATIC_SHARE, 9))   # what it starts with when it is asked for
         self._show_status()
         self._estimate_timer.start(_ESTIMATE_MS)
 
@@ -409,7 +432,7 @@ class MeshPanel:
             self._estimate_timer.start(_ESTIMATE_MS)
             return
         try:
-            settings = {**self.settings(), "MinSize": self._length_in(self.min_size) or None}
+            settings = {**self.settings(), "MinSize": self._value_in(self.min_size) or None}
             raw, options = api.estimate_input(self.mesh, self._raw, **{OPTION_OF[name]: value for name, value in settings.items() if name in OPTION_OF})
         except Exception as error:
             self.estimate.setText(in_words(of_error(error)))
@@ -426,6 +449,11 @@ class MeshPanel:
             self.estimate.setText(self._estimate.text)
         except RuntimeError:
             pass  # the panel was closed meanwhile, and Qt has deleted the label
+
+
+def _row_of_details(length):
+    """Of an IgnoreBelow."""
+    return _OFF if length < 0 else _A_LENGTH if length else _AUTOMATIC
 
 
 def _remarks(report):

@@ -889,6 +889,10 @@
       <translation>Volumenkörper, Flächen, Kanten oder Eckpunkte von {part:text} auswählen{foreign:messages}</translation>
     </message>
     <message>
+      <source>several parts are selected, select one, or the container of those to mesh: {parts:text}</source>
+      <translation>mehrere Teile sind gewählt, eines auswählen oder den Behälter derer, die vernetzt werden sollen: {parts:text}</translation>
+    </message>
+    <message>
       <source>shape</source>
       <translation>Form</translation>
     </message>
@@ -957,8 +961,8 @@
       <translation>die Platte mit {folder:text} ist voll ({why:messages}); jeder fertige Fall ist gesichert. Platz schaffen, dann mit `study resume` weitermachen</translation>
     </message>
     <message>
-      <source>the document has several analyses, name one with --analysis: {analyses:text}</source>
-      <translation>das Dokument hat mehrere Analysen, eine mit --analysis angeben: {analyses:text}</translation>
+      <source>the document has several analyses, select one (in the console, name it with --analysis): {analyses:text}</source>
+      <translation>das Dokument hat mehrere Analysen, eine auswählen (in der Konsole mit --analysis angeben): {analyses:text}</translation>
     </message>
     <message>
       <source>the document has several results, name one with --result: {results:text}</source>
@@ -2226,7 +2230,7 @@
     </message>
     <message>
       <source>The growth rate is {growth:number}; it must be at least 1 (1.3 is usual).</source>
-      <translation>Das Wachstum ist {growth:number}; es muss mindestens 1 sein (üblich ist 1.3).</translation>
+      <translation>Das Wachstum ist {growth:number}; es muss mindestens 1 sein (üblich ist 1,3).</translation>
     </message>
     <message>
       <source>The kept nodes of {edge:entities} are not in the order of the edge. Mesh the part from scratch.</source>
@@ -2969,8 +2973,8 @@
       <translation>größte Vergleichsspannung</translation>
     </message>
     <message>
-      <source>largest: %.4g %s on %s, node %d at (%.4g, %.4g, %.4g) mm; displacements drawn %g times</source>
-      <translation>am größten: %.4g %s auf %s, Knoten %d bei (%.4g, %.4g, %.4g) mm; Verschiebungen %g-fach gezeichnet</translation>
+      <source>largest: {value:text} on {place:text}, node {node:count} at {point:point}; displacements drawn {times:number} times</source>
+      <translation>am größten: {value:text} auf {place:text}, Knoten {node:count} bei {point:point}; Verschiebungen {times:number}-fach gezeichnet</translation>
     </message>
     <message>
       <source>let the Addon Manager install %s, or type `%s`, or unpack FeatureMesh's portable zip into %s</source>

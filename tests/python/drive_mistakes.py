@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a person selects wrongly, or not at all, before a command: each says what to do, or takes what is meant. Run by test_window.py."""
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import FemGui  # noqa: E402
+import FreeCAD  # noqa: E402
+import FreeCADGui as Gui  # noqa: E402
+import ObjectsFem  # noqa: E402
+import window  # noqa: E402
+from window import answer_with, click_in_panel, figures, panel, picture, spin, wait_for  # noqa: E402
+
+
+def select(*entries):
+    Gui.Selection.clearSelection()
+    for entry in entries:
+        Gui.Selection.addSelection(*entry)
+
+
+def run_command(name):
+    Gui.runCommand("FeatureMesh_" + name)
+    spin()
+
+
+def close_panel():
+    """Whatever it is, by its button."""
+    for name in ("Cancel", "Close", "Ok"):
+        if window.button_in_panel(name) is not None:
+            click_in_panel(name)
+            wait_for(lambda: not Gui.Control.activeDialog(), 20)
+            return
+
+
+def said_by(name):
+    """What the command tells, in one message box; it opens no panel."""
+    count = len(window.messages)
+    run_command(name)
+    assert len(window.messages) == count + 1 and not Gui.Control.activeDialog(), (name, window.messages[count:])
+    return window.messages[-1]
+
+
+def check_which_part(document, first, second):
+    """Of two parts that are selected neither is meshed in silence."""
+    before = len(document.Objects)
+    select((first,), (second,))
+    for name in ("MeshPart", "Study", "ShowTree", "Compare"):
+        assert said_by(name).startswith("several parts are selected, select one, or the container of those to mesh: Box (Links), Box001 (Größe"), window.messages[-1]
+    assert len(document.Objects) == before and not document.HasPendingTransaction
+    select((second, "Face1"), (second, "Edge2"))   # which are of one
+    run_command("MeshPart")
+    assert panel("MeshPanel").mesh.Document is document
+    close_panel()
+
+
+def check_which_mesh(document, meshes, second):
+    """Of several meshes that of the clicked face is meant; where nothing is clicked it is asked for."""
+    select()
+    for name in ("UpdateNow", "AddLocalSize", "AddSizeZone", "AddGroup", "ShowKept", "ShowQuality", "Export"):
+        assert said_by(name).startswith("the document has several meshes, select one"), (name, window.messages[-1])
+    assert [mesh.Status for mesh in meshes] == ["up to date"] * 2
+    select((second, "Face1"))
+    run_command("AddLocalSize")
+    assert [len(mesh.MeshRegionList) for mesh in meshes] == [0, 1]
+    close_panel()
+    select((second, "Face1"))
+    run_command("ShowQuality")
+    assert panel("QualityPanel").mesh is meshes[1]
+    picture("quality_of_the_clicked")
+    close_panel()
+
+
+def check_what_has_no_part(document, body, mesh):
+    """Loads, groups, results and studies have no part of their own: they are no reason to refuse the only one that there is."""
+    group = mesh.Proxy and ObjectsFem.makeMeshGroup(document, mesh)
+    for obj in (group, document.Analysis, document.addObject("Spreadsheet::Sheet", "Table")):
+        timer = answer_with("Open it", [])
+        select((obj,))
+        run_command("MeshPart")
+        assert not timer.isActive() and panel("MeshPanel").mesh is mesh, obj.Name
+        close_panel()
+        select((obj,))
+        run_command("Study")
+        assert panel("StudyPanel").study.Part is body, obj.Name
+        close_panel()
+
+
+def check_which_study(document, other):
+    """A part that has no study gets one; what is selected of a part with a study opens that."""
+    first, = [obj for obj in document.Objects if hasattr(obj, "Sampling")]
+    assert "Touched" not in first.State
+    select((other,))
+    run_command("Study")
+    second = panel("StudyPanel").study
+    assert second is not first and second.Part is other, second.Part
+    close_panel()
+    for selected, wanted in (((other, "Face1"), second), ((first.Part, "Face1"), first), ((first,), first), (None, first)):
+        select(*([selected] if selected else []))
+        run_command("Study")
+        assert panel("StudyPanel").study is wanted, (selected, panel("StudyPanel").study.Name)
+        close_panel()
+
+
+def check_which_analysis(document, body):
+    """Of several analyses the active one is solved; where none is active one has to be selected."""
+    second = ObjectsFem.makeAnalysis(document, "Second")
+    FemGui.setActiveAnalysis()
+    select()
+    assert "several analyses, select one" in said_by("LiveResult"), window.messages[-1]
+    FemGui.setActiveAnalysis(second)
+    assert "needs one mesh of FeatureMesh in the analysis Second" in said_by("LiveResult"), window.messages[-1]
+    select((document.Analysis,))
+    run_command("LiveResult")
+    assert panel("LivePanel").live in document.Analysis.Group
+    close_panel()
+
+
+def check_part_deleted(document, mesh):
+    """The panel and the commands of a mesh without its part say so; undo brings it back."""
+    document.openTransaction("Delete")
+    document.removeObject("Box")
+    FreeCAD.ActiveDocument.commitTransaction()
+    for name in ("UpdateNow", "AddLocalSize", "AddSizeZone", "AddGroup"):
+        select((mesh,))
+        assert "has no part to mesh, set its property" in said_by(name), window.messages[-1]
+    mesh.ViewObject.doubleClicked()
+    spin()
+    settings = panel("MeshPanel")
+    click_in_panel("Apply")
+    wait_for(lambda: "has no part to mesh, set its property" in settings.estimate.text() and "has no part to mesh" in settings.status.text(), 20)
+    close_panel()
+    Gui.runCommand("Std_Undo")
+    spin()
+    document.recompute()
+    assert mesh.Status == "up to date", mesh.Status
+
+
+def drive():
+    from freecad.featuremesh import api, engine
+    from analyses import add_material
+    from parts import plate_with_hole
+    from statics_cases import STEEL
+    Gui.getMainWindow().setGeometry(0, 0, 1280, 800)
+    Gui.activateWorkbench("FeatureMeshWorkbench")
+    spin()
+    window.open_dialog().close()
+    two = FreeCAD.newDocument("Two")
+    two.UndoMode = 1
+    first, second = two.addObject("Part::Box", "Box"), two.addObject("Part::Box", "Box")
+    first.Label, second.Label = "Links", "Größe äß"
+    second.Placement.Base.x = 20
+    two.recompute()
+    check_which_part(two, first, second)
+    meshes = [api.add_mesh(part, 4.0, order=1) for part in (first, second)]
+    two.recompute()
+    check_which_mesh(two, meshes, second)
+    check_part_deleted(two, meshes[0])
+    FreeCAD.closeDocument(two.Name)
+    document = FreeCAD.newDocument("Mistakes")
+    document.UndoMode = 1
+    body = plate_with_hole(document)
+    analysis = ObjectsFem.makeAnalysis(document, "Analysis")
+    add_material(document, analysis, "Steel", STEEL)
+    mesh = api.add_mesh(body, 6.0, order=1)
+    document.recompute()
+    check_what_has_no_part(document, body, mesh)
+    other = document.addObject("Part::Box", "Other")
+    other.Placement.Base.z = 50
+    document.recompute()
+    check_which_study(document, other)
+    if not engine.load().statics_missing():
+        check_which_analysis(document, body)
+    figures.append("mistakes: each is told, or what is meant is taken")
+
+
+window.run(drive)
