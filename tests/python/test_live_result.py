@@ -74,7 +74,7 @@ class Live(Case):
         self.assertAlmostEqual(max(live.Result.DisplacementLengths) / report["responses"]["max_displacement_mm"], 1, delta=1e-6)
 
     def test_follows_each_recompute_and_nothing_else(self):
-        part, analysis, live = self.cantilever()
+        part, analysis, live = self.cantilever(size=2.5)
         self.check_is_fresh(analysis, live)
         self.assertIs(api.live_result(analysis), live)
         self.assertEqual([obj.Name for obj in self.document.Objects if "Touched" in obj.State and obj is not analysis], [])
