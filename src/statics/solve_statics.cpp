@@ -129,7 +129,7 @@ void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around
                             RunContext& context) {
     enum { carried, aggregated, final } by = solution.kept_preconditioner ? carried : aggregated;
     double whole = start.least_energy_norm;
-    int with_it = 0;  // iterations with the present preconditioner
+    int spent = 0;  // iterations with the present preconditioner
     std::vector<double> residual = start.residual;
     bool is_of_elements = false;
     for (int rounds_left = 4;;) {
@@ -148,12 +148,12 @@ void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around
         residual = residual_of(model, resisting);
         is_of_elements = true;
         solution.iterations += done < 0 ? most : done;
-        with_it += done < 0 ? most : done;
-        if (by != carried) setup_.iterations = with_it;
+        spent += done < 0 ? most : done;
+        if (by != carried) setup_.iterations = spent;
         if (done >= 0) continue;
         if (by == final) throw KernelError(say<Code::not_converged>());
         rounds_left = 4;
-        with_it = 0;
+        spent = 0;
         if (by == carried) {
             setup_ = {};
             solution.kept_preconditioner = prepare(model, around, context);
