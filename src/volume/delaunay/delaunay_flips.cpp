@@ -109,7 +109,8 @@ bool DelaunayFlipper::remove_edge(int tet, int from, int to, OdtMarks& marks) {
     if (!find_ring(complex_, tet, from, to, ring)) return false;
     double before = 0;
     for (int t : ring.all_tets()) before += energy(complex_.tets[t]);
-    const auto best = lowest_energy_triangulation(complex_, ring, before * (1 - least_energy_gain));
+    const auto best =
+        lowest_energy_triangulation(complex_, ring, flat_share * before, before * (1 - least_energy_gain));
     if (std::isinf(best.cost)) return false;
     std::array<Tet, 2 * EdgeRing::max_size> fresh;
     const int count = tets_of_triangulation(ring, best, fresh);

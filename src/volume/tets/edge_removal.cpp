@@ -30,12 +30,12 @@ int tets_of_triangulation(const EdgeRing& ring, const RingTriangulation<>& trian
     return count;
 }
 
-RingTriangulation<> lowest_energy_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit) {
+RingTriangulation<> lowest_energy_triangulation(const TetComplex& complex, const EdgeRing& ring, double flat, double limit) {
     const RingPoints p(complex, ring);
     return triangulate_ring<SumOf>(ring.size, limit, [&](int i, int j, int k) {
         const double upper = odt_energy(p.corners[i], p.corners[j], p.corners[k], p.to);
         const double lower = odt_energy(p.corners[j], p.corners[i], p.corners[k], p.from);
-        return upper > 0 && lower > 0 ? upper + lower : std::numeric_limits<double>::infinity();
+        return upper > flat && lower > flat ? upper + lower : std::numeric_limits<double>::infinity();
     });
 }
 

@@ -73,7 +73,9 @@ void visit_triangles(const RingTriangulation<most>& ring, int i, int j, const Vi
 int tets_of_triangulation(const EdgeRing& ring, const RingTriangulation<>& triangulation,
                           std::array<Tet, 2 * EdgeRing::max_size>& tets);
 
-/// The triangulation with the lowest ODT energy; tets without volume are not allowed.
-RingTriangulation<> lowest_energy_triangulation(const TetComplex& complex, const EdgeRing& ring, double limit);
+/// The triangulation with the lowest ODT energy. Tets whose energy is no more than `flat` are not allowed: what a flat
+/// tet has is rounding, of either sign.
+RingTriangulation<> lowest_energy_triangulation(const TetComplex& complex, const EdgeRing& ring, double flat,
+                                                double limit);
 
 }  // namespace featuremesh

@@ -77,11 +77,32 @@ TEST_CASE("the best triangulation of a ring is the best of all") {
             });
         const double found = least_flat_triangulation(complex, ring, inverted_flatness).cost;
         REQUIRE((flattest < inverted_flatness ? found == flattest : std::isinf(found)));
-        const double energy = lowest_energy_triangulation(complex, ring, infinity).cost;
+        const double energy = lowest_energy_triangulation(complex, ring, 0, infinity).cost;
         REQUIRE((std::isinf(lowest) ? std::isinf(energy) : energy == Approx(lowest)));
         removable += flattest < inverted_flatness;
     }
     CHECK(removable > 50);
+}
+
+TEST_CASE("no flat tet comes of an edge's removal, whatever the sign of its rounding") {
+    std::mt19937 random(17);
+    std::uniform_real_distribution<double> share(0.3, 1.2);
+    int found = 0;
+    for (int round = 0; round < 300; ++round) {
+        TetComplex complex = random_ring(4 + round % (EdgeRing::max_size - 3), random);
+        EdgeRing ring;
+        REQUIRE(find_ring(complex, 0, 0, 1, ring));
+        auto& p = complex.points;
+        const Vec3 &from = p[ring.from], &a = p[ring.vertices[0]], &c = p[ring.vertices[2]];
+        p[ring.vertices[1]] = from + share(random) * (a - from) + share(random) * (c - from);  // in one plane
+        const auto best = lowest_energy_triangulation(complex, ring, 1e-9, infinity);
+        if (std::isinf(best.cost)) continue;
+        ++found;
+        std::array<Tet, 2 * EdgeRing::max_size> fresh;
+        const int count = tets_of_triangulation(ring, best, fresh);
+        for (int i = 0; i < count; ++i) REQUIRE(volume_of(complex, fresh[i]) > 1e-12);
+    }
+    CHECK(found > 20);
 }
 
 TEST_CASE("removing an edge fills the same space") {
