@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <atomic>
 #include <numeric>
+#include <utility>
 
-#include "core/sort_once.h"
 #include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
@@ -21,6 +21,12 @@ struct Candidate {
     double need;
     int tet;
     bool is_bad() const { return need > 1; }
+};
+
+struct Ranked {
+    double need = 0;
+    std::uint32_t at = 0;       // the change before it
+    std::uint32_t ranking = 0;  // the last one it was in
 };
 
 constexpr std::size_t no_place = std::numeric_limits<std::size_t>::max();
@@ -115,11 +121,13 @@ class Improver {
 
     /// Those of the changed tets that are in need of work, worst first.
     std::vector<Candidate> rank_changed() {
-        sort_once(changed_);
+        ranked_.resize(complex_.tets.size());
+        ++rankings_;
+        std::erase_if(changed_, [&](int tet) { return std::exchange(ranked_[tet].ranking, rankings_) == rankings_; });
         std::vector<std::vector<Candidate>> parts(changed_.size() / tets_per_chunk + 1);
         parallel_for(context_, changed_.size(), tets_per_chunk, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                if (const Candidate of{need_of(changed_[i]), changed_[i]}; is_in_need(of))
+                if (const Candidate of{known_need_of(changed_[i]), changed_[i]}; is_in_need(of))
                     parts[begin / tets_per_chunk].push_back(of);
         });
         std::vector<Candidate> ranked;
@@ -131,6 +139,12 @@ class Improver {
         return ranked;
     }
 
+    /// What it was when it was last ranked, unless it has changed since.
+    double known_need_of(int tet) {
+        Ranked& last = ranked_[tet];
+        if (last.at < mesh_.tet_changed_at(tet)) last.need = need_of(tet), last.at = mesh_.now();
+        return last.need;
+    }
     double need_of(int tet) const {
         return complex_.tets[tet][0] >= 0 ? objective_.need(complex_, complex_.tets[tet]) : 0;
     }
@@ -169,7 +183,10 @@ class Improver {
     }
 
     /// An earlier change may have used its place for another tet, whose turn is in the next pass.
-    bool is_due(const Candidate& of) const { return need_of(of.tet) == of.need && has_changed_since_tried(of.tet); }
+    bool is_due(const Candidate& of) const {
+        return has_changed_since_tried(of.tet) &&
+               (mesh_.tet_changed_at(of.tet) <= ranked_[of.tet].at || need_of(of.tet) == of.need);
+    }
 
     bool has_changed_since_tried(int tet) const {
         const Tet& v = complex_.tets[tet];
@@ -273,6 +290,8 @@ class Improver {
     const Budget& budget_;
     RunContext& context_;
     std::vector<int> changed_;
+    std::vector<Ranked> ranked_;  // by tet
+    std::uint32_t rankings_ = 0;
     std::vector<char> is_in_region_;       // by tet, where not all are
     std::vector<std::uint32_t> tried_at_;  // by tet: when all was tried in vain
     std::size_t dear_plans_left_;
