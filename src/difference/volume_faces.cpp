@@ -7,6 +7,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <optional>
 
 #include "brep/occt_geometry.h"
 #include "brep/solid_probe.h"
@@ -18,12 +19,48 @@ namespace {
 
 constexpr int points_across = 6;
 
-std::vector<SurfacePoint> points_on(const TopoDS_Face& face, SurfaceKind kind) {
-    std::vector<SurfacePoint> points = points_in_trim(face);
-    const auto sound = kind == SurfaceKind::free_form ? std::nullopt : point_on(face);
-    if (sound) points.push_back({sound->point, 0, 0});
-    return points;
-}
+/// Points spread evenly over the parameters of a face, and one inside it for certain. What costs most, whether one lies
+/// in the trim, and the one inside, is found when it is asked for.
+class SpreadPoints {
+  public:
+    explicit SpreadPoints(const TopoDS_Face& face) : face_(face) {
+        double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
+        BRepTools::UVBounds(face, u1, u2, v1, v2);
+        const BRepAdaptor_Surface surface(face, false);
+        for (int i = 0; i < points_across; ++i)
+            for (int j = 0; j < points_across; ++j) {
+                const double u = u1 + (u2 - u1) * (i + 0.5) / points_across,
+                             v = v1 + (v2 - v1) * (j + 0.5) / points_across;
+                points_.push_back({to_vec3(surface.Value(u, v)), u, v});
+            }
+        is_in_trim_.resize(points_.size());
+    }
+
+    std::span<const SurfacePoint> all() const { return points_; }
+
+    bool is_in_trim(std::size_t i) {
+        if (!is_in_trim_[i]) {
+            if (!trim_) trim_.emplace(face_, Precision::PConfusion());
+            is_in_trim_[i] = trim_->Perform({points_[i].u, points_[i].v}) == TopAbs_IN;
+        }
+        return *is_in_trim_[i];
+    }
+
+    const std::optional<SurfacePoint>& inner() {
+        if (!inner_) {
+            inner_.emplace();
+            if (const auto sound = point_on(face_)) *inner_ = SurfacePoint{sound->point, 0, 0};
+        }
+        return *inner_;
+    }
+
+  private:
+    const TopoDS_Face& face_;
+    std::vector<SurfacePoint> points_;
+    std::vector<std::optional<bool>> is_in_trim_;
+    std::optional<BRepTopAdaptor_FClass2d> trim_;
+    std::optional<std::optional<SurfacePoint>> inner_;
+};
 
 /// Of faces on one underlying surface. Equal free-form surfaces have equal parameters, so that nothing need be
 /// projected.
@@ -32,20 +69,22 @@ bool holds(const FaceProbe& face, SurfaceKind kind, const SurfacePoint& p) {
     return kind == SurfaceKind::free_form ? face.contains(p.u, p.v) : face.contains(p.point, boolean_tolerance);
 }
 
+/// Some point of the other face, which lies on the same underlying surface.
+bool holds_any(const FaceProbe& face, SurfaceKind kind, SpreadPoints& points) {
+    if (kind != SurfaceKind::free_form && points.inner() && holds(face, kind, *points.inner())) return true;
+    for (std::size_t i = 0; i < points.all().size(); ++i)
+        if (holds(face, kind, points.all()[i]) && points.is_in_trim(i)) return true;
+    return false;
+}
+
 }  // namespace
 
 std::vector<SurfacePoint> points_in_trim(const TopoDS_Face& face) {
-    std::vector<SurfacePoint> points;
-    double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
-    BRepTools::UVBounds(face, u1, u2, v1, v2);
-    const BRepAdaptor_Surface surface(face, false);
-    const BRepTopAdaptor_FClass2d trim(face, Precision::PConfusion());
-    for (int i = 0; i < points_across; ++i)
-        for (int j = 0; j < points_across; ++j) {
-            const double u = u1 + (u2 - u1) * (i + 0.5) / points_across, v = v1 + (v2 - v1) * (j + 0.5) / points_across;
-            if (trim.Perform({u, v}) == TopAbs_IN) points.push_back({to_vec3(surface.Value(u, v)), u, v});
-        }
-    return points;
+    SpreadPoints points(face);
+    std::vector<SurfacePoint> inside;
+    for (std::size_t i = 0; i < points.all().size(); ++i)
+        if (points.is_in_trim(i)) inside.push_back(points.all()[i]);
+    return inside;
 }
 
 VolumeFaces::VolumeFaces(const FeatureTree& tree) {
@@ -75,12 +114,11 @@ std::vector<Owner> VolumeFaces::owners_on(const TopoDS_Face& final_face, const B
     if (std::all_of(candidates.begin(), candidates.end(),
                     [&](const OwnedFace* face) { return face->owner == candidates.front()->owner; }))
         return {candidates.front()->owner};  // nobody else can have made the face
-    const std::vector<SurfacePoint> points = points_on(final_face, underlying.kind);
+    SpreadPoints points(final_face);
     std::vector<Owner> owners;
     for (const OwnedFace* face : candidates)
         if (is_asked_for(*face) && (owners.empty() || owners.back() != face->owner) &&
-            std::any_of(points.begin(), points.end(),
-                        [&](const SurfacePoint& p) { return holds(face->probe, underlying.kind, p); }))
+            holds_any(face->probe, underlying.kind, points))
             owners.push_back(face->owner);
     return owners;
 }
