@@ -350,6 +350,7 @@ class Stages {
         node_origin_.clear(), tet_origin_.clear(), report_.kept.clear();
         made_for_ = {};
         for (const bool refines : {true, false}) {
+            if (refines && sizing_ && options_.sizing.refines_narrow_faces) break;  // those that were asked for before
             const RunContext::Step step(context_, "surface");
             options_.sizing.refines_narrow_faces = refines;
             sizing_ = featuremesh::make_sizing(part_->brep, options_.sizing, adopted_sizes_, context_);
