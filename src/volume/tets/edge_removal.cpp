@@ -30,7 +30,8 @@ int tets_of_triangulation(const EdgeRing& ring, const RingTriangulation<>& trian
     return count;
 }
 
-RingTriangulation<> lowest_energy_triangulation(const TetComplex& complex, const EdgeRing& ring, double flat, double limit) {
+RingTriangulation<> lowest_energy_triangulation(const TetComplex& complex, const EdgeRing& ring, double flat,
+                                                double limit) {
     const RingPoints p(complex, ring);
     return triangulate_ring<SumOf>(ring.size, limit, [&](int i, int j, int k) {
         const double upper = odt_energy(p.corners[i], p.corners[j], p.corners[k], p.to);
