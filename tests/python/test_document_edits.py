@@ -2,7 +2,7 @@
 """OBJECT.PROPERTY=VALUE: every kind of target, and every way to get it wrong."""
 import unittest
 
-from freecad.featuremesh.edits import set_parameter
+from freecad.featuremesh.edits import is_whole_number, parameter_value, set_parameter
 from freecad.featuremesh.errors import UserError
 from parts import new_document, placement, plate_with_hole
 
@@ -95,6 +95,32 @@ class Edits(unittest.TestCase):
         self.refused("Sheet.double=3", "is computed")
         self.refused("Sheet.thicknes=3", "did you mean thickness")
         self.refused("Sheet.thickness=thick", "no number")
+
+    def test_what_a_parameter_is_in_a_unit(self):
+        self.set("Plate.Length=12.7")
+        self.assertEqual(parameter_value(self.document, "Plate.Length"), 12.7)
+        for unit, value in (("mm", 12.7), ("cm", 1.27), ("in", 0.5)):
+            self.assertAlmostEqual(parameter_value(self.document, "Plate.Length", unit), value)
+            self.set("Plate.Length=%r %s" % (parameter_value(self.document, "Plate.Length", unit), unit))
+            self.assertAlmostEqual(self.plate.Length.Value, 12.7)
+        self.assertEqual(parameter_value(self.document, "Hole.Type", "mm"), "ThroughAll")
+        with self.assertRaisesRegex(UserError, "foot is no unit for Plate.Length"):
+            parameter_value(self.document, "Plate.Length", "foot")
+
+    def test_a_cell_is_a_whole_number_where_it_drives_one(self):
+        sheet = self.document.addObject("Spreadsheet::Sheet", "Sheet")
+        for cell, alias in (("A1", "thickness"), ("A2", "sides")):
+            sheet.set(cell, "5")
+            sheet.setAlias(cell, alias)
+        prism = self.document.addObject("Part::Prism", "Prism")
+        self.plate.setExpression("Length", "Sheet.thickness")
+        prism.setExpression("Polygon", "Sheet.sides")
+        self.document.recompute()
+        found = {target: is_whole_number(self.document, target)
+                 for target in ("Sheet.thickness", "Sheet.sides", "Sheet.A1", "Sheet.A2", "Prism.Polygon", "Plate.Length", "Plate.Midplane")}
+        self.assertEqual({target for target, is_whole in found.items() if is_whole}, {"Sheet.sides", "Prism.Polygon"})
+        prism.setExpression("Polygon", "Sheet.A2")
+        self.assertTrue(is_whole_number(self.document, "Sheet.A2"))
 
     def test_driven_values_are_refused(self):
         self.plate.setExpression("Length", "HoleSketch.Constraints.Radius * 2")

@@ -78,6 +78,13 @@ class Studies(StudyTest):
         self.study("export", "study-study", "all.json")
         self.assertEqual(len(json.loads((self.folder / "all.json").read_text(encoding="utf-8"))["cases"]), 4)
 
+    def test_the_document_as_it_is_is_so_in_any_unit(self):
+        self.study("run", "part.FCStd", "--vary", "Plate.Length=0.8:1.2:2 cm", "--sampling", "one_at_a_time", "--responses", "volume", "--folder", "cm")
+        rows = self.rows("cm")
+        self.assertEqual([row["parameters"]["Plate.Length"] for row in rows], [1.0, 0.8, 1.2])
+        for row, height in zip(rows, (10, 8, 12)):
+            self.assertAlmostEqual(row["responses"]["volume"], volume(6, height), places=6)
+
     def test_what_freecad_cannot_make_is_infeasible_and_no_failure(self):
         out, _ = self.study("run", "part.FCStd", "--vary", "Plate.Length=10,0", "--vary", "HoleSketch.X=22", "--sampling", "grid", "--responses", "volume", "--folder", "s")
         self.assertIn("1 of 2 cases done, 1 infeasible", out)

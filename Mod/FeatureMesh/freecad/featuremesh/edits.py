@@ -2,6 +2,7 @@
 """Sets parameters of a document as a user writes them: OBJECT.PROPERTY=VALUE."""
 
 import math
+import re
 
 import FreeCAD
 
@@ -14,6 +15,7 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 _NO_PROPERTY = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} has no property {name:text}{near:messages}")
 _NO_CONSTRAINT = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} has no constraint or property {name:text}{near:messages}")
 _NO_CELL = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} has no alias or cell {name:text}{near:messages}")   # of a spreadsheet
+_WHOLE = ("App::PropertyInteger", "App::PropertyIntegerConstraint")
 _TRUE, _FALSE = ("true", "yes", "on", "1"), ("false", "no", "off", "0")
 
 
@@ -40,8 +42,35 @@ def set_parameter(document, assignment):
         raise _unknown(obj, first, obj.PropertiesList)
 
 
-def parameter_value(document, target):
-    """What a parameter is now: a number in mm or degrees where it has such a unit, a switch or a word. Throws UserError as set_parameter does."""
+def parameter_value(document, target, unit=""):
+    """What a parameter is now: a switch, a word, or a number in that unit, without one in mm or degrees where it is a length or an angle.
+    Throws UserError as set_parameter does.
+    """
+    value = _value_now(document, target)
+    if not unit or isinstance(value, (bool, str)):
+        return value
+    return value / _quantity_of_one(unit, target)
+
+
+def is_whole_number(document, target):
+    """Has the parameter to be a whole number? That is known of a property; a cell of a spreadsheet is one where it drives such a property."""
+    name, _, path = target.partition(".")
+    sheet = find_object(document, name)
+    if sheet.TypeId != "Spreadsheet::Sheet":
+        return type(_value_now(document, target)) is int
+    cell = re.compile(r"(?<!\w)%s(?!\w)" % re.escape(path))
+    return any(cell.search(expression) and obj.getTypeIdOfProperty(bound.lstrip(".").split(".")[0]) in _WHOLE
+               for obj in sheet.InList for bound, expression in obj.ExpressionEngine)
+
+
+def _quantity_of_one(unit, where):
+    """One of a unit in FreeCAD's own: 10 of a cm."""
+    if not _is_quantity("1 " + unit):
+        raise UserError(said("{value:text} is no unit for {target:text}", value=unit, target=where))
+    return FreeCAD.Units.Quantity("1 " + unit).Value
+
+
+def _value_now(document, target):
     name, _, path = target.partition(".")
     obj = find_object(document, name)
     first, _, rest = path.partition(".")

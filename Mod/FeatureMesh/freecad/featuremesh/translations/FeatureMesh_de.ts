@@ -3869,6 +3869,10 @@
       <translation>{value:text} ist keine Zahl für {target:text}</translation>
     </message>
     <message>
+      <source>{value:text} is no unit for {target:text}</source>
+      <translation>{value:text} ist keine Einheit für {target:text}</translation>
+    </message>
+    <message>
       <source>{values:count} {values:value does|values do} not fit the {nodes:count} {nodes:node|nodes} of the old mesh.</source>
       <translation>{values:count} {values:Wert passt|Werte passen} nicht zu den {nodes:count} Knoten des alten Netzes.</translation>
     </message>
