@@ -49,9 +49,22 @@ class Words(unittest.TestCase):
         self.assertEqual((found.name, found.bounds, found.levels, found.unit), ("HoleSketch.Hole6X", (95.0, 115.0), 5, "mm"))
         self.assertEqual(found.assignment(95.5), "HoleSketch.Hole6X=95.5 mm")
         self.assertEqual(design.parse_parameter("Pad.Midplane=true,false").values, ["true", "false"])
+        listed = design.parse_parameter("Pad.Length=0.5, 0.6 cm")
+        self.assertEqual((listed.values, listed.unit, listed.assignment(0.5)), ([0.5, 0.6], "cm", "Pad.Length=0.5 cm"))
+        self.assertEqual(design.parse_parameter("Mesh.Order=1st,2nd").values, ["1st", "2nd"])
         for text in ("Pad.Length", "Pad=1:2", "Pad.Length=1:2:3:4", "Pad.Length=a:b", "=1:2"):
             with self.subTest(text=text), self.assertRaisesRegex(UserError, "cannot read"):
                 design.parse_parameter(text)
+
+    def test_the_values_of_a_parameter_are_numbers_or_words(self):
+        for text in ("Pad.Length=5,six", "Pad.Length=nan,5", "Pad.Length=5,inf", "Pad.Length=5,,6"):
+            with self.subTest(text=text), self.assertRaisesRegex(UserError, "the values of Pad.Length are numbers, or words"):
+                design.check(study("grid", text))
+        listed = study("grid", "A.x=1,2")
+        listed.parameters[0].values = [1, [2]]
+        self.assertRaisesRegex(UserError, "are numbers, or words", design.check, listed)
+        for text in ("Pad.Length=5,6 mm", "Pad.Midplane=true,false", "Mesh.Order=1st,2nd"):
+            design.check(study("grid", text))
 
     def test_responses(self):
         one, two, three, four = parse_list("mass,top=max_mises@Face3:p95,displacement_z@1.5,2,-3,frequency_2")

@@ -122,9 +122,10 @@ def parse_parameter(text):
     target, rest = target.strip(), rest.strip()
     if not (separator and "." in target and rest):
         raise _unreadable(text)
-    numbers, unit = re.fullmatch(r"(.*?)\s*([A-Za-z]*)", rest).groups() if ":" in rest else (rest, "")
     if ":" not in rest:
-        return Parameter(target, target, values=[_value(entry.strip()) for entry in rest.split(",")])
+        values, unit = _listed(rest)
+        return Parameter(target, target, values=values, unit=unit)
+    numbers, unit = _without_unit(rest)
     parts = numbers.split(":")
     try:
         low, high = float(parts[0]), float(parts[1])
@@ -200,6 +201,8 @@ def _check_parameter(parameter):
         low, high = parameter.bounds
         raise UserError(said("the range of {name:text} has to rise, not {low:number}:{high:number}; write its low end first",
                              name=parameter.name, low=low, high=high))
+    if not _are_alike(parameter.values):
+        raise UserError(said("the values of {parameter:text} are numbers, or words, all of them", parameter=parameter.name))
     if not 2 <= parameter.levels <= MOST_CASES:
         raise UserError(said("{parameter:text} needs two levels to {most:count}, not {levels:count}", parameter=parameter.name, most=MOST_CASES,
                              levels=parameter.levels))
@@ -216,6 +219,24 @@ def _parameter(given, path):
         raise UserError(said("{path:text}: the range of {parameter:text} is two numbers", path=path, parameter=given["set"]))
     return Parameter(given["set"], given.get("name", given["set"]), tuple(map(float, bounds)), list(given.get("values", [])), given.get("unit", ""),
                      given.get("levels", 3), given.get("integer", False))
+
+
+def _listed(text):
+    """(values, unit) of a list whose last number may have a unit: that of all of them."""
+    *others, last = [entry.strip() for entry in text.split(",")]
+    number, unit = _without_unit(last)
+    if others and unit and all(isinstance(_value(entry), float) for entry in (*others, number)):
+        return [_value(entry) for entry in (*others, number)], unit
+    return [_value(entry) for entry in (*others, last)], ""
+
+
+def _without_unit(text):
+    return re.fullmatch(r"(.*?)\s*([A-Za-z]*)", text).groups()
+
+
+def _are_alike(values):
+    """Are they all words, or all numbers with an end?"""
+    return all(isinstance(value, str) and value for value in values) or all(isinstance(value, (int, float)) and math.isfinite(value) for value in values)
 
 
 def _value(text):

@@ -1129,6 +1129,10 @@
       <translation>die Zeitgrenze eines Falls ist größer als 0 s, nicht {seconds:number}</translation>
     </message>
     <message>
+      <source>the values of {parameter:text} are numbers, or words, all of them</source>
+      <translation>die Werte von {parameter:text} sind entweder alle Zahlen oder alle Wörter</translation>
+    </message>
+    <message>
       <source>there is no face, edge, vertex, point or feature {place:text}, where a response is asked for</source>
       <translation>es gibt keine Fläche, keine Kante, keinen Eckpunkt, keinen Punkt und kein Formelement {place:text}, wo nach einer Zielgröße gefragt ist</translation>
     </message>
