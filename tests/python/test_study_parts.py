@@ -158,6 +158,9 @@ class Files(unittest.TestCase):
                     ("parameters", "3", "parameters is a list"), ("parameters", "[3]", r"a parameter is a table \[\[parameters\]\]"),
                     ("parameters", '[{set = "A.x", range = 3}]', "range is a list"), ("parameters", '[{set = "A.x", levels = true}]', "levels is a whole number, not True"),
                     ("mesh", '{size = "2 mm"}', r"\[mesh\]: size is a number, not '2 mm'"), ("limits", "{seconds = 0}", "the time limit of a case is more than 0 s"),
+                    ("limits", "{seconds = inf}", "the time limit of a case is at most 1e.08 s, not inf"),
+                    ("limits", "{memory_gb = inf}", "the memory limit of a case is more than 0 GB, not inf"),
+                    ("mesh", "{order = 3}", "the order of the elements is 1 or 2, not 3"),
                     ("threds", "2", "there is no threds; known are analysis, "), ("document", None, "has no document; a study's file needs document, parameters and")):
                 entries = {name: said for name, said in {**good, key: value}.items() if said}
                 with open(path, "w", encoding="utf-8") as stream:
@@ -245,6 +248,12 @@ class Running(unittest.TestCase):
                 self.assertTrue(worker.is_overdue())
             finally:
                 worker.end()
+
+    def test_the_longest_time_limit_can_be_waited_for(self):
+        with tempfile.TemporaryDirectory() as folder:
+            worker = worker_process.WorkerProcess("/bin/true", dict(os.environ), {"seconds_limit": design.MOST_SECONDS}, os.path.join(folder, "log"))
+            self.addCleanup(worker.end)
+            self.assertRaisesRegex(worker_process.WorkerDied, "FreeCAD ended", worker.answer)
 
     def test_no_case_starts_without_memory_for_it(self):
         book = SimpleNamespace(facts={"nodes": 1_000_000, "filled_by": "tets", "solver": "ccx"})

@@ -14,6 +14,7 @@ from .response_words import Response, parse_response
 SAMPLINGS = ("grid", "one_at_a_time", "lhs", "sobol", "halton", "box_behnken", "central_composite", "csv")
 COUNTED = ("lhs", "sobol", "halton")   # those that take any number of cases
 SOLVERS = ("live", "ccx")
+MOST_SECONDS = 1e8    # of a case, three years; the system cannot wait much longer
 MOST_CASES = 100000   # of a study, so that a number with too many noughts is told at once
 KEPT_FILES = ("mesh", "inp", "frd")
 # What each key of a study's file holds.
@@ -156,6 +157,8 @@ def check(study):
     if study.seed < 0:
         raise UserError(said("the seed is 0 or larger, not {seed:count}", seed=study.seed))
     check_limits(study)
+    if study.mesh_order not in (None, 1, 2):
+        raise UserError(said("the order of the elements is 1 or 2, not {order:count}", order=study.mesh_order))
     for name in study.keep:
         if name not in KEPT_FILES:
             raise UserError(said("of a case can be kept: {kinds:text}, not {kind:text}", kinds=", ".join(KEPT_FILES), kind=name))
@@ -179,7 +182,9 @@ def check_limits(study):
     """Throws UserError for a limit that no case could keep to."""
     if not study.seconds_limit > 0:
         raise UserError(said("the time limit of a case is more than 0 s, not {seconds:number}", seconds=study.seconds_limit))
-    if study.memory_limit_gb is not None and not study.memory_limit_gb > 0:
+    if study.seconds_limit > MOST_SECONDS:
+        raise UserError(said("the time limit of a case is at most {most:number} s, not {seconds:number}", most=MOST_SECONDS, seconds=study.seconds_limit))
+    if study.memory_limit_gb is not None and not 0 < study.memory_limit_gb < math.inf:
         raise UserError(said("the memory limit of a case is more than 0 GB, not {gigabytes:number}; leave it out where the whole machine may be used",
                              gigabytes=study.memory_limit_gb))
 

@@ -1029,6 +1029,10 @@
       <translation>der Speicher reichte nicht</translation>
     </message>
     <message>
+      <source>the order of the elements is 1 or 2, not {order:count}</source>
+      <translation>die Ordnung der Elemente ist 1 oder 2, nicht {order:count}</translation>
+    </message>
+    <message>
       <source>the parameter {parameter:text} needs a range of two numbers or a list of values</source>
       <translation>der Parameter {parameter:text} braucht einen Bereich aus zwei Zahlen oder eine Liste von Werten</translation>
     </message>
@@ -1123,6 +1127,10 @@
     <message>
       <source>the study in {folder:text} is being run already, by process {process:text}</source>
       <translation>die Studie in {folder:text} läuft schon, im Prozess {process:text}</translation>
+    </message>
+    <message>
+      <source>the time limit of a case is at most {most:number} s, not {seconds:number}</source>
+      <translation>die Zeitgrenze eines Falls ist höchstens {most:number} s, nicht {seconds:number}</translation>
     </message>
     <message>
       <source>the time limit of a case is more than 0 s, not {seconds:number}</source>
