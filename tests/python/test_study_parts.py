@@ -2,6 +2,7 @@
 """The parts of studies that need no FreeCAD: what is read, sampled, kept, concluded. Runs in plain Python."""
 import math
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -16,7 +17,7 @@ from study_tests import ROOT
 
 from freecad.featuremesh.errors import UserError  # noqa: E402
 from freecad.featuremesh.study import (  # noqa: E402
-    answers, case_book, design, memory, modes, plots, progress, runner, sampling, study_file, surface, worker_process)
+    answers, case_book, design, memory, modes, optimise, planning, plots, progress, runner, sampling, study_file, surface, worker_process)
 from freecad.featuremesh.study.classic_designs import box_behnken, central_composite  # noqa: E402
 from freecad.featuremesh.study.database import Database  # noqa: E402
 from freecad.featuremesh.study.expressions import Expression  # noqa: E402
@@ -40,6 +41,21 @@ except DiskFull as error:
 
 def study(sampling_name, *parameters, **options):
     return design.Study("part.FCStd", [design.parse_parameter(text) for text in parameters], parse_list("mass"), sampling=sampling_name, **options)
+
+
+def folder_of(test, asked, integers=()):
+    """What a study's folder tells, with an empty database."""
+    path = tempfile.mkdtemp()
+    test.addCleanup(shutil.rmtree, path)
+    database = Database(os.path.join(path, "study.sqlite"), new=True)
+    test.addCleanup(database.close)
+    return SimpleNamespace(path=path, database=database, study=lambda: design.from_plain(asked.to_plain()), facts=lambda: {"integers": list(integers), "base_values": {}})
+
+
+def finish(folder, cases, mass):
+    """Adds the cases, as done; `mass(parameters)` is their response."""
+    for case_id in folder.database.add_cases([(parameters, None) for parameters in cases], "test"):
+        folder.database.finish(case_id, {"state": "done", "responses": {"mass": mass(folder.database.case(case_id).parameters)}})
 
 
 class Words(unittest.TestCase):
@@ -124,6 +140,15 @@ class Sampling(unittest.TestCase):
         values = [row[0] for row in sampling.rows(asked, {})]
         self.assertEqual([values.count(n) for n in range(2, 6)], [16] * 4)
         self.assertTrue(all(type(value) is int for value in values))
+
+    def test_whole_numbers_are_within_bounds_that_are_none(self):
+        asked = study("sobol", "A.n=2.5:5.5", cases=16)
+        folder = folder_of(self, asked, integers=["A.n"])
+        planning.plan(folder)
+        self.assertEqual({case.parameters["A.n"] for case in folder.database.cases()}, {3, 4, 5})
+        asked.parameters[0].bounds = (2.2, 2.8)
+        with self.assertRaisesRegex(UserError, "no whole number is between 2.2 and 2.8, the bounds of A.n"):
+            planning.plan(folder)
 
     def test_classic_designs_can_fit_every_quadratic_term(self):
         for make, count, size in ((box_behnken, 3, 13), (box_behnken, 4, 25), (central_composite, 2, 9), (central_composite, 4, 25)):
@@ -225,6 +250,60 @@ class Answers(unittest.TestCase):
                          ["1\nx", "3", "10\ny", "30", "1\nmass, kg", "3", "43.33\nstress, MPa", "130"])
         self.assertEqual(plots._told_apart(0.11794, 0.11801), ("0.11794", "0.11801"))
         self.assertEqual(plots._told_apart(1 / 3, 1 / 3), ("0.3333", "0.3333"))
+
+
+class WordsAmongValues(unittest.TestCase):
+    """A list of words need not have the document's own, nor those of somebody's rows."""
+
+    def setUp(self):
+        self.folder = folder_of(self, study("one_at_a_time", "Hole.Size=M3,M4", "Pad.Length=1:2"))
+        finish(self.folder, [{"Hole.Size": size, "Pad.Length": length} for size in ("M6", "M3", "M4", "M5") for length in (1.0, 2.0)],
+               lambda of: float(of["Hole.Size"][1]) * of["Pad.Length"])
+
+    def test_words_that_are_not_in_the_list_come_after_it(self):
+        data = answers.data_of(self.folder)
+        self.assertEqual((data.names, data.limits), (["Hole.Size", "Pad.Length"], [(0.0, 3.0), (1.0, 2.0)]))
+        np.testing.assert_allclose(data.points[::2, 0], [1 / 3, -1, -1 / 3, 1])
+
+    def test_cases_with_such_words_are_no_part_of_surfaces(self):
+        found = optimise.Optimiser(self.folder, "mass").run(self.solve, 12)
+        self.assertEqual(found.case.parameters, {"Hole.Size": "M3", "Pad.Length": 1.0})
+
+    def solve(self, case_id):
+        parameters = self.folder.database.case(case_id).parameters
+        self.folder.database.finish(case_id, {"state": "done", "responses": {"mass": float(parameters["Hole.Size"][1]) * parameters["Pad.Length"]}})
+
+
+class Optimising(unittest.TestCase):
+
+    def optimised(self, asked, mass, known=(), goal="mass", **options):
+        folder = folder_of(self, asked, **options)
+        finish(folder, known, mass)
+
+        def solve(case_id):
+            folder.database.finish(case_id, {"state": "done", "responses": {"mass": mass(folder.database.case(case_id).parameters)}})
+        return optimise.Optimiser(folder, goal).run(solve, 30)
+
+    def test_cases_on_a_line_are_no_surface(self):
+        """As where all others were infeasible."""
+        found = self.optimised(study("grid", "A.x=1:2", "A.y=1:2"), lambda of: of["A.x"] + (of["A.y"] - 1.5) ** 2,
+                               [{"A.x": 1.5, "A.y": 1 + share / 10} for share in range(10)])
+        self.assertEqual(found.case.parameters["A.x"], 1)
+        self.assertAlmostEqual(found.case.parameters["A.y"], 1.5, delta=0.02)
+
+    def test_what_has_one_value_only_stays(self):
+        found = self.optimised(study("grid", "A.x=1:2", "A.kind=round", "A.y=3"), lambda of: (of["A.x"] - 1.25) ** 2 + of["A.y"])
+        self.assertAlmostEqual(found.case.parameters.pop("A.x"), 1.25, delta=0.02)
+        self.assertEqual(found.case.parameters, {"A.kind": "round", "A.y": 3.0})
+
+    def test_a_goal_need_not_have_a_value_everywhere(self):
+        asked = study("grid", "A.x=2:3", "A.y=4:5")
+        found = self.optimised(asked, lambda of: of["A.x"], goal="mass / (A.y - A.x) + log(A.x - 1)")
+        self.assertEqual(found.case.parameters, {"A.x": 2.0, "A.y": 5.0})
+        for goal in ("mass / (A.y - A.z)", "mas / (A.y - A.x)", "1 / (A.x - A.y) + mas", "logg(mass)", "B.x"):
+            with self.subTest(goal=goal), self.assertRaisesRegex(UserError, "the goal .* cannot be evaluated: there is no .*; it may use A.x, A.y, mass"):
+                optimise.Optimiser(folder_of(self, asked), goal)
+        optimise.Optimiser(folder_of(self, asked), "max(x * mass for x in (A.x, A.y))")
 
 
 class Running(unittest.TestCase):

@@ -46,7 +46,7 @@ def data_of(folder):
         raise UserError(said("the study in {folder:text} has no finished case yet", folder=folder.path))
     columns, limits, names = [], [], []
     for parameter in study.parameters:
-        column = np.array([_number(parameter, case.parameters[parameter.name]) for case in cases])
+        column = np.array(_numbers(parameter, [case.parameters[parameter.name] for case in cases]))
         if column.min() < column.max():
             names.append(parameter.name)
             limits.append((float(column.min()), float(column.max())))
@@ -54,8 +54,10 @@ def data_of(folder):
     return Data(study, cases, names, np.column_stack(columns) if columns else np.zeros((len(cases), 0)), limits)
 
 
-def _number(parameter, value):
-    return float(parameter.values.index(value)) if isinstance(value, str) else float(value)
+def _numbers(parameter, values):
+    """Of words their places in the list of values; those of the document or of somebody's rows that are not in it come after it."""
+    words = list(dict.fromkeys([*parameter.values, *values]))
+    return [float(words.index(value)) if isinstance(value, str) else float(value) for value in values]
 
 
 def effects(data, response):

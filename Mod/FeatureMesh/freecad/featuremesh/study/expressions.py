@@ -2,6 +2,7 @@
 """Python expressions over parameters and responses, whose names may have dots: `HoleSketch.Hole6X > 2 * Fillet.Radius`."""
 
 import ast
+import itertools
 import math
 from types import SimpleNamespace
 
@@ -24,6 +25,15 @@ class Expression:
             raise UserError(said("{what:messages} {text:text} cannot be read: {why:text}",
                                  what=what, text=text, why=str(getattr(error, "msg", error)))) from error
 
+    def refuse_unknown(self, names):
+        """Throws UserError where it uses what is none of these names and no function of ours."""
+        tree = ast.parse(self.text.strip(), mode="eval")
+        known = {*names, *_FUNCTIONS, *(node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store))}
+        for name in _dotted_names(tree):
+            if not any(first in known for first in itertools.accumulate(name.split("."), "{}.{}".format)):
+                raise UserError(said("{what:messages} {text:text} cannot be evaluated: {why:messages}; it may use {names:text}",
+                                     what=self._what, text=self.text, why=said("there is no {name:text}", name=name), names=", ".join(names)))
+
     def value(self, values):
         """Its value where each name in `values` has that value. Throws UserError."""
         try:
@@ -45,6 +55,10 @@ class Limit:
         self._sign = 1 if isinstance(node.ops[0], (ast.LtE, ast.Lt)) else -1
         self._left, self._right = (Expression(ast.unparse(side), said("the limit")) for side in (node.left, node.comparators[0]))
 
+    def refuse_unknown(self, names):
+        """As Expression's."""
+        self._whole.refuse_unknown(names)
+
     def is_kept(self, values):
         return bool(self._whole.value(values))
 
@@ -52,6 +66,20 @@ class Limit:
         """By which share of its right side the limit is broken; negative where it is kept."""
         right = self._right.value(values)
         return self._sign * (self._left.value(values) - right) / (abs(right) or 1.0)
+
+
+def _dotted_names(node):
+    """All names that are read, each as long as its dots go."""
+    name = _dotted_name(node)
+    return [name] if name else [name for child in ast.iter_child_nodes(node) for name in _dotted_names(child)]
+
+
+def _dotted_name(node):
+    """None for what is no name."""
+    if isinstance(node, ast.Name):
+        return node.id
+    holder = _dotted_name(node.value) if isinstance(node, ast.Attribute) else None
+    return "%s.%s" % (holder, node.attr) if holder else None
 
 
 def _by_dots(values):

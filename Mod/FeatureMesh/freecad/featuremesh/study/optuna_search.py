@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Optuna in place of the surfaces: for goals that surfaces cannot follow. Every trial is a case of the study."""
+import math
 
 from ..errors import UserError
 from ..messages import said
@@ -25,12 +26,12 @@ class OptunaOptimiser(Optimiser):
         for _ in range(most_solves):
             trial = trials.ask()
             case = self._solved(self._suggested(trial), solve, tell)
-            if case.state != DONE:
+            if case.state != DONE or self._goal_of(case) == math.inf:
                 trials.tell(trial, state=optuna.trial.TrialState.FAIL)
                 continue
             values = answers.all_values(case)
             trial.set_user_attr(_EXCESS, [limit.excess(values) for limit in self._limits] or [0.0])
-            trials.tell(trial, self._goal.value(values))
+            trials.tell(trial, self._goal_of(case))
         return Found(self.best(), most_solves, "all %d solutions were spent" % most_solves)
 
     def _suggested(self, trial):

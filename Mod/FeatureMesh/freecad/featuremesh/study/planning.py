@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Puts the cases of a study into its database: those of its sampling, more of the same sequence, rows of one's own."""
+import math
 
 from ..errors import UserError
 from ..messages import alternatives, said
@@ -9,7 +10,7 @@ from .design import COUNTED, refuse_too_many
 
 def plan(folder):
     """Adds the cases that the study asks for. Returns how many there are."""
-    study, facts = _with_integers(folder), folder.facts()
+    study, facts = with_integers(folder), folder.facts()
     rows = sampling.rows(study, facts["base_values"])
     folder.database.add_cases(_with_messages(study, rows), study.sampling, {"sampled": len(rows), "batches": 1})
     return len(rows)
@@ -17,7 +18,7 @@ def plan(folder):
 
 def extend(folder, count=None, csv_path=None):
     """Adds `count` cases of the same sequence, or the rows of a file. Returns how many were added. Throws UserError."""
-    study, database = _with_integers(folder), folder.database
+    study, database = with_integers(folder), folder.database
     before = sum(database.counts().values())
     if csv_path:
         database.add_cases(_with_messages(study, sampling.read_rows(study, csv_path)), "csv")
@@ -34,17 +35,27 @@ def extend(folder, count=None, csv_path=None):
 
 def add_point(folder, values, maker):
     """The id of the case with these values, made if it is not there."""
-    study = _with_integers(folder)
+    study = with_integers(folder)
     row = [values[parameter.name] for parameter in study.parameters]
     return folder.database.add_cases(_with_messages(study, [row]), maker)[0]
 
 
-def _with_integers(folder):
-    """The study, whose parameters know which of them are whole numbers in the document."""
+def with_integers(folder):
+    """The study, whose parameters know which of them are whole numbers in the document, with whole bounds."""
     study, integers = folder.study(), folder.facts()["integers"]
     for parameter in study.parameters:
         parameter.integer = parameter.integer or parameter.name in integers
+        if parameter.integer and parameter.bounds:
+            parameter.bounds = _whole_bounds(parameter)
     return study
+
+
+def _whole_bounds(parameter):
+    low, high = parameter.bounds
+    if math.ceil(low) > math.floor(high):
+        raise UserError(said("no whole number is between {low:number} and {high:number}, the bounds of {parameter:text}",
+                             low=low, high=high, parameter=parameter.name))
+    return float(math.ceil(low)), float(math.floor(high))
 
 
 def _with_messages(study, rows):

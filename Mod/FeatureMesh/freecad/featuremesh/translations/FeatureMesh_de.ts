@@ -809,6 +809,10 @@
       <translation>kein Lager {support:text} hat eine Reaktionskraft; es gibt {supports:messages}</translation>
     </message>
     <message>
+      <source>no whole number is between {low:number} and {high:number}, the bounds of {parameter:text}</source>
+      <translation>zwischen {low:number} und {high:number}, den Grenzen von {parameter:text}, liegt keine ganze Zahl</translation>
+    </message>
+    <message>
       <source>nodes kept</source>
       <translation>Knoten behalten</translation>
     </message>
@@ -823,6 +827,10 @@
     <message>
       <source>not solved</source>
       <translation>nicht gelöst</translation>
+    </message>
+    <message>
+      <source>nothing is varied: every parameter has one value only</source>
+      <translation>nichts wird verändert: jeder Parameter hat nur einen Wert</translation>
     </message>
     <message>
       <source>of a case can be kept: {kinds:text}, not {kind:text}</source>
@@ -1151,6 +1159,10 @@
     <message>
       <source>there is no response {kind:text}{near:messages}; there are {kinds:text}</source>
       <translation>es gibt keine Zielgröße {kind:text}{near:messages}; es gibt {kinds:text}</translation>
+    </message>
+    <message>
+      <source>there is no {name:text}</source>
+      <translation>{name:text} gibt es nicht</translation>
     </message>
     <message>
       <source>thickness</source>
