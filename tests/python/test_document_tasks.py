@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The launcher's commands from end to end, and everything a user can get wrong: one message, no file touched."""
+import errno
 import json
 import os
 import shutil
 import tempfile
 import unittest
+from unittest import mock
 
 import FreeCAD
 import Part
-from freecad.featuremesh import api, cli, documents, export
+from freecad.featuremesh import api, cli, documents, export, tasks
 from parts import new_document, plate_with_hole
 
 
@@ -80,6 +82,28 @@ class Tasks(unittest.TestCase):
         result = self.done(command="update", part=path, set=["Box1.Height=12"])
         self.assertIsNone(result["data"]["fallback"])
         self.assertGreater(result["data"]["kept"]["nodes_share"], 0.4)
+
+    def test_a_report_is_written_as_a_whole_or_not_at_all(self):
+        report = self.path("report.json")
+        self.mesh(json=report)
+        before = self.files()
+
+        def half(value, stream, **_):
+            stream.write("{")
+            raise OSError(errno.ENOSPC, "No space left on device")
+        with mock.patch.object(tasks.json, "dump", half):
+            result = self.run_task(command="update", part=self.part, set=["HoleSketch.X=23"], json=report)
+        self.assertEqual((result["exit_code"], result["message"]), (2, "saved %s, but cannot write the report: [Errno 28] No space left on device" % self.part))
+        self.assertEqual({name: content for name, content in self.files().items() if name != "part.FCStd"},
+                         {name: content for name, content in before.items() if name != "part.FCStd"})
+        os.symlink("elsewhere.json", self.path("link.json"))
+        os.chmod(report, 0o600)
+        for name in ("link.json", "report.json"):
+            self.done(command="update", part=self.part, set=["HoleSketch.X=24"], json=self.path(name))
+        self.assertTrue(os.path.islink(self.path("link.json")) and os.path.isfile(self.path("elsewhere.json")))
+        self.assertEqual(os.stat(report).st_mode & 0o777, 0o600)
+        self.done(command="update", part=self.part, set=["HoleSketch.X=25"], json="/dev/null")
+        self.assertFalse(os.path.isfile("/dev/null"))
 
     def test_mesh_then_update(self):
         self.mesh(json=self.path("first.json"))

@@ -7,7 +7,7 @@ import runpy
 import sys
 import traceback
 
-from . import about, api, documents, engine, reading, tables, versions
+from . import about, api, documents, engine, reading, tables, versions, whole_file
 from .errors import UserError
 from .export import WITHOUT_GROUPS
 from .transfer import find_result
@@ -224,7 +224,7 @@ def _save(document, task, report):
     documents.save_document(document, out)
     if task.get("json"):
         try:
-            with open(task["json"], "w", encoding="utf-8") as stream:
+            with whole_file.written(task["json"]) as stream:
                 json.dump(in_english(report), stream, indent=1, sort_keys=True)
         except OSError as error:
             raise UserError(said("saved {path:text}, but cannot write the report: {why:messages}", path=out, why=of_error(error))) from error

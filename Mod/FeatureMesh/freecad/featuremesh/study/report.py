@@ -6,6 +6,7 @@ import os
 
 import numpy as np
 
+from .. import whole_file
 from ..errors import UserError
 from ..messages import english, said
 from . import answers, plots
@@ -24,9 +25,8 @@ def write(folder, path, pair=None, goal=None, limits=(), say=english):
     Throws UserError."""
     page = _Page(folder, say).made(pair, goal, limits)
     try:
-        with open(path + ".tmp", "w", encoding="utf-8") as stream:
+        with whole_file.written(path) as stream:
             stream.write(page)
-        os.replace(path + ".tmp", path)
     except OSError as error:
         raise UserError(said("cannot write {path:text}: {why:messages}", path=path, why=error.strerror)) from error
 

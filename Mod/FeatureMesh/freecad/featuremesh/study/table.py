@@ -6,6 +6,7 @@ import json
 import os
 from dataclasses import asdict
 
+from .. import whole_file
 from ..errors import UserError
 from ..messages import english, in_english, said
 
@@ -18,9 +19,8 @@ def write(folder, path, file_format=None):
         raise UserError(said("a table is written as csv or json, not {format:text}", format=file_format or path))
     cases = folder.database.cases()
     try:
-        with open(path + ".tmp", "w", newline="", encoding="utf-8") as stream:
+        with whole_file.written(path, newline="") as stream:
             writers[file_format](folder.study(), cases, stream)
-        os.replace(path + ".tmp", path)
     except OSError as error:
         raise UserError(said("cannot write {path:text}: {why:messages}", path=path, why=error.strerror)) from error
     return len(cases)
