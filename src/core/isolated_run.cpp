@@ -8,10 +8,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <ctime>
+#include <new>
 #include <string>
 #include <thread>
 
@@ -35,6 +37,10 @@ namespace {
 /// The last byte of what is written, so that nothing depends on whether the program waits for children of its own.
 constexpr std::byte complete{42};
 
+/// How the copy ends where it has no bytes to give.
+constexpr int has_failed = 1, has_no_memory = 2;
+constexpr std::array crashes{SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL};
+
 /// Ends the process.
 [[noreturn]] void work_and_write(const Work& work, int out) {
     try {
@@ -43,12 +49,14 @@ constexpr std::byte complete{42};
         for (std::size_t done = 0; done < bytes.size();) {
             const ssize_t count = write(out, bytes.data() + done, bytes.size() - done);
             if (count < 0 && errno == EINTR) continue;
-            if (count <= 0) _exit(1);
+            if (count <= 0) _exit(has_failed);
             done += static_cast<std::size_t>(count);
         }
         _exit(0);
+    } catch (const std::bad_alloc&) {
+        _exit(has_no_memory);
     } catch (...) {
-        _exit(1);
+        _exit(has_failed);
     }
 }
 
@@ -58,7 +66,8 @@ constexpr std::byte complete{42};
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
     // a crash is no news for the handlers of the program
-    for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU}) std::signal(signal, SIG_DFL);
+    for (const int signal : crashes) std::signal(signal, SIG_DFL);
+    std::signal(SIGXCPU, SIG_DFL);
     const rlimit no_core{0, 0};
     setrlimit(RLIMIT_CORE, &no_core);
     const rlimit seconds{patience.processor_seconds, patience.processor_seconds + 1};
@@ -70,7 +79,17 @@ constexpr std::byte complete{42};
     } catch (...) {
         work_and_write(work, out);
     }
-    _exit(1);
+    _exit(has_failed);
+}
+
+/// Throws where it is not the work's own fault that a copy with this status gave nothing.
+void refuse_end_from_outside(int status) {
+    if (WIFEXITED(status) && WEXITSTATUS(status) == has_no_memory) throw std::bad_alloc();
+    if (!WIFSIGNALED(status)) return;
+    const int signal = WTERMSIG(status);
+    if (signal == SIGXCPU) throw MeshError(say<Code::step_does_not_end>());
+    if (std::find(crashes.begin(), crashes.end(), signal) == crashes.end())
+        throw MeshError(say<Code::step_was_ended>());
 }
 
 class Child {
@@ -104,8 +123,7 @@ class Child {
             bytes.insert(bytes.end(), part.begin(), part.begin() + count);
         }
         if (bytes.empty() || bytes.back() != complete) {
-            if (const int status = end(); WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-                throw MeshError(say<Code::step_does_not_end>());
+            refuse_end_from_outside(end());
             return {};
         }
         bytes.pop_back();

@@ -206,7 +206,7 @@ void note_refusal(Attempt& attempt, Function work) {
     } catch (const InputError&) {
         throw;
     } catch (const Error& failure) {
-        if (failure.message.code() == Code::out_of_memory) throw;
+        if (is_of_machine(failure)) throw;
         attempt.refusal = failure.message;
     }
 }

@@ -11,6 +11,13 @@
 
 namespace featuremesh {
 
+/// Whether work failed for want of time or memory. That says nothing of the part: no other mesh is made because a
+/// machine is slow or small.
+inline bool is_of_machine(const Error& failure) {
+    const Code code = failure.message.code();
+    return code == Code::out_of_memory || code == Code::step_does_not_end || code == Code::step_was_ended;
+}
+
 template <class Function>
 auto with_our_errors(Function work) {
     const auto first_line = [](const char* text) { return std::string(text).substr(0, std::string(text).find('\n')); };

@@ -406,6 +406,7 @@ class Stages {
             throw;
         } catch (const Error& failure) {
             context_.check_cancelled();
+            if (is_of_machine(failure)) throw;
             why = failure.message;
             return false;
         }

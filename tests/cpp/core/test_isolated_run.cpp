@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <chrono>
 #include <csignal>
+#include <new>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -39,6 +40,20 @@ TEST_CASE("isolated work that crashes or throws gives nothing, and changes nothi
     CHECK_FALSE(run_isolated(crash, enough, context).has_value());
     CHECK_FALSE(run_isolated(fail, enough, context).has_value());
     CHECK(here == 1);
+}
+
+TEST_CASE("isolated work that somebody ends, or that has too little memory, is an error and not nothing") {
+    const RunContext context;
+    for (const int signal : {SIGKILL, SIGTERM}) {
+        const auto end = [&](const RunContext&) -> Bytes {
+            std::signal(SIGTERM, SIG_DFL);
+            std::raise(signal);
+            return Bytes(1);
+        };
+        CHECK_THROWS_WITH(run_isolated(end, enough, context), Catch::Matchers::Contains("was ended from outside"));
+    }
+    const auto ask_for_all = [](const RunContext&) -> Bytes { throw std::bad_alloc(); };
+    CHECK_THROWS_AS(run_isolated(ask_for_all, enough, context), std::bad_alloc);
 }
 
 TEST_CASE("isolated work ends when it is cancelled") {

@@ -527,6 +527,10 @@
       <translation>ein Ergebnis</translation>
     </message>
     <message>
+      <source>a step of the meshing was ended from outside, as the system does where memory is short; close other programs, or choose a larger size</source>
+      <translation>ein Schritt der Vernetzung wurde von außen beendet, wie es das System bei Speichermangel tut; andere Programme schließen oder eine größere Größe wählen</translation>
+    </message>
+    <message>
       <source>a study asks for figures of solids, of shells or of beams alone, and {part:text} has several of them in one analysis; study a part of one kind, or ask for its volume or area only</source>
       <translation>eine Studie fragt nach Werten von Volumenkörpern, von Schalen oder von Balken allein, und {part:text} hat mehrere davon in einer Analyse; ein Bauteil einer Art untersuchen, oder nur nach seinem Volumen oder seiner Fläche fragen</translation>
     </message>
