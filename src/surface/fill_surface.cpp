@@ -444,6 +444,7 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
     const MergedEntities& merged = options.known ? *options.known : *own;
     WantedLength wanted(sizing);
     EdgesBeside beside;
+    bool may_be_halved = false;
     std::optional<OppositePlaces> opposite;  // across thin walls of the last mesh; none while its edges may change
     std::vector<std::vector<Message>> refined;
     for (int attempt = 1;; ++attempt) {
@@ -452,6 +453,7 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
         while (!filler.emplace(brep, merged, wanted, known_beside, std::move(kept), context).bound()) {
             for (const auto& [first, second, piece] : filler->new_beside()) {
                 beside.add(first, second);
+                may_be_halved = options.narrow == NarrowFaces::opposite_nodes;
                 if (options.narrow == NarrowFaces::shorter) wanted.limit({piece.point, 0.5 * piece.size});
             }
             kept = filler->take_mesh();
@@ -460,6 +462,7 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
         SurfaceResult result = filler->fill(opposite ? &*opposite : nullptr);
         result.kept = before;
         result.report.has_opposite_nodes = !beside.is_empty();
+        result.report.may_be_halved = may_be_halved;
         const Crossings found = crossing_triangles(brep, result.mesh, before.triangles, context);
         const TrianglePairs& crossings = found.within;
         if (crossings.empty() && !opposite) {

@@ -30,6 +30,7 @@ struct SurfaceReport {
     std::size_t new_nodes = 0, new_triangles = 0;
     double min_angle_deg = 180;       ///< smallest angle of a new triangle
     bool has_opposite_nodes = false;  ///< another choice of NarrowFaces gives another surface
+    bool may_be_halved = false;       ///< so does NarrowFaces::shorter: some chains would cross by themselves
     std::vector<Message> warnings;    ///< e.g. a face that had to be meshed finer than asked
 };
 

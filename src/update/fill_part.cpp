@@ -31,6 +31,7 @@ struct Attempt {
     Message refusal;
     SizeRequest request;
     bool has_narrow_faces = false;  ///< whose edges may be divided in another way
+    bool may_be_halved = false;     ///< in pieces half as long, too
 };
 
 /// Marks the nodes around which something is new or gone; none when nothing was kept. The tets at them are those at the
@@ -252,6 +253,7 @@ class SizeLoop {
             SurfaceResult surface = fill_surface(brep_, field_, may_be_last ? std::move(kept_.mesh) : kept_.mesh,
                                                  context_, {.known = kept_.merged.get(), .narrow = narrow_});
             attempt.has_narrow_faces = surface.report.has_opposite_nodes;
+            attempt.may_be_halved = surface.report.may_be_halved;
             is_spent_ = may_be_last && !may_divide_otherwise(attempt);
             if (may_be_last && !is_spent_) kept_.mesh = taken_back(surface);
             const auto finish = brep_.dimension() == Dimension::solids ? fill_volume : take_surface;
@@ -299,9 +301,9 @@ class SizeLoop {
     }
     bool divide_narrow_faces_otherwise(const Attempt& attempt) {
         if (!may_divide_otherwise(attempt)) return false;
-        const bool were_long = narrow_ == NarrowFaces::opposite_nodes;
-        narrow_ = were_long ? NarrowFaces::shorter : NarrowFaces::own_chains;
-        note(attempt, "narrow faces", {}, were_long ? "half the length along them" : "edges divided each by itself");
+        narrow_ = attempt.may_be_halved ? NarrowFaces::shorter : NarrowFaces::own_chains;
+        note(attempt, "narrow faces", {},
+             attempt.may_be_halved ? "half the length along them" : "edges divided each by itself");
         return true;
     }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/edge_chains.h"
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
@@ -179,6 +181,32 @@ TEST_CASE("edges with a step of a hundredth of an element between them get nodes
                               [&](const Vec3& q) { return distance(p, q) < 0.006; }));
         CHECK(result.report.warnings.empty());
     }
+}
+
+TEST_CASE("half the length along narrow faces is offered where it gives another surface, and nowhere else") {
+    const std::vector<TopoDS_Shape> shapes{stepped_shaft(20, 0.005, 40), BRepPrimAPI_MakeBox(30, 30, 0.01).Shape(),
+                                           BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(30, 30, 10).Shape(),
+                                                           BRepPrimAPI_MakeBox(gp_Pnt(5, 5, 0.01), 20, 20, 10).Shape())
+                                               .Shape(),
+                                           BRepPrimAPI_MakeBox(30, 20, 10).Shape()};
+    std::size_t with_opposite_nodes = 0, halved = 0;
+    for (const TopoDS_Shape& shape : shapes) {
+        const Brep brep(shape);
+        const auto filled = [&](NarrowFaces narrow) {
+            RunContext context;
+            SizingOptions sizing;
+            sizing.size = 3;
+            SurfaceOptions options;
+            options.narrow = narrow;
+            return fill_surface(brep, make_sizing(brep, sizing, {}, context), {}, context, options);
+        };
+        const SurfaceResult plain = filled(NarrowFaces::opposite_nodes), shorter = filled(NarrowFaces::shorter);
+        CHECK(plain.report.may_be_halved == (plain.mesh.points != shorter.mesh.points));
+        CHECK_FALSE(shorter.report.may_be_halved);
+        with_opposite_nodes += plain.report.has_opposite_nodes, halved += plain.report.may_be_halved;
+    }
+    CHECK(halved > 0);
+    CHECK(with_opposite_nodes > halved);
 }
 
 TEST_CASE("a kept chain beside a new one gets it opposite its nodes") {
