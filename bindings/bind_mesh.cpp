@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <span>
 
 #include "bindings.h"
 #include "core/errors.h"
@@ -94,9 +95,12 @@ py::array_t<double> wanted_sizes(const PartMesh& part,
     if (points.ndim() != 2 || points.shape(1) != 3)
         throw InputError(say<Code::wrong_call>("Points are an array of shape (n,3)."));
     py::array_t<double> sizes(points.shape(0));
-    const auto at = points.unchecked<2>();
-    auto size = sizes.mutable_unchecked<1>();
-    for (py::ssize_t i = 0; i < points.shape(0); ++i) size(i) = part.sizing.at({at(i, 0), at(i, 1), at(i, 2)});
+    const std::span<const double> at(points.data(), std::size_t(points.size()));
+    const std::span<double> size(sizes.mutable_data(), std::size_t(sizes.size()));
+    run_released({}, 1, [&](RunContext&) {
+        for (std::size_t i = 0; i < size.size(); ++i)
+            size[i] = part.sizing.at({at[3 * i], at[3 * i + 1], at[3 * i + 2]});
+    });
     return sizes;
 }
 

@@ -59,7 +59,9 @@ Rows weight(const py::dict& arrays, const Rows& materials, const py::object& tet
     const auto of_tets = checked(rows, known.size());
     if (of_tets.size() != mesh.tets.size()) throw InputError(say<Code::wrong_call>("Every element needs a material."));
     std::vector<double> loads(3 * mesh.node_count(), 0.0);
-    add_weight(mesh, known, of_tets, {gravity[0], gravity[1], gravity[2]}, loads);
+    run_released({}, 1, [&](RunContext&) {
+        add_weight(mesh, known, of_tets, {gravity[0], gravity[1], gravity[2]}, loads);
+    });
     return array_of(loads, {py::ssize_t(mesh.node_count()), 3});
 }
 
@@ -84,7 +86,8 @@ Rows shares_of_length(const py::dict& arrays, const py::object& segments) {
 
 Indices bodies(const py::dict& arrays) {
     const Mesh mesh = mesh_from(arrays);
-    return array_of(bodies_of_tets(mesh), {py::ssize_t(mesh.tets.size())});
+    return array_of(run_released({}, 1, [&](RunContext&) { return bodies_of_tets(mesh); }),
+                    {py::ssize_t(mesh.tets.size())});
 }
 
 py::dict to_dict(const StaticsSolution& solution, const std::map<std::string, double>& seconds) {

@@ -4,10 +4,13 @@ import math
 import os
 import signal
 import tempfile
+import threading
+import time
 import unittest
 from unittest import mock
 
 import FreeCAD
+import numpy as np
 from freecad.featuremesh import api, engine, mesh_object, reading, state, worker
 from freecad.featuremesh.messages import english
 from parts import new_document, plate_with_hole
@@ -37,6 +40,25 @@ class Here(unittest.TestCase):
         self.assertLess(sizes.min(), 0.9 * SIZE)  # at the hole, where curvature asks for less
         with self.assertRaises(engine.load().Error):
             mesh.wanted_sizes(points[:, :2])
+
+    def test_python_goes_on_while_sizes_are_asked(self):
+        mesh, _ = engine.load().mesh_part(reading.read_document(plate_with_hole(new_document())), {**OPTIONS, "elements_per_circle": 24})
+        many = np.tile(mesh.arrays()["points"], (2_000_000 // len(mesh.arrays()["points"]), 1))
+        done, rounds = threading.Event(), []
+
+        def go_on():
+            while not done.wait(0.001):
+                rounds.append(time.monotonic())
+        other = threading.Thread(target=go_on)
+        other.start()
+        try:
+            begin = time.monotonic()
+            mesh.wanted_sizes(many)
+            end = time.monotonic()
+        finally:
+            done.set()
+            other.join()
+        self.assertGreater(sum(begin < moment < end for moment in rounds), 10)
 
 
 def going_on(step, share):
