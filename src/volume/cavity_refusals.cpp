@@ -95,12 +95,15 @@ Obstacle cut_one_another(const Mesh& mesh, const Cavity& cavity, std::span<const
 
 Obstacle unrecovered(const Mesh& mesh, std::span<const Cavity> cavities, std::span<const CavityFill> fills) {
     Obstacle obstacle;
+    std::set<Entity> faces;  // two cavities may meet the same
     for (std::size_t i = 0; i < cavities.size(); ++i) {
         const std::vector<int>& missing = fills[i].places.missing;
         if (fills[i].is_complete()) continue;
-        for (const Entity face : faces_of(mesh, cavities[i], missing)) obstacle.place.push_back(face);
+        const std::vector<Entity> own = faces_of(mesh, cavities[i], missing);
+        faces.insert(own.begin(), own.end());
         for (const SizeSource& half : half_lengths_at(cavities[i], missing)) obstacle.shorter.push_back(half);
     }
+    obstacle.place.assign(faces.begin(), faces.end());
     obstacle.message = say<Code::triangles_not_met>(obstacle.place);
     return obstacle;
 }
