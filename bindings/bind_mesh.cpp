@@ -68,9 +68,17 @@ void check_nodes(const std::vector<std::array<NodeId, N>>& rows, std::size_t nod
     for (const auto& row : rows) check_nodes(row, nodes);
 }
 
-void check_places(const std::vector<Vec3>& points) {
-    const auto is_finite = [](const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); };
-    if (!std::all_of(points.begin(), points.end(), is_finite))
+void require_lengths(bool are_lengths) {
+    if (!are_lengths) throw StateError(say<Code::damaged_state>("The saved mesh has lengths that are none."));
+}
+
+bool is_length(double x) { return std::isfinite(x) && x >= 0; }
+bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+void check_places(const Mesh& mesh) {
+    const auto are_finite = [](const auto& uv) { return std::isfinite(uv[0]) && std::isfinite(uv[1]); };
+    if (!std::all_of(mesh.points.begin(), mesh.points.end(), is_finite) ||
+        !std::all_of(mesh.parameters.begin(), mesh.parameters.end(), are_finite))
         throw StateError(say<Code::damaged_state>("The saved mesh has coordinates that are no numbers."));
 }
 
@@ -87,7 +95,7 @@ void check_sizes(const Mesh& mesh) {
     const std::size_t corners = mesh.corner_count;
     check_nodes(mesh.segments, corners), check_nodes(mesh.triangles, corners), check_nodes(mesh.tets, corners);
     check_nodes(mesh.segment_mids, n), check_nodes(mesh.triangle_mids, n), check_nodes(mesh.tet_mids, n);
-    check_places(mesh.points);
+    check_places(mesh);
 }
 
 py::array_t<double> wanted_sizes(const PartMesh& part,
@@ -203,18 +211,22 @@ MadeFor made_for_from(const py::dict& arrays) {
     read<double>(arrays, "made_for_sizes", made_for.sizes);
     if (made_for.nodes.size() != made_for.sizes.size())
         throw StateError(say<Code::damaged_state>("The saved mesh is cut short: its arrays do not fit together."));
+    require_lengths(std::all_of(made_for.sizes.begin(), made_for.sizes.end(), is_length));
     return made_for;
 }
 
 std::vector<SizeSource> adopted_sizes_from(const py::dict& arrays) {
     std::vector<SizeSource> sizes;
     read<double>(arrays, "adopted_sizes", sizes);
+    require_lengths(std::all_of(sizes.begin(), sizes.end(),
+                                [](const SizeSource& s) { return is_finite(s.point) && is_length(s.size); }));
     return sizes;
 }
 
 MeshOptions options_made_with(const py::dict& arrays, MeshOptions asked) {
     asked.sizing.refines_narrow_faces = read_one<std::uint8_t>(arrays, "refined_narrow_faces") != 0;
     asked.ignored_below = read_one<double>(arrays, "ignored_below");
+    require_lengths(is_length(asked.ignored_below));
     return asked;
 }
 

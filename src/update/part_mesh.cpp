@@ -474,6 +474,15 @@ class Stages {
     std::optional<Filled> filled_;
 };
 
+/// Of a saved mesh: the rest is the invariants' business.
+void require_known_places(const Mesh& mesh, const Brep& brep, const MadeFor& made_for) {
+    const auto is_edge = [&](EdgeId e) { return e.is_valid() && e.index() < brep.edge_count(); };
+    const auto is_node = [&](NodeId n) { return n.is_valid() && n.index() < mesh.node_count(); };
+    if (!std::all_of(mesh.segment_edges.begin(), mesh.segment_edges.end(), is_edge) ||
+        !std::all_of(made_for.nodes.begin(), made_for.nodes.end(), is_node))
+        throw StateError(say<Code::damaged_state>("The saved mesh refers to edges or nodes that there are not."));
+}
+
 }  // namespace
 
 PartState read_part(const RawDocument& document, RunContext& context, const FeatureTree* known, Dimension dimension) {
@@ -548,6 +557,7 @@ std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOpt
                                              std::vector<SizeSource> adopted_sizes) {
     const MeshOptions options = with_pieces_round_rods(asked);
     PartState part = read_part_to_mesh(document, context, nullptr, options.dimension);
+    require_known_places(mesh, part.brep, made_for);
     const std::vector<Message> broken = broken_invariants(mesh, expectation_of(part.brep), context);
     if (!broken.empty()) throw StateError(say<Code::saved_mesh_misfits>(broken.front()));
     const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);

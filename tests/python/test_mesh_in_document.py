@@ -233,11 +233,18 @@ class NarrowFace(unittest.TestCase):
                      lambda: engine.load().adopt_part(saved.raw, saved.options, few_corners)):
             with self.assertRaisesRegex(engine.load().StateError, "nodes that it does not have"):
                 call()
-        for name, damage in (("counters", 3), ("points", np.nan), ("entities", (9, 0)), ("entities", (3, 77)), ("tets", -7)):
+        for name, damage in (("counters", 3), ("points", np.nan), ("entities", (9, 0)), ("entities", (3, 77)), ("tets", -7),
+                             ("parameters", np.nan), ("segment_edges", 10 ** 6), ("ignored_below", np.nan)):
             damaged = np.array(saved.arrays[name])
             damaged[0] = damage
             with self.subTest(name=name, damage=damage), self.assertRaises(engine.load().StateError):
                 engine.load().restore_part(saved.raw, saved.options, {**saved.arrays, name: damaged})
+        for node, size in ((10 ** 6, 1.0), (-1, 1.0), (0, np.nan), (0, -1.0)):
+            made_for = {"made_for_nodes": np.array([node], np.int32), "made_for_sizes": np.array([size])}
+            with self.subTest(node=node, size=size), self.assertRaises(engine.load().StateError):
+                engine.load().restore_part(saved.raw, saved.options, {**saved.arrays, **made_for})
+        with self.assertRaises(engine.load().StateError):
+            engine.load().restore_part(saved.raw, saved.options, {**saved.arrays, "adopted_sizes": np.array([[0.0, 0.0, np.inf, 1.0]])})
 
     def test_the_engine_cuts_no_numbers(self):
         saved = state.load(self.mesh.SavedState)
