@@ -17,7 +17,8 @@ import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import window  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
-from window import PICTURES, answer_with, click_in_panel, figures, is_shown, messages, open_dialog, panel, picture, spin, texts_of, wait_for  # noqa: E402
+from window import (PICTURES, answer_with, click_in_panel, figures, is_shown, messages, open_dialog, panel, picture, report_view,  # noqa: E402
+                    spin, texts_of, wait_for)
 
 
 def run_as_one_step(document, command):
@@ -182,13 +183,17 @@ def check_tables_close(compare, saved):
 
 
 def check_names_of_files():
-    """The format is that of the filter unless the name says one; a dot in the name does not."""
+    """The format is that of the filter unless the name says one; a dot in the name does not. What was written, and where, is said without a box."""
+    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/OutputWindow").SetBool("checkMessage", True)   # as FreeCAD 1.x does at first
     with tempfile.TemporaryDirectory() as folder:
         for name, kind, written in (("1.5 mm", "NASTRAN (*.bdf)", "1.5 mm.bdf"), ("plate.INP", "VTK (*.vtu)", "plate.INP"), ("plate", "Surface (*.stl)", "plate.stl")):
             with mock.patch.object(QtGui.QFileDialog, "getSaveFileName", return_value=(os.path.join(folder, name), kind)):
                 Gui.runCommand("FeatureMesh_Export")
             assert os.listdir(folder) == [written], (name, os.listdir(folder), messages)
-            os.unlink(os.path.join(folder, written))
+            path = os.path.join(folder, written)
+            for said in (Gui.getMainWindow().statusBar().currentMessage(), report_view()):
+                assert " was written to %s (" % path in said, (path, said)
+            os.unlink(path)
 
 
 def check_icons():

@@ -4,6 +4,7 @@ import importlib
 import shutil
 import tempfile
 import unittest
+from unittest import mock
 
 import FreeCAD
 import ObjectsFem
@@ -69,6 +70,42 @@ class SolveGuard(unittest.TestCase):
             setattr(obj, name, good)
             self.document.recompute()
             self.assertEqual(self.problem(), "")
+
+    def test_an_edit_that_was_not_recomputed_is_solved_by_no_way(self):
+        """FreeCAD's "Skip recomputes" leaves shape and mesh as they were, also in a document that is saved so."""
+        self.document.RecomputesFrozen = True
+        self.edit(50)
+        self.refuses("Beam was edited and not recomputed")
+        path = self.folder + "/frozen.FCStd"
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        self.analysis, self.mesh = self.document.Analysis, self.document.FeatureMesh
+        self.refuses("Beam was edited and not recomputed")
+        self.document.recompute()
+        self.assertEqual((self.problem(), self.document.FeatureMesh.FemMesh.BoundBox.XMax), ("", 50))
+
+    def test_what_an_undo_brought_back_is_solved(self):
+        """With its shape and its mesh, though FreeCAD wants to recompute it."""
+        self.edit(50)
+        self.document.undo()
+        self.assertIn("Touched", self.part.State)
+        self.assertEqual((self.problem(), self.mesh.FemMesh.BoundBox.XMax), ("", 40))
+
+    def test_what_another_freecad_saved_is_solved(self):
+        """This one may want to recompute every object of it; once it did, an edit is one."""
+        path = self.folder + "/other.FCStd"
+        self.part.touch()
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        self.assertIn("Touched", self.document.Beam.State)
+        self.analysis = self.document.Analysis
+        with mock.patch.object(versions, "version", return_value=(99, 9)):
+            self.assertEqual(solve_guard.reason(self.analysis), "")
+            self.document.recompute()
+            self.document.Beam.Length = 50
+            self.assertIn("Beam was edited and not recomputed", solve_guard.reason(self.analysis))
 
     def test_settings_that_are_not_meshed_yet(self):
         self.mesh.Size = 6

@@ -12,6 +12,8 @@ from . import analyses, recompute_errors, references, results, versions
 _WATCHED = ("References", "Group", "MeshGroupList", "MeshRegionList")
 _observer = None
 _deleted = {}   # name of a document -> names of the objects deleted from it
+_recomputed = set()   # names of the documents that were recomputed since they were opened
+_undone = set()   # and of those in which something was undone or redone since
 
 
 def watch():
@@ -35,6 +37,13 @@ def deleted_of(document):
     return _deleted.get(document.Name, set())
 
 
+def edited_of(document, objects):
+    """Those of `objects` that were edited and not recomputed since. What another FreeCAD saved, and what an undo brought back with its shape, counts as
+    edited for FreeCAD, though nobody did; where it skips recomputes it is not known who did."""
+    is_settled = document.Name in _undone or document.Name not in _recomputed and not versions.wrote(document)
+    return [obj for obj in objects if "Touched" in obj.State] if document.RecomputesFrozen or not is_settled else []
+
+
 class _Observer:
 
     def slotUndoDocument(self, document):
@@ -45,6 +54,10 @@ class _Observer:
 
     def slotAbortTransaction(self, document):
         _show_states(document)
+
+    def slotRecomputedDocument(self, document):
+        _recomputed.add(document.Name)
+        _undone.discard(document.Name)
 
     def slotCreatedObject(self, obj):
         _deleted.get(obj.Document.Name, set()).discard(obj.Name)
@@ -57,6 +70,8 @@ class _Observer:
 
     def slotDeletedDocument(self, document):
         _deleted.pop(document.Name, None)
+        _recomputed.discard(document.Name)
+        _undone.discard(document.Name)
         results.forget(document)
 
     def slotChangedObject(self, obj, name):
@@ -88,6 +103,7 @@ def _fail_meshes(document, objects):
 
 
 def _show_states(document):
+    _undone.add(document.Name)
     for obj in document.Objects:
         if _is_ours(obj):
             obj.Proxy.show_state(obj)

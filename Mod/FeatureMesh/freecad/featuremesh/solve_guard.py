@@ -11,8 +11,9 @@ import importlib
 
 import FreeCAD
 
-from . import analyses, references, results
+from . import analyses, history, references, results, versions
 from .errors import UserError
+from .reading import dependencies, describe
 
 translate = FreeCAD.Qt.translate
 # How the window shows a refusal; None: in the report view.
@@ -25,10 +26,17 @@ def reason(analysis):
         return translate("FeatureMesh", "%s has no mesh; let it share %s (api.share_mesh), or give it one of its own") % (
             analysis.Label, _ours_in(analysis.Document)[0].Label)
     for mesh in analyses.meshes_of(analysis) if analysis is not None else ():
-        problem = mesh.Proxy.why_not_to_solve(mesh) or _clicked_elsewhere(analysis, mesh) if analyses.is_ours(mesh) else ""
+        problem = mesh.Proxy.why_not_to_solve(mesh) or _not_recomputed(mesh) or _clicked_elsewhere(analysis, mesh) if analyses.is_ours(mesh) else ""
         if problem:
             return problem
     return next((sentence for _, sentence in references.unmended(analysis)), "") if analysis is not None else ""
+
+
+def _not_recomputed(mesh):
+    source = analyses.source_of(mesh)
+    part = versions.part_of(source) if source is not None else None
+    edited = history.edited_of(part.Document, dependencies(part)) if part is not None else []
+    return translate("FeatureMesh", "%s was edited and not recomputed; recompute the document before solving") % describe(edited[0]) if edited else ""
 
 
 def _clicked_elsewhere(analysis, mesh):

@@ -19,6 +19,11 @@ def text():
     return ".".join(FreeCAD.Version()[:3])
 
 
+def wrote(document):
+    """Was the document made or last saved by a FreeCAD of this version?"""
+    return document.getProgramVersion().startswith("%d.%dR" % version())
+
+
 def packages_folder():
     """The folder into which this FreeCAD's Addon Manager installs Python packages."""
     folder = os.path.join(FreeCAD.getUserAppDataDir(), "AdditionalPythonPackages")

@@ -2,13 +2,16 @@
 import os
 import re
 
+import FreeCAD
 import FreeCADGui as Gui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from .. import api
 from ..export import FORMATS
 from .base import MeshCommand, selected_mesh
 
+translate = FreeCAD.Qt.translate
+_STAYS = 10000   # ms
 _FILTERS = ";;".join(("VTK (*.vtu)", "VTK, legacy (*.vtk)", "Abaqus, CalculiX (*.inp)", "NASTRAN (*.bdf)", "Gmsh (*.msh)", "Surface (*.stl)",
                       "UNV (*.unv)", "MED (*.med)", "Z88 (*.z88)"))
 
@@ -25,4 +28,16 @@ class Command(MeshCommand):
         if path:
             extension = re.search(r"\*(\.\w+)", kind).group(1)
             has_format = os.path.splitext(path)[1].lstrip(".").lower() in FORMATS   # else a dot in a name, as in "plate 1.5 mm"
-            api.export_mesh(mesh, path if has_format else path + extension)
+            path = os.path.abspath(path if has_format else path + extension)
+            api.export_mesh(mesh, path)
+            tell(translate("FeatureMesh", "%s was written to %s (%s)") % (mesh.Label, path, _size_of(path)))
+
+
+def tell(sentence):
+    """In the report view and the status bar, where nobody has to answer."""
+    FreeCAD.Console.PrintMessage("FeatureMesh: %s\n" % sentence)
+    Gui.getMainWindow().statusBar().showMessage(sentence, _STAYS)
+
+
+def _size_of(path):
+    return QtCore.QLocale().formattedDataSize(os.path.getsize(path), 1, QtCore.QLocale.DataSizeSIFormat)

@@ -311,6 +311,14 @@
       <translation>%s bezieht sich auf %s, das es nicht mehr gibt; dafür eine andere Fläche, eine andere Kante oder einen anderen Volumenkörper wählen</translation>
     </message>
     <message>
+      <source>%s was edited and not recomputed; recompute the document before solving</source>
+      <translation>%s wurde geändert und nicht neu berechnet; vor dem Lösen das Dokument neu berechnen</translation>
+    </message>
+    <message>
+      <source>%s was written to %s (%s)</source>
+      <translation>%s wurde nach %s geschrieben (%s)</translation>
+    </message>
+    <message>
       <source>, did you mean {name:text}?</source>
       <translation>, war {name:text} gemeint?</translation>
     </message>
