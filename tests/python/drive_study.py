@@ -12,7 +12,8 @@ import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import window  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
-from window import click, click_button_of, click_in_view, double_click, figures, is_whole, panel, picture, report_view, send_key, send_mouse, spin, wait_for  # noqa: E402
+from window import (click, click_button_of, click_in_panel, click_in_view, double_click, figures, is_whole, panel, picture, report_view,  # noqa: E402
+                    send_key, send_mouse, spin, wait_for)
 
 LONG = 900   # s, for what a busy machine does in its own time
 
@@ -68,6 +69,30 @@ def check_width(shown, column):
     """FreeCAD's dock as it is at first has room for the panel, and one column of the dimensions for its texts; the other has tool tips."""
     assert is_whole(shown.form), shown.form.width()
     assert shown.dimensions.sizeHintForColumn(column) <= shown.dimensions.columnWidth(column), (column, shown.dimensions.columnWidth(column))
+
+
+def check_only_looked_at(document):
+    """A new study that nothing was chosen in is gone when its panel is closed, whatever else was done meanwhile; one with a tick stays."""
+    before = [obj.Name for obj in document.Objects]
+    for label, ticked in (("", False), ("Tip", False), ("", True)):
+        click_button_of("FeatureMesh_Study")
+        shown = panel("StudyPanel")
+        if label:
+            document.openTransaction("Label")
+            document.Fillet.Label = label
+            document.commitTransaction()
+        if ticked:
+            tick(shown, "Boss.Length")
+        steps = list(document.UndoNames)
+        click_in_panel("Close")
+        spin()
+        assert not Gui.Control.activeDialog()
+        left = [obj.Name for obj in document.Objects if obj.Name not in before]
+        assert left == (["Study"] if ticked else []), (label, ticked, left)
+        assert ticked or len(document.UndoNames) == len(steps) + (1 if label else -1), (steps, document.UndoNames)
+    document.removeObject("Study")
+    document.Fillet.Label = "Fillet"
+    document.clearUndos()
 
 
 def check_five_clicks(document):
@@ -295,6 +320,7 @@ def drive():
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
     spin()
+    check_only_looked_at(document)
     shown, study, results = check_five_clicks(document)
     check_plots(study, results)
     check_rows(document, study, results)

@@ -16,7 +16,8 @@ class Command(MeshCommand):
 
     def run(self, document):
         from ..gui.study_panel import StudyPanel
-        Gui.Control.showDialog(StudyPanel(_chosen_study(document) or api.add_study(selected_part(document))))
+        known = _chosen_study(document)
+        Gui.Control.showDialog(StudyPanel(known or api.add_study(selected_part(document)), is_new=known is None))
 
 
 def _chosen_study(document):

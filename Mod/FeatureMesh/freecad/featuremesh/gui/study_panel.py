@@ -12,6 +12,7 @@ from ..study import design, response_words, study_object, window_run
 from . import errors, narrow, study_runs, wheel
 from .closes_with_object import ClosesWithObject
 from .dimension_list import DimensionList
+from .undo import undo_step
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -46,10 +47,11 @@ _STATUS_LINES = 3
 
 
 class StudyPanel(ClosesWithObject):
-    """Changes what a study asks for and runs it. What runs goes on when the panel is closed."""
+    """Changes what a study asks for and runs it. What runs goes on when the panel is closed; a new study that was only looked at goes with it."""
 
-    def __init__(self, study):
+    def __init__(self, study, is_new=False):
         self.study = study
+        self._new_settings = study_object.settings_of(study) if is_new else None
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(study.Label)
         self.form.setWindowIcon(view_provider.drawn_icon("FeatureMesh_Study"))
@@ -104,7 +106,18 @@ class StudyPanel(ClosesWithObject):
         self.end()
         Gui.getDocument(self._document).resetEdit()
         Gui.Control.closeDialog()
+        if self._new_settings is not None and study_object.settings_of(self.study) == self._new_settings:
+            self._take_back()
         return True
+
+    def _take_back(self):
+        """Takes the study out of the document as if it had never been added."""
+        document, title = self._document, translate("FeatureMesh_Study", "Parameter study")
+        if document.UndoNames[:1] == [title]:
+            document.undo()
+        else:   # something else was done meanwhile
+            with undo_step(document, title):
+                document.removeObject(self.study.Name)
 
     # FreeCAD's observer of the selection: a clicked sketch, feature or face shows its dimensions
 

@@ -70,6 +70,11 @@ def is_study(obj):
     return isinstance(getattr(obj, "Proxy", None), StudyObject)
 
 
+def settings_of(obj):
+    """What the study varies and asks for, and where it was run."""
+    return [getattr(obj, name) for _, name, *_ in PROPERTIES]
+
+
 def add(part, analysis=None):
     """A new study of the part, which asks for what is usual."""
     obj = part.Document.addObject("App::FeaturePython", "Study")
