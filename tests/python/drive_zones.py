@@ -96,6 +96,23 @@ def check_double_click(document, mesh):
     assert zone.Suppressed and mesh.TetCount < 0.7 * count, (zone.Suppressed, mesh.TetCount, count)
 
 
+def check_local_size(document, body, mesh):
+    """FEM's own refinement of a face and what its panel's OK meshes are one step of undo, too."""
+    count, steps = mesh.TetCount, document.UndoCount
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(body, "Face1")
+    click_button_of("FeatureMesh_AddLocalSize")
+    wait_for(Gui.Control.activeDialog)
+    click_in_panel("Ok")
+    wait_for(lambda: not Gui.Control.activeDialog())
+    finer = mesh.TetCount
+    assert finer > 1.2 * count and document.UndoCount == steps + 1 and not document.HasPendingTransaction, (count, finer, document.UndoNames)
+    for command, regions, tets in (("Std_Undo", 0, count), ("Std_Redo", 1, finer), ("Std_Undo", 0, count)):
+        Gui.runCommand(command)
+        spin()
+        assert (len(mesh.MeshRegionList), mesh.TetCount, mesh.Status) == (regions, tets, "up to date"), (command, mesh.TetCount, finer, count)
+
+
 def check_distance(document, body, mesh):
     """With a face selected it is measured from that; others are taken while the panel is open."""
     hole = next(i for i, face in enumerate(body.Shape.Faces, 1) if face.Surface.TypeId == "Part::GeomCylinder")
@@ -127,6 +144,7 @@ def drive():
     Gui.activateWorkbench("FemWorkbench")
     spin(1)
     settle_view()
+    check_local_size(document, body, mesh)
     check_cancel(document, mesh)
     check_sphere(document, mesh)
     check_double_click(document, mesh)

@@ -1,9 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-import FreeCAD
-import FreeCADGui as Gui
-
 from .. import api, size_zone
-from .base import MeshCommand, chosen, selected_mesh
+from .base import MeshCommand, add_and_open, chosen, selected_mesh
 
 
 class Command(MeshCommand):
@@ -15,10 +12,4 @@ class Command(MeshCommand):
     def run(self, document):
         mesh = selected_mesh(document)
         references = [(obj, name) for obj, name in chosen(document, mesh) or () if name]
-        document.openTransaction(self.title)
-        try:
-            zone = api.add_size_zone(mesh, size_zone.DISTANCE if references else size_zone.BOX, references)
-            Gui.getDocument(document).setEdit(zone.Name)
-        except Exception:
-            FreeCAD.closeActiveTransaction(True)
-            raise
+        add_and_open(document, self.title, lambda: api.add_size_zone(mesh, size_zone.DISTANCE if references else size_zone.BOX, references))

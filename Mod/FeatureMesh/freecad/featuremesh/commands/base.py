@@ -85,9 +85,16 @@ def chosen(document, mesh):
     return [(entry.Object, name) for entry in entries for name in entry.SubElementNames or ("",)]
 
 
-def edit_in_fem(obj):
-    """Opens FEM's own panel of `obj`, in which more of the part can be clicked."""
-    Gui.getDocument(obj.Document).setEdit(obj.Name)
+def add_and_open(document, title, add):
+    """Adds an object, and opens its panel, in which more of the part can be clicked. Both are one step of undo, with what the panel changes; it ends it."""
+    document.openTransaction(title)
+    try:
+        obj = add()
+        if not Gui.getDocument(document).setEdit(obj.Name):
+            document.commitTransaction()
+    except Exception:
+        FreeCAD.closeActiveTransaction(True)
+        raise
 
 
 def selected_part(document):

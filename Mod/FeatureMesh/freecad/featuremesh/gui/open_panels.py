@@ -5,6 +5,7 @@ solved."""
 import FreeCADGui as Gui
 
 from .. import history, references, solve_guard
+from ..mesh_object import is_feature_mesh
 from . import errors, showing
 
 
@@ -35,5 +36,7 @@ class _Observer:
         obj = getattr(view, "Object", None)
         if obj is not None and hasattr(obj, "References"):
             history.settle(obj)
+            if obj.Document.HasPendingTransaction and any(is_feature_mesh(user) for user in obj.InList):
+                obj.Document.commitTransaction()   # that of our command; FreeCAD 0.20 leaves it open
             showing.restore(self._before)
             self._before = []
