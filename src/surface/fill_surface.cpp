@@ -340,29 +340,41 @@ std::vector<Message> first_of(const Pairs& pairs, Say say_pair) {
     return lines;
 }
 
-using FacePairs = std::map<std::pair<FaceId, FaceId>, TriangleId>;
+/// Two faces whose triangles cross, how often, and the first triangle of the first of them that does.
+struct FacePair {
+    FaceId first, second;
+    TriangleId where;
+    std::size_t crossings = 0;
+};
 
-/// The pairs of faces whose triangles cross, with the first triangle of each.
-FacePairs pairs_of(const Mesh& mesh, const TrianglePairs& crossings) {
-    FacePairs pairs;
-    for (const auto& [t, u] : crossings)
-        pairs.try_emplace(std::minmax(mesh.triangle_faces[t.index()], mesh.triangle_faces[u.index()]), t);
+/// The pairs of faces whose triangles cross, most often first: faces that lie on one another before those that only
+/// meet in an edge.
+std::vector<FacePair> pairs_of(const Mesh& mesh, const TrianglePairs& crossings) {
+    std::map<std::pair<FaceId, FaceId>, FacePair> found;
+    for (const auto& [t, u] : crossings) {
+        const auto [f, g] = std::minmax(mesh.triangle_faces[t.index()], mesh.triangle_faces[u.index()]);
+        ++found.try_emplace({f, g}, FacePair{f, g, t}).first->second.crossings;
+    }
+    std::vector<FacePair> pairs;
+    for (const auto& entry : found) pairs.push_back(entry.second);
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const auto& a, const auto& b) { return a.crossings > b.crossings; });
     return pairs;
 }
 
-std::vector<Message> names_of(const FacePairs& pairs) {
-    return first_of(pairs, [](const auto& pair) {
-        const auto& [f, g] = pair.first;
-        return f == g ? say<Code::with_itself>(f) : say<Code::pair>(f, g);
+std::vector<Message> names_of(const std::vector<FacePair>& pairs) {
+    return first_of(pairs, [](const FacePair& pair) {
+        return pair.first == pair.second ? say<Code::with_itself>(pair.first)
+                                         : say<Code::pair>(pair.first, pair.second);
     });
 }
 
-std::vector<Message> places_of(const Mesh& mesh, const FacePairs& pairs) {
-    return first_of(pairs, [&](const auto& pair) {
-        const auto& [f, g] = pair.first;
-        const auto& [a, b, c] = mesh.triangles[pair.second.index()];
+std::vector<Message> places_of(const Mesh& mesh, const std::vector<FacePair>& pairs) {
+    return first_of(pairs, [&](const FacePair& pair) {
+        const auto& [a, b, c] = mesh.triangles[pair.where.index()];
         const Vec3 place = (mesh.point(a) + mesh.point(b) + mesh.point(c)) / 3;
-        return f == g ? say<Code::with_itself_near>(f, place) : say<Code::pair_near>(f, g, place);
+        return pair.first == pair.second ? say<Code::with_itself_near>(pair.first, place)
+                                         : say<Code::pair_near>(pair.first, pair.second, place);
     });
 }
 
@@ -484,7 +496,7 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
                 result.report.warnings.push_back(say<Code::finer_between_near_faces>(names));
             return result;
         }
-        const FacePairs pairs = pairs_of(result.mesh, crossings);
+        const std::vector<FacePair> pairs = pairs_of(result.mesh, crossings);
         // Thin walls part as the mesh gets finer; a shape that crosses itself only gets more crossings.
         if (attempt == 1) crossings_at_first = crossings.size();
         times_grown = attempt > 1 && crossings.size() > crossings_before ? times_grown + 1 : 0;
