@@ -85,6 +85,20 @@ class SolveGuard(unittest.TestCase):
         self.document.recompute()
         self.assertEqual((self.problem(), self.document.FeatureMesh.FemMesh.BoundBox.XMax), ("", 50))
 
+    def test_a_cell_that_drives_the_part(self):
+        sheet = self.document.addObject("Spreadsheet::Sheet", "Sheet")
+        sheet.set("A1", "=40 mm")
+        self.part.setExpression("Length", "Sheet.A1")
+        self.document.recompute()
+        self.assertEqual(self.problem(), "")
+        self.document.RecomputesFrozen = True
+        sheet.set("A1", "=50 mm")
+        self.document.recompute()
+        self.refuses("Sheet was edited and not recomputed")
+        self.document.RecomputesFrozen = False
+        self.document.recompute()
+        self.assertEqual((self.problem(), self.mesh.FemMesh.BoundBox.XMax), ("", 50))
+
     def test_what_an_undo_brought_back_is_solved(self):
         """With its shape and its mesh, though FreeCAD wants to recompute it."""
         self.edit(50)

@@ -35,7 +35,9 @@ def reason(analysis):
 def _not_recomputed(mesh):
     source = analyses.source_of(mesh)
     part = versions.part_of(source) if source is not None else None
-    edited = history.edited_of(part.Document, dependencies(part)) if part is not None else []
+    made_of = dependencies(part) if part is not None else []
+    driving = [driver for obj in made_of for driver in obj.OutListRecursive]   # a spreadsheet, by an expression
+    edited = history.edited_of(mesh.Document, dict.fromkeys(made_of + driving))
     return translate("FeatureMesh", "%s was edited and not recomputed; recompute the document before solving") % describe(edited[0]) if edited else ""
 
 
