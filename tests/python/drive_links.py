@@ -12,7 +12,7 @@ import Part  # noqa: E402
 import window  # noqa: E402
 from parts import placement, plate_with_hole  # noqa: E402
 from PySide import QtGui  # noqa: E402
-from window import click, click_in_panel, click_in_view, figures, panel, picture, spin, type_into, wait_for  # noqa: E402
+from window import click, click_in_panel, click_in_view, figures, panel, picture, report_view, spin, type_into, wait_for  # noqa: E402
 
 TOP = FreeCAD.Vector(52, 33, 10)   # of the plate
 SKEW, TURNED = placement(100, 20, 30, 40, (1, 2, 3)), placement(10, 0, 5, 30)
@@ -173,9 +173,36 @@ def check_scene(scene):
     finer = len(nodes_on(mesh, top_of(body, in_mesh)))
     assert finer > 1.2 * count, (count, finer)
     check_loads(mesh, [before, after], body, in_mesh, "refined")
+    assert "go out of the allowed scope" not in report_view(), report_view()   # FreeCAD's warning of links that lead out of a container
     figures.append("%s: %d nodes under %d loads, %d refined" % (scene.__name__, count, 2, finer))
     FreeCAD.closeDocument(document.Name)
     spin()
+
+
+def check_active_assembly():
+    """An assembly of FreeCAD 1.x is being edited from its making on; the mesh follows an edit of a part all the same."""
+    from freecad.featuremesh import api
+    if "AssemblyWorkbench" not in Gui.listWorkbenches():
+        return
+    document = FreeCAD.newDocument("Assembled")
+    box = document.addObject("Part::Box", "Box")
+    document.recompute()
+    Gui.activateWorkbench("AssemblyWorkbench")
+    Gui.runCommand("Assembly_CreateAssembly")
+    assembly, = [obj for obj in document.Objects if obj.TypeId == "Assembly::AssemblyObject"]
+    assembly.newObject("App::Link", "Link").LinkedObject = box
+    Gui.activateWorkbench("FemWorkbench")
+    mesh, analysis = api.add_mesh(assembly, 4), ObjectsFem.makeAnalysis(document, "Analysis")
+    load = ObjectsFem.makeConstraintFixed(document, "Fixed")
+    load.References = [(assembly, "Link.Face3")]
+    analysis.addObject(mesh)
+    analysis.addObject(load)
+    document.recompute()
+    assert Gui.activeDocument().getInEdit() is not None
+    box.Height = 14
+    document.recompute()
+    assert mesh.Status == "up to date" and mesh.FemMesh.BoundBox.ZLength == 14 and nodes_of(mesh, "Fixed_Nodes"), mesh.Status
+    FreeCAD.closeDocument(document.Name)
 
 
 def drive():
@@ -184,6 +211,7 @@ def drive():
     spin(1)
     for scene in (body_in_container, placed_link, link_in_container, second_link_in_container, link_to_container):
         check_scene(scene)
+    check_active_assembly()
 
 
 window.run(drive)

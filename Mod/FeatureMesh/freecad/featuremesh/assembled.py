@@ -21,7 +21,7 @@ translate = FreeCAD.Qt.translate
 _CONTAINERS = ("App::Part", "App::DocumentObjectGroup")   # FreeCAD 1.x's assemblies are App::Parts, too
 # (type, name, group, default, read-only, tooltip)
 PROPERTIES = [
-    ("App::PropertyLink", "Container", "Parts", None, False, "The container whose parts these are, or the link that is shown"),
+    ("App::PropertyLinkGlobal", "Container", "Parts", None, False, "The container whose parts these are, or the link that is shown"),
     ("App::PropertyLinkListGlobal", "Parts", "Parts", None, True, "The parts, in the order of the solids of the shape"),
     ("App::PropertyBool", "Join", "Parts", False, False, "Parts that lie on one another share faces, and the mesh its nodes there"),
     ("App::PropertyStringList", "Joints", "Parts", None, True, "The faces that joined parts share"),

@@ -19,7 +19,7 @@ def install():
 def _is_in_edit(obj):
     document = Gui.getDocument(obj.Document.Name)
     view = document.getInEdit() if document is not None else None
-    return view is not None and view.Object is obj
+    return getattr(view, "Object", None) is obj   # an assembly that is being edited has a view without one
 
 
 class _Observer:
