@@ -88,15 +88,21 @@ def check_what_has_no_part(document, body, mesh):
         close_panel()
 
 
-def check_which_study(document, other):
-    """A part that has no study gets one; what is selected of a part with a study opens that."""
-    first, = [obj for obj in document.Objects if hasattr(obj, "Sampling")]
-    assert "Touched" not in first.State
-    select((other,))
+def kept_study(part):
+    """A new study of the part that stays, because something of it was set."""
+    select((part,))
     run_command("Study")
-    second = panel("StudyPanel").study
-    assert second is not first and second.Part is other, second.Part
+    shown = panel("StudyPanel")
+    shown.cases.setValue(shown.cases.value() + 1)
     close_panel()
+    return shown.study
+
+
+def check_which_study(body, other):
+    """A part that has no study gets one; what is selected of a part with a study opens that."""
+    first, second = kept_study(body), kept_study(other)
+    assert second is not first and (first.Part, second.Part) == (body, other), (first.Part, second.Part)
+    assert "Touched" not in second.State
     for selected, wanted in (((other, "Face1"), second), ((first.Part, "Face1"), first), ((first,), first), (None, first)):
         select(*([selected] if selected else []))
         run_command("Study")
@@ -170,7 +176,7 @@ def drive():
     other = document.addObject("Part::Box", "Other")
     other.Placement.Base.z = 50
     document.recompute()
-    check_which_study(document, other)
+    check_which_study(body, other)
     if not engine.load().statics_missing():
         check_which_analysis(document, body)
     figures.append("mistakes: each is told, or what is meant is taken")

@@ -184,14 +184,15 @@ def check_tables_close(compare, saved):
 
 def check_names_of_files():
     """The format is that of the filter unless the name says one; a dot in the name does not. What was written, and where, is said without a box."""
-    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/OutputWindow").SetBool("checkMessage", True)   # as FreeCAD 1.x does at first
     with tempfile.TemporaryDirectory() as folder:
         for name, kind, written in (("1.5 mm", "NASTRAN (*.bdf)", "1.5 mm.bdf"), ("plate.INP", "VTK (*.vtu)", "plate.INP"), ("plate", "Surface (*.stl)", "plate.stl")):
             with mock.patch.object(QtGui.QFileDialog, "getSaveFileName", return_value=(os.path.join(folder, name), kind)):
                 Gui.runCommand("FeatureMesh_Export")
             assert os.listdir(folder) == [written], (name, os.listdir(folder), messages)
             path = os.path.join(folder, written)
-            for said in (Gui.getMainWindow().statusBar().currentMessage(), report_view()):
+            in_status_bar = Gui.getMainWindow().statusBar().currentMessage()
+            spin()   # the report view shows it in a later turn
+            for said in (in_status_bar, report_view()):
                 assert " was written to %s (" % path in said, (path, said)
             os.unlink(path)
 
