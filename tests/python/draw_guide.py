@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the user's guide's pictures of the window anew, with the bracket of the examples:
+"""Draws the user's guide's pictures of the window anew, with the bracket of the examples (first_use is drawn by drive_first_use.py):
 
     FEATUREMESH_PICTURES=docs/pictures /usr/bin/python3 tests/python/test_window.py draw_guide.py
 """
@@ -12,6 +12,7 @@ import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import Part  # noqa: E402
 import window  # noqa: E402
+from parts import new_document, plate_with_hole  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
 from window import panel, spin, wait_for  # noqa: E402
 
@@ -19,8 +20,23 @@ VIEW = (290, 130, 980, 610)   # the 3D view on the screen, (x, y, width, height)
 BRACKET = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples", "bracket.FCStd")
 
 
+def hide_reports():
+    """Closes what FreeCAD opens below the view for a warning."""
+    for dock in Gui.getMainWindow().findChildren(QtGui.QDockWidget):
+        if dock.objectName() in ("Report view", "Python console"):
+            dock.hide()
+    spin()
+
+
+def fit_view():
+    hide_reports()
+    Gui.activeDocument().activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+
+
 def save(name, box=None, width=1000):
     """Saves what the screen shows, or a part (x, y, width, height) of it, at that width."""
+    hide_reports()
     spin(1)
     shot = QtGui.QGuiApplication.primaryScreen().grabWindow(0)
     shot = shot.copy(*box) if box else shot
@@ -36,9 +52,7 @@ def opened_bracket(folder):
     for obj in document.Objects:
         if obj.isDerivedFrom("Fem::Constraint"):
             obj.ViewObject.Visibility = False
-    view = Gui.activeDocument().activeView()
-    view.viewIsometric()
-    Gui.SendMsgToActiveView("ViewFit")
+    fit_view()
     return document, path
 
 
@@ -61,9 +75,6 @@ def draw():
     from freecad.featuremesh.commands import compare
     main = Gui.getMainWindow()
     main.setGeometry(0, 0, 1280, 770)
-    for dock in main.findChildren(QtGui.QDockWidget):
-        if dock.objectName() in ("Report view", "Python console"):
-            dock.hide()
     Gui.activateWorkbench("FeatureMeshWorkbench")
     spin()
     window.open_dialog().close()
@@ -93,6 +104,8 @@ def draw():
     draw_adopted(folder)
     draw_preferences()
     draw_shells()
+    draw_zone()
+    draw_study(folder)
 
 
 def draw_local_size(folder):
@@ -185,14 +198,69 @@ def draw_shells():
     tool.Placement.Base = FreeCAD.Vector(52, 35, -10)
     document.recompute()
     sheet.ViewObject.Visibility = False
-    view = Gui.activeDocument().activeView()
-    view.viewIsometric()
-    Gui.SendMsgToActiveView("ViewFit")
+    fit_view()
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(mesh)
     Gui.runCommand("FeatureMesh_ShowKept")
     save("shells")
     panel("KeptPanel").reject()
+
+
+def draw_zone():
+    """A sphere in the panel, and the mesh that is finer in it."""
+    from freecad.featuremesh import api
+    document = new_document("Zone")
+    body = plate_with_hole(document)
+    mesh = api.add_mesh(body, 4)
+    document.recompute()
+    fit_view()
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(mesh)
+    Gui.runCommand("FeatureMesh_AddSizeZone")
+    spin()
+    settings = panel("ZonePanel")
+    settings.kind.setCurrentIndex(1)
+    for widget, value in ((settings.place[0], 45), (settings.place[1], 20), (settings.place[2], 10),
+                          (settings.lengths["Radius"], 12), (settings.lengths["InnerSize"], 1)):
+        widget.setProperty("rawValue", value)
+    spin(1)
+    before = QtGui.QGuiApplication.primaryScreen().grabWindow(0)
+    settings.accept()
+    spin(1)
+    after = QtGui.QGuiApplication.primaryScreen().grabWindow(0).copy(*VIEW)
+    both = QtGui.QPixmap(VIEW[0] + 2 * VIEW[2], VIEW[3])
+    painter = QtGui.QPainter(both)
+    painter.drawPixmap(0, 0, before.copy(0, VIEW[1], VIEW[0] + VIEW[2], VIEW[3]))
+    painter.drawPixmap(VIEW[0] + VIEW[2], 0, after)
+    painter.end()
+    both.scaledToWidth(1200, QtCore.Qt.SmoothTransformation).save(os.path.join(window.PICTURES, "zone.jpg"), "JPG", 85)
+    FreeCAD.closeDocument(document.Name)
+
+
+def draw_study(folder):
+    """The panel while a study runs, and the lines of its cases."""
+    from freecad.featuremesh.gui import study_runs
+    document, _ = opened_bracket(folder)
+    Gui.Selection.clearSelection()
+    Gui.runCommand("FeatureMesh_Study")
+    spin()
+    shown = panel("StudyPanel")
+    for target in ("Boss.Length", "Fillet.Radius"):
+        shown.dimensions.item_of(target).setCheckState(0, QtCore.Qt.Checked)
+    window.click(shown.run_button)
+    wait_for(lambda: shown.bar.maximum() == 16 and shown.bar.value() > 1, 600)
+    save("study_panel")
+    wait_for(lambda: not study_runs.run_of(shown.study).is_running(), 900)
+    results = shown.show_results()
+    results.tabs.setCurrentIndex(1)
+    wait_for(lambda: results.plots[1].canvas is not None)
+    results.table.selectRow(4)
+    spin(1)
+    place = results.geometry()
+    save("study_results", (place.x(), place.y(), place.width(), place.height()), place.width())
+    results.close()
+    shown.reject()
+    FreeCAD.closeDocument(document.Name)
 
 
 def draw_live(document, mesh):
