@@ -45,7 +45,7 @@ void start_petsc() {
                                       {"mg_levels_ksp_max_it", "2"},
                                       {"mg_levels_pc_type", "jacobi"},
                                       {"quadratic_mg_levels_ksp_type", "chebyshev"},
-                                      {"quadratic_mg_levels_ksp_max_it", "3"},
+                                      {"quadratic_mg_levels_ksp_max_it", "2"},
                                       {"quadratic_mg_levels_pc_type", "jacobi"}})
         check(PetscOptionsSetValue(nullptr, (std::string("-") + Aggregation::prefix + name).c_str(), value));
 }
@@ -153,7 +153,7 @@ class PetscSolver final : public LinearSolver {
         check(PCCreate(PETSC_COMM_SELF, shell.fresh()));
         use_shell(shell, *this);
         check(KSPCreate(PETSC_COMM_SELF, cg.fresh()));
-        check(KSPSetType(cg, KSPCG));
+        use_conjugate_gradients(cg);
         check(KSPSetNormType(cg, KSP_NORM_NATURAL));
         check(KSPSetPC(cg, shell));
         check(KSPSetOperators(cg, system().exact, system().exact));
@@ -183,6 +183,13 @@ class PetscSolver final : public LinearSolver {
     }
 
   private:
+    /// Flexible ones where the preconditioner ends with iterations, so that it is another each time (Notay 2000).
+    void use_conjugate_gradients(KSP cg) const {
+        check(KSPSetType(cg, is_quadratic_ ? KSPFCG : KSPCG));
+        check(KSPFCGSetMmax(cg, 1));
+        check(KSPFCGSetNprealloc(cg, 2));
+    }
+
     /// As far as a start needs it, by conjugate gradients with the diagonal blocks.
     static void solve_roughly(Mat matrix, Vec in, Vec out) {
         constexpr double least_share = 1e-5;

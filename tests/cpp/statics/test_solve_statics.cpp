@@ -68,8 +68,8 @@ TEST_CASE("patch test: a linear displacement of the boundary gives the same stre
         const StaticsSolution solution = solved(model);
         for (std::size_t i = 0; i < mesh.node_count(); ++i) {
             const double* u = solution.displacements.data() + 3 * i;
-            CHECK(distance({u[0], u[1], u[2]}, linear(mesh.points[i])) < 1e-9);
-            for (std::size_t k = 0; k < 6; ++k) CHECK(std::abs(solution.stresses[i][k] - expected[k]) < 1e-3);
+            CHECK(distance({u[0], u[1], u[2]}, linear(mesh.points[i])) < 3e-9);
+            for (std::size_t k = 0; k < 6; ++k) CHECK(std::abs(solution.stresses[i][k] - expected[k]) < 3e-3);
         }
     }
 }
@@ -84,13 +84,13 @@ TEST_CASE("a bar in tension: stress, reactions and strain energy are those of th
         add_pressure(mesh, triangles_of(mesh, 1), -50, model.loads);
         const StaticsSolution solution = solved(model);
         for (const Stress& stress : solution.stresses) {
-            CHECK(stress[0] == Approx(50).epsilon(1e-6));
+            CHECK(stress[0] == Approx(50).epsilon(3e-6));
             CHECK(std::abs(stress[1]) + std::abs(stress[3]) < 1e-3);
         }
         CHECK(distance(sum_of(solution.reactions), {-5000, 0, 0}) < 1e-6);
         CHECK(solution.strain_energy == Approx(0.5 * 50 * 50 / 210000.0 * 10000).epsilon(1e-6));
         CHECK(solution.energy_error <= StaticsSolver::tolerance);
-        CHECK(solution.residual < 1e-5);
+        CHECK(solution.residual < 3e-5);
     }
 }
 
@@ -151,7 +151,7 @@ TEST_CASE("10-node tets take hardly more iterations when there are more of them"
         iterations.push_back(solved(cantilever(mesh, 30, 100, 0.3)).iterations);
     }
     CHECK(iterations[1] <= 1.5 * iterations[0]);
-    CHECK(iterations[1] <= 40);
+    CHECK(iterations[1] <= 30);
 }
 
 TEST_CASE("what was kept changes the work, not the answer") {
