@@ -55,6 +55,8 @@ class Aggregation {
         is_carried_ = true;
     }
 
+    void abandon() { multigrid_.abandon(); }
+
     void apply(Vec in, Vec out) {
         if (is_carried_)
             carried_.apply(multigrid_, in, out);

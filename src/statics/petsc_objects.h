@@ -2,6 +2,7 @@
 // PETSc's objects with owners, and its errors as ours. Only petsc_*.h and petsc_solver.cpp know PETSc.
 #pragma once
 
+#include <new>
 #include <utility>
 
 #include "core/errors.h"
@@ -29,6 +30,8 @@ class Owned {
         if (object_) destroy(&object_);
         object_ = nullptr;
     }
+    /// Leaves the object to itself: what an error has interrupted PETSc may not be able to destroy.
+    void abandon() { object_ = nullptr; }
     Object* fresh() {
         reset();
         return &object_;
@@ -43,6 +46,19 @@ using Matrix = Owned<Mat, MatDestroy>;
 using Vector = Owned<Vec, VecDestroy>;
 using Preconditioner = Owned<PC, PCDestroy>;
 
+/// Calls work that may throw from C code, which no exception may cross: memory that is not there is an error, too.
+template <class Work>
+PetscErrorCode guarded(const Work& work) noexcept {
+    try {
+        work();
+    } catch (const std::bad_alloc&) {
+        return PetscErrorCode(PETSC_ERR_MEM);
+    } catch (...) {
+        return PetscErrorCode(PETSC_ERR_LIB);
+    }
+    return PetscErrorCode(0);
+}
+
 /// Makes `preconditioner` one that does what `by.apply(in, out)` does.
 template <class By>
 void use_shell(PC preconditioner, By& by) {
@@ -51,12 +67,7 @@ void use_shell(PC preconditioner, By& by) {
     check(PCShellSetApply(preconditioner, [](PC pc, Vec in, Vec out) -> PetscErrorCode {
         void* self = nullptr;
         PetscCall(PCShellGetContext(pc, &self));
-        try {
-            static_cast<By*>(self)->apply(in, out);
-        } catch (const Error&) {  // C code lies between here and the caller
-            return PetscErrorCode(PETSC_ERR_LIB);
-        }
-        return PetscErrorCode(0);
+        return guarded([&] { static_cast<By*>(self)->apply(in, out); });
     }));
 }
 

@@ -68,7 +68,7 @@ inline PetscErrorCode multiply_by(const RoundedBlocks& matrix, Vec in, Vec out, 
     PetscScalar* y = nullptr;
     PetscCall(VecGetArrayRead(in, &x));
     PetscCall(VecGetArrayWrite(out, &y));
-    matrix.multiply(x, y, threads);
+    PetscCall(guarded([&] { matrix.multiply(x, y, threads); }));
     PetscCall(VecRestoreArrayRead(in, &x));
     return VecRestoreArrayWrite(out, &y);
 }
@@ -129,17 +129,6 @@ class ProductsByBlocks {
         }
         std::size_t height() const { return of == self->finest_ ? 3 : 6; }
     };
-
-    /// Calls work that may throw from C code.
-    template <class Work>
-    static PetscErrorCode guarded(const Work& work) {
-        try {
-            work();
-        } catch (const Error&) {
-            return PetscErrorCode(PETSC_ERR_LIB);
-        }
-        return PetscErrorCode(0);
-    }
 
     static PetscErrorCode choose(Mat product) {
         return guarded([&] {

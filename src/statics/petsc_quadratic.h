@@ -73,6 +73,8 @@ class QuadraticLevel {
         system_.take({});
     }
 
+    void abandon() { multigrid_.abandon(); }
+
     void apply(Vec in, Vec out) { check(PCApply(multigrid_, in, out)); }
 
     const System& system() const { return system_; }

@@ -67,13 +67,14 @@ PetscErrorCode look_whether_to_stop(KSP, PetscInt iteration, PetscReal norm, KSP
         *reason = KSP_CONVERGED_ATOL;
     else if (iteration >= stop.most_iterations)
         *reason = KSP_DIVERGED_ITS;
-    try {
-        stop.context->check_cancelled();
-    } catch (const Cancelled&) {
-        stop.is_cancelled = true;
-        *reason = KSP_DIVERGED_ITS;
-    }
-    return PetscErrorCode(0);
+    return guarded([&] {
+        try {
+            stop.context->check_cancelled();
+        } catch (const Cancelled&) {
+            stop.is_cancelled = true;
+            *reason = KSP_DIVERGED_ITS;
+        }
+    });
 }
 
 class PetscSolver final : public LinearSolver {
@@ -82,10 +83,12 @@ class PetscSolver final : public LinearSolver {
 
     void set_up(BlockMatrix matrix, std::span<const Vec3> points, std::optional<CoarseLevel> coarse) override {
         forget_known();
-        quadratic_.reset();
-        if (coarse) points = points.first(coarse->matrix.node_count());
-        aggregation_.set_up(std::move(coarse ? coarse->matrix : matrix), points);
-        take_quadratic(std::move(matrix), coarse);
+        whole([&] {
+            quadratic_.reset();
+            if (coarse) points = points.first(coarse->matrix.node_count());
+            aggregation_.set_up(std::move(coarse ? coarse->matrix : matrix), points);
+            take_quadratic(std::move(matrix), coarse);
+        });
     }
 
     bool factor() override {
@@ -95,8 +98,10 @@ class PetscSolver final : public LinearSolver {
 
     void carry_over(BlockMatrix matrix, std::optional<CoarseLevel> coarse, std::vector<std::int32_t> origin) override {
         forget_known();
-        aggregation_.carry_over(std::move(coarse ? coarse->matrix : matrix), std::move(origin));
-        take_quadratic(std::move(matrix), coarse);
+        whole([&] {
+            aggregation_.carry_over(std::move(coarse ? coarse->matrix : matrix), std::move(origin));
+            take_quadratic(std::move(matrix), coarse);
+        });
     }
 
     const BlockMatrix& matrix() const override { return system().blocks; }
@@ -134,7 +139,7 @@ class PetscSolver final : public LinearSolver {
         Vector r, z;
         fill(r, residual);
         check(VecDuplicate(r, z.fresh()));
-        apply(r, z);
+        whole([&] { apply(r, z); });
         swap(known_in_, r), swap(known_out_, z);
         PetscScalar product = 0;
         check(VecDot(known_in_, known_out_, &product));
@@ -158,7 +163,7 @@ class PetscSolver final : public LinearSolver {
         check(KSPSetPC(cg, shell));
         check(KSPSetOperators(cg, system().exact, system().exact));
         check(KSPSetConvergenceTest(cg, look_whether_to_stop, &stop, nullptr));
-        check(KSPSolve(cg, b, x));
+        whole([&] { check(KSPSolve(cg, b, x)); });
         if (stop.is_cancelled) throw Cancelled();
         KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
         check(KSPGetConvergedReason(cg, &reason));
@@ -183,6 +188,17 @@ class PetscSolver final : public LinearSolver {
     }
 
   private:
+    /// Calls work of which PETSc's preconditioners are no more to be used when it does not come to its end.
+    template <class Work>
+    void whole(const Work& work) {
+        try {
+            work();
+        } catch (...) {
+            aggregation_.abandon(), quadratic_.abandon();
+            throw;
+        }
+    }
+
     /// Flexible ones where the preconditioner ends with iterations, so that it is another each time (Notay 2000).
     void use_conjugate_gradients(KSP cg) const {
         check(KSPSetType(cg, is_quadratic_ ? KSPFCG : KSPCG));

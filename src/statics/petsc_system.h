@@ -123,7 +123,7 @@ struct System {
         PetscScalar* y = nullptr;
         PetscCall(VecGetArrayRead(in, &x));
         PetscCall(VecGetArrayWrite(out, &y));
-        featuremesh::multiply(blocks, x, y, threads);
+        PetscCall(guarded([&] { featuremesh::multiply(blocks, x, y, threads); }));
         PetscCall(VecRestoreArrayRead(in, &x));
         PetscCall(VecRestoreArrayWrite(out, &y));
         return PetscErrorCode(0);

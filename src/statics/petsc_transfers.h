@@ -55,14 +55,18 @@ class Transfer {
         const PetscScalar* x = nullptr;
         PetscScalar* y = nullptr;
         PetscCall(find(of, name, self));
-        self->product_.resize(self->up_.height * self->up_.count());
         PetscCall(VecGetArrayRead(in, &x));
-        self->prolongation_.multiply(x, self->product_.data(), self->threads_);
+        PetscCall(guarded([&] { self->prolong(x); }));
         PetscCall(VecRestoreArrayRead(in, &x));
         if (more != out) PetscCall(VecCopy(more, out));
         PetscCall(VecGetArray(out, &y));
         for (std::size_t i = 0; i < self->product_.size(); ++i) y[i] += self->product_[i];
         return VecRestoreArray(out, &y);
+    }
+
+    void prolong(const double* x) {
+        product_.resize(up_.height * up_.count());
+        prolongation_.multiply(x, product_.data(), threads_);
     }
 
     static PetscErrorCode restrict_down(Mat of, Vec in, Vec out) {
