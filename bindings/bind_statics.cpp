@@ -129,8 +129,20 @@ void forget(const std::string& key) {
     kept_solvers.erase(key);
 }
 
+using Numbers = py::array_t<Number, py::array::c_style | py::array::forcecast>;
+
+/// An earlier solution's displacements by node number.
+struct EarlierSolution {
+    std::vector<Number> numbers;
+    std::vector<double> displacements;
+
+    explicit EarlierSolution(const std::optional<std::pair<Numbers, Rows>>& given) {
+        if (given) numbers = values_of<Number>(given->first), displacements = values_of<double>(given->second);
+    }
+};
+
 py::dict solve(const py::dict& arrays, const py::dict& given, const std::string& keep, int threads,
-               const Progress& progress) {
+               const Progress& progress, const std::optional<std::pair<Numbers, Rows>>& start) {
     const Mesh mesh = mesh_from(arrays);
     const auto held = given["held"].cast<py::array_t<bool, py::array::c_style | py::array::forcecast>>();
     const StaticsModel model{mesh,
@@ -139,12 +151,14 @@ py::dict solve(const py::dict& arrays, const py::dict& given, const std::string&
                              values_of<double>(given["loads"].cast<Rows>()),
                              std::vector<char>(held.data(), held.data() + held.size()),
                              values_of<double>(given["given"].cast<Rows>())};
+    const EarlierSolution earlier(start);
     std::map<std::string, double> seconds;
     const StaticsSolution solution = run_released(progress, threads, [&](RunContext& context) {
         const auto lock = wait_for_petsc(context);
         StaticsSolver for_this_call;
         StaticsSolver& solver = keep.empty() ? for_this_call : kept_solvers[keep];
         try {
+            solver.start_from(earlier.numbers, earlier.displacements);
             StaticsSolution found = solver.solve(model, context);
             seconds = context.seconds();
             return found;
@@ -177,10 +191,10 @@ void define_statics(py::module_& module) {
                "(n,) mm: each node's part of the segments' length.");
     module.def("statics_bodies", &bodies, py::arg("arrays"),
                "(m,) by tet the body that it belongs to: tets that hang together by their sides.");
-    module.def(
-        "solve_statics", &solve, py::arg("arrays"), py::arg("model"), py::arg("keep") = "", py::arg("threads") = 1,
-        py::arg("progress") = py::none(),
-        "Solves linear statics. What is kept under the name `keep` makes the next solution of that name faster.");
+    module.def("solve_statics", &solve, py::arg("arrays"), py::arg("model"), py::arg("keep") = "",
+               py::arg("threads") = 1, py::arg("progress") = py::none(), py::arg("start") = py::none(),
+               "Solves linear statics. What is kept under the name `keep` makes the next solution of that name faster. "
+               "Where nothing is, `start` may be (node_numbers (n,), displacements (n,3) mm) of an earlier one.");
     module.def("forget_statics", &forget, py::arg("keep"), "Frees what is kept under that name.");
 }
 

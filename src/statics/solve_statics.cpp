@@ -24,6 +24,9 @@ constexpr int patience = 3, more_iterations = 10;
 constexpr double nearer = 0.9;
 /// A start whose error has less than this share of the energy norm of all says well enough what that is.
 constexpr double good_start = 0.1;
+/// A start that is best when scaled by this much was found under other loads; one that is best with less than this
+/// share of itself is of another problem.
+constexpr double other_loads = 0.01, other_problem = 0.1;
 /// Aggregation that takes more is given up for a factor, where that is to be had. That of 4-node tets costs more than
 /// hundreds of iterations; that of 10-node tets is of an eighth of the unknowns.
 constexpr int slow_linear = 350, slow_quadratic = 50;
@@ -59,14 +62,6 @@ double product(std::span<const double> a, std::span<const double> b) {
 }
 
 double norm(std::span<const double> values) { return std::sqrt(product(values, values)); }
-
-/// The energy norm of the solution is at least this, and hardly more where `moved` is a good start: by Cauchy and
-/// Schwarz the work of all forces along the start is at most the product of its norm and the solution's.
-double least_energy_norm(std::span<const double> unbalanced, std::span<const double> residual,
-                         std::span<const double> moved) {
-    const double work = product(unbalanced, moved), energy = work - product(residual, moved);
-    return energy > 0 ? std::abs(work) / std::sqrt(energy) : 0;
-}
 
 const auto by_number = [](const auto& state, Number number) { return state.number < number; };
 
@@ -246,14 +241,40 @@ StaticsSolver::Start StaticsSolver::start_from_last(const StaticsModel& model, c
                 if (!model.is_held[i]) moved[i] = at->displacement[int(c)] - model.given[i];
     }
     if (double(fresh.size()) > most_fresh_share * double(count)) return {unbalanced, 0};
-    if (!solution.kept_preconditioner || model.mesh.order == 2) solver_->balance_within(fresh, unbalanced, moved);
+    const bool is_balanced = fresh.empty() || !solution.kept_preconditioner || model.mesh.order == 2;
+    if (is_balanced) solver_->balance_within(fresh, unbalanced, moved);
+    Start start = start_at(moved, unbalanced, is_balanced, context);
     for (std::size_t i = 0; i < moved.size(); ++i) solution.displacements[i] += moved[i];
-    solution.kept_start_share = 1 - double(fresh.size()) / double(count);
-    std::vector<double> residual(moved.size());
-    multiply(solver_->matrix(), moved.data(), residual.data(), context);
-    for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = unbalanced[i] - residual[i];
-    const double least = least_energy_norm(unbalanced, residual, moved);
-    return {std::move(residual), least};
+    if (start.least_energy_norm > 0) solution.kept_start_share = 1 - double(fresh.size()) / double(count);
+    return start;
+}
+
+/// What `moved` leaves of the unbalanced forces. Where it is balanced by itself it is scaled to the loads as they are,
+/// such that the error's energy is least.
+StaticsSolver::Start StaticsSolver::start_at(std::vector<double>& moved, const std::vector<double>& unbalanced,
+                                             bool is_balanced, RunContext& context) const {
+    std::vector<double> resisting(moved.size());
+    multiply(solver_->matrix(), moved.data(), resisting.data(), context);
+    const double work = product(unbalanced, moved), energy = product(resisting, moved);
+    double scale = is_balanced && energy > 0 ? work / energy : 1;
+    if (std::abs(scale - 1) < other_loads) scale = 1;
+    if (std::abs(scale) < other_problem) scale = 0;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+        moved[i] *= scale;
+        resisting[i] = unbalanced[i] - scale * resisting[i];
+    }
+    if (scale == 0) return {std::move(resisting), 0};
+    return {std::move(resisting), energy > 0 ? std::abs(work) / std::sqrt(energy) : 0};
+}
+
+void StaticsSolver::start_from(std::span<const Number> numbers, std::span<const double> displacements) {
+    if (displacements.size() != 3 * numbers.size()) throw InputError(say<Code::model_misfits>());
+    if (!last_.empty()) return;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const double* u = displacements.data() + 3 * i;
+        last_.push_back({numbers[i], std::int32_t(i), {u[0], u[1], u[2]}, 0});
+    }
+    std::sort(last_.begin(), last_.end(), [](const NodeState& a, const NodeState& b) { return a.number < b.number; });
 }
 
 void StaticsSolver::remember(const StaticsModel& model, const StaticsSolution& solution) {

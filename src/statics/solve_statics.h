@@ -44,6 +44,10 @@ class StaticsSolver {
     /// the tolerance.
     StaticsSolution solve(const StaticsModel& model, RunContext& context);
 
+    /// Lets the next solution start from displacements, (n,3) mm by node number, where it knows of none itself. A
+    /// number that is another node now costs iterations, no more.
+    void start_from(std::span<const Number> numbers, std::span<const double> displacements);
+
     /// Forgets what was kept.
     void forget() { *this = StaticsSolver(); }
 
@@ -77,6 +81,8 @@ class StaticsSolver {
     int move_by(const StaticsModel& model, std::span<const double> residual, const Aim& aim,
                 std::vector<double>& displacements, RunContext& context);
     double whole_energy_norm(std::span<const double> unbalanced);
+    Start start_at(std::vector<double>& moved, const std::vector<double>& unbalanced, bool is_balanced,
+                   RunContext& context) const;
     Start start_from_last(const StaticsModel& model, const std::vector<double>& unbalanced, StaticsSolution& solution,
                           RunContext& context) const;
     void remember(const StaticsModel& model, const StaticsSolution& solution);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cstring>
 
 #include "catch.h"
@@ -213,6 +214,34 @@ TEST_CASE("new nodes start where they are balanced among the kept ones, or all s
             CHECK(found.iterations == fresh.iterations);
         }
     }
+}
+
+TEST_CASE("an earlier solution by node numbers is a start, whatever the loads were, and another problem's is none") {
+    NEEDS_SOLVER();
+    const int order = GENERATE(1, 2);
+    const Mesh mesh = solved_box(order == 1 ? 10 : 6, order, {30, 10, 10});
+    StaticsModel model = cantilever(mesh, 30, 100, 0.3);
+    const StaticsSolution first = solved(model);
+    RunContext context;
+    for (const double factor : {1.0, -2.5}) {
+        for (double& load : model.loads) load *= factor;
+        StaticsSolver solver;
+        solver.start_from(mesh.node_numbers, first.displacements);
+        const StaticsSolution found = solver.solve(model, context);
+        CHECK_FALSE(found.kept_preconditioner);
+        CHECK(found.kept_start_share == 1);
+        CHECK(found.iterations <= 1);
+        CHECK(found.strain_energy == Approx(factor * factor * first.strain_energy).epsilon(1e-9));
+    }
+    StaticsSolver solver;
+    std::vector<double> others = first.displacements;
+    std::reverse(others.begin(), others.end());
+    solver.start_from(mesh.node_numbers, others);
+    const StaticsSolution found = solver.solve(model, context), fresh = solved(model);
+    CHECK(found.kept_start_share == 0);
+    CHECK(found.displacements == fresh.displacements);
+    others.pop_back();
+    REQUIRE_THROWS_AS(solver.start_from(mesh.node_numbers, others), InputError);
 }
 
 TEST_CASE("flat elements, on which aggregation is slow, are solved by a factor, and its reuse changes no answer") {
