@@ -364,7 +364,7 @@ def solve_analysis(analysis, which=None, threads=0, keep="", progress=None):
     if which == "ccx":
         return calculix.solve(analysis)
     try:
-        fields, report = statics.solve(analysis, keep, threads, progress)
+        fields, report = statics.solve(analysis, keep, threads, progress, statics_result.last_displacements(analysis))
     except statics.NotUnderstood as error:
         if which == "live":
             raise

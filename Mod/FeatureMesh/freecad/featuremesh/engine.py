@@ -65,6 +65,11 @@ def load():
     return _worker
 
 
+def is_here():
+    """Does the engine run in this very process, so that a copy of it (fork) has what the engine knows? Throws EngineMissing."""
+    return load() is not _worker
+
+
 def about():
     """What the engine says about itself: version, protocol and those of its libraries. Throws EngineMissing."""
     return load().about()

@@ -120,13 +120,20 @@ class LiveResult:
         solve_guard.refuse(analysis)
         self.set_status(live, SOLVING)
         self.motion = None
-        job = statics.SolveJob(analysis, self.key(live), live.Threads)
+        job = statics.SolveJob(analysis, self.key(live), live.Threads, start=self._start(analysis))
         job.state = state.checksum_of(mesh.SavedState)
         return job
 
     def prepare_early(self, live, arrays):
         """Likewise, for the arrays that its mesh is about to get. What `prepare` gives later tells whether that was to be solved."""
-        return statics.SolveJob(self.analysis(live), self.key(live), live.Threads, arrays)
+        analysis = self.analysis(live)
+        return statics.SolveJob(analysis, self.key(live), live.Threads, arrays, self._start(analysis))
+
+    def _start(self, analysis):
+        """What a solution starts from where the engine knows of none: in a document that was just opened, or after its process has died."""
+        if self.solution is None:
+            return statics_result.last_displacements(analysis)
+        return self.solution.arrays["node_numbers"], self.solution.displacements
 
     def finish(self, live, job):
         """Shows the solution, then fills the result object, which takes FreeCAD longer. Returns the report. Throws UserError."""

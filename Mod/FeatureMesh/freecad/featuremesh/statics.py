@@ -39,14 +39,15 @@ def arrays_of(analysis):
     return mesh.Proxy.arrays(mesh)
 
 
-def solve(analysis, keep="", threads=0, progress=None):
+def solve(analysis, keep="", threads=0, progress=None, start=None):
     """Solves the analysis. Returns (fields, report).
 
     `fields` has a row per node of the mesh's arrays: displacements (n,3) mm, stresses (n,6) MPa (xx, yy, zz, xy, yz, zx), von_mises (n,)
-    MPa, reactions (n,3) N. The report is what --json writes. What is kept under the name `keep` makes the next solution of that name faster.
+    MPa, reactions (n,3) N. The report is what --json writes. What is kept under the name `keep` makes the next solution of that name faster; the
+    first starts from `start`, as statics_result.last_displacements gives it.
     Throws NotUnderstood for what only CalculiX can, UserError for what cannot be solved at all.
     """
-    job = SolveJob(analysis, keep, threads)
+    job = SolveJob(analysis, keep, threads, start=start)
     job.run(progress)
     return job.fields, job.report
 
@@ -65,13 +66,14 @@ class SolveJob:
     Throws as `solve` does, when it is made or when it runs. Then `fields` and `report` are what `solve` gives.
     """
 
-    def __init__(self, analysis, keep="", threads=0, arrays=None):
-        """`arrays` are those of the mesh that the analysis's mesh object is about to get, if it is."""
-        start = time.perf_counter()
+    def __init__(self, analysis, keep="", threads=0, arrays=None, start=None):
+        """`arrays` are those of the mesh that the analysis's mesh object is about to get, if it is; `start` is an earlier solution."""
+        began = time.perf_counter()
         self.statics = statics_model.prepared(analysis, mesh_of(analysis), arrays)
         self.keep, self.threads = keep, threads or os.cpu_count() or 1
+        self.start = start
         self.fields = self.report = None
-        self._read = time.perf_counter() - start
+        self._read = time.perf_counter() - began
 
     def run(self, progress=None):
         """Solves. `progress(step, share)` returns False to cancel, which raises the engine's Cancelled."""
@@ -83,7 +85,7 @@ class SolveJob:
         statics.add_up()
         refuse_free_motions(statics)
         read = self._read + time.perf_counter() - start
-        fields = self.fields = engine.load().solve_statics(statics.arrays, statics.model(), self.keep, self.threads, progress)
+        fields = self.fields = engine.load().solve_statics(statics.arrays, statics.model(), self.keep, self.threads, progress, start=self.start)
         seconds = {name: fields["seconds"].get(name, 0.0) for name in ("assemble", "setup", "solve", "stresses")}
         self.report = {
             "solver": "live", "matrix_solver": {"name": "cg", "why": "conjugate gradients with smoothed aggregation (PETSc), the live solver's only one"},

@@ -10,6 +10,7 @@ import ObjectsFem
 from . import hand_over, mesh_object, results
 
 _TENSOR = (("XX", 0), ("YY", 1), ("ZZ", 2), ("XY", 3), ("YZ", 4), ("XZ", 5))   # FreeCAD's names of the columns
+NODES = "MeshNodes"   # a property of results: the mesh's own numbers of their nodes, row by row, as no edit changes them
 _MASS_FLOW_AND_REST = 8   # figures of FreeCAD's table that are of no concern here: plastic strain, temperature, flow
 
 
@@ -40,10 +41,26 @@ def show(analysis, arrays, fields, name="LiveResult", same_mesh=False):
     if not same_mesh:
         result.Mesh.FemMesh = result_mesh(arrays)
     fill(result, fields)
+    _note_nodes(result, arrays["node_numbers"])
     results.note_again(result)
     result.purgeTouched()
     result.Mesh.purgeTouched()
     return result
+
+
+def _note_nodes(result, numbers):
+    if NODES not in result.PropertiesList:
+        result.addProperty("App::PropertyFloatList", NODES, "FeatureMesh", "The mesh's numbers of the nodes", 8 | 16)   # asks for no recompute
+        result.setEditorMode(NODES, 2)
+    setattr(result, NODES, numbers.astype(float).tolist())
+
+
+def last_displacements(analysis):
+    """(node_numbers (n,), displacements (n,3) mm) of the last solution that a result of the analysis shows, on whichever mesh; None where there is none."""
+    for result in reversed(analysis.Group):
+        if NODES in result.PropertiesList and len(getattr(result, NODES)) == len(result.DisplacementVectors):
+            return np.array(getattr(result, NODES)).astype(np.int64), fields_of(result)["displacements"]
+    return None
 
 
 def result_mesh(arrays):

@@ -40,6 +40,7 @@ class Base:
         self.analysis = api.find_analysis(self.document, self.study.analysis) if response_words.needs_solution(self.study.responses) or \
             self.study.analysis or any(response.kind == "mass" for response in self.study.responses) else None
         self.mesh.Proxy.last_part_mesh(self.mesh)   # into memory, for all cases
+        self.solution = case_solver.solve_live_base(self.analysis) if solver == "live" else None
         if solver == "ccx":
             import feminout.importCcxFrdResults  # noqa: F401  what FreeCAD's writer loads, loaded once
 
@@ -124,7 +125,7 @@ def _solve(base, arrays, folder, seconds):
         return None
     if base.solver == "live":
         with step(seconds, "solve"):
-            return case_solver.solve_live(base.analysis, base.study.threads)
+            return case_solver.solve_live(base.analysis, base.study.threads, base.solution)
     work = os.path.join(folder, "calculix")
     shutil.rmtree(work, ignore_errors=True)   # of an attempt that was killed
     os.makedirs(work)

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from femtools import ccxtools
 
-from .. import calculix, formats, frd, parent_process, statics
+from .. import calculix, engine, formats, frd, parent_process, statics
 from ..errors import Said, UserError
 from ..messages import of_error, said
 from ..reading import describe
@@ -39,9 +39,23 @@ class Fields:
     buckling_factors: list = field(default_factory=list)
 
 
-def solve_live(analysis, threads):
-    """Linear statics by our own solver, from nothing, so that the order of cases does not matter."""
-    fields, report = statics.solve(analysis, "", threads)
+@dataclass
+class LiveBase:
+    """The base's solution by our own solver, which each case starts from."""
+    keep: str      # the name under which the engine keeps it, "" where the engine does not run in this process
+    start: tuple   # (node_numbers (n,), displacements (n,3) mm)
+
+
+def solve_live_base(analysis):
+    """From nothing, on one thread, since copies of this process have no other; so it has the same bits in every worker."""
+    keep = "study" if engine.is_here() else ""   # an engine elsewhere would be one and the same for all cases
+    fields, _ = statics.solve(analysis, keep, 1)
+    return LiveBase(keep, (statics.arrays_of(analysis)["node_numbers"], fields["displacements"]))
+
+
+def solve_live(analysis, threads, base):
+    """Linear statics by our own solver, in a copy of the process that solved the base: what a case changes of that, no other case sees."""
+    fields, report = statics.solve(analysis, base.keep, threads, start=base.start)
     return Fields(np.arange(len(fields["displacements"])), fields["displacements"], fields["stresses"], reactions=report["responses"]["reactions_n"],
                   strain_energy=report["responses"]["strain_energy_mj"])
 
