@@ -180,6 +180,10 @@
       <translation>Das Netzobjekt, mit dessen Netz diese Analyse gelöst wird</translation>
     </message>
     <message>
+      <source>The mesh's numbers of the nodes</source>
+      <translation>Die Nummern der Knoten im Netz</translation>
+    </message>
+    <message>
       <source>The meshed part</source>
       <translation>Das vernetzte Bauteil</translation>
     </message>
