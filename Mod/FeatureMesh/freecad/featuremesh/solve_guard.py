@@ -35,10 +35,19 @@ def reason(analysis):
 def _not_recomputed(mesh):
     source = analyses.source_of(mesh)
     part = versions.part_of(source) if source is not None else None
-    made_of = dependencies(part) if part is not None else []
-    driving = [driver for obj in made_of for driver in obj.OutListRecursive]   # a spreadsheet, by an expression
-    edited = history.edited_of(mesh.Document, dict.fromkeys(made_of + driving))
+    edited = history.edited_of(mesh.Document, _all_behind(dependencies(part))) if part is not None else []
     return translate("FeatureMesh", "%s was edited and not recomputed; recompute the document before solving") % describe(edited[0]) if edited else ""
+
+
+def _all_behind(objects):
+    """These, and whatever they refer to, such as a spreadsheet by an expression."""
+    found = dict.fromkeys(objects)
+    waiting = list(found)
+    while waiting:
+        new = [obj for obj in waiting.pop().OutList if obj not in found]
+        found.update(dict.fromkeys(new))
+        waiting += new
+    return found
 
 
 def _clicked_elsewhere(analysis, mesh):
