@@ -256,14 +256,16 @@ StaticsSolver::Start StaticsSolver::start_at(std::vector<double>& moved, const s
     std::vector<double> resisting(moved.size());
     multiply(solver_->matrix(), moved.data(), resisting.data(), context);
     const double work = product(unbalanced, moved), energy = product(resisting, moved);
-    double scale = is_balanced && energy > 0 ? work / energy : 1;
+    double scale = is_balanced ? work / energy : 1;
     if (std::abs(scale - 1) < other_loads) scale = 1;
-    if (std::abs(scale) < other_problem) scale = 0;
+    if (!std::isfinite(scale) || std::abs(scale) < other_problem) {
+        std::fill(moved.begin(), moved.end(), 0.0);
+        return {unbalanced, 0};
+    }
     for (std::size_t i = 0; i < moved.size(); ++i) {
         moved[i] *= scale;
         resisting[i] = unbalanced[i] - scale * resisting[i];
     }
-    if (scale == 0) return {std::move(resisting), 0};
     return {std::move(resisting), energy > 0 ? std::abs(work) / std::sqrt(energy) : 0};
 }
 
@@ -272,7 +274,7 @@ void StaticsSolver::start_from(std::span<const Number> numbers, std::span<const 
     if (!last_.empty()) return;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const double* u = displacements.data() + 3 * i;
-        last_.push_back({numbers[i], std::int32_t(i), {u[0], u[1], u[2]}, 0});
+        if (std::isfinite(u[0] + u[1] + u[2])) last_.push_back({numbers[i], std::int32_t(i), {u[0], u[1], u[2]}, 0});
     }
     std::sort(last_.begin(), last_.end(), [](const NodeState& a, const NodeState& b) { return a.number < b.number; });
 }

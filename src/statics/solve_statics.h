@@ -45,7 +45,7 @@ class StaticsSolver {
     StaticsSolution solve(const StaticsModel& model, RunContext& context);
 
     /// Lets the next solution start from displacements, (n,3) mm by node number, where it knows of none itself. A
-    /// number that is another node now costs iterations, no more.
+    /// number that is another node now costs iterations, no more; what is not finite is left out.
     void start_from(std::span<const Number> numbers, std::span<const double> displacements);
 
     /// Forgets what was kept.

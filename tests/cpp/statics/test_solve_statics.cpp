@@ -240,6 +240,14 @@ TEST_CASE("an earlier solution by node numbers is a start, whatever the loads we
     const StaticsSolution found = solver.solve(model, context), fresh = solved(model);
     CHECK(found.kept_start_share == 0);
     CHECK(found.displacements == fresh.displacements);
+    StaticsSolver with_gaps, without;
+    std::vector<double> gaps = found.displacements;
+    for (std::size_t i = 0; i < gaps.size(); i += 60) gaps[i] = std::nan("");
+    with_gaps.start_from(mesh.node_numbers, gaps);
+    CHECK(with_gaps.solve(model, context).kept_start_share == Approx(0.95).margin(0.01));
+    gaps.assign(gaps.size(), 1e200);
+    without.start_from(mesh.node_numbers, gaps);
+    CHECK(without.solve(model, context).displacements == fresh.displacements);
     others.pop_back();
     REQUIRE_THROWS_AS(solver.start_from(mesh.node_numbers, others), InputError);
 }
