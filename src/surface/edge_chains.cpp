@@ -282,6 +282,9 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
         BRep_Tool::Range(brep.edge(edge), range[0], range[1]);
         std::vector<std::pair<double, NodeId>> passed;
         for (const auto& [t, vertex] : merged.vertices_on[e]) passed.emplace_back(t, node_of(vertex));
+        for (const NodeId n : kept.nodes[e])
+            if (merged.owner_at(edge, mesh.parameters[n.index()][0]) != edge)
+                throw MeshError(say<Code::kept_nodes_of_other_edge>(edge));
         const EdgeChain base = kept_chain(range, edge, {node_of(ends[0]), node_of(ends[1])}, std::move(passed),
                                           kept.nodes[e], kept.segments[e], mesh);
         const auto nodes = shared_ends(edge);
@@ -293,7 +296,7 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
         if (std::count(base.is_kept.begin(), base.is_kept.end(), 0) > 0) curve.emplace(brep.edge(edge));
         for (std::size_t i = 0; i < base.is_kept.size(); ++i) {
             chain.nodes.push_back(base.nodes[i]), chain.t.push_back(base.t[i]);
-            if (base.is_kept[i]) {
+            if (base.is_kept[i] || merged.owner_at(edge, base.t[i]) != edge) {
                 chain.is_kept.push_back(1);
                 continue;
             }
@@ -315,6 +318,7 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
         chain.nodes.push_back(base.nodes.back()), chain.t.push_back(base.t.back());
     }
     keep_off_contacts(brep, sizing, first_new_node, mesh, context);
+    for (std::size_t e = 0; e < chains_.size(); ++e) borrow_stretches(brep, EdgeId(e), mesh);
     for (const EdgeId edge : followers) follow_owner(brep, edge, mesh);
 }
 
@@ -409,39 +413,73 @@ std::size_t EdgeChains::keep_off_contacts(const Brep& brep, const WantedLength& 
 }
 
 void EdgeChains::follow_owner(const Brep& brep, EdgeId edge, const Mesh& mesh) {
-    const EdgeChain& owner = chains_[merged_.edge_of[edge.index()].index()];
+    const EdgeId owner = merged_.edge_of[edge.index()];
+    chains_[edge.index()] = {};
+    if (chains_[owner.index()].nodes.empty()) return;
     const BRepAdaptor_Curve curve(brep.edge(edge));
-    EdgeChain& chain = chains_[edge.index()];
-    chain = {};
-    if (owner.nodes.empty()) return;
     const auto ends = brep.ends_of(edge);
-    const auto place = [&](VertexId v) { return std::find(owner.nodes.begin(), owner.nodes.end(), node_of(v)); };
+    chains_[edge.index()] = stretch_of(owner, {node_of(ends[0]), node_of(ends[1])}, edge,
+                                       {curve.FirstParameter(), curve.LastParameter()}, mesh);
+}
+
+EdgeChain EdgeChains::stretch_of(EdgeId owner, const std::array<NodeId, 2>& ends, EdgeId edge,
+                                 const std::array<double, 2>& range, const Mesh& mesh) const {
+    const std::vector<NodeId>& nodes = chains_[owner.index()].nodes;
+    const auto place = [&](NodeId n) { return std::find(nodes.begin(), nodes.end(), n); };
     const auto [first, last] = std::minmax({place(ends[0]), place(ends[1])});
-    if (last == owner.nodes.end()) throw MeshError(say<Code::edge_ends_elsewhere>(edge, merged_.edge_of[edge.index()]));
+    if (last == nodes.end()) throw MeshError(say<Code::edge_ends_elsewhere>(edge, owner));
+    EdgeChain chain;
     chain.nodes.assign(first, last + 1);
     if (place(ends[1]) < place(ends[0])) std::reverse(chain.nodes.begin(), chain.nodes.end());
     chain.is_kept.assign(chain.nodes.size() - 1, 1);
-    chain.t.resize(chain.nodes.size());
-    for (std::size_t i = 0; i < chain.nodes.size(); ++i)
-        chain.t[i] = projector_.nearest(edge, mesh.point(chain.nodes[i])).t;
-    chain.t.front() = curve.FirstParameter(), chain.t.back() = curve.LastParameter();
+    for (const NodeId n : chain.nodes) chain.t.push_back(projector_.nearest(edge, mesh.point(n)).t);
+    chain.t.front() = range[0], chain.t.back() = range[1];
     if (!std::is_sorted(chain.t.begin(), chain.t.end(), std::less_equal<>()))
-        throw MeshError(say<Code::edge_runs_otherwise>(edge, merged_.edge_of[edge.index()]));
+        throw MeshError(say<Code::edge_runs_otherwise>(edge, owner));
+    return chain;
+}
+
+void EdgeChains::borrow_stretches(const Brep& brep, EdgeId edge, const Mesh& mesh) {
+    EdgeChain& chain = chains_[edge.index()];
+    const std::vector<EdgeId>& lenders = merged_.lender_of[edge.index()];
+    if (lenders.empty() || chain.nodes.empty()) return;
+    const std::vector<VertexId> sequence = merged_.sequence_of(brep, edge);
+    for (std::size_t s = 0; s < lenders.size(); ++s) {
+        if (!lenders[s].is_valid()) continue;
+        const std::array<NodeId, 2> ends{node_of(sequence[s]), node_of(sequence[s + 1])};
+        const auto place = [&](NodeId n) { return std::find(chain.nodes.begin(), chain.nodes.end(), n); };
+        const auto begin = place(ends[0]) - chain.nodes.begin(), end = place(ends[1]) - chain.nodes.begin();
+        const EdgeChain lent =
+            stretch_of(lenders[s], ends, edge, {chain.t[std::size_t(begin)], chain.t[std::size_t(end)]}, mesh);
+        const auto replace = [&](auto& all, const auto& by, std::ptrdiff_t past) {
+            all.erase(all.begin() + begin, all.begin() + past);
+            all.insert(all.begin() + begin, by.begin(), by.end());
+        };
+        replace(chain.nodes, lent.nodes, end + 1), replace(chain.t, lent.t, end + 1);
+        replace(chain.is_kept, lent.is_kept, end);
+    }
 }
 
 EdgeChains::Piece EdgeChains::owner_of(const Piece& piece) const {
-    const EdgeId owner = merged_.edge_of[piece.edge.index()];
-    if (owner == piece.edge) return piece;
+    EdgeId owner = merged_.edge_of[piece.edge.index()];
+    if (owner == piece.edge) {
+        const std::vector<double>& t = chains_[owner.index()].t;
+        if (!t.empty()) owner = merged_.owner_at(owner, 0.5 * (t[piece.index] + t[piece.index + 1]));
+        if (owner == piece.edge) return piece;
+    }
     const std::vector<NodeId>& nodes = chains_[piece.edge.index()].nodes;
     const std::vector<NodeId>& all = chains_[owner.index()].nodes;
     const auto place = [&](NodeId n) { return std::find(all.begin(), all.end(), n) - all.begin(); };
-    return {owner, static_cast<std::size_t>(std::min(place(nodes[piece.index]), place(nodes[piece.index + 1])))};
+    return owner_of({owner, std::size_t(std::min(place(nodes[piece.index]), place(nodes[piece.index + 1])))});
 }
 
 std::vector<EdgeId> EdgeChains::sharers_of(EdgeId edge) const {
     std::vector<EdgeId> sharers;
-    for (std::size_t e = 0; e < chains_.size(); ++e)
-        if (merged_.edge_of[e] == edge) sharers.emplace_back(e);
+    for (std::size_t e = 0; e < chains_.size(); ++e) {
+        const EdgeId owner = merged_.edge_of[e];
+        const std::vector<EdgeId>& lenders = merged_.lender_of[owner.index()];
+        if (owner == edge || std::find(lenders.begin(), lenders.end(), edge) != lenders.end()) sharers.emplace_back(e);
+    }
     return sharers;
 }
 
@@ -462,8 +500,11 @@ bool EdgeChains::halve(const Brep& brep, EdgeId edge, std::size_t piece, Mesh& m
 }
 
 void EdgeChains::update_sharers(const Brep& brep, EdgeId edge, const Mesh& mesh) {
-    for (const EdgeId sharer : sharers_of(edge))
-        if (sharer != edge) follow_owner(brep, sharer, mesh);
+    const std::vector<EdgeId> sharers = sharers_of(edge);
+    for (const EdgeId sharer : sharers)
+        if (sharer != edge && merged_.edge_of[sharer.index()] == sharer) borrow_stretches(brep, sharer, mesh);
+    for (const EdgeId sharer : sharers)
+        if (merged_.edge_of[sharer.index()] != sharer) follow_owner(brep, sharer, mesh);
 }
 
 void EdgeChains::add_segments(Mesh& mesh) const {

@@ -34,7 +34,7 @@ inline std::uint64_t node_pair_key(NodeId a, NodeId b) {
 struct EdgeChain {
     std::vector<NodeId> nodes;
     std::vector<double> t;
-    std::vector<char> is_kept;  ///< per piece: whether the mesh has this segment already
+    std::vector<char> is_kept;  ///< per piece: whether the mesh, or another edge, has this segment already
 
     std::size_t piece_count() const { return is_kept.size(); }
 };
@@ -61,7 +61,7 @@ class EdgeChains {
     };
     Piece owner_of(const Piece& piece) const;
     bool is_point(EdgeId edge) const { return merged_.is_point[edge.index()] != 0; }
-    /// The edges of one chain, of which this one has it.
+    /// The edges with pieces of a chain, of which this one has it.
     std::vector<EdgeId> sharers_of(EdgeId edge) const;
 
     /// Halves a piece, unless it is kept or too short to be halved; says whether it did. Edges that share the chain
@@ -84,6 +84,11 @@ class EdgeChains {
                                   EdgeId edge, const std::array<std::size_t, 2>& run, Mesh& mesh);
     /// The owner's nodes between the ends, with their places on this edge.
     void follow_owner(const Brep& brep, EdgeId edge, const Mesh& mesh);
+    /// The lenders' nodes where others have them.
+    void borrow_stretches(const Brep& brep, EdgeId edge, const Mesh& mesh);
+    /// The nodes that the chain of one edge has from one to another, with their places on this edge.
+    EdgeChain stretch_of(EdgeId owner, const std::array<NodeId, 2>& ends, EdgeId edge,
+                         const std::array<double, 2>& range, const Mesh& mesh) const;
 
     const MergedEntities& merged_;
     Projector projector_;

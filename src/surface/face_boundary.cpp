@@ -107,7 +107,11 @@ class BoundaryBuilder {
     /// Pieces that two edges have in common, there and back, are no border: a spike or a slit too narrow for elements
     /// of its own. Where the face is on both sides they are inside.
     void close_slits() {
-        const auto follows = [&](const Use& use) { return chains_.owner_of({use.edge, 0}).edge != use.edge; };
+        const auto follows = [&](const Use& use) {
+            return !use.is_pole && std::any_of(use.pieces.begin(), use.pieces.end(), [&](std::size_t piece) {
+                return chains_.owner_of({use.edge, piece}).edge != use.edge;
+            });
+        };
         if (std::none_of(uses_.begin(), uses_.end(), follows)) return;
         std::map<EdgeChains::Piece, std::vector<EdgeId>> edges_with;
         for (const Use& use : uses_)

@@ -155,12 +155,13 @@ bool is_point(const Brep& brep, EdgeId edge, VertexId vertex, double tolerance) 
     });
 }
 
-/// With ends in common: whether the first runs along the second.
-bool runs_along(const Brep& brep, const Projector& projector, EdgeId edge, EdgeId other, double tolerance) {
-    const BRepAdaptor_Curve curve(brep.edge(edge));
+/// With ends in common: whether the curve runs along the edge between these shares of it.
+bool runs_along(const Brep& brep, const Projector& projector, const BRepAdaptor_Curve& curve,
+                const std::array<double, 2>& shares, EdgeId other, double tolerance) {
     if (curve.GetType() == GeomAbs_Line && BRepAdaptor_Curve(brep.edge(other)).GetType() == GeomAbs_Line) return true;
     return std::all_of(probes.begin(), probes.end(), [&](double share) {
-        return projector.nearest(other, point_at(curve, share)).distance <= tolerance;
+        const Vec3 p = point_at(curve, shares[0] + share * (shares[1] - shares[0]));
+        return projector.nearest(other, p).distance <= tolerance;
     });
 }
 
@@ -319,6 +320,7 @@ MergedEntities::MergedEntities(const Brep& brep, double ignore_below)
     find_flat_faces(brep);
     join_faces(brep, projector);
     leave_out_bare_edges(brep);
+    merge_bare_vertices(brep);
 }
 
 std::vector<VertexId> MergedEntities::sequence_of(const Brep& brep, EdgeId edge) const {
@@ -331,6 +333,7 @@ std::vector<VertexId> MergedEntities::sequence_of(const Brep& brep, EdgeId edge)
 
 void MergedEntities::join_edges(const Brep& brep, const Projector& projector) {
     std::vector<EdgeId> order;  // those with most vertices on them first: others may be parts of them
+    lender_of.resize(brep.edge_count());
     for (std::size_t e = 0; e < brep.edge_count(); ++e) {
         edge_of.emplace_back(e);
         const auto ends = brep.ends_of(EdgeId(e));
@@ -345,16 +348,48 @@ void MergedEntities::join_edges(const Brep& brep, const Projector& projector) {
     std::map<std::array<VertexId, 2>, std::vector<EdgeId>> between;
     for (const EdgeId edge : order) {
         const std::vector<VertexId> sequence = sequence_of(brep, edge);
+        const BRepAdaptor_Curve curve(brep.edge(edge));
         for (const EdgeId other : between[sorted_pair(sequence.front(), sequence.back())])
-            if (runs_along(brep, projector, edge, other, tolerance_)) {
+            if (runs_along(brep, projector, curve, {0, 1}, other, tolerance_)) {
                 edge_of[edge.index()] = other;
                 break;
             }
         if (edge_of[edge.index()] != edge) continue;
+        for (std::size_t i = 0; i + 1 < sequence.size() && sequence.size() > 2; ++i)
+            borrow_stretch(brep, projector, edge, i, between[sorted_pair(sequence[i], sequence[i + 1])]);
         for (std::size_t i = 0; i < sequence.size(); ++i)
             for (std::size_t j = i + 1; j < sequence.size(); ++j)
                 between[sorted_pair(sequence[i], sequence[j])].push_back(edge);
     }
+}
+
+void MergedEntities::borrow_stretch(const Brep& brep, const Projector& projector, EdgeId edge, std::size_t first,
+                                    const std::vector<EdgeId>& others) {
+    const BRepAdaptor_Curve curve(brep.edge(edge));
+    const auto [begin, end] = range_of(curve);
+    const auto& on = vertices_on[edge.index()];
+    const double from = first == 0 ? begin : on[first - 1].first, to = first == on.size() ? end : on[first].first;
+    const std::array<double, 2> shares{(from - begin) / (end - begin), (to - begin) / (end - begin)};
+    const std::vector<VertexId> sequence = sequence_of(brep, edge);
+    const auto has_stretch = [&](EdgeId other) {
+        Stretches its;
+        add_stretches(brep, other, {sequence[first], sequence[first + 1]}, its);
+        return its.begin()->first.first == other && its.rbegin()->first.first == other &&
+               runs_along(brep, projector, curve, shares, other, tolerance_);
+    };
+    const auto lender = std::find_if(others.begin(), others.end(), has_stretch);
+    if (lender == others.end()) return;
+    lender_of[edge.index()].resize(on.size() + 1);
+    lender_of[edge.index()][first] = *lender;
+}
+
+EdgeId MergedEntities::owner_at(EdgeId edge, double t) const {
+    const std::vector<EdgeId>& lenders = lender_of[edge.index()];
+    if (lenders.empty()) return edge;
+    const auto& on = vertices_on[edge.index()];
+    const auto after = std::find_if(on.begin(), on.end(), [&](const auto& vertex) { return vertex.first > t; });
+    const EdgeId lender = lenders[std::size_t(after - on.begin())];
+    return lender.is_valid() ? lender : edge;
 }
 
 void MergedEntities::close_holes(const Brep& brep, const Projector& projector) {
@@ -369,18 +404,27 @@ MergedEntities::Stretches MergedEntities::border_of(const Brep& brep, FaceId fac
         if (brep.is_degenerated(e) || is_point[e.index()]) continue;
         const EdgeId owner = edge_of[e.index()];
         const auto ends = brep.ends_of(e);
-        if (!ends[0].is_valid() || !ends[1].is_valid() || ends[0] == ends[1]) {
+        if (!ends[0].is_valid() || !ends[1].is_valid() || ends[0] == ends[1])
             ++uses[{owner, 0}];
-            continue;
-        }
-        const std::vector<VertexId> sequence = sequence_of(brep, owner);
-        const auto place = [&](VertexId v) {
-            return std::find(sequence.begin(), sequence.end(), vertex_of[v.index()]) - sequence.begin();
-        };
-        const auto [first, last] = std::minmax({place(ends[0]), place(ends[1])});
-        for (std::ptrdiff_t i = first; i < last; ++i) ++uses[{owner, i}];
+        else
+            add_stretches(brep, owner, {vertex_of[ends[0].index()], vertex_of[ends[1].index()]}, uses);
     }
     return uses;
+}
+
+void MergedEntities::add_stretches(const Brep& brep, EdgeId edge, const std::array<VertexId, 2>& ends,
+                                   Stretches& uses) const {
+    const std::vector<VertexId> sequence = sequence_of(brep, edge);
+    const auto place = [&](VertexId v) { return std::find(sequence.begin(), sequence.end(), v) - sequence.begin(); };
+    const auto [first, last] = std::minmax({place(ends[0]), place(ends[1])});
+    const std::vector<EdgeId>& lenders = lender_of[edge.index()];
+    for (std::ptrdiff_t i = first; i < last; ++i) {
+        const auto s = static_cast<std::size_t>(i);
+        if (!lenders.empty() && lenders[s].is_valid())
+            add_stretches(brep, lenders[s], {sequence[s], sequence[s + 1]}, uses);
+        else
+            ++uses[{edge, i}];
+    }
 }
 
 void MergedEntities::find_flat_faces(const Brep& brep) {
@@ -432,9 +476,28 @@ void MergedEntities::leave_out_bare_edges(const Brep& brep) {
         if (!brep.is_degenerated(EdgeId(e)) && !has_triangles[edge_of[e].index()]) is_point[e] = 1;
 }
 
+void MergedEntities::merge_bare_vertices(const Brep& brep) {
+    std::vector<char> stays(brep.vertex_count(), 0);
+    for (const auto& on : vertices_on)
+        for (const auto& [t, v] : on) stays[v.index()] = 1;
+    for (std::size_t e = 0; e < is_point.size(); ++e) {
+        const auto ends = brep.ends_of(EdgeId(e));
+        for (const VertexId v : ends)
+            if (v.is_valid() && (!is_point[e] || ends[0] == ends[1])) stays[vertex_of[v.index()].index()] = 1;
+    }
+    for (std::size_t e = 0; e < is_point.size(); ++e) {
+        const auto ends = brep.ends_of(EdgeId(e));
+        if (!is_point[e] || brep.is_degenerated(EdgeId(e))) continue;
+        auto [from, to] = std::pair(vertex_of[ends[0].index()], vertex_of[ends[1].index()]);
+        if (stays[from.index()]) std::swap(from, to);
+        if (from == to || stays[from.index()] || !featuremesh::is_point(brep, EdgeId(e), to, tolerance_)) continue;
+        std::replace(vertex_of.begin(), vertex_of.end(), from, to);
+    }
+}
+
 bool MergedEntities::is_same_as(const MergedEntities& other) const {
     return vertex_of == other.vertex_of && edge_of == other.edge_of && vertices_on == other.vertices_on &&
-           is_point == other.is_point && is_flat == other.is_flat;
+           lender_of == other.lender_of && is_point == other.is_point && is_flat == other.is_flat;
 }
 
 std::vector<Message> MergedEntities::warnings() const {

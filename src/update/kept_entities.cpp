@@ -72,6 +72,7 @@ bool KeptEntities::place_on_edge(Place& place, EdgeId piece, const Vec3& p) {
         return true;
     const OnEdge foot = projector_.nearest(edge, p);
     if (!is_within(foot.t) || foot.distance > tolerance()) return false;
+    if (const EdgeId owner = merged_->owner_at(edge, foot.t); owner != edge) return place_on_edge(place, owner, p);
     place.parameter[0] = foot.t;
     return true;
 }

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <gp.hxx>
 #include <gp_Ax2.hxx>
+#include <set>
 
 #include "catch.h"
 #include "core/messages.h"
@@ -63,6 +64,16 @@ TopoDS_Shape block_with_step_and_slot() {
     const TopoDS_Shape block = prism({{-10, 0}, {20, 0}, {20, 10 + 1e-5}, {0, 10 + 1e-5}, {0, 10}, {-10, 10}}, 30);
     const TopoDS_Shape slot = BRepPrimAPI_MakeBox(gp_Pnt(-5, 4, 10), gp_Pnt(0, 10, 18)).Shape();
     return BRepAlgoAPI_Cut(block, slot).Shape();
+}
+
+Mesh mesh_ignoring(const Brep& brep, const MergedEntities& merged, double size) {
+    RunContext context;
+    SizingOptions options;
+    options.size = size;
+    const SizingField sizing = make_sizing(brep, options, {}, context);
+    SurfaceOptions ignoring;
+    ignoring.known = &merged;
+    return fill_surface(brep, sizing, Mesh(), context, ignoring).mesh;
 }
 
 }  // namespace
@@ -111,13 +122,7 @@ TEST_CASE(
     REQUIRE(without.warnings().size() == 3);
     CHECK(without.warnings()[0].in_english().starts_with("Nearer to another vertex than 0.01 mm"));
 
-    RunContext context;
-    SizingOptions options;
-    options.size = 3;
-    const SizingField sizing = make_sizing(brep, options, {}, context);
-    SurfaceOptions ignoring;
-    ignoring.known = &without;
-    const Mesh mesh = fill_surface(brep, sizing, Mesh(), context, ignoring).mesh;
+    const Mesh mesh = mesh_ignoring(brep, without, 3);
     CHECK(smallest_angle(mesh) > 25);
     CHECK(euler_characteristic(mesh) == 2);
     CHECK(area(mesh) == Approx(2 * (30 * 20 + 30 * 10 + 20 * 10)).epsilon(1e-3));
@@ -204,6 +209,43 @@ TEST_CASE("a border that goes there and back again is none: a slit is closed, a 
     const Mesh mesh = mesh_surface(brep, 3).mesh;
     CHECK(smallest_angle(mesh) > 15);
     CHECK(euler_characteristic(mesh) == 0);
+}
+
+TEST_CASE("edges that run along one another for a part of each have the same nodes there") {
+    const double off = 0.002;
+    const TopoDS_Shape low = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(40, 30, 10)).Shape();
+    const TopoDS_Shape high = BRepPrimAPI_MakeBox(gp_Pnt(off, off, 9), gp_Pnt(40 + off, 30 + off, 14)).Shape();
+    const Brep brep(BRepAlgoAPI_Fuse(low, high).Shape());
+    const MergedEntities with(brep), without(brep, 0.01);
+    const auto borrowers = [](const MergedEntities& merged) {
+        return std::count_if(merged.lender_of.begin(), merged.lender_of.end(),
+                             [](const auto& l) { return !l.empty(); });
+    };
+    CHECK(borrowers(with) == 0);
+    CHECK(borrowers(without) > 0);
+    for (const double size : {2.0, 3.0, 6.0}) {
+        const Mesh mesh = mesh_ignoring(brep, without, size);
+        CHECK(smallest_angle(mesh) > 15);
+        CHECK(euler_characteristic(mesh) == 2);
+        CHECK(area(mesh) == Approx(2 * (40 * 30 + 40 * 14 + 30 * 14)).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("a vertex at which all edges are too short has no node of its own, and its faces none either") {
+    const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(30, 20, 10)).Shape();
+    const TopoDS_Shape bump = BRepPrimAPI_MakeBox(gp_Pnt(15, 19, 10 - 0.0018), gp_Pnt(15.0021, 20.0013, 10)).Shape();
+    const Brep brep(BRepAlgoAPI_Fuse(block, bump).Shape());
+    const MergedEntities merged(brep, 0.0029);
+    std::set<VertexId> at_bump;
+    int count = 0;
+    for (std::size_t v = 0; v < brep.vertex_count(); ++v)
+        if (const Vec3 p = brep.point_of(VertexId(v)); std::abs(p.x - 15) < 1 && p.y > 19.5)
+            ++count, at_bump.insert(merged.vertex_of[v]);
+    CHECK(count == 8);
+    CHECK(at_bump.size() == 1);
+    const Mesh mesh = mesh_ignoring(brep, merged, 3);
+    CHECK(smallest_angle(mesh) > 25);
+    CHECK(euler_characteristic(mesh) == 2);
 }
 
 TEST_CASE("nothing is merged in a plain shape, with seams and closed edges") {

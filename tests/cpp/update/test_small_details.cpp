@@ -108,6 +108,35 @@ TEST_CASE("a bore or a pin that is thinner than what is ignored is closed, howev
     }
 }
 
+TEST_CASE("a block that is not quite flush with another one is meshed as if it were, also in updates") {
+    const auto stacked = [](double off, double hole_x) {
+        return PartDocument()
+            .box("Low", {0, 0, 0}, {60, 30, 10})
+            .box("High", {off, off, 9}, {60, 30, 5})
+            .fuse("Stacked", "Low", "High")
+            .cylinder("Hole", {hole_x, 15, -1}, 4, 20)
+            .cut("Part", "Stacked", "Hole")
+            .finish();
+    };
+    for (const int order : {1, 2}) {
+        MeshOptions options = options_of(4, order);
+        options.ignore_below = 0.01;
+        const PartMeshResult result = meshed(stacked(0.002, 45), options);
+        check_valid(*result.part_mesh);
+        CHECK(result.report.quality.min_dihedral > 20);
+        CHECK(result.report.rounds.empty());
+        const PartMeshResult moved = updated(*result.part_mesh, stacked(0.002, 47), options);
+        check_valid(*moved.part_mesh);
+        CHECK(moved.report.fallbacks.empty());
+        CHECK(moved.report.kept_nodes_share > 0.5);
+        const PartMeshResult flush = updated(*moved.part_mesh, stacked(0, 47), options);
+        check_valid(*flush.part_mesh);
+        const PartMeshResult again = updated(*flush.part_mesh, stacked(0.002, 47), options);
+        check_valid(*again.part_mesh);
+        CHECK(again.report.quality.min_dihedral > 20);
+    }
+}
+
 TEST_CASE("a slit narrower than what is ignored is closed in the mesh, which is said once") {
     const auto slit = [](double width, double hole_x) {
         return PartDocument()
