@@ -317,7 +317,7 @@ class Filling {
         if (thin.empty()) return {};
         const std::vector<Entity> place = as_parameter(near);
         const std::vector<Message> edges = short_edges_among(brep_, result_.mesh, cavity.nodes, thin);
-        constexpr std::size_t few = 20;
+        constexpr std::size_t few = 100;
         if (thin.size() > few) shorter.clear();
         if (edges.empty())
             return Obstacle{say<Code::thin_elements_remain>(thin.size(), near), place, std::move(shorter)};
