@@ -2,6 +2,7 @@
 #include "volume/curved/mid_side_nodes.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -234,7 +235,7 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
     const KeptCounts counts = kept_counts(mesh, kept);
     std::optional<Curved> best;
     SecondOrder failed;
-    std::size_t trouble_at_first = 0;
+    std::size_t trouble_at_first = 0, fewest_folded = std::numeric_limits<std::size_t>::max();
     int last_gain = 0;
     for (int refinement = 0;; ++refinement) {
         Curved curved = curve(brep, projector, mesh, kept, context);
@@ -257,15 +258,14 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
             if (!curved.folded.empty())
                 failed = {{}, shorter_lengths(curved.mesh, trouble), place, 0, std::move(failed.straight)};
         }
-        // refining that makes more trouble than it ends would go on for ever
+        const bool gains = curved.folded.size() < fewest_folded || (best && curved.smallest > best->smallest);
+        if (gains) last_gain = refinement, fewest_folded = curved.folded.size();
+        // refining that makes more trouble than it ends would go on for ever; what folds elements that were valid does
         const bool is_hopeless = refinement == most_refinements || trouble.size() > 4 * trouble_at_first + 50 ||
-                                 (best && refinement > last_gain + most_without_gain);
+                                 refinement > last_gain + (best ? 0 : most_without_gain);
         const bool is_split =
             !is_hopeless && split_folded_tets(mesh, curved.mesh, trouble, counts, brep.tolerances().least_volume()) > 0;
-        if (curved.folded.empty() && (!best || curved.smallest > best->smallest)) {
-            best = std::move(curved);
-            last_gain = refinement;
-        }
+        if (gains && curved.folded.empty()) best = std::move(curved);
         if (!is_split && best) return result_of(std::move(*best), counts);
         if (!is_split) return failed;
         context.log(std::to_string(trouble.size()) + " elements are refined near " + name_of(place.front()) +
