@@ -144,8 +144,23 @@ def check_part_deleted(document, mesh):
     assert mesh.Status == "up to date", mesh.Status
 
 
+def check_frozen(document, part, mesh):
+    """A script sets the length of a part that FreeCAD's command froze: the shape changes, and FreeCAD asks for no recompute."""
+    select((part,))
+    Gui.runCommand("Std_ToggleFreeze")
+    part.Length = 30
+    assert (part.getStatusString(), part.Shape.BoundBox.XMax, part.State) == ("Freezed", 30, ["Up-to-date"])
+    assert "is out of date" in mesh.Proxy.why_not_to_solve(mesh)
+    document.recompute()
+    assert (mesh.Status, mesh.FemMesh.BoundBox.XMax, mesh.Proxy.why_not_to_solve(mesh)) == ("up to date", 30, ""), mesh.Status
+    select((part,))
+    Gui.runCommand("Std_ToggleFreeze")
+    document.recompute()
+    assert mesh.Status == "up to date", mesh.Status
+
+
 def drive():
-    from freecad.featuremesh import api, engine
+    from freecad.featuremesh import api, engine, versions
     from analyses import add_material
     from parts import plate_with_hole
     from statics_cases import STEEL
@@ -164,6 +179,8 @@ def drive():
     two.recompute()
     check_which_mesh(two, meshes, second)
     check_part_deleted(two, meshes[0])
+    if versions.version() >= (1, 0):
+        check_frozen(two, two.Box, two.FeatureMesh)
     FreeCAD.closeDocument(two.Name)
     document = FreeCAD.newDocument("Mistakes")
     document.UndoMode = 1

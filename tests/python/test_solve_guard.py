@@ -9,7 +9,7 @@ from unittest import mock
 import FreeCAD
 import ObjectsFem
 from femtools import ccxtools
-from freecad.featuremesh import api, references, results, solve_guard, versions
+from freecad.featuremesh import api, mesh_properties, references, results, solve_guard, versions
 from freecad.featuremesh.errors import UserError
 from parts import new_document
 from test_document_solving import STEEL, analysis_of
@@ -98,6 +98,37 @@ class SolveGuard(unittest.TestCase):
         self.document.RecomputesFrozen = False
         self.document.recompute()
         self.assertEqual((self.problem(), self.mesh.FemMesh.BoundBox.XMax), ("", 50))
+
+    def edit_frozen(self, length):
+        """As FreeCAD leaves a frozen box whose length a script sets: with another shape, and nothing to recompute. Only its window can freeze."""
+        self.part.Length = length
+        self.document.purgeTouched()
+
+    def test_a_frozen_part_that_a_script_edits(self):
+        with mock.patch.object(versions, "is_frozen", lambda obj: obj is self.part):
+            self.document.recompute()
+            self.assertEqual((self.problem(), self.mesh.Status), ("", "up to date"))
+            result = self.add_result()
+            self.edit_frozen(50)
+            self.refuses("is out of date")
+            self.document.recompute()
+            self.assertEqual((self.problem(), self.mesh.FemMesh.BoundBox.XMax), ("", 50))
+            self.assertTrue(results.is_old(result))
+            self.mesh.Automatic = False
+            self.edit_frozen(60)
+            self.document.recompute()
+            self.assertEqual((self.mesh.Status, self.mesh.FemMesh.BoundBox.XMax), (mesh_properties.OUT_OF_DATE, 50))
+
+    def test_a_frozen_part_that_is_saved_after_a_script_edited_it(self):
+        """FreeCAD does not save what is frozen."""
+        with mock.patch.object(versions, "is_frozen", lambda obj: obj is self.part):
+            self.edit_frozen(50)
+            path = self.folder + "/frozen.FCStd"
+            self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        self.analysis, self.mesh = self.document.Analysis, self.document.FeatureMesh
+        self.refuses("is out of date")
 
     def test_what_an_undo_brought_back_is_solved(self):
         """With its shape and its mesh, though FreeCAD wants to recompute it."""

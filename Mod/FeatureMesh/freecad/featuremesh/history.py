@@ -8,6 +8,7 @@ groups by which a solver finds the nodes of constraints are renewed when the ref
 import FreeCAD
 
 from . import analyses, recompute_errors, references, results, versions
+from .mesh_properties import OUT_OF_DATE
 
 _WATCHED = ("References", "Group", "MeshGroupList", "MeshRegionList")
 _observer = None
@@ -55,7 +56,13 @@ class _Observer:
     def slotAbortTransaction(self, document):
         _show_states(document)
 
+    def slotStartSaveDocument(self, document, _):
+        for mesh in _missed_an_edit(document):
+            mesh.Status = OUT_OF_DATE
+
     def slotRecomputedDocument(self, document):
+        for mesh in _missed_an_edit(document):
+            mesh.recompute()
         _recomputed.add(document.Name)
         _undone.discard(document.Name)
 
@@ -100,6 +107,10 @@ def _fail_meshes(document, objects):
         error = recompute_errors.error_of_part(versions.part_of(mesh), objects)
         if error is not None:
             mesh.Proxy.fail(mesh, error)
+
+
+def _missed_an_edit(document):
+    return [mesh for mesh in document.Objects if _is_ours(mesh) and mesh.Proxy.missed_an_edit(mesh)]
 
 
 def _show_states(document):

@@ -210,12 +210,18 @@ class FeatureMesh:
 
     def why_not_to_solve(self, mesh):
         """Why no analysis must be solved on the mesh as it is, as a sentence; "" when it may."""
-        if mesh.Status == UP_TO_DATE:
+        status = OUT_OF_DATE if self.missed_an_edit(mesh) else mesh.Status
+        if status == UP_TO_DATE:
             return ""
-        if mesh.Status.startswith(FAILED):
+        if status.startswith(FAILED):
             return translate("FeatureMesh", "%s is not that of the part as it is, its last update failed: %s") % (
                 describe(mesh), in_words(failure_of(mesh)))
-        return translate("FeatureMesh", "%s is %s; update it before solving") % (describe(mesh), status_in_words(mesh))
+        return translate("FeatureMesh", "%s is %s; update it before solving") % (describe(mesh), status_in_words(mesh, status))
+
+    def missed_an_edit(self, mesh):
+        """Is the mesh not that of its part, which is frozen, without a word from FreeCAD?"""
+        part = versions.part_of(mesh)
+        return is_of_its_part(mesh) and self._shape is not None and part is not None and versions.is_frozen(part) and not part.Shape.isSame(self._shape)
 
     def clicked_elsewhere(self, mesh, members):
         """Which member of an analysis was clicked on another copy than the meshed one, as a sentence; "" when none was. FreeCAD's writer of CalculiX input
@@ -229,7 +235,7 @@ class FeatureMesh:
 
     def state_of_part(self, mesh):
         """The same when the mesh is that of its part as it is, else ""."""
-        return self.state_of_mesh(mesh) if is_of_its_part(mesh) else ""
+        return self.state_of_mesh(mesh) if is_of_its_part(mesh) and not self.missed_an_edit(mesh) else ""
 
     def last_part_mesh(self, mesh):
         """The engine's mesh as it is now, from memory or from the saved state. Throws StateError."""
@@ -258,7 +264,7 @@ class FeatureMesh:
                 self._show(mesh, self.last_part_mesh(mesh))
             except (RuntimeError, UserError) as error:
                 mesh.Status = failed(mesh, error)
-                FreeCAD.Console.PrintError("%s: %s\n" % (mesh.Label, one_line(error)))
+                FreeCAD.Console.PrintError("%s: %s\n" % (mesh.Label, messages.english(messages.of_error(error))))
                 return
         self._shown = checksum
         _show_in_other_analyses(mesh)
@@ -573,11 +579,6 @@ def renumbered(arrays):
 def is_cancelled(error):
     """Did the user end the work? The class of that error is the engine's, which need not be loaded."""
     return type(error).__name__ == "Cancelled" or isinstance(error, KeyboardInterrupt)
-
-
-def one_line(error):
-    """An error's message without line breaks."""
-    return messages.english(messages.of_error(error))
 
 
 def element_count(report):

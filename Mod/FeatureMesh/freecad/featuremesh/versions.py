@@ -77,6 +77,11 @@ def number_of(enumerator):
     return int(getattr(enumerator, "value", enumerator))
 
 
+def is_frozen(obj):
+    """Is the object left out of recomputes? Since 1.0; FreeCAD tells nobody when it changes all the same, as a primitive of Part does."""
+    return obj.getStatusString() == "Freezed"
+
+
 def follows_faces():
     """Does FreeCAD itself move references when faces get other numbers? Since 1.0."""
     return version() >= (1, 0)
