@@ -4,6 +4,7 @@ import importlib
 import shutil
 import tempfile
 import unittest
+from types import SimpleNamespace
 from unittest import mock
 
 import FreeCAD
@@ -129,6 +130,61 @@ class SolveGuard(unittest.TestCase):
         self.document = FreeCAD.openDocument(path)
         self.analysis, self.mesh = self.document.Analysis, self.document.FeatureMesh
         self.refuses("is out of date")
+
+    def test_what_a_recompute_leaves_touched_is_no_edit(self):
+        """Until somebody edits it."""
+        drives, touches = (self.document.addObject("App::FeaturePython", name) for name in ("Drives", "Touches"))
+        drives.addProperty("App::PropertyLength", "Length")
+        drives.Length = 40
+        self.part.setExpression("Length", "Drives.Length")
+        touches.addProperty("App::PropertyLink", "After")
+        touches.After, touches.Proxy = self.part, SimpleNamespace(execute=lambda _: drives.touch())
+        self.refuses("was edited and not recomputed")
+        for length in (50, 60):
+            self.document.recompute()
+            self.assertIn("Touched", drives.State)
+            self.assertEqual(self.problem(), "")
+            drives.Length = length
+            self.refuses("Drives was edited and not recomputed")
+        self.document.recompute([self.document.addObject("Part::Box", "Other")])
+        self.refuses("Drives was edited and not recomputed")
+        self.document.recompute()
+        self.assertEqual(self.problem(), "")
+
+    def test_an_assembly_whose_joints_refer_to_it(self):
+        """Since 1.1 such joints stay touched for ever."""
+        if versions.version() < (1, 1):
+            self.skipTest("this FreeCAD has no such joints")
+        import JointObject
+        assembly = self.document.addObject("Assembly::AssemblyObject", "Assembly")
+        joints, parts = assembly.newObject("Assembly::JointGroup", "Joints"), [assembly.newObject("Part::Box", "Box") for _ in range(2)]
+        self.document.recompute()
+        JointObject.GroundedJoint(joints.newObject("App::FeaturePython", "Ground"), parts[0])
+        joint = joints.newObject("App::FeaturePython", "Joint")
+        JointObject.Joint(joint, 0)
+        joint.Proxy.setJointConnectors(joint, [[assembly, [part.Name + "." + face] * 2] for part, face in zip(parts, ("Face2", "Face1"))])
+        self.analysis = self.analysis_of_container(assembly)
+        self.assertIn("Touched", joint.State)
+        self.assertEqual(solve_guard.reason(self.analysis), "")
+        joint.Label2 = "edited"
+        self.assertIn("Joint was edited and not recomputed", solve_guard.reason(self.analysis))
+
+    def test_what_is_beside_the_parts_of_a_container_does_not_matter(self):
+        container = self.document.addObject("App::Part", "Machine")
+        box, note = container.newObject("Part::Box", "Box"), container.newObject("App::TextDocument", "Note")
+        analysis = self.analysis_of_container(container)
+        note.Text = "to be made of steel"
+        self.assertIn("Touched", note.State)
+        self.assertEqual(solve_guard.reason(analysis), "")
+        box.Length = 20
+        self.assertIn("Box was edited and not recomputed", solve_guard.reason(analysis))
+
+    def analysis_of_container(self, container):
+        self.document.recompute()
+        analysis, mesh = ObjectsFem.makeAnalysis(self.document, "Other"), api.add_mesh(container, 5, join_analysis=False)
+        analysis.addObject(mesh)
+        self.document.recompute()
+        return analysis
 
     def test_what_an_undo_brought_back_is_solved(self):
         """With its shape and its mesh, though FreeCAD wants to recompute it."""

@@ -15,6 +15,7 @@ _observer = None
 _deleted = {}   # name of a document -> names of the objects deleted from it
 _recomputed = set()   # names of the documents that were recomputed since they were opened
 _undone = set()   # and of those in which something was undone or redone since
+_left_touched = {}   # name of a document -> names of the objects that recomputes left touched, or have come to so far
 
 
 def watch():
@@ -40,9 +41,12 @@ def deleted_of(document):
 
 def edited_of(document, objects):
     """Those of `objects` that were edited and not recomputed since. What another FreeCAD saved, and what an undo brought back with its shape, counts as
-    edited for FreeCAD, though nobody did; where it skips recomputes it is not known who did."""
+    edited for FreeCAD, though nobody did; where it skips recomputes it is not known who did. What a recompute itself left touched, as it does the joints
+    of an assembly that refer to that, was not edited until somebody does."""
     is_settled = document.Name in _undone or document.Name not in _recomputed and not versions.wrote(document)
-    return [obj for obj in objects if "Touched" in obj.State] if document.RecomputesFrozen or not is_settled else []
+    if is_settled and not document.RecomputesFrozen:
+        return []
+    return [obj for obj in objects if "Touched" in obj.State and obj.Name not in _left_touched.get(obj.Document.Name, ())]
 
 
 class _Observer:
@@ -60,9 +64,13 @@ class _Observer:
         for mesh in _missed_an_edit(document):
             mesh.Status = OUT_OF_DATE
 
+    def slotRecomputedObject(self, obj):
+        _left_touched.setdefault(obj.Document.Name, set()).add(obj.Name)
+
     def slotRecomputedDocument(self, document):
         for mesh in _missed_an_edit(document):
             mesh.recompute()
+        _left_touched[document.Name] = {obj.Name for obj in document.Objects if "Touched" in obj.State} & _left_touched.get(document.Name, set())
         _recomputed.add(document.Name)
         _undone.discard(document.Name)
 
@@ -79,11 +87,14 @@ class _Observer:
         _deleted.pop(document.Name, None)
         _recomputed.discard(document.Name)
         _undone.discard(document.Name)
+        _left_touched.pop(document.Name, None)
         results.forget(document)
 
     def slotChangedObject(self, obj, name):
         if name == "Data" and results.is_result(obj) and not (FreeCAD.isRestoring() or obj.Document.Recomputing or obj.Document.Transacting):
             results.note_again(obj, from_input=True)   # since 1.1 a solver fills its pipeline anew
+        if not obj.Document.Recomputing:
+            _left_touched.get(obj.Document.Name, set()).discard(obj.Name)
         if name not in _WATCHED or FreeCAD.isRestoring() or obj.Document.Recomputing or obj.Document.Transacting:
             return
         if name == "Group" and obj.isDerivedFrom("Fem::FemAnalysis"):

@@ -11,7 +11,7 @@ import importlib
 
 import FreeCAD
 
-from . import analyses, history, references, results, versions
+from . import analyses, assembled, history, references, results, versions
 from .errors import UserError
 from .reading import dependencies, describe
 
@@ -44,10 +44,15 @@ def _all_behind(objects):
     found = dict.fromkeys(objects)
     waiting = list(found)
     while waiting:
-        new = [obj for obj in waiting.pop().OutList if obj not in found]
+        new = [obj for obj in _directly_behind(waiting.pop()) if obj not in found]
         found.update(dict.fromkeys(new))
         waiting += new
     return found
+
+
+def _directly_behind(obj):
+    """Of what a container holds the joints move its parts; what else is beside these does not change them."""
+    return [one for one in obj.OutList if assembled.is_container(one) or hasattr(one, "JointType")] if assembled.is_container(obj) else obj.OutList
 
 
 def _clicked_elsewhere(analysis, mesh):
