@@ -163,6 +163,13 @@ class Faults(StudyTest):
         self.assertEqual(self.states(), ["failed", "done", "done", "done"])
         self.assertIn("case 1: it took more memory than the limit of 2 GB", err)
 
+    def test_the_folder_of_a_case_is_removed_while_it_runs(self):
+        self.response_file("folder = HERE / 'study-study' / 'cases' / ('%04d' % case.id)", "__import__('shutil').rmtree(folder) if case.id > 1 else None",
+                           "return float((folder / 'freecad.log').stat().st_size > 0) if case.id < 3 else 1.0")
+        _, err = self.study("run", "study.toml", "--jobs", "1", code=1)
+        self.assertEqual(self.states(), ["done", "failed", "done", "done"])
+        self.assertRegex(err, "case 2: .*No such file or directory")
+
     def test_two_runners_on_one_folder(self):
         process = self.started()
         _, err = self.study("resume", "study-study", code=2)

@@ -7,6 +7,7 @@ from ..errors import UserError
 from ..messages import said
 from .database import WAITING, DiskFull
 from .folder import DocumentWatch, made_of
+from .room import DISK_FULL
 from .steps import PROCESSORS
 
 MOST_ATTEMPTS = 2
@@ -48,7 +49,7 @@ class CaseBook:
 
     def keep(self, case, result, seconds):
         """Keeps what a case gave. Returns whether it is to be run again. Throws DiskFull."""
-        if result["state"] == "disk full":
+        if result["state"] == DISK_FULL:
             raise DiskFull(said("the disk of {folder:text} is full ({why:messages}); every finished case is safe. Make room, then go on with `study resume`",
                                 folder=self.folder.path, why=result["message"]))
         if result["state"] == "killed" and case.attempts < MOST_ATTEMPTS:

@@ -1,26 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One case: a function of the base document and the case's parameters. Runs in a copy of the process that opened the base."""
 
-import errno
 import hashlib
 import json
 import os
 import shutil
-import tempfile
 import traceback
 
 from .. import api, documents, engine, reading, versions
 from ..errors import UserError
 from ..messages import of_error, said, several
 from ..mesh_object import element_count
-from . import case_solver, places, response_words, responses
+from . import case_solver, places, response_words, responses, room
 from .database import DONE, FAILED, INFEASIBLE
 from .design import from_plain
 from .steps import step
 
-KILLED, DISK_FULL = "killed", "disk full"   # states that only a worker and a runner know
-_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
-_NO_ROOM = 1 << 20   # bytes; a disk with less is full
+KILLED = "killed"   # a state that only a worker and a runner know
 
 
 class Infeasible(UserError):
@@ -54,21 +50,12 @@ def run(base, case):
         return {"state": INFEASIBLE, "message": of_error(error), "seconds": seconds}
     except case_solver.Killed as error:
         return {"state": KILLED, "message": of_error(error)}
-    except OSError as error:
-        state = DISK_FULL if error.errno in _FULL or _has_no_room(case["folder"]) else FAILED
-        return {"state": state, "message": of_error(error), "seconds": seconds}
     except MemoryError:
         return {"state": FAILED, "message": said("the memory was not enough"), "seconds": seconds}
     except Exception as error:
-        if not isinstance(error, (UserError, engine.load().Error)):
+        if not isinstance(error, (OSError, UserError, engine.load().Error)):
             traceback.print_exc()
-        is_full = _has_no_room(case["folder"])   # CalculiX and FreeCAD tell of a full disk in words of their own
-        return {"state": DISK_FULL if is_full else FAILED, "message": of_error(error), "seconds": seconds}
-
-
-def _has_no_room(folder):
-    """Is the disk of the case's files or that of temporary files full?"""
-    return any(shutil.disk_usage(path).free < _NO_ROOM for path in (folder, tempfile.gettempdir()))
+        return {"state": room.state_after(error, case["folder"]), "message": of_error(error), "seconds": seconds}
 
 
 def _run(base, case, seconds):

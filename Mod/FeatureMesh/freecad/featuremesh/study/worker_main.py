@@ -61,16 +61,18 @@ def run_in_copy(work, folder, seconds_limit, memory_limit):
 
 def _in_copy(work, parent, folder, writer):
     """Never returns."""
+    from freecad.featuremesh import parent_process
+    from freecad.featuremesh.messages import of_error
+    from freecad.featuremesh.study import room
     try:
         os.setpgid(0, 0)
-        from freecad.featuremesh import parent_process
         parent_process.end_with(parent)
         log = os.open(os.path.join(folder, "freecad.log"), os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o644)
         os.dup2(log, 1)
         os.dup2(log, 2)
         result = json.dumps(work())
     except OSError as error:
-        result = json.dumps({"state": "disk full", "message": str(error)})
+        result = json.dumps({"state": room.state_after(error, folder), "message": of_error(error)})
     with os.fdopen(writer, "w", encoding="utf-8") as stream:
         stream.write(result + "\n")
     os._exit(0)
