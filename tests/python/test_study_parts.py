@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The parts of studies that need no FreeCAD: what is read, sampled, kept, concluded. Runs in plain Python."""
+import importlib.util
 import math
 import os
 import shutil
@@ -17,7 +18,7 @@ from study_tests import ROOT
 
 from freecad.featuremesh.errors import UserError  # noqa: E402
 from freecad.featuremesh.study import (  # noqa: E402
-    answers, case_book, design, memory, modes, optimise, planning, plots, progress, runner, sampling, study_file, surface, worker_process)
+    answers, case_book, design, memory, modes, optimise, optuna_search, planning, plots, progress, runner, sampling, study_file, surface, worker_process)
 from freecad.featuremesh.study.classic_designs import box_behnken, central_composite  # noqa: E402
 from freecad.featuremesh.study.database import Database  # noqa: E402
 from freecad.featuremesh.study.expressions import Expression  # noqa: E402
@@ -37,6 +38,9 @@ try:
 except DiskFull as error:
     print(number, error)
 """
+
+
+OPTUNA = (optuna_search.OptunaOptimiser,) if importlib.util.find_spec("optuna") else ()
 
 
 def study(sampling_name, *parameters, **options):
@@ -290,6 +294,36 @@ class Optimising(unittest.TestCase):
                                [{"A.x": 1.5, "A.y": 1 + share / 10} for share in range(10)])
         self.assertEqual(found.case.parameters["A.x"], 1)
         self.assertAlmostEqual(found.case.parameters["A.y"], 1.5, delta=0.02)
+
+    def searched(self, optimiser, folder, most):
+        """What a search finds, and the parameters of the cases that it really solved."""
+        solved = []
+
+        def solve(case_id):
+            case = folder.database.case(case_id)
+            if case.state == "waiting":
+                solved.append(case.parameters)
+                folder.database.finish(case_id, {"state": "done", "responses": {"mass": case.parameters["A.x"] + case.parameters["A.y"]}})
+        return optimiser(folder, "mass").run(solve, most), solved
+
+    def test_a_search_that_goes_on_counts_what_it_solves(self):
+        for optimiser in (optimise.Optimiser, *OPTUNA):
+            with self.subTest(optimiser=optimiser.__name__):
+                ended, whole = (folder_of(self, study("grid", "A.x=1:2", "A.y=1:2")) for _ in range(2))
+                first, solved = self.searched(optimiser, ended, 3)
+                self.assertEqual((first.solves, len(solved)), (3, 3))
+                second, more = self.searched(optimiser, ended, 2)
+                self.assertEqual((second.solves, len(more)), (2, 2))
+                self.assertEqual(solved + more, self.searched(optimiser, whole, 5)[1])
+
+    def test_a_search_ends_where_no_other_case_is_left(self):
+        for optimiser in (optimise.Optimiser, *OPTUNA):
+            with self.subTest(optimiser=optimiser.__name__):
+                folder = folder_of(self, study("grid", "A.x=1,2", "A.y=1,2"))
+                found, solved = self.searched(optimiser, folder, 30)
+                self.assertEqual((found.solves, len(solved), found.reason), (4, 4, "no other case was found"))
+                self.assertEqual(found.case.parameters, {"A.x": 1.0, "A.y": 1.0})
+                self.assertEqual(self.searched(optimiser, folder, 30)[1], [])
 
     def test_what_has_one_value_only_stays(self):
         found = self.optimised(study("grid", "A.x=1:2", "A.kind=round", "A.y=3"), lambda of: (of["A.x"] - 1.25) ** 2 + of["A.y"])

@@ -12,7 +12,7 @@ import numpy as np
 from ..errors import UserError
 from ..messages import said
 from . import answers, planning, surface
-from .database import DONE
+from .database import DONE, FAILED, INFEASIBLE
 from .expressions import Expression, Limit
 
 _SAME_POINT = 2e-3     # of a parameter's range: a point as near to a case is that case
@@ -20,6 +20,7 @@ _DIGITS = 4            # of the range that a proposed value is rounded to
 _PENALTY = 1e3         # times the objective's spread, for a limit that is broken by all of its right side
 _MARGIN = 1e-3         # by which surfaces have to keep a limit, so that cases do
 _ROUNDS_WITHOUT_GAIN = 4
+_POINTS_FOR_ONE = 16   # looked at for each that is solved
 
 
 @dataclass
@@ -46,6 +47,8 @@ class Optimiser:
     def run(self, solve, most_solves, tell=lambda *_: None):
         """Spends at most `most_solves` cases; `solve(case_id)` runs one, `tell(case, best)` is called after each. Returns Found."""
         spent = self._first_cases(solve, most_solves, tell)
+        if spent < most_solves and not self._can_be_fitted():
+            return Found(self.best(), spent, "no other case was found")
         without_gain = 0
         while spent < most_solves:
             point = self._proposal(self._seed + spent)
@@ -82,10 +85,21 @@ class Optimiser:
         """Points of the Sobol' sequence until surfaces can be made. Returns how many were solved."""
         from scipy.stats import qmc   # takes a second to load
         spent, sequence = 0, qmc.Sobol(len(self._varied), scramble=True, seed=self._seed)
-        while spent < most and not self._can_be_fitted():
-            self._solved(self._decoded(2 * sequence.random(1)[0] - 1), solve, tell)
-            spent += 1
+        for _ in range(self._most_points(most)):
+            if spent == most or self._can_be_fitted():
+                break
+            values = self._decoded(2 * sequence.random(1)[0] - 1)
+            if not self._is_solved(values):
+                self._solved(values, solve, tell)
+                spent += 1
         return spent
+
+    def _most_points(self, most_solves):
+        """How many points to look at for so many that are not solved: some are, by a search before, and few values have few points."""
+        return len(self._folder.database.cases()) + _POINTS_FOR_ONE * most_solves
+
+    def _is_solved(self, values):
+        return any(case.parameters == values and case.state in (DONE, INFEASIBLE, FAILED) for case in self._folder.database.cases())
 
     def _can_be_fitted(self):
         """Are there enough cases, and do they not all lie in a plane?"""

@@ -23,16 +23,21 @@ class OptunaOptimiser(Optimiser):
         optuna.logging.set_verbosity(optuna.logging.WARNING)
         sampler = optuna.samplers.TPESampler(seed=self._seed, constraints_func=lambda trial: trial.user_attrs.get(_EXCESS, (1.0,)))
         trials = optuna.create_study(sampler=sampler, direction="minimize")
-        for _ in range(most_solves):
+        spent = 0
+        for _ in range(self._most_points(most_solves)):
+            if spent == most_solves:
+                break
             trial = trials.ask()
-            case = self._solved(self._suggested(trial), solve, tell)
+            values = self._suggested(trial)
+            spent += not self._is_solved(values)
+            case = self._solved(values, solve, tell)
             if case.state != DONE or self._goal_of(case) == math.inf:
                 trials.tell(trial, state=optuna.trial.TrialState.FAIL)
                 continue
             values = answers.all_values(case)
             trial.set_user_attr(_EXCESS, [limit.excess(values) for limit in self._limits] or [0.0])
             trials.tell(trial, self._goal_of(case))
-        return Found(self.best(), most_solves, "all %d solutions were spent" % most_solves)
+        return Found(self.best(), spent, "all %d solutions were spent" % spent if spent == most_solves else "no other case was found")
 
     def _suggested(self, trial):
         """{name: value} as Optuna proposes."""
