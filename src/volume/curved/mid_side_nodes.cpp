@@ -2,7 +2,9 @@
 #include "volume/curved/mid_side_nodes.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -114,14 +116,17 @@ void place_on_faces(const Brep& brep, const std::vector<bool>& is_new, Mesh& mes
     });
 }
 
-/// A face at a corner of the tet, or its solid, for messages.
+/// The face with most corners of the tet, the first of several, or its solid, for messages.
 std::vector<Entity> place_of(const Mesh& mesh, TetId tet) {
     const auto& corners = mesh.tets[tet.index()];
+    std::map<FaceId, unsigned> corners_on;  // a bit for each
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (NodeId n : mesh.triangles[i])
-            if (std::find(corners.begin(), corners.end(), n) != corners.end())
-                return as_parameter(mesh.triangle_faces[i]);
-    return as_parameter(mesh.tet_solids[tet.index()]);
+            if (const auto found = std::find(corners.begin(), corners.end(), n); found != corners.end())
+                corners_on[mesh.triangle_faces[i]] |= 1u << (found - corners.begin());
+    if (corners_on.empty()) return as_parameter(mesh.tet_solids[tet.index()]);
+    const auto fewer = [](const auto& a, const auto& b) { return std::popcount(a.second) < std::popcount(b.second); };
+    return as_parameter(std::max_element(corners_on.begin(), corners_on.end(), fewer)->first);
 }
 
 /// How many elements in front are kept: their numbers are older than the kept mesh's next one.

@@ -191,6 +191,30 @@ TEST_CASE("curving again with what was curved keeps every bit") {
     CHECK(again.parameters == curved.parameters);
 }
 
+TEST_CASE("a tet that stays folded is told to be at the face that it has most corners on") {
+    RunContext context;
+    const Brep brep(BRepPrimAPI_MakeCylinder(10, 12).Shape());
+    const Mesh straight = fan_mesh(brep, 6, {0, 0, 6});
+    Mesh folded = curve_to_second_order(brep, straight, nullptr, context);
+    const FaceId around = folded.triangle_faces.front(), top = folded.triangle_faces.back();
+    REQUIRE(around != top);
+    const auto dim = [&](NodeId n) { return folded.entities[n.index()].dim; };
+    NodeId from_rim;
+    for (std::size_t t = 0; t < folded.triangles.size(); ++t)
+        for (int s = 0; s < 3; ++s)
+            if (folded.triangle_faces[t] == top && dim(folded.triangles[t][s]) < 2 &&
+                dim(folded.triangle_mids[t][s]) == 2)
+                from_rim = folded.triangle_mids[t][s];
+    REQUIRE(from_rim.is_valid());
+    folded.points[from_rim.index()] = {0, 0, -20};
+    Mesh next = straight;
+    next.next_node_number = folded.next_node_number;
+    next.next_element_number = folded.next_element_number;
+    const SecondOrder result = try_second_order(brep, next, &folded, context);
+    REQUIRE_FALSE(result.is_valid());
+    CHECK(result.place == std::vector<Entity>{entity_of(top)});
+}
+
 TEST_CASE("the same mesh gives the same bytes for any number of threads") {
     const Brep brep(BRepPrimAPI_MakeCylinder(10, 12).Shape());
     const Mesh straight = fan_mesh(brep, 14, {0, 0, 6});
