@@ -17,6 +17,7 @@
 #include "core/dimension.h"
 #include "core/errors.h"
 #include "core/messages.h"
+#include "core/numbers_in_words.h"
 #include "core/tolerances.h"
 #include "core/work.h"
 
@@ -163,7 +164,7 @@ class CellBuilder {
 
     bool attempt_fuzzy() {
         const double fuzzy = std::max(1e-7 * final_shape_.box().diagonal(), 1e-6);
-        note("the volumes are fused with a tolerance of " + std::to_string(fuzzy) + " mm");
+        note("the volumes are fused with a tolerance of " + in_words(fuzzy) + " mm");
         return attempt(volumes(), fuzzy);
     }
 
@@ -233,7 +234,7 @@ class CellBuilder {
             if (!inner && cell.volume > Tolerances::volume_books * final_volume_) {
                 std::set<FeatureId> features;
                 for (const Owner& owner : cell.owners) features.insert(owner.feature);
-                note("a piece of " + std::to_string(cell.volume) + " mm^3 of " + names(features) +
+                note("a piece of " + volume_in_words(cell.volume) + " of " + names(features) +
                      " has no sound inner point");
                 return false;
             }
@@ -261,8 +262,9 @@ class CellBuilder {
                 model_.report.findings = {say<Code::solids_overlap>(Volume{overlap_})};
             return true;
         }
-        note("the features' volumes come to " + std::to_string(material) + " mm^3 where the final shape has " +
-             std::to_string(final_volume_));
+        constexpr int digits = 9;  // more than the books may be off by
+        note("the features' volumes come to " + volume_in_words(material, digits) + " where the final shape has " +
+             volume_in_words(final_volume_, digits));
         return false;
     }
 

@@ -16,7 +16,7 @@ struct InEnglish {
     std::string operator()(std::int64_t count) const { return std::to_string(count); }
     std::string operator()(double number) const { return in_words(number); }
     std::string operator()(Length length) const { return in_words(length.mm) + " mm"; }
-    std::string operator()(Volume volume) const { return in_words(volume.mm3) + " mm^3"; }
+    std::string operator()(Volume volume) const { return volume_in_words(volume.mm3); }
     std::string operator()(Extent extent) const {
         return in_words(extent.mm.x) + " x " + in_words(extent.mm.y) + " x " + in_words(extent.mm.z) + " mm";
     }

@@ -106,6 +106,7 @@ class Messages(unittest.TestCase):
         self.assertEqual(messages.english(CROSSING), "full mesh: Face2 and Edge7; Face2 and itself")
 
     def test_lengths_are_in_the_users_units(self):
+        self.assertEqual(messages.english(messages.said("{old:volume}, {place:length}", old=1.25e-10, place=1.25e-10)), "1.25e-10 mm^3, 0 mm")
         volume = messages.said("volume {old:volume} at {place:point}", old=16387.064, place=[25.4, 0.0, -2.54])
         FreeCAD.Units.setSchema(3)   # inches with decimals
         self.addCleanup(FreeCAD.Units.setSchema, 0)

@@ -316,6 +316,16 @@ TEST_CASE("a final shape that the tree does not explain is reported, and the tre
     for (const CellFace& face : model.faces) CHECK_FALSE(face.owners.empty());
 }
 
+TEST_CASE("volumes of a part of thousandths of a millimetre are told") {
+    Part part = Part().add("A", box(0, 0, 0, 0.001, 0.001, 0.001)).remove("B", box(0, 0, 0, 0.0005, 0.001, 0.001));
+    FeatureTree tree = part.tree();
+    tree.final_shape = box(0, 0, 0, 0.001, 0.001, 0.00075);
+    RunContext context;
+    const auto notes = build_cells(tree, Brep(tree.final_shape), context).report.fallbacks;
+    INFO(notes.front());
+    CHECK(notes.front().find(" mm^3 where the final shape has 7.5e-10 mm^3") != std::string::npos);
+}
+
 TEST_CASE("a tree without any volume is one opaque cell") {
     FeatureTree tree;
     tree.object = "Lost";

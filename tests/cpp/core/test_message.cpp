@@ -74,6 +74,7 @@ TEST_CASE("a message in English") {
           "The growth rate is 0.5; it must be at least 1 (1.3 is usual).");
     CHECK(say<Code::moved_by>(Vec3{5, 0, -1e-12}).in_english() == "moved by (5, 0, 0) mm");
     CHECK(say<Code::volume_changed>(Volume{8}, Volume{9.5}).in_english() == "volume 8 mm^3 -> 9.5 mm^3");
+    CHECK(say<Code::volume_changed>(Volume{1.25e-10}, Volume{0}).in_english() == "volume 1.25e-10 mm^3 -> 0 mm^3");
     CHECK(say<Code::with_itself>(FaceId(2)).in_english() == "Face3 and itself");
     CHECK(Message().empty());
     CHECK(Message().in_english().empty());

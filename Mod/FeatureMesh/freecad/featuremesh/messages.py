@@ -135,7 +135,7 @@ class Words(string.Formatter):
         return self._as_shown(self._with_units(_digits(value) + " mm"))
 
     def _volume(self, value):
-        return self._as_shown(self._with_units(_digits(value) + " mm^3"))
+        return self._as_shown(self._with_units(_digits(value, nothing=0.0) + " mm^3"))
 
     def _extent(self, value):
         return self._as_shown(self._with_units(" x ".join(map(_digits, value)) + " mm"))
@@ -154,8 +154,8 @@ class Words(string.Formatter):
         return "; ".join(self.put(message) for message in _listed(messages))
 
 
-def _digits(value):
-    return "%.6g" % (0 if abs(value) < 5e-10 else value)
+def _digits(value, nothing=5e-10):
+    return "%.6g" % (0 if abs(value) < nothing else value)
 
 
 def _owned_names(value, owners):
