@@ -18,7 +18,7 @@ import numpy as np  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
 from PySide import QtGui  # noqa: E402
-from window import click, figures, is_whole, on_the_screen, panel, picture, pixels, spin, wait_for  # noqa: E402
+from window import click, click_button_of, click_in_panel, figures, is_whole, on_the_screen, panel, picture, pixels, spin, wait_for  # noqa: E402
 
 
 @contextlib.contextmanager
@@ -343,6 +343,59 @@ def check_ends(document, live):
     wait_for(lambda: not Gui.Control.activeDialog(), 5)
 
 
+def is_seen(live, mesh):
+    """Is the live result seen and the mesh hidden, or the other way round? Waits until one of them is."""
+    wait_for(lambda: live() is None or live().ViewObject.Visibility != mesh.ViewObject.Visibility, 20)
+    spin(0.5)
+    return live() is not None and live().ViewObject.Visibility and not mesh.ViewObject.Visibility
+
+
+def check_undone(document, analysis, mesh):
+    """Undone or deleted, it leaves the mesh in the view and its result in the analysis; redo and undo bring it back in the mesh's place."""
+    from freecad.featuremesh import live_result
+    click_button_of("FeatureMesh_LiveResult")
+    wait_for(Gui.Control.activeDialog, 20)
+    live = panel("LivePanel").live
+    name = live.Name
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE, 60)
+    panel("LivePanel").reject()
+    result = live.Result
+    for take_away, bring_back in (("Std_Undo", "Std_Redo"), ("Std_Delete", "Std_Undo")):
+        assert is_seen(lambda: document.getObject(name), mesh), take_away
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(document.getObject(name))
+        Gui.runCommand(take_away)
+        wait_for(lambda: document.getObject(name) is None and mesh.ViewObject.Visibility, 20)
+        wait_for(lambda: hues(pixels()) > 3000, 20)   # FreeCAD's own colour of a mesh
+        picture("live_gone_" + take_away)
+        assert result in analysis.Group, (take_away, [obj.Name for obj in analysis.Group])
+        Gui.runCommand(bring_back)
+        wait_for(lambda: document.getObject(name) is not None, 20)
+    assert is_seen(lambda: document.getObject(name), mesh)
+    wait_for(lambda: document.getObject(name).Status == live_result.UP_TO_DATE, 60)   # undo brings it back as it was, or it is solved again
+    assert [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemResultObject")] == [result]
+
+
+def check_load_in_its_panel(document, mesh):
+    """The part is seen alone while a load is edited; then the live result is, with the new load, until undo brings the old one."""
+    from freecad.featuremesh import live_result
+    live, part = document.Live, document.Body
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE, 60)
+    seen = live.MaxMises
+    Gui.activeDocument().setEdit("Force")
+    spin()
+    assert part.ViewObject.Visibility and not live.ViewObject.Visibility and not mesh.ViewObject.Visibility
+    picture("live_load_panel")
+    box = next(widget for widget in Gui.getMainWindow().findChildren(QtGui.QWidget, "spinForce") if widget.isVisible())
+    box.setProperty("rawValue", 2 * box.property("rawValue"))
+    click_in_panel("Ok")
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE and abs(live.MaxMises / seen - 2) < 1e-3, 60)
+    assert is_seen(lambda: live, mesh) and not part.ViewObject.Visibility
+    Gui.runCommand("Std_Undo")
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE and abs(live.MaxMises / seen - 1) < 1e-3, 60)
+    document.removeObject(live.Name)
+
+
 def check_another_of_its_name(document, analysis):
     """After the first is deleted, and after its document was closed and opened again."""
     from freecad.featuremesh import api, documents, live_result
@@ -400,6 +453,8 @@ def drive():
     check_ten_nodes(document, shown, live, mesh)
     check_freecads_own(document, shown, live)
     check_ends(document, live)
+    check_undone(document, analysis, mesh)
+    check_load_in_its_panel(document, mesh)
     check_another_of_its_name(document, analysis)
 
 

@@ -194,6 +194,7 @@ class LiveResult:
         members += [analyses.source_of(obj) for obj in members if analyses.is_ours(obj) and analyses.source_of(obj) not in (obj, None)]
         if members != live.Members:
             live.Members = members
+            self.is_changed = True
             _outdate(live)
 
     def _own_analysis(self, live):
@@ -208,7 +209,7 @@ class LiveResult:
 
     def _forget(self):
         self.of_state = ""        # which state of the mesh the result's mesh is of; undo brings back properties, but no mesh
-        self.is_changed = False   # did undo or redo change what was solved?
+        self.is_changed = False   # did undo, redo or a new member change what was solved?
         self.solution = None   # the last Solution
         self.before = None     # the one before
         self.is_fresh = False  # is it that of the part as it is?
@@ -294,6 +295,9 @@ def _watch():
 class _Observer:
     """Sees changes before a recompute does, and those that none follows: undo, a mesh updated by hand, a new member of the analysis."""
 
+    def __init__(self):
+        self._left = []   # (analysis, result), by name, of live results that the undo under way takes away
+
     def slotChangedObject(self, obj, name):
         if FreeCAD.isRestoring() or name in _OF_NO_CONCERN:
             return
@@ -314,13 +318,26 @@ class _Observer:
                     solve_later(live)
 
     def slotUndoDocument(self, document):
+        self._keep_results(document)
         _solve_again(document)
 
     def slotRedoDocument(self, document):
+        self._keep_results(document)
         _solve_again(document)
+
+    def _keep_results(self, document):
+        """Undo gives an analysis the members that it had before it had a result of ours, which would be left beside it."""
+        left, self._left = self._left, []
+        for names in left:
+            analysis, result = map(document.getObject, names)
+            if analysis is not None and result is not None and result not in analysis.Group:
+                analysis.addObject(result)
 
     def slotDeletedObject(self, obj):
         if is_live_result(obj):
+            analysis = obj.Proxy.analysis(obj)
+            if obj.Document.Transacting and analysis is not None and obj.Result is not None:
+                self._left.append((analysis.Name, obj.Result.Name))
             if cancel is not None:
                 cancel(obj)
             if obj.Proxy.solution is not None:

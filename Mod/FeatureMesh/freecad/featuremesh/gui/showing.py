@@ -23,13 +23,15 @@ def show_part(part):
 
 def show_to_click(obj):
     """Shows the parts whose faces the panel of an FEM object asks for where their meshes are seen in their place, or nothing: some panels of FEM hide all
-    meshes. Returns what `restore` needs to show the meshes again."""
+    meshes. Returns what `restore` needs to show the meshes again, or the live results that were seen in place of them."""
     before = []
     for mesh in api.meshes_of(obj.Document):
         for shown in _meshed(mesh)[-1:]:   # of assembled parts what they are in
             if not shown.ViewObject.Visibility and _is_about(obj, mesh):
-                shown.ViewObject.Visibility, mesh.ViewObject.Visibility = True, False
-                before += [(obj.Document.Name, shown.Name, False), (obj.Document.Name, mesh.Name, True)]
+                seen = [live for live in obj.Document.Objects if is_live_result(live) and live.ViewObject.Visibility and live.Proxy.mesh(live) is mesh]
+                _set_visible([shown], True)
+                _set_visible([mesh, *seen], False)
+                before += [(obj.Document.Name, back.Name, back is not shown) for back in (shown, *(seen or [mesh]))]
     return before
 
 
@@ -71,21 +73,22 @@ def show_result(live):
 
 
 def install():
-    """Lets parts be seen again whose mesh is gone."""
+    """Lets parts be seen again whose mesh is gone, and meshes whose live result is gone."""
     FreeCAD.addDocumentObserver(_Observer())
 
 
 class _Observer:
-    """Undo and deletion take a mesh away and leave its part hidden, so that nothing would be seen; when the mesh is back, the part is hidden again."""
+    """Undo and deletion take a mesh or a live result away and leave hidden what it was shown in place of, so that nothing would be seen; when it is back, that
+    is hidden again."""
 
     def __init__(self):
-        self._shown = {}   # (name of a document, name of a mesh that is gone) -> names of what is shown in its place
+        self._shown = {}   # (name of a document, name of what is gone) -> names of what is shown in its place
 
     def slotDeletedObject(self, obj):
-        if is_feature_mesh(obj) and obj.Visibility:
-            names = [part.Name for part in _meshed(obj) if not part.Visibility]
+        if (is_feature_mesh(obj) or is_live_result(obj)) and obj.Visibility:
+            choices = [[hidden.Name for hidden in choice] for choice in _hidden_behind(obj)]
             place = obj.Document.Name, obj.Name
-            QtCore.QTimer.singleShot(0, lambda: self._show(place, names))   # what is shown belongs to no step of undo
+            QtCore.QTimer.singleShot(0, lambda: self._show(place, choices))   # what is shown belongs to no step of undo
 
     def slotUndoDocument(self, document):
         name = document.Name   # it may be closed at once
@@ -96,20 +99,45 @@ class _Observer:
     def slotDeletedDocument(self, document):
         self._shown = {place: names for place, names in self._shown.items() if place[0] != document.Name}
 
-    def _show(self, place, names):
+    def _show(self, place, choices):
         document = FreeCAD.listDocuments().get(place[0])
         if document is None or document.getObject(place[1]) is not None:
             return
-        parts = [part for part in map(document.getObject, names) if part is not None]
-        if not any(mesh.Visibility and set(_meshed(mesh)) & set(parts) for mesh in api.meshes_of(document)):
-            _set_visible(parts, True)
-            self._shown[place] = names
+        hidden = next(filter(None, (_there(document, names) for names in choices)), [])
+        covered = set().union(*map(_in_place_of, hidden))
+        if not any(obj.Visibility and covered & _in_place_of(obj) for obj in document.Objects):
+            _set_visible(hidden, True)
+            self._shown[place] = [obj.Name for obj in hidden]
 
     def _hide(self, name):
         document = FreeCAD.listDocuments().get(name)
         for place in [place for place in self._shown if place[0] == name and document is not None]:
             if document.getObject(place[1]) is not None:
-                _set_visible([part for part in map(document.getObject, self._shown.pop(place)) if part is not None], False)
+                _set_visible(_there(document, self._shown.pop(place)), False)
+
+
+def _hidden_behind(obj):
+    """What a mesh or a live result is seen in place of: lists of objects, the one to show first if it is still there."""
+    mesh = _mesh_of(obj)
+    if mesh is None:
+        return []
+    parts = [part for part in _meshed(mesh) if not part.Visibility]
+    return [parts] if mesh is obj else [[mesh], parts]
+
+
+def _mesh_of(obj):
+    """The mesh itself, or that of a live result; of anything else None."""
+    return obj if is_feature_mesh(obj) else obj.Proxy.mesh(obj) if is_live_result(obj) else None
+
+
+def _in_place_of(obj):
+    """What is drawn in one place with an object."""
+    mesh = _mesh_of(obj)
+    return {obj} if mesh is None else {obj, mesh, *_meshed(mesh)}
+
+
+def _there(document, names):
+    return [obj for obj in map(document.getObject, names) if obj is not None]
 
 
 def _is_about(obj, mesh):
