@@ -202,6 +202,7 @@ class PetscSolver final : public LinearSolver {
     /// Flexible ones where the preconditioner ends with iterations, so that it is another each time (Notay 2000).
     void use_conjugate_gradients(KSP cg) const {
         check(KSPSetType(cg, is_quadratic_ ? KSPFCG : KSPCG));
+        if (!is_quadratic_) return;  // PETSc takes any solver for a flexible one in what follows
         check(KSPFCGSetMmax(cg, 1));
         check(KSPFCGSetNprealloc(cg, 2));
     }
