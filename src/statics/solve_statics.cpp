@@ -262,11 +262,12 @@ StaticsSolver::Start StaticsSolver::start_at(std::vector<double>& moved, const s
         std::fill(moved.begin(), moved.end(), 0.0);
         return {unbalanced, 0};
     }
+    std::vector<double> residual(moved.size());
     for (std::size_t i = 0; i < moved.size(); ++i) {
         moved[i] *= scale;
-        resisting[i] = unbalanced[i] - scale * resisting[i];
+        residual[i] = unbalanced[i] - scale * resisting[i];
     }
-    return {std::move(resisting), energy > 0 ? std::abs(work) / std::sqrt(energy) : 0};
+    return {std::move(residual), energy > 0 ? std::abs(work) / std::sqrt(energy) : 0};
 }
 
 void StaticsSolver::start_from(std::span<const Number> numbers, std::span<const double> displacements) {

@@ -69,4 +69,15 @@ class PartDocument {
     std::vector<TopoDS_Shape> shapes_;
 };
 
+/// A plate with a hole at x and a ledge 0.3 mm wide at y = 30, whose refinement may be left out.
+inline RawDocument plate_with_ledge(double x) {
+    return PartDocument()
+        .box("Plate", {0, 0, 0}, {60, 30, 8})
+        .box("Top", {0, 0, 8}, {60, 29.7, 6})
+        .fuse("Stepped", "Plate", "Top")
+        .cylinder("Hole", {x, 12, -1}, 4, 20)
+        .cut("Part", "Stepped", "Hole")
+        .finish();
+}
+
 }  // namespace featuremesh

@@ -117,19 +117,10 @@ TEST_CASE("where little would be kept, the part is meshed anew after the first f
 }
 
 TEST_CASE("no other mesh is made where a step fails for want of time or memory") {
-    const auto with_ledge = [](double x) {  // 0.3 wide, whose refinement may be left out
-        return PartDocument()
-            .box("Plate", {0, 0, 0}, {60, 30, 8})
-            .box("Top", {0, 0, 8}, {60, 29.7, 6})
-            .fuse("Stepped", "Plate", "Top")
-            .cylinder("Hole", {x, 12, -1}, 4, 20)
-            .cut("Part", "Stepped", "Hole")
-            .finish();
-    };
     MeshOptions options = options_of(1);
     options.sizing.size = 3;
     RunContext undisturbed;
-    const PartMeshResult before = mesh_part(with_ledge(15), options, undisturbed);
+    const PartMeshResult before = mesh_part(plate_with_ledge(15), options, undisturbed);
     for (const featuremesh::Message& why : {say<Code::step_does_not_end>(), say<Code::step_was_ended>()}) {
         RunContext context;
         int asked = 0;
@@ -138,10 +129,10 @@ TEST_CASE("no other mesh is made where a step fails for want of time or memory")
             return true;
         };
         const auto says_why = Catch::Matchers::Contains(why.in_english());
-        CHECK_THROWS_WITH(mesh_part(with_ledge(15), options, context), says_why);
+        CHECK_THROWS_WITH(mesh_part(plate_with_ledge(15), options, context), says_why);
         CHECK(asked == 1);
         asked = 0;
-        CHECK_THROWS_WITH(update_part(*before.part_mesh, with_ledge(17), options, context), says_why);
+        CHECK_THROWS_WITH(update_part(*before.part_mesh, plate_with_ledge(17), options, context), says_why);
         CHECK(asked == 1);
     }
 }

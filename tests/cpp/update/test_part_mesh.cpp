@@ -531,15 +531,6 @@ TEST_CASE("where the shape alone asks for the edge lengths the global size makes
 }
 
 TEST_CASE("a part that is refused with shorter pieces along narrow faces is meshed without, and updated so") {
-    const auto part = [](double x) {  // with a ledge 0.3 wide at y = 30
-        return PartDocument()
-            .box("Plate", {0, 0, 0}, {60, 30, 8})
-            .box("Top", {0, 0, 8}, {60, 29.7, 6})
-            .fuse("Stepped", "Plate", "Top")
-            .cylinder("Hole", {x, 12, -1}, 4, 20)
-            .cut("Part", "Stepped", "Hole")
-            .finish();
-    };
     const auto warned = [](const PartMeshResult& result) {
         return std::count_if(result.report.warnings.begin(), result.report.warnings.end(),
                              [](const featuremesh::Message& line) {
@@ -550,30 +541,30 @@ TEST_CASE("a part that is refused with shorter pieces along narrow faces is mesh
     const auto on_ledge = [](const PartMesh& mesh) { return mesh.sizing.at({30, 30, 8}); };
     RunContext context;
     const MeshOptions options = options_of(3);
-    const PartMeshResult fine = meshed(part(15), options);
+    const PartMeshResult fine = meshed(plate_with_ledge(15), options);
     CHECK(warned(fine) == 0);
     CHECK(on_ledge(*fine.part_mesh) == Approx(1.2));
-    CHECK(on_ledge(*updated(*fine.part_mesh, part(17), options).part_mesh) == Approx(1.2));
+    CHECK(on_ledge(*updated(*fine.part_mesh, plate_with_ledge(17), options).part_mesh) == Approx(1.2));
 
     MeshOptions few = options;
     few.most_tets = 0.8 * double(fine.report.tets);
-    const PartMeshResult plain = meshed(part(15), few);
+    const PartMeshResult plain = meshed(plate_with_ledge(15), few);
     REQUIRE(warned(plain) == 1);
     check_valid(*plain.part_mesh);
     CHECK(on_ledge(*plain.part_mesh) == 3);
     CHECK(plain.report.tets < few.most_tets);
     // with the same options nothing is to be done
-    CHECK(updated(*plain.part_mesh, part(15), few).report.kept_nodes_share == 1);
+    CHECK(updated(*plain.part_mesh, plate_with_ledge(15), few).report.kept_nodes_share == 1);
 
     // the update stays as it is, also where the shorter pieces would not be refused any more, live or restored
-    const auto saved = restore_part(part(15), plain.part_mesh->options, plain.part_mesh->mesh, context);
+    const auto saved = restore_part(plate_with_ledge(15), plain.part_mesh->options, plain.part_mesh->mesh, context);
     for (const MeshOptions& now : {few, options}) {
-        const PartMeshResult live = updated(*plain.part_mesh, part(17), now);
+        const PartMeshResult live = updated(*plain.part_mesh, plate_with_ledge(17), now);
         CHECK(live.report.fallbacks.empty());
         CHECK(live.report.kept_nodes_share > 0.7);
         CHECK(on_ledge(*live.part_mesh) == 3);
         CHECK(warned(live) == 0);
-        CHECK(same_bytes(live.part_mesh->mesh, updated(*saved, part(17), now).part_mesh->mesh));
+        CHECK(same_bytes(live.part_mesh->mesh, updated(*saved, plate_with_ledge(17), now).part_mesh->mesh));
     }
     // where nothing stays the mesh is one from scratch
     const RawDocument other = PartDocument()
@@ -590,7 +581,7 @@ TEST_CASE("a part that is refused with shorter pieces along narrow faces is mesh
     // a mesh from scratch tries again
     MeshOptions coarser = options;
     coarser.sizing.size = 3.7;
-    CHECK(on_ledge(*updated(*plain.part_mesh, part(17), coarser).part_mesh) == Approx(1.2));
+    CHECK(on_ledge(*updated(*plain.part_mesh, plate_with_ledge(17), coarser).part_mesh) == Approx(1.2));
     few.most_tets = 100;
-    CHECK_THROWS_AS(meshed(part(15), few), InputError);
+    CHECK_THROWS_AS(meshed(plate_with_ledge(15), few), InputError);
 }

@@ -13,13 +13,11 @@ import traceback
 
 def run_from_environment():
     """Runs the task, writes the result and ends the process with its exit code; without its launcher it ends at once."""
-    from freecad.featuremesh import parent_process
+    from freecad.featuremesh import parent_process, whole_file
     parent_process.end_with(os.getppid())
     result = run(json.loads(os.environ["FEATUREMESH_TASK"]))
-    path = os.environ["FEATUREMESH_RESULT"]
-    with open(path + ".tmp", "w", encoding="utf-8") as stream:
+    with whole_file.written(os.environ["FEATUREMESH_RESULT"]) as stream:
         json.dump(result, stream)
-    os.replace(path + ".tmp", path)
     sys.stdout.flush()
     sys.stderr.flush()
     os._exit(result["exit_code"])  # FreeCAD's own shutdown can crash after the work is done

@@ -18,6 +18,7 @@ def main():
     from freecad.featuremesh import parent_process
     parent_process.end_with(said["parent"])
     signal.signal(signal.SIGTERM, _interrupt)
+    from freecad.featuremesh import whole_file
     from freecad.featuremesh.errors import UserError
     from freecad.featuremesh.messages import of_error
     try:
@@ -31,10 +32,8 @@ def main():
         traceback.print_exc()
         state, message = "failed", of_error(error)
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
-    path = os.path.join(said["folder"], "run.json")
-    with open(path + ".tmp", "w", encoding="utf-8") as stream:
+    with whole_file.written(os.path.join(said["folder"], "run.json")) as stream:
         json.dump({"state": state, "message": message}, stream)
-    os.replace(path + ".tmp", path)
 
 
 def _run(said):
