@@ -13,7 +13,7 @@ from femtools import ccxtools
 from freecad.featuremesh import api, mesh_properties, references, results, solve_guard, versions
 from freecad.featuremesh.errors import UserError
 from parts import new_document
-from test_document_solving import STEEL, analysis_of
+from test_document_solving import FORCE, STEEL, analysis_of
 
 
 class SolveGuard(unittest.TestCase):
@@ -272,6 +272,55 @@ class SolveGuard(unittest.TestCase):
         self.assertEqual([results.is_old(one) for one in (result, newer)], [True, False])
         self.document.undo()
         self.assertEqual([results.is_old(one) for one in (result, newer)], [False, True])
+
+    def test_results_say_when_a_load_a_material_or_a_support_was_changed_since(self):
+        result = self.add_result()
+        force, material = self.document.getObject("Force"), self.document.getObject("Steel")
+        steel, references = material.Material, force.References
+        changes = ((force, "Force", force.Force, force.Force * 2), (force, "Reversed", force.Reversed, not force.Reversed),
+                   (force, "References", references, [(self.part, "Face3")]), (material, "Material", steel, dict(steel, YoungsModulus="100 GPa")))
+        for obj, name, before, after in changes:
+            with self.subTest(changed=obj.Name, property=name):
+                setattr(obj, name, after)
+                self.assertTrue(results.is_old(result))
+                self.document.recompute()
+                self.assertTrue(results.is_old(result))
+                setattr(obj, name, before)
+                self.document.recompute()
+                self.assertFalse(results.is_old(result))
+        self.document.openTransaction("Edit")
+        force.Force = force.Force * 2
+        self.document.commitTransaction()
+        self.assertTrue(results.is_old(result))
+        self.document.undo()
+        self.assertFalse(results.is_old(result))
+        force.Label, force.Visibility = "Weight of the crane", not force.Visibility
+        self.assertFalse(results.is_old(result))
+
+    def test_results_say_when_a_load_came_went_or_follows_another_value(self):
+        result, force = self.add_result(), self.document.getObject("Force")
+        pressure = ObjectsFem.makeConstraintPressure(self.document)
+        self.analysis.addObject(pressure)
+        self.assertTrue(results.is_old(result))
+        self.document.removeObject(pressure.Name)
+        self.assertFalse(results.is_old(result))
+        sheet = self.document.addObject("Spreadsheet::Sheet", "Values")
+        unit = "" if isinstance(force.Force, float) else " N"
+        sheet.set("A1", "=%g%s" % (FORCE, unit))
+        force.setExpression("Force", "Values.A1")
+        self.document.recompute()
+        self.assertFalse(results.is_old(result))
+        sheet.set("A1", "=7" + unit)
+        self.document.recompute()
+        self.assertTrue(results.is_old(result))
+
+    def test_a_result_of_an_older_version_knows_the_mesh_alone(self):
+        result = self.add_result()
+        setattr(result, results.SOLVED_ON, self.mesh.Proxy.state_of_mesh(self.mesh))
+        self.document.getObject("Force").Force = self.document.getObject("Force").Force * 2
+        self.assertFalse(results.is_old(result))
+        self.edit(50)
+        self.assertTrue(results.is_old(result))
 
     def test_a_result_that_arrives_while_the_mesh_is_not_that_of_its_part_is_old(self):
         """As when a solver that asks nobody was started, or a file of results is opened by hand."""

@@ -70,6 +70,8 @@ class _Observer:
     def slotRecomputedDocument(self, document):
         for mesh in _missed_an_edit(document):
             mesh.recompute()
+        for mesh in filter(_is_ours, document.Objects):
+            results.mark(mesh)   # an expression may have changed a load
         _left_touched[document.Name] = {obj.Name for obj in document.Objects if "Touched" in obj.State} & _left_touched.get(document.Name, set())
         _recomputed.add(document.Name)
         _undone.discard(document.Name)
@@ -95,6 +97,8 @@ class _Observer:
             results.note_again(obj, from_input=True)   # since 1.1 a solver fills its pipeline anew
         if not obj.Document.Recomputing:
             _left_touched.get(obj.Document.Name, set()).discard(obj.Name)
+        if not (FreeCAD.isRestoring() or obj.Document.Recomputing or obj.Document.Transacting):
+            results.member_changed(obj, name)
         if name not in _WATCHED or FreeCAD.isRestoring() or obj.Document.Recomputing or obj.Document.Transacting:
             return
         if name == "Group" and obj.isDerivedFrom("Fem::FemAnalysis"):

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Results say by their labels when they are from before the last edit of the part."""
+"""Results say by their labels when they are from before the last edit of the part, or of a load, support, material or section of their analysis."""
+
+import hashlib
 
 import FreeCAD
 
@@ -7,17 +9,22 @@ from . import analyses
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
-# A property of results: which state of the mesh they were solved on.
+# A property of results: which state of the mesh they were solved on and of what is in the analysis beside it.
 SOLVED_ON = "SolvedOn"
+_BESIDE = " with "   # between the two
 _OF_NO_MESH = "-"
 _SUFFIX = QT_TRANSLATE_NOOP("FeatureMesh", " (before the last edit)")
 _KINDS = ("Fem::FemResultObject", "Fem::FemPostPipeline")
-_states = {}   # (document, analysis) -> the state of its mesh when input for a solver was last written
+_MEMBERS = ("Fem::Constraint", "Fem::Element", "Fem::Material")   # how the types of FEM's objects in Python begin
+# Properties that FreeCAD computes for what it draws, or that say nothing of what is solved.
+_DRAWN = {"Label", "Label2", "Visibility", "Proxy", "ExpressionEngine", "Scale", "Points", "Normals", "NormalDirection", "DirectionVector", "BasePoint", "Axis"}
+_VALUES = (int, float, str, FreeCAD.Units.Quantity, FreeCAD.Vector, FreeCAD.Placement, FreeCAD.Rotation)
+_states = {}   # (document, analysis) -> the state of its mesh and its members when input for a solver was last written
 
 
 def input_is_written(analysis):
-    """To be called when a solver's input is written: its results belong to the mesh as it is now, however long they take."""
-    state = _state_of_mesh(analysis)
+    """To be called when a solver's input is written: its results belong to the mesh and the loads as they are now, however long they take."""
+    state = _state_as_solved(analysis)
     if state:
         _states[analysis.Document.Name, analysis.Name] = state
 
@@ -29,29 +36,32 @@ def forget(document):
 
 
 def note(analysis):
-    """To be called when an analysis has new members: notes on which mesh new results were solved."""
-    new = [member for member in analysis.Group if is_result(member) and SOLVED_ON not in member.PropertiesList]
-    if new:
-        for result in new:
-            _set_state(result, _states.get((analysis.Document.Name, analysis.Name)) or _state_of_mesh(analysis))
-            _mark(result, _state_of_part(analysis))
+    """To be called when an analysis has other members: notes on which mesh new results were solved."""
+    for result in analysis.Group:
+        if is_result(result) and SOLVED_ON not in result.PropertiesList:
+            _set_state(result, _states.get((analysis.Document.Name, analysis.Name)) or _state_as_solved(analysis))
+    _mark_all(analysis)
 
 
 def note_again(result, from_input=False):
     """To be called when a result was given other values: solved on the mesh as it is now, or as it was when the input was written."""
     for analysis in analyses.holding(result):
         written = _states.get((analysis.Document.Name, analysis.Name)) if from_input else None
-        _set_state(result, written or _state_of_mesh(analysis))
-        _mark(result, _state_of_part(analysis))
+        _set_state(result, written or _state_as_solved(analysis))
+        _mark(result, _state_as_it_is(analysis))
 
 
 def mark(mesh):
     """To be called when the mesh has changed or no longer fits its part: the label of each result says whether it is from before that."""
-    state = mesh.Proxy.state_of_part(mesh)
     for analysis in analyses.holding(mesh):
-        for member in analysis.Group:
-            if is_result(member):
-                _mark(member, state)
+        _mark_all(analysis)
+
+
+def member_changed(obj, name):
+    """To be called when a property of an object has another value: that may be a load of results."""
+    if name not in _DRAWN and _is_solved_with(obj):
+        for analysis in analyses.holding(obj):
+            _mark_all(analysis)
 
 
 def outdate(result):
@@ -71,13 +81,21 @@ def is_old(result):
     return any(result.Label.endswith(suffix) for suffix in _suffixes())
 
 
+def _mark_all(analysis):
+    solved = [member for member in analysis.Group if is_result(member)]
+    state = _state_as_it_is(analysis) if solved else ""
+    for result in solved:
+        _mark(result, state)
+
+
 def _mark(result, state):
     if not getattr(result, SOLVED_ON, ""):
         return
     label = result.Label
     for suffix in _suffixes():
         label = label[:-len(suffix)] if label.endswith(suffix) else label
-    if getattr(result, SOLVED_ON) != state:
+    solved_on = getattr(result, SOLVED_ON)
+    if solved_on != (state if _BESIDE in solved_on else state.split(_BESIDE)[0]):
         label += translate("FeatureMesh", _SUFFIX)
     if label != result.Label:
         result.Label = label
@@ -87,16 +105,41 @@ def _suffixes():
     return _SUFFIX, translate("FeatureMesh", _SUFFIX)
 
 
-def _state_of_mesh(analysis):
-    """The state of our mesh in the analysis, which a solver takes as it is; "" where there is none."""
+def _state_as_solved(analysis):
+    """The state of our mesh in the analysis, which a solver takes as it is, and of the members; "" where there is no mesh of ours."""
     mesh = _mesh_of(analysis)
-    return mesh.Proxy.state_of_mesh(mesh) if mesh is not None else ""
+    return _with_members(analysis, mesh.Proxy.state_of_mesh(mesh)) if mesh is not None else ""
 
 
-def _state_of_part(analysis):
+def _state_as_it_is(analysis):
     """The same, but "" also where the mesh is not that of its part as it is."""
     mesh = _mesh_of(analysis)
-    return mesh.Proxy.state_of_part(mesh) if mesh is not None else ""
+    return _with_members(analysis, mesh.Proxy.state_of_part(mesh)) if mesh is not None else ""
+
+
+def _with_members(analysis, state):
+    values = {member.Name: _values_of(member) for member in analysis.Group if _is_solved_with(member)} if state else None
+    return state + _BESIDE + hashlib.sha256(repr(sorted(values.items())).encode()).hexdigest()[:16] if state else ""
+
+
+def _values_of(member):
+    """Name and value, as text, of what of a member a solver may look at."""
+    return [(name, _as_text(getattr(member, name))) for name in sorted(member.PropertiesList) if name not in _DRAWN]
+
+
+def _as_text(value):
+    """Objects by name; what else has no text but its place in memory is no value."""
+    if isinstance(value, FreeCAD.DocumentObject):
+        return value.Name
+    if isinstance(value, (list, tuple)):
+        return [_as_text(one) for one in value]
+    return sorted(value.items()) if isinstance(value, dict) else repr(value) if isinstance(value, _VALUES) else ""
+
+
+def _is_solved_with(obj):
+    """Is it a load, a support, a material or a section, or what else FEM has of that kind?"""
+    return obj.isDerivedFrom("Fem::Constraint") or obj.isDerivedFrom("App::MaterialObject") or \
+        getattr(getattr(obj, "Proxy", None), "Type", "").startswith(_MEMBERS)
 
 
 def _mesh_of(analysis):
