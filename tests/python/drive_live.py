@@ -395,6 +395,24 @@ def check_undone(document, analysis, mesh):
     assert [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemResultObject")] == [result]
 
 
+def check_mesh_deleted(document, mesh):
+    """Behind its live result: the part is seen, and after undo the live result again."""
+    from freecad.featuremesh import live_result
+    live, part, name = document.Live, document.Body, mesh.Name
+    assert live.ViewObject.Visibility and not mesh.ViewObject.Visibility and not part.ViewObject.Visibility
+    document.openTransaction("Delete")
+    document.removeObject(name)
+    document.commitTransaction()
+    wait_for(lambda: part.ViewObject.Visibility, 20)
+    picture("live_mesh_gone")
+    Gui.runCommand("Std_Undo")
+    wait_for(lambda: document.getObject(name) is not None and not part.ViewObject.Visibility, 20)
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE, 60)
+    wait_for(lambda: hues(pixels()) > 3000, 20)
+    assert live.ViewObject.Visibility and not document.getObject(name).ViewObject.Visibility
+    return document.getObject(name)
+
+
 def check_load_in_its_panel(document, mesh):
     """The part is seen alone while a load is edited; then the live result is, with the new load, until undo brings the old one."""
     from freecad.featuremesh import live_result
@@ -473,6 +491,7 @@ def drive():
     check_freecads_own(document, shown, live)
     check_ends(document, live)
     check_undone(document, analysis, mesh)
+    mesh = check_mesh_deleted(document, mesh)
     check_load_in_its_panel(document, mesh)
     check_another_of_its_name(document, analysis)
 

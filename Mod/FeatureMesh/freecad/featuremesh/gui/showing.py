@@ -28,7 +28,7 @@ def show_to_click(obj):
     for mesh in api.meshes_of(obj.Document):
         for shown in _meshed(mesh)[-1:]:   # of assembled parts what they are in
             if not shown.ViewObject.Visibility and _is_about(obj, mesh):
-                seen = [live for live in obj.Document.Objects if is_live_result(live) and live.ViewObject.Visibility and live.Proxy.mesh(live) is mesh]
+                seen = [live for live in _live_results_of(mesh) if live.ViewObject.Visibility]
                 _set_visible([shown], True)
                 _set_visible([mesh, *seen], False)
                 before += [(obj.Document.Name, back.Name, back is not shown) for back in (shown, *(seen or [mesh]))]
@@ -85,7 +85,7 @@ class _Observer:
         self._shown = {}   # (name of a document, name of what is gone) -> names of what is shown in its place
 
     def slotDeletedObject(self, obj):
-        if (is_feature_mesh(obj) or is_live_result(obj)) and obj.Visibility:
+        if obj.Visibility and (is_feature_mesh(obj) or is_live_result(obj)) or any(live.Visibility for live in _live_results_of(obj)):
             choices = [[hidden.Name for hidden in choice] for choice in _hidden_behind(obj)]
             place = obj.Document.Name, obj.Name
             QtCore.QTimer.singleShot(0, lambda: self._show(place, choices))   # what is shown belongs to no step of undo
@@ -123,6 +123,11 @@ def _hidden_behind(obj):
         return []
     parts = [part for part in _meshed(mesh) if not part.Visibility]
     return [parts] if mesh is obj else [[mesh], parts]
+
+
+def _live_results_of(mesh):
+    """None where it is no mesh of ours."""
+    return [live for live in mesh.Document.Objects if is_live_result(live) and live.Proxy.mesh(live) is mesh]
 
 
 def _mesh_of(obj):
