@@ -182,10 +182,10 @@ class Improver {
         return gained;
     }
 
-    /// An earlier change may have used its place for another tet, whose turn is in the next pass.
+    /// An earlier change may have removed it, or used its place for another tet, whose turn is in the next pass.
     bool is_due(const Candidate& of) const {
-        return has_changed_since_tried(of.tet) &&
-               (mesh_.tet_changed_at(of.tet) <= ranked_[of.tet].at || need_of(of.tet) == of.need);
+        return (mesh_.tet_changed_at(of.tet) <= ranked_[of.tet].at || need_of(of.tet) == of.need) &&
+               has_changed_since_tried(of.tet);
     }
 
     bool has_changed_since_tried(int tet) const {
