@@ -5,9 +5,10 @@ import unittest
 
 import ObjectsFem
 from analyses import add_material, add_solver, quantity, solve
-from freecad.featuremesh import analyses, api, engine, mesh_object, solve_guard, statics
+from freecad.featuremesh import analyses, api, engine, live_result, mesh_object, results, solve_guard, statics
 from freecad.featuremesh.errors import UserError
 from meshed_plate import MeshedPlate, points_of
+from statics_cases import HAS_SOLVER
 
 STEEL = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.3", "Density": "7900 kg/m^3"}
 
@@ -50,6 +51,28 @@ class LoadCases(MeshedPlate):
         force.Force = quantity(2000, "N")
         self.document.recompute()
         return copy
+
+    @unittest.skipUnless(HAS_SOLVER, "PETSc is not installed")
+    def test_each_analysis_has_a_live_result_of_its_own(self):
+        copy = self.twin()
+        first, second = (api.live_result(one) for one in (self.analysis, copy))
+        self.assertIsNot(first, second)
+
+        def check(times):
+            for live in (first, second):
+                self.assertEqual(live.Status, live_result.UP_TO_DATE)
+                self.assertEqual(len(live.Result.NodeNumbers), self.mesh.FemMesh.NodeCount)
+            self.assertAlmostEqual(second.MaxMises / first.MaxMises, times, delta=1e-6)
+        check(2)
+        self.edit(25)
+        check(2)
+        before = second.Report
+        self.force.Force = quantity(4000, "N")
+        self.assertEqual((first.Status, second.Status), (live_result.OUT_OF_DATE, live_result.UP_TO_DATE))
+        self.document.recompute()
+        check(0.5)
+        self.assertEqual(second.Report, before)   # nothing of it changed, it was not solved
+        self.assertEqual([results.is_old(live.Result) for live in (first, second)], [False, False])
 
     def test_a_copy_shares_the_mesh_and_has_groups_of_its_own(self):
         copy = self.twin()
