@@ -22,18 +22,19 @@ MESHING = ("surface", "volume", "optimise")   # the steps that make elements
 
 
 def measure(folder, divisor, edits, is_with_peer):
-    """Prints a line for every document and a table. Gives {document: what was measured}. RuntimeError without any document."""
+    """Prints a line for every document and a table. Gives {path in the folder: what was measured}. RuntimeError without any document."""
     paths = sorted(Path(folder).rglob("*.FCStd"))
     if not paths:
         raise RuntimeError(f"no document (*.FCStd) is in {folder}")
     found = {}
     for path in paths:
+        name = path.relative_to(folder).as_posix()
         try:
-            found[path.name] = measure_document(path, divisor, edits, is_with_peer)
-            print(f"{path.name}: {in_words(found[path.name])}", flush=True)
+            found[name] = measure_document(path, divisor, edits, is_with_peer)
+            print(f"{name}: {in_words(found[name])}", flush=True)
         except (RuntimeError, Failure) as error:
-            print(f"{path.name}: not measured: {str(error).splitlines()[0]}", flush=True)
-    print("\n".join(table(found)), flush=True)
+            print(f"{name}: not measured: {str(error).splitlines()[0]}", flush=True)
+    print("\n".join(table(found, len(paths) - len(found))), flush=True)
     return found
 
 
@@ -76,7 +77,7 @@ def in_words(measured):
     return "; ".join(words)
 
 
-def table(found):
+def table(found, not_measured):
     """Lines: counts, then percentiles of each ratio."""
     firsts = [measured["first"] for measured in found.values()]
     meshed = [first for first in firsts if "refused" not in first]
@@ -87,7 +88,7 @@ def table(found):
             "first mesh / meshing alone": [first["seconds"]["engine_total"] / sum(first["seconds"][step] for step in MESHING) for first in meshed],
             "tets per second over HXT's": [measured["first"]["tets"] / measured["first"]["seconds"]["engine_total"] / measured["hxt"]
                                            for measured in found.values() if measured.get("hxt")]}
-    return [f"{len(found)} documents, {len(firsts) - len(meshed)} refused; {len(edits)} edits, {len(edits) - len(updated)} refused, "
+    return [f"{len(found) + not_measured} documents, {not_measured} not measured, {len(firsts) - len(meshed)} refused; {len(edits)} edits, {len(edits) - len(updated)} refused, "
             f"{sum(row['update']['fallback'] for row in updated)} by a fallback",
             f"{'':28s}" + "".join(f"{f'{percent} %':>8s}" for percent in PERCENTILES),
             *(f"{name:28s}" + "".join(f"{value:8.2f}" for value in numpy.percentile(values, PERCENTILES)) for name, values in rows.items() if values)]

@@ -18,7 +18,12 @@ def measure(folder, size):
     first, old = row_of(lambda: engine.mesh_part(read_raw(folder / "0.json"), options))
     if old is None:
         return {"first": first, "edits": []}
-    return {"first": first, "edits": [measure_edit(engine, old, read_raw(path), options) for path in sorted(folder.glob("[1-9]*.json"))]}
+    return {"first": first, "edits": [measure_edit(engine, old, read_raw(path), options) for path in edited(folder)]}
+
+
+def edited(folder):
+    """Files of the part after each edit, in the order of the edits."""
+    return sorted(folder.glob("[1-9]*.json"), key=lambda path: int(path.stem))
 
 
 def measure_edit(engine, old, raw, options):

@@ -11,6 +11,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 BENCH = ROOT / "tests" / "benchmarks" / "run_benchmarks.py"
 EXAMPLES = ROOT / "resources" / "examples"
+sys.path.insert(0, str(BENCH.parent))
+
+import mesh_document  # noqa: E402
 
 
 class Documents(unittest.TestCase):
@@ -22,21 +25,30 @@ class Documents(unittest.TestCase):
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             for example in ("block_and_cylinder", "csg_flange"):
-                shutil.copy(EXAMPLES / f"{example}.FCStd", folder)
+                (folder / example).mkdir()
+                shutil.copy(EXAMPLES / f"{example}.FCStd", folder / example / "part.FCStd")
             (folder / "torn.FCStd").write_bytes((EXAMPLES / "bracket.FCStd").read_bytes()[:2000])
             done = self.measured(folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         lines = done.stdout.splitlines()
         for line, part in zip(lines, ("block_and_cylinder", "csg_flange")):
-            self.assertRegex(line, rf"^{part}\.FCStd: [\d,]+ tets in \d+\.\d\d s, smallest angle \d+\.\d deg; \S+=\S+ \d+\.\d\d of a full mesh, \d+% kept")
+            self.assertRegex(line, rf"^{part}/part\.FCStd: [\d,]+ tets in \d+\.\d\d s, smallest angle \d+\.\d deg; \S+=\S+ \d+\.\d\d of a full mesh, \d+% kept")
         self.assertTrue(lines[2].startswith("torn.FCStd: not measured: "), lines[2])
-        self.assertEqual(lines[3], "2 documents, 0 refused; 2 edits, 0 refused, 0 by a fallback")
+        self.assertEqual(lines[3], "3 documents, 1 not measured, 0 refused; 2 edits, 0 refused, 0 by a fallback")
         rows = {row.group(1): [float(value) for value in row.group(2).split()] for row in map(re.compile(r"^(\D+?)\s\s+([\d. ]+)$").match, lines[5:8]) if row}
         self.assertEqual(list(rows), ["update / full mesh", "kept nodes", "first mesh / meshing alone"])
         for name, values in rows.items():
             self.assertEqual(values, sorted(values), name)
             self.assertEqual(len(values), 6, name)
         self.assertGreaterEqual(rows["first mesh / meshing alone"][0], 1)
+
+    def test_each_edit_is_measured_as_itself_however_many_there_are(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            for number in range(12):
+                (folder / f"{number}.json").touch()
+            (folder / "measured.json").touch()
+            self.assertEqual([path.stem for path in mesh_document.edited(folder)], [str(number) for number in range(1, 12)])
 
     def test_a_folder_without_documents_is_the_users_error(self):
         with tempfile.TemporaryDirectory() as name:
