@@ -8,7 +8,6 @@
 #include "catch.h"
 #include "mesh/tets_at_nodes.h"
 #include "volume/cavity.h"
-#include "volume/cavity_refusals.h"
 
 using namespace featuremesh;
 
@@ -128,27 +127,4 @@ TEST_CASE("an open boundary is seen") {
     CHECK(open_facets(find_cavity(mesh, outer_faces)).empty());
     mesh.triangles.pop_back(), mesh.triangle_faces.pop_back(), mesh.triangle_numbers.pop_back();
     CHECK(open_facets(find_cavity(mesh, outer_faces)).size() == 3);
-}
-
-TEST_CASE("a refusal names a face once, however many cavities miss triangles of it") {
-    Mesh mesh;
-    for (const Vec3& p : {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}})
-        mesh.add_node(p, entity_of(FaceId(std::size_t{4})));
-    const std::array<NodeId, 3> corners{NodeId(0), NodeId(1), NodeId(2)};
-    for (const int face : {4, 2, 4}) mesh.add_triangle(corners, FaceId(face));
-    std::vector<Cavity> cavities(2);
-    std::vector<CavityFill> fills(2);
-    for (std::size_t i = 0; i < 2; ++i) {
-        cavities[i].points = mesh.points;
-        for (const int triangle : {2 * static_cast<int>(i), 1}) {
-            fills[i].places.missing.push_back(static_cast<int>(cavities[i].facets.size()));
-            cavities[i].facets.push_back({{0, 1, 2}, {0, -1}});
-            cavities[i].triangle_of_facet.emplace_back(triangle);
-        }
-    }
-    const Obstacle obstacle = unrecovered(mesh, cavities, fills);
-    CHECK(obstacle.place == std::vector<Entity>{{2, 2}, {2, 4}});
-    CHECK_THAT(obstacle.message.in_english(),
-               Catch::Matchers::Contains("Face3, Face5") && !Catch::Matchers::Contains("Face5, Face"));
-    CHECK(obstacle.shorter.size() == 4);
 }
