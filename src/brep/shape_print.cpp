@@ -54,12 +54,8 @@ class PrintBuffer : public std::streambuf {
 
 class Printer {
   public:
-    std::uint64_t print_of(const TopoDS_Shape& shape) {
-        add(shape);
-        return buffer_.print();
-    }
+    std::uint64_t print() const { return buffer_.print(); }
 
-  private:
     void add(const TopoDS_Shape& shape) {
         buffer_.add(static_cast<std::uint64_t>(shape.ShapeType()) * 8 +
                     static_cast<std::uint64_t>(shape.Orientation()));
@@ -75,6 +71,7 @@ class Printer {
         buffer_.add(0);
     }
 
+  private:
     void add_face(const TopoDS_Face& face) {
         TopLoc_Location place;
         const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, place);
@@ -113,6 +110,12 @@ class Printer {
 
 }  // namespace
 
-std::uint64_t print_of(const TopoDS_Shape& shape) { return Printer().print_of(shape); }
+std::uint64_t print_of(const TopoDS_Shape& shape) { return print_of(std::span(&shape, 1)); }
+
+std::uint64_t print_of(std::span<const TopoDS_Shape> shapes) {
+    Printer printer;
+    for (const TopoDS_Shape& shape : shapes) printer.add(shape);
+    return printer.print();
+}
 
 }  // namespace featuremesh

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 class TopoDS_Shape;
 
@@ -12,5 +13,7 @@ namespace featuremesh {
 /// a shape that others are cut with: curves in parameter planes (they follow from the rest) and tolerances. Equal for
 /// the same shape whatever document it was read from; different ones share it by chance as rarely as a memory error.
 std::uint64_t print_of(const TopoDS_Shape& shape);
+/// Of all, in their order.
+std::uint64_t print_of(std::span<const TopoDS_Shape> shapes);
 
 }  // namespace featuremesh

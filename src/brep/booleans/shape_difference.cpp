@@ -18,6 +18,7 @@
 #include "brep/booleans/work_limit.h"
 #include "brep/occt_geometry.h"
 #include "brep/same_faces.h"
+#include "brep/shape_print.h"
 #include "brep/solid_probe.h"
 #include "brep/volumes/flux.h"
 #include "brep/volumes/patch_volumes.h"
@@ -37,16 +38,24 @@ std::vector<TopoDS_Shape> solids_of(const TopoDS_Shape& shape) {
     return solids;
 }
 
-struct Change {
+/// The faces that only one of two shapes has.
+struct ChangedFaces {
+    std::vector<TopoDS_Shape> vanished, appeared;
+
+    ChangedFaces(const TopoDS_Shape& before, const TopoDS_Shape& after)
+        : vanished(unshared_faces(before, after)), appeared(unshared_faces(after, before)) {}
+    std::uint64_t print() const { return 3 * print_of(vanished) + print_of(appeared); }
+};
+
+struct Change : ChangedFaces {
     const TopoDS_Shape& before;
     const TopoDS_Shape& after;
-    std::vector<TopoDS_Shape> vanished, appeared;  // faces
     std::vector<double> flux_of_vanished, flux_of_appeared;
     Vec3 apex;
     double volume = 0, scale = 0;
 
-    Change(const TopoDS_Shape& b, const TopoDS_Shape& a)
-        : before(b), after(a), vanished(unshared_faces(b, a)), appeared(unshared_faces(a, b)) {
+    Change(ChangedFaces changed, const TopoDS_Shape& b, const TopoDS_Shape& a)
+        : ChangedFaces(std::move(changed)), before(b), after(a) {
         Box box;
         std::vector<double> widths;
         for (const auto* faces : {&vanished, &appeared})
@@ -184,6 +193,11 @@ ShapeDifference by_booleans(const Change& change, Work most, RunContext& context
     return result;
 }
 
+ShapeDifference without_work(ShapeDifference known) {
+    known.work = 0;
+    return known;
+}
+
 }  // namespace
 
 ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& after, Work most, RunContext& context,
@@ -192,16 +206,20 @@ ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& af
     if (solids_of(after).empty()) return {{}, solids_of(before), true};
     ShapeDifference result;
     ChangeOutline outline;
+    std::uint64_t print = 0;
     Work left = most;
     const auto share_of_left = [&](double share) { return static_cast<Work>(share * static_cast<double>(left)); };
     try {
-        const Change change(before, after);
         // The volumes lie between the faces that only one of the shapes has, and nothing else counts.
+        ChangedFaces faces(before, after);
+        print = faces.print();
+        if (known && print == known->print && (known->is_hopeless || known->closed)) return without_work(*known);
+        const Change change(std::move(faces), before, after);
         outline = ChangeOutline(change.vanished, change.appeared);
         if (known && outline.matches(known->outline) &&
             (known->is_hopeless || (known->closed && change.is_explained_by(*known)))) {
-            result = *known;
-            result.work = 0;
+            result = without_work(*known);
+            result.print = print;
             return result;
         }
         bool is_hopeless = true;
@@ -220,7 +238,7 @@ ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& af
     } catch (const Standard_Failure&) {
         result = {};  // not closed: the caller takes the feature as opaque and says so
     }
-    result.outline = outline;
+    result.outline = outline, result.print = print;
     result.work = most - left;
     return result;
 }

@@ -249,6 +249,21 @@ TEST_CASE("what a feature did before an edit elsewhere need not be found again")
     CHECK_FALSE(again(20, 1.001));
 }
 
+TEST_CASE("a change between the same faces is not measured again, one of the same outline is") {
+    RunContext context;
+    const auto [before, after] = filleted_step(20, 1);
+    ShapeDifference known = difference_of(before, after, 8.0, context);
+    known.added = {box(0, 0, 0, 1, 1, 1)};  // which is not what the fillet added
+    const auto is_believed = [&](double hole_x) {
+        const auto [step, fillet] = filleted_step(hole_x, 1);
+        const ShapeDifference found = difference_of(step, fillet, 8.0, context, &known);
+        REQUIRE(found.added.size() == 1);
+        return found.added[0].IsSame(known.added[0]);
+    };
+    CHECK(is_believed(20));
+    CHECK_FALSE(is_believed(25));
+}
+
 namespace {
 
 /// A plate with a hole through it, before and after a blind hole beside it.
