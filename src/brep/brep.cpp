@@ -102,14 +102,15 @@ bool is_elementary(const TopoDS_Face& face) {
     return true;
 }
 
-/// Tight but for free-form faces and edges, where the kernel would search for the extremes for seconds.
-Box tight_box_of(const std::vector<TopoDS_Face>& faces) {
+/// Tight but for free-form faces and edges, where the kernel would search for the extremes for seconds: there it holds
+/// the bounds of the face.
+Box tight_box_of(const std::vector<TopoDS_Face>& faces, const std::vector<Bnd_Box>& bounds_of_face) {
     Bnd_Box bounds;
-    for (const TopoDS_Face& face : faces) {
-        if (is_elementary(face))
-            BRepBndLib::AddOptimal(face, bounds, false, false);
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        if (is_elementary(faces[f]))
+            BRepBndLib::AddOptimal(faces[f], bounds, false, false);
         else
-            add_bounds(face, bounds);
+            bounds.Add(bounds_of_face[f]);
     }
     return to_box(bounds);
 }
@@ -206,8 +207,10 @@ Brep::Brep(const TopoDS_Shape& shape, Dimension dimension) {
     data->faces_of_edge.resize(data->edge.size());
     data->edges_of_vertex.resize(data->vertex.size());
     data->solids_beside.resize(data->face.size());
+    std::vector<Bnd_Box> bounds_of_face(data->face.size());
     for (std::size_t f = 0; f < data->face.size(); ++f) {
-        data->box_of_face.push_back(featuremesh::box_of(data->face[f]));
+        add_bounds(data->face[f], bounds_of_face[f]);
+        data->box_of_face.push_back(to_box(bounds_of_face[f]));
         for (TopExp_Explorer it(data->face[f], TopAbs_EDGE); it.More(); it.Next()) {
             const auto edge = id_in<EdgeKind>(data->edges, it.Current());
             const TopAbs_Orientation orientation = it.Current().Orientation();
@@ -235,7 +238,7 @@ Brep::Brep(const TopoDS_Shape& shape, Dimension dimension) {
         for (const VertexId v : data->vertices_inside[f]) data->face_around.emplace(v, f);
     }
     data->points = vertex_places(data->vertex, data->edge, data->ends, data->face, data->faces_of_edge);
-    data->box = data->face.empty() ? box_of_edges(data->edge) : tight_box_of(data->face);
+    data->box = data->face.empty() ? box_of_edges(data->edge) : tight_box_of(data->face, bounds_of_face);
     if (dimension == Dimension::from_shape)
         for (std::size_t e = 0; e < data->edge.size(); ++e)
             if (data->faces_of_edge[e].empty()) data->box.add(featuremesh::box_of(data->edge[e]));
