@@ -30,10 +30,11 @@ class ForcingDetails {
   public:
     explicit ForcingDetails(const Mesh& mesh) : mesh_(mesh), short_sides_(mesh) {
         for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+            const auto side = short_sides_.forced_side(TetId(t));  // hardly any has one, and angles cost more
+            if (!side) continue;
             const auto& [a, b, c, d] = mesh.tets[t];
-            if (dihedral_range(mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d)).smallest_deg >= thin_deg)
-                continue;
-            if (const auto side = short_sides_.forced_side(TetId(t))) add((*side)[0], (*side)[1]);
+            if (dihedral_range(mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d)).smallest_deg < thin_deg)
+                add((*side)[0], (*side)[1]);
         }
     }
 
