@@ -65,7 +65,7 @@ void SurfaceChart::scale_for(const UvBox& box) {
                     const Uv uv = box.at(double(i) / samples, double(j) / samples);
                     gp_Pnt p;
                     gp_Vec u, v;
-                    underlying_.surface->D1(uv[0], uv[1], p, u, v);
+                    evaluator_.D1(uv[0], uv[1], p, u, v);
                     du = std::max(du, u.Magnitude()), dv = std::max(dv, v.Magnitude());
                 }
             scale_ = {std::max(1.2 * du, 1e-12), std::max(1.2 * dv, 1e-12)};

@@ -48,7 +48,10 @@ class TrimRaster {
           cells_(chart_, resolution, triangles) {}
 
     void run() {
-        if (chart_.underlying().kind == SurfaceKind::free_form) chart_.start_searches_in(natural_box());
+        if (chart_.underlying().kind == SurfaceKind::free_form) {
+            natural_ = natural_box();
+            chart_.start_searches_in(natural_);
+        }
         const bool known = take_borders();
         root_ = root_box();
         if (chart_.underlying().kind == SurfaceKind::plane && !clip_root_to_domain()) return;
@@ -177,7 +180,7 @@ class TrimRaster {
     // free-form underlying surface.
     UvBox root_box() {
         const SurfaceKind kind = chart_.underlying().kind;
-        if (kind == SurfaceKind::free_form) return natural_box();
+        if (kind == SurfaceKind::free_form) return natural_;
         constexpr double pi = 3.14159265358979323846;
         if (kind == SurfaceKind::sphere) return cut_to_borders(UvBox{{0, -pi / 2}, {2 * pi, pi / 2}});
         if (kind == SurfaceKind::torus) return cut_to_borders(UvBox{{0, 0}, {2 * pi, 2 * pi}});
@@ -519,6 +522,7 @@ class TrimRaster {
     RigidMotion to_old_;
     SurfaceChart chart_;
     SurfaceCells cells_;
+    UvBox natural_;  // on a free-form underlying surface
     UvBox root_;
     std::vector<Segment> segments_;
     std::vector<int> entering_;  ///< the cell that is visited; before them those that enter the cells around it
