@@ -7,6 +7,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <algorithm>
+#include <span>
 #include <unordered_set>
 
 #include "core/box_tree.h"
@@ -43,12 +44,18 @@ class CrossingSearch {
         gather_near_new();
         const bool is_one_body = brep_.body_count() == 1;
         if (is_one_body) leave_out_clear_of_inexact();
-        const BoxTree tree(boxes_);
+        const auto kept_count =
+            std::size_t(std::lower_bound(triangles_.begin(), triangles_.end(), first_new_) - triangles_.begin());
+        const BoxTree all_boxes{boxes_};
+        const BoxTree new_boxes{std::span(boxes_).subspan(kept_count > 0 ? kept_count : boxes_.size())};
         constexpr std::size_t chunk = 4096;
         std::vector<std::vector<std::array<TriangleId, 2>>> found((triangles_.size() + chunk - 1) / chunk);
         parallel_for(context, triangles_.size(), chunk, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                if (!is_exact_[i] || !is_one_body) find_with(tree, i, found[begin / chunk]);
+            for (std::size_t i = begin; i < end; ++i) {
+                if (is_exact_[i] && is_one_body) continue;
+                const bool is_kept = i < kept_count;  // two kept ones do not cross
+                find_with(is_kept ? new_boxes : all_boxes, is_kept ? kept_count : 0, i, found[begin / chunk]);
+            }
         });
         Crossings all;
         for (const auto& part : found)
@@ -117,11 +124,13 @@ class CrossingSearch {
                !chords_.count(side_key(c[2], c[0]));
     }
 
-    void find_with(const BoxTree& tree, std::size_t i, std::vector<std::array<TriangleId, 2>>& found) const {
+    /// The tree has the boxes from `first` on.
+    void find_with(const BoxTree& tree, std::size_t first, std::size_t i,
+                   std::vector<std::array<TriangleId, 2>>& found) const {
         const std::size_t before = found.size();
         const auto meets = [&](const Box& box) { return box.overlaps(boxes_[i]); };
         tree.visit_where(meets, [&](std::int32_t other) {
-            const auto j = std::size_t(other);
+            const auto j = first + std::size_t(other);
             if (j == i || (is_exact_[j] == is_exact_[i] && j < i) || (is_exact_[i] && !is_exact_[j])) return;
             const std::size_t a = triangles_[i], b = triangles_[j];
             if (std::max(a, b) < first_new_ || is_smooth_pair(a, b)) return;
