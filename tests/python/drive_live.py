@@ -458,10 +458,7 @@ def drive():
     from parts import plate_with_hole
     if engine.load().statics_missing():
         raise unittest.SkipTest("needs an engine with PETSc")
-    Gui.getMainWindow().setGeometry(0, 0, 1280, 800)
-    Gui.activateWorkbench("FeatureMeshWorkbench")
-    spin()
-    window.open_dialog().close()
+    window.choose_workbench()
     document = FreeCAD.newDocument("Live")
     document.UndoMode = 1
     body = plate_with_hole(document)

@@ -164,10 +164,7 @@ def drive():
     from analyses import add_material
     from parts import plate_with_hole
     from statics_cases import STEEL
-    Gui.getMainWindow().setGeometry(0, 0, 1280, 800)
-    Gui.activateWorkbench("FeatureMeshWorkbench")
-    spin()
-    window.open_dialog().close()
+    window.choose_workbench()
     two = FreeCAD.newDocument("Two")
     two.UndoMode = 1
     first, second = two.addObject("Part::Box", "Box"), two.addObject("Part::Box", "Box")

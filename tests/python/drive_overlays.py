@@ -200,10 +200,7 @@ def check_many(path):
 def drive():
     from freecad.featuremesh import api
     from parts import plate_with_hole
-    Gui.getMainWindow().setGeometry(0, 0, 1280, 800)
-    Gui.activateWorkbench("FeatureMeshWorkbench")
-    spin()
-    window.open_dialog().close()
+    window.choose_workbench()
     document = FreeCAD.newDocument("Overlays")
     document.UndoMode = 1
     body = plate_with_hole(document)

@@ -534,10 +534,7 @@ def versions():
 
 def drive():
     from parts import plate_with_hole
-    Gui.getMainWindow().setGeometry(0, 0, 1280, 800)
-    Gui.activateWorkbench("FeatureMeshWorkbench")
-    spin()
-    window.open_dialog().close()
+    window.choose_workbench()
     document = FreeCAD.newDocument("Panel")
     document.UndoMode = 1
     body = plate_with_hole(document)

@@ -308,10 +308,7 @@ def check_stop(shown, study):
 
 
 def drive():
-    Gui.getMainWindow().setGeometry(0, 0, 1280, 1024)
-    Gui.activateWorkbench("FeatureMeshWorkbench")
-    spin()
-    window.open_dialog().close()
+    window.choose_workbench(height=1024)
     from freecad.featuremesh import preferences
     preferences.put("SecondOrder", False)   # what a new mesh starts with, also that of a study
     document = FreeCAD.ActiveDocument

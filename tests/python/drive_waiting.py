@@ -87,10 +87,7 @@ def is_up_to_date(mesh):
 
 def drive():
     from freecad.featuremesh import api
-    Gui.getMainWindow().setGeometry(0, 0, 1280, 800)
-    Gui.activateWorkbench("FeatureMeshWorkbench")
-    spin()
-    window.open_dialog().close()
+    window.choose_workbench()
     document = FreeCAD.ActiveDocument
     path = document.FileName
     mesh = api.add_mesh(document.Body, SIZE, order=1, automatic=False)

@@ -77,3 +77,12 @@ class Case(unittest.TestCase):
         self.document.recompute()
         self.assertGreater(mesh.TetCount, 0)
         return mesh
+
+    def held_box(self, size=4.0):
+        """A meshed box that is held at one end and loaded at the other; (the box, its analysis)."""
+        part = self.box()
+        analysis = self.analysis()
+        self.fix(analysis, part, faces_at(part, 0, 0))
+        self.force(analysis, part, faces_at(part, 0, 40))
+        self.mesh(part, size)
+        return part, analysis

@@ -57,11 +57,7 @@ class ErrorsInTheUsersLanguage(unittest.TestCase):
 @unittest.skipUnless(HAS_SOLVER, "PETSc is not installed")
 class Live(Case):
     def cantilever(self, size=4.0):
-        part = self.box()
-        analysis = self.analysis()
-        self.fix(analysis, part, faces_at(part, 0, 0))
-        self.force(analysis, part, faces_at(part, 0, 40))
-        self.mesh(part, size)
+        part, analysis = self.held_box(size)
         return part, analysis, api.live_result(analysis)
 
     def check_is_fresh(self, analysis, live):

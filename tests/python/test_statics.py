@@ -247,16 +247,8 @@ class AsCalculixFinds(Case):
 @unittest.skipUnless(HAS_SOLVER, "PETSc is not installed")
 class InTheDocument(Case):
 
-    def cantilever(self, size=4.0):
-        part = self.box()
-        analysis = self.analysis()
-        self.fix(analysis, part, faces_at(part, 0, 0))
-        self.force(analysis, part, faces_at(part, 0, 40))
-        self.mesh(part, size)
-        return part, analysis
-
     def test_result_is_freecads_own_and_has_its_figures(self):
-        part, analysis = self.cantilever()
+        part, analysis = self.held_box()
         report = api.solve_analysis(analysis)
         result = self.document.getObject(report["result"])
         self.assertTrue(result.isDerivedFrom("Fem::FemResultObject"))
@@ -274,7 +266,7 @@ class InTheDocument(Case):
         self.assertEqual(sum(obj.isDerivedFrom("Fem::FemResultObject") for obj in self.document.Objects), 1)
 
     def test_solutions_after_an_edit_reuse_the_last(self):
-        part, analysis = self.cantilever(2.0)
+        part, analysis = self.held_box(2.0)
         first = api.solve_analysis(analysis, keep="test")
         self.assertFalse(first["reused"]["preconditioner"])
         part.Length = 40.5
@@ -302,7 +294,7 @@ class InTheDocument(Case):
             statics.solve(analysis)
 
     def test_what_is_not_known_is_named_and_left_to_calculix(self):
-        part, analysis = self.cantilever(8.0)
+        part, analysis = self.held_box(8.0)
         plane = ObjectsFem.makeConstraintPlaneRotation(self.document, "Plane")
         plane.References = [(part, faces_at(part, 1, 0))]
         analysis.addObject(plane)
@@ -314,7 +306,7 @@ class InTheDocument(Case):
             self.assertIn("does not know Plane", " ".join(map(english, report["warnings"])))
 
     def test_wrong_units_and_nothing_loaded(self):
-        part, analysis = self.cantilever(8.0)
+        part, analysis = self.held_box(8.0)
         material = self.document.getObject("Steel")
         material.Material = dict(STEEL, YoungsModulus="210000 Pa")
         with self.assertRaisesRegex(UserError, "check its unit"):
@@ -329,7 +321,7 @@ class InTheDocument(Case):
         self.assertIn("loads nothing", " ".join(map(english, report["warnings"])))
 
     def test_supports_and_loads_on_nothing(self):
-        part, analysis = self.cantilever(8.0)
+        part, analysis = self.held_box(8.0)
         for make, name in ((ObjectsFem.makeConstraintFixed, "Empty"), (ObjectsFem.makeConstraintForce, "Idle"), (ObjectsFem.makeConstraintPressure, "Calm")):
             member = self.add(analysis, make, name, None)
             with self.assertRaisesRegex(UserError, "%s refers to nothing: choose faces, edges or vertices for it" % name):
@@ -359,7 +351,7 @@ class InTheDocument(Case):
                     self.document.removeObject(name)
 
     def test_command_gives_the_same_figures_either_way(self):
-        part, analysis = self.cantilever(8.0)
+        part, analysis = self.held_box(8.0)
         self.add(analysis, ObjectsFem.makeConstraintDisplacement, "Moved", [(part, faces_at(part, 1, 0))], yFree=False)
         self.document.recompute()
         with tempfile.TemporaryDirectory() as folder:
@@ -390,7 +382,7 @@ class InTheDocument(Case):
 
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_calculix_gets_the_solver_for_the_size_unless_the_user_chose_one(self):
-        _, analysis = self.cantilever(8.0)
+        _, analysis = self.held_box(8.0)
         many, calculix._MANY = calculix._MANY, 100
         try:
             reports = {}
@@ -410,7 +402,7 @@ class InTheDocument(Case):
 
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_results_read_as_arrays_are_those_that_freecad_reads(self):
-        _, analysis = self.cantilever(8.0)
+        _, analysis = self.held_box(8.0)
         mesh = self.document.FeatureMesh
         self.document.Box.Length = 41   # so that numbers have gaps
         self.document.recompute()

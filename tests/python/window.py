@@ -206,6 +206,14 @@ def open_dialog():
     return dialog
 
 
+def choose_workbench(width=1280, height=800):
+    """Our workbench for the first time, in a window of that size; its welcome is closed."""
+    Gui.getMainWindow().setGeometry(0, 0, width, height)
+    Gui.activateWorkbench("FeatureMeshWorkbench")
+    spin()
+    open_dialog().close()
+
+
 def run(drive):
     """Ends FreeCAD after `drive`, with its result in the file FEATUREMESH_RESULT: "ok" and what was measured, why it was skipped, or what went wrong.
 

@@ -2,25 +2,14 @@
 // Parts made of primitives: the feature tree and the shape FreeCAD would show.
 #pragma once
 
-#include <BRepAlgoAPI_Common.hxx>
-#include <BRepAlgoAPI_Cut.hxx>
-#include <BRepAlgoAPI_Fuse.hxx>
-#include <BRepPrimAPI_MakeBox.hxx>
-#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
-#include <gp_Ax2.hxx>
 #include <string>
 
+#include "brep/shapes.h"
 #include "features/feature_tree.h"
 
 namespace featuremesh::test {
 
-inline TopoDS_Shape box(double x, double y, double z, double dx, double dy, double dz) {
-    return BRepPrimAPI_MakeBox(gp_Pnt(x, y, z), dx, dy, dz).Solid();
-}
-inline TopoDS_Shape cylinder(gp_Pnt base, gp_Dir axis, double radius, double height) {
-    return BRepPrimAPI_MakeCylinder(gp_Ax2(base, axis), radius, height).Solid();
-}
 inline TopoDS_Shape sphere(gp_Pnt center, double radius) { return BRepPrimAPI_MakeSphere(center, radius).Solid(); }
 
 /// A chain of features, each applied to the result of the one before.
@@ -53,9 +42,9 @@ class Part {
         if (shape_.IsNull())
             shape_ = volume;
         else if (effect == Effect::adds)
-            shape_ = BRepAlgoAPI_Fuse(shape_, volume).Shape();
+            shape_ = fused(shape_, volume);
         else if (effect == Effect::removes)
-            shape_ = BRepAlgoAPI_Cut(shape_, volume).Shape();
+            shape_ = cut(shape_, volume);
         else
             shape_ = BRepAlgoAPI_Common(shape_, volume).Shape();
     }

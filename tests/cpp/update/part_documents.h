@@ -69,6 +69,15 @@ class PartDocument {
     std::vector<TopoDS_Shape> shapes_;
 };
 
+/// A plate with a hole at x.
+inline RawDocument plate_with_hole(double x, double radius = 4, double length = 60) {
+    return PartDocument()
+        .box("Plate", {0, 0, 0}, {length, 30, 6})
+        .cylinder("Hole", {x, 15, -1}, radius, 8)
+        .cut("Part", "Plate", "Hole")
+        .finish();
+}
+
 /// A plate with a hole at x and a ledge 0.3 mm wide at y = 30, whose refinement may be left out.
 inline RawDocument plate_with_ledge(double x) {
     return PartDocument()

@@ -19,14 +19,6 @@ using namespace featuremesh;
 
 namespace {
 
-RawDocument plate(double hole_x, double hole_radius = 4) {
-    return PartDocument()
-        .box("Plate", {0, 0, 0}, {60, 30, 6})
-        .cylinder("Hole", {hole_x, 15, -1}, hole_radius, 8)
-        .cut("Part", "Plate", "Hole")
-        .finish();
-}
-
 TopoDS_Shape glued(const TopoDS_Shape& a, const TopoDS_Shape& b) {
     BOPAlgo_Builder builder;
     builder.AddArgument(a);
@@ -111,9 +103,9 @@ std::size_t inner_node(const Mesh& mesh, int dim) {
 
 TEST_CASE("a mesh that fits is adopted bit for bit, and what it lacks is found") {
     for (const int order : {1, 2}) {
-        const auto ours = meshed(plate(20), order);
+        const auto ours = meshed(plate_with_hole(20), order);
         const Mesh foreign = foreign_copy(ours->mesh);
-        const auto result = adopted(plate(20), foreign);
+        const auto result = adopted(plate_with_hole(20), foreign);
         const PartMesh& now = *result.part_mesh;
         CHECK(result.report.fallbacks.empty());
         CHECK(result.report.kept_nodes_share == 1);
@@ -156,10 +148,10 @@ TEST_CASE("a loose vertex is where another mesher put its node, too") {
 
 TEST_CASE("an adopted mesh is updated locally") {
     for (const int order : {1, 2}) {
-        const Mesh foreign = foreign_copy(meshed(plate(20), order)->mesh);
-        const auto first = adopted(plate(20), foreign);
+        const Mesh foreign = foreign_copy(meshed(plate_with_hole(20), order)->mesh);
+        const auto first = adopted(plate_with_hole(20), foreign);
         RunContext context;
-        const auto second = update_part(*first.part_mesh, plate(23), options_of(order), context);
+        const auto second = update_part(*first.part_mesh, plate_with_hole(23), options_of(order), context);
         CHECK(second.report.fallbacks.empty());
         CHECK(second.report.kept_nodes_share > 0.5);
         check_kept(first.part_mesh->mesh, *second.part_mesh);
@@ -170,15 +162,15 @@ TEST_CASE("an adopted mesh is updated locally") {
 TEST_CASE("an adopted mesh keeps its grading where it is updated, saved and restored or not") {
     MeshOptions coarse = options_of(1), graded = options_of(1);
     coarse.sizing.size = graded.sizing.size = 3;
-    graded.sizing.local = {{face_at(plate(52, 2), 60), 1.0}};
+    graded.sizing.local = {{face_at(plate_with_hole(52, 2), 60), 1.0}};
     RunContext context;
-    const auto source = mesh_part(plate(52, 2), graded, context).part_mesh;
-    const auto first = adopt_part(plate(52, 2), coarse, foreign_copy(source->mesh), context).part_mesh;
+    const auto source = mesh_part(plate_with_hole(52, 2), graded, context).part_mesh;
+    const auto first = adopt_part(plate_with_hole(52, 2), coarse, foreign_copy(source->mesh), context).part_mesh;
     const auto restored =
-        restore_part(plate(52, 2), coarse, first->mesh, context, first->made_for, first->adopted_sizes);
-    const double full = mean_side_near(mesh_part(plate(54, 2), graded, context).part_mesh->mesh);
+        restore_part(plate_with_hole(52, 2), coarse, first->mesh, context, first->made_for, first->adopted_sizes);
+    const double full = mean_side_near(mesh_part(plate_with_hole(54, 2), graded, context).part_mesh->mesh);
     for (const auto& old : {first, restored}) {
-        const auto now = update_part(*old, plate(54, 2), coarse, context);
+        const auto now = update_part(*old, plate_with_hole(54, 2), coarse, context);
         CHECK(now.report.fallbacks.empty());
         CHECK(mean_side_near(now.part_mesh->mesh) < 1.25 * full);
         CHECK(mean_side_near(now.part_mesh->mesh) > 0.8 * full);
@@ -192,14 +184,15 @@ TEST_CASE(
     MeshOptions typical = options_of(1), graded = options_of(1);
     typical.sizing.elements_per_circle = graded.sizing.elements_per_circle = 0;
     typical.sizing.size = 4, graded.sizing.size = 6;
-    graded.sizing.local = {{face_at(plate(50), 0), 1.0}};
+    graded.sizing.local = {{face_at(plate_with_hole(50), 0), 1.0}};
     RunContext context;
-    const auto source = mesh_part(plate(50), graded, context).part_mesh;
-    const auto first = adopt_part(plate(50), typical, foreign_copy(source->mesh), context).part_mesh;
-    const auto restored = restore_part(plate(50), typical, first->mesh, context, first->made_for, first->adopted_sizes);
-    const double full = mean_side_near(mesh_part(plate(52), graded, context).part_mesh->mesh);
+    const auto source = mesh_part(plate_with_hole(50), graded, context).part_mesh;
+    const auto first = adopt_part(plate_with_hole(50), typical, foreign_copy(source->mesh), context).part_mesh;
+    const auto restored =
+        restore_part(plate_with_hole(50), typical, first->mesh, context, first->made_for, first->adopted_sizes);
+    const double full = mean_side_near(mesh_part(plate_with_hole(52), graded, context).part_mesh->mesh);
     for (const auto& old : {first, restored}) {
-        const auto now = update_part(*old, plate(52), typical, context);
+        const auto now = update_part(*old, plate_with_hole(52), typical, context);
         CHECK(now.report.fallbacks.empty());
         CHECK(mean_side_near(now.part_mesh->mesh) > 0.6 * full);  // of few tets, where one new vertex counts
         CHECK(mean_side_near(now.part_mesh->mesh) < 1.25 * full);
@@ -208,16 +201,16 @@ TEST_CASE(
     // a finer size than the mesh was made with is meant
     MeshOptions fine = typical;
     fine.sizing.size = 1.5;
-    const auto asked_finer = adopt_part(plate(50), fine, foreign_copy(source->mesh), context).part_mesh;
-    CHECK(mean_side_near(update_part(*asked_finer, plate(52), fine, context).part_mesh->mesh) < 0.7 * full);
+    const auto asked_finer = adopt_part(plate_with_hole(50), fine, foreign_copy(source->mesh), context).part_mesh;
+    CHECK(mean_side_near(update_part(*asked_finer, plate_with_hole(52), fine, context).part_mesh->mesh) < 0.7 * full);
 }
 
 TEST_CASE("nodes off the surface are released with what touches them, and named") {
     for (const int order : {1, 2}) {
-        Mesh foreign = foreign_copy(meshed(plate(20), order)->mesh);
-        const auto ours = meshed(plate(20), order);
+        Mesh foreign = foreign_copy(meshed(plate_with_hole(20), order)->mesh);
+        const auto ours = meshed(plate_with_hole(20), order);
         foreign.points[inner_node(ours->mesh, 2)] += Vec3{0.01, 0.02, 0.05};
-        const auto result = adopted(plate(20), foreign);
+        const auto result = adopted(plate_with_hole(20), foreign);
         REQUIRE(result.report.fallbacks.size() == 1);
         CHECK(result.report.fallbacks[0].in_english().find("1 boundary node is off the surface") != std::string::npos);
         CHECK(result.report.kept_tets_share > 0.9);
@@ -228,7 +221,7 @@ TEST_CASE("nodes off the surface are released with what touches them, and named"
 }
 
 TEST_CASE("straight mid-side nodes on a curved face are made anew, and their elements stay") {
-    const auto ours = meshed(plate(20), 2);
+    const auto ours = meshed(plate_with_hole(20), 2);
     Mesh foreign = foreign_copy(ours->mesh);
     std::size_t straightened = 0;
     for (std::size_t t = 0; t < foreign.triangles.size(); ++t)
@@ -240,7 +233,7 @@ TEST_CASE("straight mid-side nodes on a curved face are made anew, and their ele
             mid = middle;
         }
     REQUIRE(straightened > 20);
-    const auto result = adopted(plate(20), foreign);
+    const auto result = adopted(plate_with_hole(20), foreign);
     CHECK(result.report.kept_tets_share == 1);
     REQUIRE(result.report.fallbacks.size() == 1);
     CHECK(result.report.fallbacks[0].in_english().find("mid-side nodes were off the surface") != std::string::npos);
@@ -251,10 +244,10 @@ TEST_CASE("straight mid-side nodes on a curved face are made anew, and their ele
 }
 
 TEST_CASE("inverted elements are released and filled anew") {
-    const auto ours = meshed(plate(20), 1);
+    const auto ours = meshed(plate_with_hole(20), 1);
     Mesh foreign = foreign_copy(ours->mesh);
     foreign.points[inner_node(ours->mesh, 3)] += Vec3{3, 3, 0.5};
-    const auto result = adopted(plate(20), foreign);
+    const auto result = adopted(plate_with_hole(20), foreign);
     REQUIRE_FALSE(result.report.fallbacks.empty());
     CHECK(result.report.fallbacks[0].in_english().find("inverted") != std::string::npos);
     CHECK(result.report.kept_tets_share > 0.9);
@@ -271,22 +264,22 @@ TEST_CASE("a mesh from before an edit is brought up to the part") {
         check_kept(foreign, *result.part_mesh);
         check_valid(*result.part_mesh);
     };
-    check(plain_plate(), plate(20), "not covered");
-    check(plate(20), plain_plate(), "boundary");
-    check(plate(20), plate(40), "not followed");
-    check(plate(20), plate(20, 1.0), "off the surface");
-    check(plain_plate(), plate(31, 0.4), "not followed");
+    check(plain_plate(), plate_with_hole(20), "not covered");
+    check(plate_with_hole(20), plain_plate(), "boundary");
+    check(plate_with_hole(20), plate_with_hole(40), "not followed");
+    check(plate_with_hole(20), plate_with_hole(20, 1.0), "off the surface");
+    check(plain_plate(), plate_with_hole(31, 0.4), "not followed");
 }
 
 TEST_CASE("a mesh without tets is refused") {
-    Mesh foreign = foreign_copy(meshed(plate(20), 1)->mesh);
+    Mesh foreign = foreign_copy(meshed(plate_with_hole(20), 1)->mesh);
     foreign.tets.clear(), foreign.tet_solids.clear(), foreign.tet_numbers.clear();
-    CHECK_THROWS_AS(adopted(plate(20), foreign), InputError);
-    CHECK_THROWS_AS(adopted(plate(20), Mesh{}), InputError);
+    CHECK_THROWS_AS(adopted(plate_with_hole(20), foreign), InputError);
+    CHECK_THROWS_AS(adopted(plate_with_hole(20), Mesh{}), InputError);
 }
 
 TEST_CASE("nothing is taken from the mesh of another part") {
-    const Mesh foreign = foreign_copy(meshed(plate(20), 1)->mesh);
+    const Mesh foreign = foreign_copy(meshed(plate_with_hole(20), 1)->mesh);
     const RawDocument elsewhere = PartDocument().box("Part", {200, 0, 0}, {60, 30, 6}).finish();
     CHECK_THROWS_AS(adopted(elsewhere, foreign), InputError);
 }

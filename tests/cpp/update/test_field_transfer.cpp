@@ -15,14 +15,6 @@ namespace {
 
 using Field = std::function<double(const Vec3&)>;
 
-RawDocument plate(double x) {
-    return PartDocument()
-        .box("Plate", {0, 0, 0}, {60, 30, 6})
-        .cylinder("Hole", {x, 15, -1}, 4, 8)
-        .cut("Part", "Plate", "Hole")
-        .finish();
-}
-
 struct Pair {
     std::shared_ptr<const PartMesh> before, after;
 };
@@ -32,8 +24,8 @@ Pair edited(int order) {
     options.sizing.size = 2.5;
     options.order = order;
     RunContext context;
-    const auto before = mesh_part(plate(20), options, context).part_mesh;
-    return {before, update_part(*before, plate(22), options, context).part_mesh};
+    const auto before = mesh_part(plate_with_hole(20), options, context).part_mesh;
+    return {before, update_part(*before, plate_with_hole(22), options, context).part_mesh};
 }
 
 std::vector<double> sampled(const Mesh& mesh, const Field& field) {

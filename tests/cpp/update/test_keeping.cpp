@@ -15,14 +15,6 @@ using namespace featuremesh;
 
 namespace {
 
-RawDocument plate(double x) {
-    return PartDocument()
-        .box("Plate", {0, 0, 0}, {60, 30, 6})
-        .cylinder("Hole", {x, 15, -1}, 4, 8)
-        .cut("Part", "Plate", "Hole")
-        .finish();
-}
-
 /// With a hole that asks for shorter edges around it; without one for no radius.
 RawDocument pierced_block(double x, double radius) {
     PartDocument document;
@@ -122,8 +114,8 @@ std::array<double, 2> kept_near_and_far(const PartMesh& part, double limit) {
 }  // namespace
 
 TEST_CASE("kept 10-node elements keep their mid-side nodes bit for bit") {
-    const auto first = meshed(plate(20), options_of(2.5, 2));
-    const auto second = updated(*first.part_mesh, plate(22), options_of(2.5, 2));
+    const auto first = meshed(plate_with_hole(20), options_of(2.5, 2));
+    const auto second = updated(*first.part_mesh, plate_with_hole(22), options_of(2.5, 2));
     const PartMesh &old = *first.part_mesh, &now = *second.part_mesh;
     std::size_t kept = 0, curved = 0;
     for (std::size_t t = 0; t < now.tet_origin.size(); ++t) {
@@ -234,19 +226,19 @@ TEST_CASE("an edit in one solid leaves the mesh of one that shares a face with i
 
 TEST_CASE("a changed local size releases only where the wanted size changed by more than 1.2 times") {
     MeshOptions options = options_of(3);
-    const auto plain = meshed(plate(20), options);
+    const auto plain = meshed(plate_with_hole(20), options);
     const FaceId end = face_at(plain.part_mesh->mesh, 60);
     REQUIRE(end.is_valid());
     options.sizing.local = {{entity_of(end), 1.0}};
-    const auto first = meshed(plate(20), options);
+    const auto first = meshed(plate_with_hole(20), options);
 
     options.sizing.local = {{entity_of(end), 1.1}};
-    const auto little = updated(*first.part_mesh, plate(20), options);
+    const auto little = updated(*first.part_mesh, plate_with_hole(20), options);
     CHECK(little.report.fallbacks.empty());
     CHECK(little.report.kept_tets_share == 1);
 
     options.sizing.local = {{entity_of(end), 1.6}};
-    const auto much = updated(*first.part_mesh, plate(20), options);
+    const auto much = updated(*first.part_mesh, plate_with_hole(20), options);
     CHECK(much.report.fallbacks.empty());
     CHECK(kept_near_and_far(*much.part_mesh, 2)[0] < 0.2);
     CHECK(kept_near_and_far(*much.part_mesh, 15)[1] > 0.95);
@@ -257,23 +249,23 @@ TEST_CASE(
     "a local size that changes little by little releases when it is far from what the mesh was made for, saved and "
     "restored or not") {
     MeshOptions options = options_of(3);
-    const FaceId end = face_at(meshed(plate(20), options).part_mesh->mesh, 60);
+    const FaceId end = face_at(meshed(plate_with_hole(20), options).part_mesh->mesh, 60);
     options.sizing.local = {{entity_of(end), 1.0}};
-    auto live = meshed(plate(20), options).part_mesh, restored = live;
+    auto live = meshed(plate_with_hole(20), options).part_mesh, restored = live;
     bool has_kept_all = false;
     for (int i = 0; i < 10; ++i) {
         options.sizing.local[0].size *= 1.1;
-        const auto next = updated(*live, plate(20), options);
+        const auto next = updated(*live, plate_with_hole(20), options);
         has_kept_all |= next.report.kept_tets_share == 1;
         live = next.part_mesh;
         RunContext context;
-        const auto saved = updated(*restored, plate(20), options).part_mesh;
+        const auto saved = updated(*restored, plate_with_hole(20), options).part_mesh;
         restored = restore_part(saved->document, options, saved->mesh, context, saved->made_for);
         REQUIRE(live->mesh.points == restored->mesh.points);
         REQUIRE(live->mesh.tets == restored->mesh.tets);
     }
     CHECK(has_kept_all);
-    const auto full = meshed(plate(20), options);
+    const auto full = meshed(plate_with_hole(20), options);
     CHECK(double(live->mesh.tets.size()) < 1.25 * double(full.report.tets));
     CHECK(double(live->mesh.tets.size()) > 0.8 * double(full.report.tets));
 }

@@ -11,14 +11,6 @@ using namespace featuremesh;
 
 namespace {
 
-RawDocument plate(double hole_x) {
-    return PartDocument()
-        .box("Plate", {0, 0, 0}, {60, 30, 6})
-        .cylinder("Hole", {hole_x, 15, -1}, 4, 8)
-        .cut("Part", "Plate", "Hole")
-        .finish();
-}
-
 /// An edit, and all old nodes under one motion of its difference.
 class Edit {
   public:
@@ -60,7 +52,7 @@ bool is_in_hole(const Vec3& p, double x) { return std::hypot(p.x - x, p.y - 15) 
 }  // namespace
 
 TEST_CASE("nodes keep their place where the new shape has it, and lose it where a hole went") {
-    Edit edit(plate(20), plate(23));
+    Edit edit(plate_with_hole(20), plate_with_hole(23));
     const CarriedNodes nodes = edit.all_under(0);
     KeptEntities kept(nodes);
     std::size_t placed = 0;
@@ -81,7 +73,7 @@ TEST_CASE("nodes keep their place where the new shape has it, and lose it where 
 }
 
 TEST_CASE("triangles and segments of placed nodes find their face and edge, neither turned round") {
-    Edit edit(plate(20), plate(23));
+    Edit edit(plate_with_hole(20), plate_with_hole(23));
     const Mesh& mesh = edit.mesh();
     KeptEntities kept(edit.all_under(0));
     std::vector<char> is_placed(mesh.node_count(), 0);
@@ -110,7 +102,7 @@ TEST_CASE("triangles and segments of placed nodes find their face and edge, neit
 }
 
 TEST_CASE("a node inside a face knows the solid behind it, that nothing is before it, and not what is beside it") {
-    Edit edit(plate(20), plate(23));
+    Edit edit(plate_with_hole(20), plate_with_hole(23));
     const Mesh& mesh = edit.mesh();
     KeptEntities kept(edit.all_under(0));
     std::vector<char> is_placed(mesh.node_count(), 0);
@@ -140,7 +132,7 @@ TEST_CASE("a node inside a face knows the solid behind it, that nothing is befor
 }
 
 TEST_CASE("under the motion of a hole its nodes are placed on the moved hole") {
-    Edit edit(plate(20), plate(23));
+    Edit edit(plate_with_hole(20), plate_with_hole(23));
     const auto& regions = edit.difference().regions;
     REQUIRE(regions.size() == 2);
     const CarriedNodes nodes = edit.all_under(1);

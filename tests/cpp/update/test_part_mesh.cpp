@@ -22,14 +22,6 @@ using namespace featuremesh;
 
 namespace {
 
-RawDocument plate_with_hole(double x, double length = 60) {
-    return PartDocument()
-        .box("Plate", {0, 0, 0}, {length, 30, 6})
-        .cylinder("Hole", {x, 15, -1}, 4, 8)
-        .cut("Part", "Plate", "Hole")
-        .finish();
-}
-
 RawDocument block_and_cylinder(double x) {
     return PartDocument()
         .box("Block", {0, 0, 0}, {60, 30, 8})
@@ -207,7 +199,7 @@ TEST_CASE("a whole part that moved is carried as it is") {
 TEST_CASE("a longer plate and a new hole are updated") {
     const MeshOptions options = options_of(2.5);
     const auto old = meshed(plate_with_hole(15), options).part_mesh;
-    const auto longer = updated(*old, plate_with_hole(15, 66), options);
+    const auto longer = updated(*old, plate_with_hole(15, 4, 66), options);
     check_valid(*longer.part_mesh);
     CHECK(longer.report.kept_nodes_share > 0.6);
     const RawDocument drilled = PartDocument()

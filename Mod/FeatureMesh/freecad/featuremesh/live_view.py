@@ -8,21 +8,13 @@ from pivy import coin
 from . import live_overlay, live_result, view_provider
 from .element_view import ElementView
 from .gui import showing
-from .gui.edited_in_panel import EditedInPanel
+from .gui.edited_in_panel import DrawnByUs
 from .waiting import let_the_window_live
 
-_MODE = "Field"
 _TURNS = 3   # of the window's loop: the view asks for a picture in one and has it in a later one
 _MARK = (0.8, 0.0, 0.8)
 # Called as (live result, property) when one of its properties has changed.
 followers = []
-
-
-def attach(live):
-    """Gives a live result its view, if it has none of ours yet."""
-    view = live.ViewObject
-    if view is not None and not isinstance(getattr(view, "Proxy", None), ViewLiveResult):
-        ViewLiveResult(view)
 
 
 def show_solution(live):
@@ -34,38 +26,27 @@ def show_solution(live):
         let_the_window_live()
 
 
-class ViewLiveResult(EditedInPanel):
+class ViewLiveResult(DrawnByUs):
     """Proxy of the view. Its class path is stored in documents and never changes."""
 
-    def __init__(self, view):
-        view.Proxy = self
+    mode = "Field"
 
     # FreeCAD's side
 
     def attach(self, view):
-        self.Object = view.Object
+        super().attach(view)
         self.settings = live_overlay.Settings()
         self._elements = None
         self._drawn = None
         self._drawn_from = ()   # what was drawn last
         self._is_to_be_alone = False
-        view.addDisplayMode(coin.SoGroup(), _MODE)
-
-    def getDisplayModes(self, view):
-        return [_MODE]
-
-    def getDefaultDisplayMode(self):
-        return _MODE
-
-    def setDisplayMode(self, mode):
-        return mode
+        view.addDisplayMode(coin.SoGroup(), self.mode)
 
     def getIcon(self):
         status = getattr(getattr(self, "Object", None), "Status", live_result.UP_TO_DATE)
         name = "FeatureMesh_LiveResult" if status == live_result.UP_TO_DATE else \
             "FeatureMesh_Failed" if status.startswith("failed") else "FeatureMesh_LiveResultStale"
-        view_provider.drawn_icon(name)   # FreeCAD keeps it; without a Qt plugin for SVG it could not load it from the path
-        return view_provider.icon(name)
+        return view_provider.kept_icon(name)
 
     def updateData(self, live, name):
         if name == "Status":

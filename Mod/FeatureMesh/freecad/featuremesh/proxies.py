@@ -15,6 +15,26 @@ class Stateless:
     __setstate__ = loads
 
 
+class View(Stateless):
+    """The proxy of a view of ours."""
+
+    @classmethod
+    def attach_to(cls, obj):
+        """Gives the object this view if it has none of ours yet. Returns whether it had none."""
+        view = obj.ViewObject
+        is_new = view is not None and not isinstance(getattr(view, "Proxy", None), cls)
+        if is_new:
+            cls(view)
+        return is_new
+
+    def __init__(self, view):
+        view.Proxy = self
+
+    def attach(self, view):
+        """Called by FreeCAD."""
+        self.Object = view.Object
+
+
 def add_missing(obj, rows, attributes=0):
     """Adds the properties that the object lacks, with their defaults; the names of those that were added.
 

@@ -23,27 +23,19 @@ def drawn_icon(name):
     return Gui.getIcon(icon(name))
 
 
-def attach(mesh):
-    """Gives a mesh object its view, if it has none of ours yet."""
-    view = mesh.ViewObject
-    if view is not None and not isinstance(getattr(view, "Proxy", None), ViewFeatureMesh):
-        ViewFeatureMesh(view)
+def kept_icon(name):
+    """Path of one of our icons, which FreeCAD has drawn and keeps: without a Qt plugin for SVG it could not load it from the path."""
+    drawn_icon(name)
+    return icon(name)
 
 
 class ViewFeatureMesh(EditedInPanel):
     """Proxy of the view. Its class path is stored in documents and never changes."""
 
-    def __init__(self, view):
-        view.Proxy = self
-
-    def attach(self, view):
-        self.Object = view.Object
-
     def getIcon(self):
         status = getattr(getattr(self, "Object", None), "Status", mesh_object.UP_TO_DATE)
         name = "FeatureMesh" if status == mesh_object.UP_TO_DATE else "FeatureMesh_Failed" if status.startswith("failed") else "FeatureMesh_Stale"
-        drawn_icon(name)   # FreeCAD keeps it; without a Qt plugin for SVG it could not load it from the path
-        return icon(name)
+        return kept_icon(name)
 
     def updateData(self, mesh, name):
         if name == "Status":

@@ -7,48 +7,29 @@ import FreeCAD
 from pivy import coin
 
 from . import size_zone, view_provider
-from .gui.edited_in_panel import EditedInPanel
+from .gui.edited_in_panel import DrawnByUs
 
-_MODE = "Zone"
 _COLOUR, _FADED = (0.95, 0.55, 0.16), (0.6, 0.6, 0.6)   # as it is, and suppressed
 _TRANSPARENCY = 0.7
 _LINE, _THICK_LINE, _POINT = 1.5, 5, 9   # pixels
 _DEFLECTION = 1 / 200   # of the size of a face, by which its triangles may be off it
 
 
-def attach(zone):
-    """Gives a zone its view, if it has none of ours yet."""
-    view = zone.ViewObject
-    if view is not None and not isinstance(getattr(view, "Proxy", None), ViewSizeZone):
-        ViewSizeZone(view)
-
-
-class ViewSizeZone(EditedInPanel):
+class ViewSizeZone(DrawnByUs):
     """Proxy of the view. Its class path is stored in documents and never changes."""
 
-    def __init__(self, view):
-        view.Proxy = self
+    mode = "Zone"
 
     # FreeCAD's side
 
     def attach(self, view):
-        self.Object = view.Object
+        super().attach(view)
         self._drawing = coin.SoSeparator()
-        view.addDisplayMode(self._drawing, _MODE)
+        view.addDisplayMode(self._drawing, self.mode)
         self._draw(view.Object)
 
-    def getDisplayModes(self, view):
-        return [_MODE]
-
-    def getDefaultDisplayMode(self):
-        return _MODE
-
-    def setDisplayMode(self, mode):
-        return mode
-
     def getIcon(self):
-        view_provider.drawn_icon("FeatureMesh_AddSizeZone")   # FreeCAD keeps it; without a Qt plugin for SVG it could not load it from the path
-        return view_provider.icon("FeatureMesh_AddSizeZone")
+        return view_provider.kept_icon("FeatureMesh_AddSizeZone")
 
     def updateData(self, zone, name):
         if "Suppressed" in zone.PropertiesList:   # the last one that is added

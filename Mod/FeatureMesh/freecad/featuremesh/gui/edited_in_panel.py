@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What view providers share whose object is edited in a task panel and who keep nothing in the document."""
+"""What view providers share whose object is edited in a task panel."""
 
 import FreeCADGui as Gui
 
-from ..proxies import Stateless
+from ..proxies import View
 
 
-class EditedInPanel(Stateless):
+class EditedInPanel(View):
     """A double click opens the panel that `panel_of` gives, unless another one is open."""
 
     def panel_of(self, obj):
@@ -27,3 +27,18 @@ class EditedInPanel(Stateless):
         if not document.getInEdit():
             document.setEdit(view.Object.Name)
         return True
+
+
+class DrawnByUs(EditedInPanel):
+    """What it draws is its only display mode."""
+
+    mode = ""   # its name, which is stored in documents and never changes
+
+    def getDisplayModes(self, view):
+        return [self.mode]
+
+    def getDefaultDisplayMode(self):
+        return self.mode
+
+    def setDisplayMode(self, mode):
+        return mode
