@@ -13,12 +13,13 @@ namespace featuremesh {
 
 namespace {
 
-/// Of other surfaces the kernel's box holds 33 by 33 points, but not what bulges between them.
+/// Does the kernel's box hold all of a surface of this type? For the other types it holds a grid of 33 by 33 points of
+/// the surface, but not what bulges between these.
 bool has_sure_box(GeomAbs_SurfaceType type) { return type <= GeomAbs_Torus || type == GeomAbs_BSplineSurface; }
 
-/// Points of a surface by row and column, and how far it may go beyond them by coordinate: half of the largest second
-/// difference along the rows and along the columns, which a smooth curve through the points does not reach, nor one
-/// with corners.
+/// A grid of points on a surface, and for each coordinate how far the surface may bulge beyond them: half of the
+/// largest second difference along the rows and along the columns. A curve through the points stays within that, smooth
+/// or with corners.
 class SampledSurface {
   public:
     explicit SampledSurface(const BRepAdaptor_Surface& surface) {

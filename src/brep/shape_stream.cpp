@@ -49,10 +49,10 @@ struct ByteBuffer : std::streambuf {
 
 [[noreturn]] void fail_damaged_places() { throw StateError(say<Code::shapes_of_no_place>()); }
 
-/// FreeCAD hands shapes on with the placement of every step and its inverse, each an object of its own, so that most
-/// have a chain of them that comes to nothing, and who asks the kernel for a place multiplies it out. Here equal
-/// placements are one and those without effect none, so that chains cancel by themselves. What was one shape at one
-/// place stays so.
+/// FreeCAD's shapes carry the placement of every modelling step and its inverse, each as an object of its own. Most of
+/// these chains multiply out to nothing, yet the kernel multiplies them whenever it is asked where a shape is. Here
+/// equal placements become one object, and placements without effect are left out, so that a placement and its inverse
+/// cancel. Shapes that were shared stay shared.
 class PlainLocations {
   public:
     /// Reads the kernel's list of locations: matrices, and chains of powers of those before them.

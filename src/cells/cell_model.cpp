@@ -116,8 +116,9 @@ class CellBuilder {
         return steps;
     }
 
-    /// Where to begin when what is before cannot be fused: right behind the last offender, or, with none known, half
-    /// way; then at the last step.
+    /// The steps before which all is taken as one piece, when the volumes there cannot be fused; they are tried in this
+    /// order. First the step right after the last offender, or the middle of the chain if no offender is known; then
+    /// the last step.
     std::vector<FeatureId> steps_to_start_from() const {
         const std::vector<FeatureId> steps = chain();
         if (steps.empty()) return {};
@@ -268,8 +269,8 @@ class CellBuilder {
         return false;
     }
 
-    /// The tree says otherwise than the final shape: what FreeCAD did is not what the tree says, so nobody should build
-    /// on its features there.
+    /// Replays the tree on the cells. Where the tree and the final shape disagree about material, FreeCAD did something
+    /// else than the tree says, so the owners of that cell are not trusted.
     void cross_check() {
         const std::vector<bool> expected = replay(tree_, model_.cells);
         for (std::size_t c = 0; c < model_.cells.size(); ++c)
@@ -290,7 +291,8 @@ class CellBuilder {
         return std::move(model_);
     }
 
-    /// What belongs to nobody may belong to any feature that was not taken as it is.
+    /// A cell or face without owners may belong to any feature whose volume was replaced, so all of these become its
+    /// owners.
     void own_the_rest() {
         const std::vector<Owner> all = owners_of_anything(tree_);
         std::vector<Owner> suspects;

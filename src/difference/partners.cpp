@@ -25,8 +25,9 @@ class PartnerFinder {
           old_borders_(pair.old_model.faces().size()),
           new_borders_(pair.new_model.faces().size()) {}
 
-    /// Edges of solids that touch may lie on one another: those beside the same faces come first, then those that have
-    /// most in common and least besides.
+    /// Finds the new edges for each old edge. Edges of touching solids lie on one another, so there may be several:
+    /// first those with the most faces at the old edge as neighbours, then those that overlap it most and go beyond it
+    /// least.
     void find_edges(CarriedRegion& region) const {
         std::vector<std::vector<EdgeId>> new_edges_on(match_.curves.size());
         for (std::size_t e = 0; e < match_.new_edges.size(); ++e)

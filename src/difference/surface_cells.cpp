@@ -50,8 +50,9 @@ void SurfaceCells::add_free_form(const UvBox& cell) {
     add_free_form(cell, {at(0, 0), at(1, 0), at(1, 1), at(0, 1)}, {middle, resolution_.at(middle)}, 0);
 }
 
-// Quarters until the middles of a cell and of its borders are close to the two triangles. The resolution is asked for
-// where the last look at it, nearby, leaves that open.
+// Divides the cell into quarters until its middle, and the middles of its borders, are close to its two triangles. The
+// wanted resolution is costly to find: the last one found nearby bounds it, and it is computed anew only where these
+// bounds do not decide.
 void SurfaceCells::add_free_form(const UvBox& cell, const Corners& corners, Look look, int depth) {
     const auto& [a, b, c, d] = corners;
     const auto at = [&](double s, double t) { return chart_.point(cell.at(s, t)); };

@@ -233,7 +233,7 @@ class Interpreter {
         if (source < 0 || feature(i).suppressed || !take_copies(i, source, context)) take_shape(i, context);
     }
 
-    /// What stands elsewhere once more has the same volumes there.
+    /// A copy of an object has the volumes of that object, moved to the copy's place.
     bool take_copies(int i, int source, Effect context) {
         const auto volumes = volumes_of(source);
         if (!volumes || volumes->size() < 2) return false;

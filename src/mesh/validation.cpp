@@ -78,7 +78,8 @@ void check_owners(const std::vector<Id>& owners, std::size_t count, const char* 
             findings.add<Code::entity_out_of_range>(say<Code::array_entry>(array, owners[i].value, i));
 }
 
-/// Counts of vertices and edges are not known, nor others of which nothing is expected.
+/// Checks the entity of every node. The numbers of vertices and edges are not known here (0), so only faces and solids
+/// are checked against an upper bound.
 void check_entities(const Mesh& mesh, const Expectation& expected, Findings& findings) {
     const std::array<std::size_t, 4> counts{0, 0, expected.solids_beside_face.size(), expected.solid_volumes.size()};
     for (std::size_t n = 0; n < mesh.entities.size(); ++n) {

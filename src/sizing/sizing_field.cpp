@@ -32,7 +32,7 @@ struct SizingField::Data {
     double size, growth, largest;
     SourceTree tree;
     std::vector<ZoneField> zones;
-    SourceTree lead;  ///< of the largest size on what may be coarser than the global one; empty where nothing may
+    SourceTree lead;  ///< how far below `largest` sizes are near coarse kept nodes; empty if there are none
 
     double at_most(const Vec3& p) const { return lead.empty() ? size : largest - lead.at(p); }
     /// What the balls and the zones ask for, at most `most`.
@@ -62,8 +62,9 @@ double SizingField::largest() const { return data_->largest; }
 
 namespace {
 
-/// Where the zones that only one of the two fields has, or has otherwise, ask for less than `limit`. Zones are matched
-/// in their order, so that one that was added at the end leaves the others alone.
+/// The boxes in which a zone asks for less than `limit` in one of the two fields and for something else in the other.
+/// The i-th zone of one field is compared with the i-th of the other, so a zone that was added at the end does not make
+/// the others differ.
 std::vector<Box> where_zones_differ(const std::vector<ZoneField>& a, const std::vector<ZoneField>& b, double limit) {
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
@@ -105,8 +106,9 @@ namespace {
 constexpr double scatter_of_edge_lengths = 1.4;
 /// Tets per cube of the edge length, as the volume step makes them (measured on parts with 5 000 to 350 000 tets).
 constexpr double tets_per_cube = 7.1, most_tets_per_cube = 10;
-/// Per square of the edge length on the boundary: so many tets less than that, and no fewer in parts thinner than the
-/// edge length; and per tet that a finer place has more, as sizes that grow make them (measured on the examples).
+/// Corrections of that estimate, measured on the examples. Per square of the edge length on the boundary there are
+/// `fewer_per_square` tets less, but at least `least_per_square` in parts thinner than the edge length. For each tet
+/// that a finer place adds, the growth of sizes around it brings the total to `of_finer`.
 constexpr double fewer_per_square = 0.7, least_per_square = 3.5, of_finer = 1.25;
 
 constexpr double least_extent = 1e-3;  // mm: ten thousand times the kernel's own tolerance
@@ -140,7 +142,7 @@ void check_options(const SizingOptions& options, const Box& part) {
             throw InputError(say<Code::local_size_not_positive>(local.entity, Length{local.size}));
 }
 
-/// Those of the kept nodes whose mesh is clearly coarser than the global size lead above it.
+/// Near kept nodes whose mesh is clearly coarser than the global size, the field may exceed the global size.
 void lead_above(std::span<const SizeSource> kept, double slope, SizingField::Data& data) {
     std::vector<SourceBall> coarse;
     for (const SizeSource& source : kept)

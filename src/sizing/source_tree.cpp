@@ -15,9 +15,9 @@ constexpr std::size_t balls_per_leaf = 4;
 /// Reaches are raised by this share, which is more than the rounding errors of the few operations.
 constexpr float over = 1 + 2e-6f;
 
-/// Of the last query on this thread, of whatever tree: where it was, what it came to, and the balls that said so. Most
-/// queries are close to the one before, and the balls that had the least there have little more than the least here.
-/// Whatever balls a search begins with, it ends with the same minimum.
+/// The last query on this thread, of any tree: its point, the size found, and the leaf of balls that gave it. Most
+/// queries are near the one before, where the same balls give nearly the smallest size again, so the search starts with
+/// them. Where it starts changes its speed, never the minimum that it finds.
 struct LastQuery {
     Vec3 point;
     double size = 0;
@@ -122,7 +122,7 @@ double SourceTree::lowest_of(const Below& leaf, const Vec3& p, double best) cons
     return best;
 }
 
-/// The balls that are found by always going where the least is to be expected.
+/// The leaf that is reached by following, at each node, the child that promises the smallest size.
 SourceTree::Below SourceTree::first_guess(const Point& point) const {
     Below next;
     while (next.count == 0) {

@@ -76,8 +76,9 @@ class SideBook {
     bool is_copy(int p) const { return is_boundary(p) && copies_.count(current_->boundary->nodes[at(p)].value) > 0; }
     bool is_pole(int p) const { return is_boundary(p) && poles_.count(current_->boundary->nodes[at(p)].value) > 0; }
 
-    /// Two nodes on edges may be joined in another face too; a node that the chart shows more than once, also on
-    /// another side of this face. The sides at a pole are joined by the flat triangles that are left out there.
+    /// May a second side join the same two nodes elsewhere? Two nodes on edges may be joined in another face, too. A
+    /// node with several copies in the chart may be joined again at another place of this face. Sides at a pole do not
+    /// count: the flat triangles there, which are left out, join them.
     bool may_meet_again(int a, int b) const {
         if (is_pole(a) || is_pole(b)) return false;
         return (is_on_edge(a) && is_on_edge(b)) || is_copy(a) || is_copy(b);

@@ -138,9 +138,9 @@ bool is_meshed(const Brep& brep, const MergedEntities& merged, VertexId vertex) 
                        [&](EdgeId edge) { return brep.is_meshed(edge) && !merged.is_point[edge.index()]; });
 }
 
-/// The node of every used vertex, in the order of their numbers; but the two ends of an edge too short for a projection
-/// to tell them apart in the order of the edge, so that nodes sorted along the edges beside it by parameter and number
-/// are a chain there, too.
+/// The node of every used vertex. Nodes are made in the order of the vertices' numbers, except for the two ends of an
+/// edge so short that a projection cannot tell them apart: these are made in the order of the edge. Other edges sort
+/// their nodes by parameter, then by number, and get the right order there, too.
 class VertexNodes {
   public:
     VertexNodes(const Brep& brep, const MergedEntities& merged, Mesh& mesh)

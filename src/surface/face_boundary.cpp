@@ -285,9 +285,9 @@ class KeptCutter {
     }
 
   private:
-    /// 0 for nodes around which every side is one of two triangles, or of a triangle and a segment: their keys cancel.
-    /// 1 for all others; 2 for those at which the boundary meets itself or that have several points, whose triangles
-    /// all count.
+    /// Sets border_ of every node. 0: each side at the node belongs to two triangles, or to a triangle and a segment,
+    /// so the keys cancel. 2: the boundary meets itself at the node, or the node has several points in the chart; all
+    /// its triangles are looked at. 1: all other nodes.
     void find_border(std::span<const TriangleId> triangles, const std::vector<char>& is_covered) {
         std::vector<std::uint64_t> sums(mesh_.node_count(), 0);
         const auto add = [&](NodeId a, NodeId b) {
@@ -318,7 +318,7 @@ class KeptCutter {
 
     NodeId node_at(int p) const { return boundary_.nodes[static_cast<std::size_t>(p)]; }
 
-    /// Of its two ends none is away from the border: it may be a side that only one triangle has.
+    /// May only one triangle have this side? It can only be so if both of its ends are at the border.
     bool may_be_open(int a, int b) const { return border_[node_at(a).index()] + border_[node_at(b).index()] >= 2; }
 
     std::vector<int> points_of(NodeId node) {

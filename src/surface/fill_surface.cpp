@@ -41,7 +41,8 @@ struct FaceJob {
     FaceFilling filling;
 };
 
-/// Edges whose chains cross, and where one of the pieces was.
+/// Two edges whose chains cross, so that they run close beside one another, and the place of one of the crossing
+/// pieces.
 struct PieceBeside {
     EdgeId first, second;
     SizeSource piece;
@@ -49,7 +50,7 @@ struct PieceBeside {
 
 class SurfaceFiller {
   public:
-    /// `beside`: edges that are to get nodes opposite one another; null where all are divided each by itself.
+    /// `beside`: pairs of edges that get their nodes opposite one another; null: every edge is divided by itself.
     SurfaceFiller(const Brep& brep, const MergedEntities& merged, const WantedLength& sizing, const EdgesBeside* beside,
                   Mesh kept, RunContext& context)
         : brep_(brep),
@@ -118,9 +119,9 @@ class SurfaceFiller {
         return is_complete;
     }
 
-    /// Triangulates the boundary of every face. False where coarse chains cross in it that were not divided so that
-    /// their nodes are opposite one another; where they were, halves their pieces and tries again, for all faces of the
-    /// edge.
+    /// Triangulates the boundary of every face. Chains of coarse pieces may cross in a face. If their edges are known
+    /// to run beside one another, the pieces are halved, and all faces of these edges are triangulated again. If not,
+    /// the result is false: new_beside() has these edges, to be divided with nodes opposite one another.
     bool bound_faces() {
         std::vector<FaceId> open;
         const std::vector<char> is_complete = find_complete();

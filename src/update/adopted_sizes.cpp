@@ -34,8 +34,8 @@ std::vector<double> mean_sides(const Mesh& mesh) {
     return sums;
 }
 
-/// The size asked for is clearly below the mean one on the mesh's surface (places count by area): it is a wish for
-/// updates.
+/// Is the size asked for clearly below the mesh's mean size on its surface, weighted by area? Then the user wants finer
+/// elements in updates.
 bool is_finer_asked(const std::vector<SizeSource>& sources, double size) {
     double sum = 0, area = 0;
     for (const SizeSource& source : sources) sum += std::pow(source.size, 3), area += std::pow(source.size, 2);

@@ -26,7 +26,7 @@ namespace {
 /// What came of one filling: a mesh, or why there is none. A mesh, too, may ask for other lengths, to get better.
 struct Attempt {
     std::optional<Filled> filled;
-    std::optional<Filled> stand_in;  ///< where it is refused as folded: with straight sides there
+    std::optional<Filled> stand_in;  ///< refused as folded: the same mesh with straight sides there
     double smallest_jacobian = 1;    ///< scaled, of 10-node tetrahedra
     Message refusal;
     SizeRequest request;
@@ -248,7 +248,7 @@ class SizeLoop {
         context_.check_cancelled();
         Attempt attempt;
         note_refusal(attempt, [&] {
-            // what an update keeps is not worth a copy where nothing will be filled again
+            // where no second filling can follow, the kept mesh is moved instead of copied
             const bool may_be_last = is_spent_ = keeps_ && options_.order == 1;
             SurfaceResult surface = fill_surface(brep_, field_, may_be_last ? std::move(kept_.mesh) : kept_.mesh,
                                                  context_, {.known = kept_.merged.get(), .narrow = narrow_});
@@ -294,8 +294,8 @@ class SizeLoop {
         rounds_.push_back({std::move(reason), place, std::move(change), attempt.refusal});
     }
 
-    /// Where tets cannot be made to meet a narrow face whose edges have their nodes opposite one another, other chains
-    /// may do.
+    /// Where tets cannot meet the triangles of a narrow face whose edges have nodes opposite one another, other chains
+    /// of nodes on these edges may succeed.
     bool may_divide_otherwise(const Attempt& attempt) const {
         return attempt.has_narrow_faces && narrow_ != NarrowFaces::own_chains;
     }
@@ -307,8 +307,8 @@ class SizeLoop {
         return true;
     }
 
-    /// A mesh that is too coarse is made again with shorter edges there. What an update keeps is not worth that where
-    /// the whole could not follow the part: it keeps less, and in the end nothing.
+    /// Asks for shorter edges where the mesh is too coarse. An update does so only for folded elements; in all other
+    /// cases it keeps less of the old mesh instead, and in the end nothing.
     bool ask_for_shorter(const Attempt& attempt) {
         const SizeRequest& request = attempt.request;
         const bool is_folded = request.reason == SizeReason::folded;
@@ -329,8 +329,8 @@ class SizeLoop {
         return true;
     }
 
-    /// Shorter edges mend a few thin elements or none, and details that may be left out are better left out. Those that
-    /// come with edges as short as 10-node tets need are not mended by still shorter ones.
+    /// May shorter edges mend thin elements? Two rounds show it. Where small details may be ignored, ignoring them is
+    /// better. Thin elements that came with the short edges of 10-node tets are not mended by still shorter ones.
     bool may_help_thin() {
         constexpr int most_thin_rounds = 2;
         return !stand_in_ && thin_rounds_++ < most_thin_rounds && ignorable_below(brep_, options_) == 0;

@@ -220,8 +220,8 @@ class Keeper {
                std::any_of(edges.begin(), edges.end(), [&](EdgeId edge) { return brep.is_meshed(edge); });
     }
 
-    // Identity first: a carried node that comes near one that stayed is dropped, but those of a solid that moved as a
-    // whole.
+    // Nodes that stay have precedence: a node that moved and comes near one that stayed is dropped. The nodes of a
+    // solid that moved as a whole are never dropped.
     void clear_between_motions() {
         if (!has_tets()) return clear_between_motions_without_tets();
         for (std::size_t r = 1; r < nodes_.regions().size(); ++r) {
@@ -278,7 +278,8 @@ class Keeper {
                 motions_[n] = dropped;
     }
 
-    // Beyond what changed a kept node is made for what is wanted there, unless it remembers something else.
+    // Writes down for which edge length each kept node was made, where that is not the length wanted there now. A node
+    // that no change came near was made for the wanted length, unless the old mesh has another one on record.
     void remember_sizes(Kept& kept) const {
         for (std::size_t k = 0; k < kept.node_origin.size(); ++k) {
             const auto n = std::size_t(kept.node_origin[k]);

@@ -144,9 +144,9 @@ bool KeptTets::drop_frayed() {
     return is_any;
 }
 
-// The mesh of a solid is in one piece, and tets that share a node are kept under one motion or one of them is not kept:
-// so every region of kept tets that is not the whole of a solid reaches the rim. One point for each piece of the rim
-// thus speaks for all, as long as they say the same.
+// Finds the new solid of all kept tets from points at the rim alone. The mesh of a solid is in one piece, and two tets
+// that share a node move alike if both are kept. So every region of kept tets, unless it is a whole solid, reaches the
+// rim: one point for each piece of the rim decides for its region. False when these points disagree.
 bool KeptTets::settle_at_rim(const Brep& new_brep) {
     const SolidLocator locator(new_brep);
     solid_of_group_.assign(solid_count_ * regions_.size(), SolidId());
@@ -202,8 +202,8 @@ std::vector<std::vector<std::int32_t>> KeptTets::pieces_of_rim(SolidId solid) co
     return pieces;
 }
 
-// What is outside of the new part is surrounded by its rim, for its surface has vanished with all that is near: it lies
-// within the box of that rim.
+// Drops kept tets that lie outside the new part. The surface around such a region has vanished, and the tets near that
+// surface are not kept. So the rim surrounds the whole region, which lies within the rim's box.
 void KeptTets::drop_islands(const std::vector<std::vector<std::int32_t>>& rims) {
     std::vector<Box> boxes;
     for (const auto& rim : rims) {

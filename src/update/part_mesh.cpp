@@ -37,8 +37,9 @@ namespace featuremesh {
 
 namespace {
 
-// What is changed reaches this much further than it must: in wanted edge lengths there, and at least in the smallest
-// ones and in global sizes. A detail with tiny elements anywhere is no reason to look that closely at all that changed.
+// How closely the changed boundary is resolved: a third of the edge length wanted there, but no finer than half of the
+// smallest edge length or a twentieth of the global size. A detail with tiny elements somewhere is no reason to look
+// that closely at everything that changed.
 constexpr double resolution_of_changes = 1.0 / 3, finest_resolution_needed = 0.5, coarsest_resolution_needed = 0.05;
 
 /// The refinement without which there would be less than half of so many elements; nothing where no single one is to
@@ -180,7 +181,7 @@ bool ignore_the_same(const MeshOptions& old, const MeshOptions& now) {
 
 void check_ignored(const MeshOptions& options) {
     const double below = options.ignore_below, size = options.sizing.size;
-    if (below <= 0 || !(size > 0)) return;  // who makes the sizes says what is wrong with this one
+    if (below <= 0 || !(size > 0)) return;  // a wrong mesh size is refused where the sizing field is made
     if (std::isfinite(below) && below <= 0.5 * size) return;
     throw InputError(say<Code::ignored_too_large>(Length{options.ignore_below}, Length{options.sizing.size}));
 }

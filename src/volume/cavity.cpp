@@ -262,8 +262,9 @@ std::vector<Shell> find_shells(const Cavity& cavity, NodeSets& sets) {
     return shells;
 }
 
-/// By cavity node: the number of its part. Shells of one solid within one another's box belong together, for one may be
-/// the void of the other. Solids that share no node are apart even where they touch.
+/// The number of the part to which each cavity node belongs. Two shells of one solid are one part if the box of one
+/// meets that of the other, because one may bound a void in the other. Solids without a common node are different
+/// parts, even where they touch.
 std::vector<int> number_parts(const Cavity& cavity, int& part_count) {
     NodeSets sets(cavity.points.size());
     for (const Facet& f : cavity.facets) sets.join(f.corners[0], f.corners[1]), sets.join(f.corners[0], f.corners[2]);

@@ -36,19 +36,21 @@ namespace featuremesh {
 
 namespace {
 
-/// What is further from the interface is filled as well as in a full mesh, or nearly so: more counts where the
-/// interface is much of a small mesh, and costs nothing there.
+/// How far from the interface, in edges, tets are treated as beside it. Further away they are as good as in a full
+/// mesh. In a small cavity, where much is near the interface, more is taken in, at hardly any cost.
 constexpr int edges_to_interface = 1, edges_to_interface_if_small = 5;
 constexpr std::size_t small_cavity = 8000;   // tets
 constexpr std::size_t large_cavity = 20000;  // tets: worth all threads
-/// Of the cube of the smallest wanted length: tets below are mended, and those below are refused.
+/// Shares of the cube of the smallest wanted length: tets with less volume than the first are mended, a mesh with less
+/// than the second is refused.
 constexpr double mended_share = 1e-2, refused_share = 1e-3;
-/// What costs most: so often at least, once more for so many tets, and so often again for each that gains.
+/// How often the costliest operations are tried: at least so often, once more for every so many tets, and so often
+/// again for each try that gains.
 constexpr std::size_t refills_at_least = 200, tets_per_refill = 400, refills_per_gain = 5, refills_at_the_end = 100,
                       refills_per_thin = 10, most_for_thin = 1000;
 constexpr std::size_t lookaheads_at_least = 25, tets_per_lookahead = 2500, lookaheads_per_gain = 1;
 constexpr int passes_at_the_end = 12;
-/// Mean radius ratio: where a star of the surface has less, shapes count there, not its worst angle alone.
+/// A surface node whose tets have a smaller mean radius ratio moves for their shapes, not only for their worst angle.
 constexpr double poor_star = 0.6;
 
 /// The filling of one mesh: tets that meet the boundary, and what makes them good.
@@ -211,14 +213,15 @@ class Filling {
                 .dear_plans_per_gain = lookaheads_per_gain};
     }
 
-    /// With fewer kept tets, or none, there is another way, which a long search here would only put off.
+    /// The search for places of new vertices is bounded beside kept tets: keeping fewer of them, or none, is another
+    /// way, which a long search would only delay.
     static std::size_t most_insertions(const InterfaceRegion& region) {
         constexpr std::size_t at_least = 40, tets_per_insertion = 1000;
         return region.has_interface() ? at_least + region.complex.tets.size() / tets_per_insertion : any_number;
     }
 
-    /// More tets without a volume to speak of than new vertices will be tried for. Then other lengths are, or details
-    /// are ignored.
+    /// Gives up at once when there are more tets with next to no volume than tries to mend them. The caller then asks
+    /// for other lengths or ignores details.
     void refuse_hopeless(std::size_t i) const {
         const TetComplex& complex = regions_[i].complex;
         if (count_thin(complex, angles_, context_) <= std::min(most_insertions(regions_[i]), most_for_thin)) return;
@@ -260,7 +263,7 @@ class Filling {
         return tets;
     }
 
-    /// The optimiser may have moved a tet without height to where it lies under two triangles of a face.
+    /// Leaves out flat tets: the optimiser may have moved one to where it lies flat under two triangles of a face.
     void leave_out_flat_tets(const Cavity& cavity, TetComplex& complex) {
         CavityFill fill;
         fill.points = complex.points;

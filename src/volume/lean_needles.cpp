@@ -137,8 +137,8 @@ class NeedleStrips {
         return sorted;
     }
 
-    /// Turns sides until one leads from `from` to `to`: that between them, or all that stand between them at a node
-    /// next to `from` from which a side leads there.
+    /// Turns sides of triangles until one side joins `from` and `to`. One turn is enough if only one side is between
+    /// them. Else looks for a node beside `from` that has a side to `to`, and turns all sides between them there.
     std::size_t lead(NodeId from, NodeId to) {
         if (join(from, to)) return 1;
         const auto at_from = triangles_at_.find(from);

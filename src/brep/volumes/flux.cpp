@@ -115,9 +115,10 @@ CurvePoint point_on(const BRepAdaptor_Curve& curve, double t) {
     return {to_vec3(p), to_vec3(d)};
 }
 
-/// Flux through the ribbon between a face's border, as its surface has it, and the edge's own curve in space, per unit
-/// of their parameter. The face beyond it ends at the same curve: with the ribbons the faces of a shape close,
-/// however loose its edges are; without them its volume depends on the apex and on how its faces were split.
+/// A face's border, computed from its surface, may lie beside the edge's own curve in space. This is the flux through
+/// the ribbon between the two, per unit of their parameter. Both faces at an edge get their ribbon to the same curve,
+/// so together they close, however loose the edge is. Without ribbons the volume would depend on the apex and on how
+/// the faces were split.
 double ribbon(const CurvePoint& border, const CurvePoint& edge, const Vec3& apex) {
     return dot(border.point - apex, cross(edge.point - border.point, (border.derivative + edge.derivative) / 2)) / 3;
 }
@@ -280,11 +281,13 @@ Direction along_v(const BRepAdaptor_Surface& surface) {
     return v;
 }
 
-/// The flux through a curved face by Green's theorem: minus the integral over its border of H du, H the flux up to v.
+/// The flux through a curved face. By Green's theorem it is minus the integral of H du along the face's border, where
+/// H(u, v) is the flux through the line of constant u, from the start of v's range to v.
 class CurvedFace {
   public:
     CurvedFace(const TopoDS_Face& face, const BRepAdaptor_Surface& surface, const Vec3& apex, double size)
-        // Forward, for of a seam's two curves the kernel gives that which goes with the orientations of edge and face.
+        // Oriented forward: which of a seam's two parameter curves the kernel returns depends on the face's
+        // orientation.
         : face_(TopoDS::Face(face.Oriented(TopAbs_FORWARD))),
           surface_(surface),
           apex_(apex),

@@ -37,8 +37,8 @@ class Feet {
         if (surface_.GetType() <= GeomAbs_Torus) return;
         double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
         BRepTools::UVBounds(face, u1, u2, v1, v2);
-        // The adaptor puts together what it evaluates a whole patch with: for one patch once, for many nearly each
-        // time.
+        // The adaptor prepares a table for the patch that it evaluates. With a single patch that happens once; with
+        // many it would happen at nearly every call.
         const bool is_one_patch =
             surface_.GetType() == GeomAbs_BSplineSurface && surface_.NbUKnots() == 2 && surface_.NbVKnots() == 2;
         TopLoc_Location place;
@@ -184,7 +184,8 @@ class SheetContacts {
         }
         const Vec3 p = to_vec3(curve.Value(from));
         const Foot foot = feet_->of(p);
-        // Else above and below changed where the foot sprang over to another part of the surface.
+        // The piece passes through the sheet only if it is close to it here. Otherwise the sign of the offset changed
+        // because the foot jumped to another part of the surface.
         const double close = generous * BRep_Tool::Tolerance(sheet_.face) + 1e-6 * box_.diagonal();
         return std::abs(foot.offset) <= close && box_.grown(close).contains(p) && probe_.contains(foot.u, foot.v);
     }

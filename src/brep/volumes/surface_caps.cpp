@@ -249,7 +249,7 @@ class CapsOfSurface {
                     throw Standard_DomainError("a surface with a seam elsewhere");
     }
 
-    /// Where borders cross each other, regions end that no edge bounds.
+    /// Throws where two borders cross: a region would end at the crossing, where no vertex is.
     void refuse_crossings() const {
         std::vector<Rectangle> boxes(steps_.size());
         for (std::size_t i = 0; i < steps_.size(); ++i)
@@ -333,7 +333,7 @@ class CapsOfSurface {
         return steps_[last].to == steps_[first].from && is_near(steps_[last].way.back(), steps_[first].way.front());
     }
 
-    /// A path that comes by where it was before has gone round a region.
+    /// When a path returns to a point that it passed before, the steps since then enclose a region: they become a loop.
     void cut_off_loop(std::vector<std::size_t>& path) {
         for (std::size_t i = 1; i < path.size(); ++i)
             if (closes(path.back(), path[i])) {

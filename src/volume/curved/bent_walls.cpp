@@ -12,13 +12,14 @@ namespace featuremesh {
 
 namespace {
 
-/// The opposite side of each, as places in tet_sides.
+/// The opposite side of each side of a tet, both as indices of tet_sides.
 constexpr std::array<int, 6> opposite_side{5, 3, 4, 1, 2, 0};
-/// Of its length: what bends less is no matter here.
+/// A side whose bend is a smaller share of its length is ignored.
 constexpr double least_bend = 0.005;
-/// Of the wall's thickness over the bend: a side that bends less leaves the nodes room, or may with some moving.
+/// Ratios of the wall's thickness to the bend. From the wanted one on the nodes have room; below the hopeless one no
+/// moving of nodes makes room.
 constexpr double hopeless_thickness = 1.0, wanted_thickness = 4.0;
-/// No shorter than this in one go: the next mesh tells better.
+/// The shortest length asked for in one round, as a share of the present one; the next mesh shows whether it suffices.
 constexpr double shortest_share = 0.05;
 constexpr int samples = 8;
 
@@ -50,7 +51,8 @@ class Finder {
     BentWalls found;
 
   private:
-    /// How often the bend goes into the height of the tet over it; infinite where it bends away.
+    /// The height of the tet over the bent side, as a multiple of the bend; infinite where the side bends away from the
+    /// tet.
     static double thickness_over_bend(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& bend) {
         const double before = dot(cross(b - a, c - a), d - a);
         const double after = dot(cross(b - a, c - a - bend), d - a - bend);

@@ -168,8 +168,8 @@ class Patch {
             }
     }
 
-    /// Of a tet as thin as the least volume, or with a third of what it had: one that has that much may not lose it.
-    /// Zero from twice the floor on.
+    /// A barrier that keeps the tet's volume above a floor: the least volume or three tenths of what it had, whichever
+    /// is larger, but never more than nearly all of what it had. Infinite at the floor, zero from twice the floor on.
     double volume_energy(std::size_t i, const std::array<Vec3, 10>& nodes, Field* gradient) const {
         const double volume = 6 * signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]);
         // a wall right behind a tet would leave it no way round

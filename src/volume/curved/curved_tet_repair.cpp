@@ -203,7 +203,7 @@ class Unfolding {
         for (const TetId t : star) low = std::min(low, worst_angle_of(t));
         return low;
     }
-    /// But for the angle that the CAD forces upon a needle, which would hide all others.
+    /// The tet's worst angle. In a needle the angle that the CAD forces is left out: it would hide all others.
     double worst_angle_of(TetId t) const {
         const auto& n = mesh_.tets[t.index()];
         const std::array<Vec3, 4> p{mesh_.point(n[0]), mesh_.point(n[1]), mesh_.point(n[2]), mesh_.point(n[3])};

@@ -142,8 +142,8 @@ Corners sorted(Corners corners) {
     return corners;
 }
 
-/// Joins the triangulations of two halves: their final tets, and between them those of the whole that the points at the
-/// others have by themselves.
+/// Joins the triangulations of two halves. Tets of a half that are certainly Delaunay in the whole are taken as they
+/// are. The points of all other tets are triangulated once more, by themselves, and fill the room between.
 class Joining {
   public:
     Joining(std::span<const Vec3> points, const Part& first, const Part& second, RunContext& context)
@@ -230,8 +230,8 @@ class Joining {
         return delaunay.tets(context_, numbers);
     }
 
-    /// Those of the tets that are tets of the whole: they reach from half to half, or one of the halves has them, too.
-    /// Others lie where final tets are. What lies there altogether cannot reach across the cut.
+    /// Which tets of the filling are tets of the whole: those with corners in both halves, and those that one of the
+    /// halves has, too. All others lie in the room of final tets, which never reach across the cut.
     std::vector<std::uint8_t> wanted_of(const Triangulation& filling) const {
         std::vector<std::uint8_t> is_second(points_.size(), 0);
         for (const int p : halves_[1].between) is_second[p] = 1;

@@ -76,8 +76,8 @@ class SeedOctree {
         return seeds;
     }
 
-    /// Those of the candidates that are inside and clear of facets and of the balls given at first, in their order.
-    /// Their clearance is at most that of the lattice.
+    /// The candidates that lie inside, and clear of the facets and of the first `ball_count` balls, in their order. The
+    /// options may not ask for a larger clearance than the lattice keeps.
     std::vector<Vec3> clear_points(std::span<const Vec3> candidates, const SeedOptions& options) {
         std::vector<Vec3> good;
         for (const Vec3& p : candidates) {
@@ -271,8 +271,8 @@ class SeedOctree {
 
     double wanted_in(const Cube& cube) const { return wanted(box_of(cube).center()); }
 
-    /// The lattice's points in the place. What is split for that alone is given up at once where no interface is: many
-    /// facets make many octants.
+    /// Adds the lattice's points in the place. Octants that were made for this alone are given up at once where there
+    /// is no interface, because many facets make many octants.
     void collect(int i) {
         look_at(i);
         const Place& place = places_[static_cast<std::size_t>(i)];

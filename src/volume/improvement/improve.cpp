@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t rounds_between_reports = 64;
 constexpr std::size_t tets_per_chunk = 1 << 12;
-/// Of the queue: with more tets more plans are made in vain, with fewer the threads wait for one another.
+/// For so many tets of the queue changes are planned ahead at most. With more, too many plans are outdated before their
+/// turn; with fewer, the threads wait for one another.
 constexpr std::size_t most_ahead = 64;
 
 struct Candidate {
@@ -109,7 +110,8 @@ class Improver {
     }
 
   private:
-    /// Operations for each further thread; none where the plans of one depend on those made before.
+    /// Makes a set of operations for each further thread. None if some operation's plans depend on those it made
+    /// before.
     void gather_hands() {
         for (int thread = 1; thread < context_.threads; ++thread) {
             Operations& hand = other_hands_.emplace_back();
@@ -215,10 +217,12 @@ class Improver {
     /// Even if each tet from `first` on costs one dear plan, the budget lasts until this one.
     bool may_be_dear(std::size_t i, std::size_t first) const { return i - first < dear_plans_left_; }
 
-    /// Unless the plan for the first holds, all threads plan for it and for those that follow without a plan that does.
+    /// If the plan for the tet `first` no longer holds, all threads make plans: for it, and for those after it that
+    /// have none that holds.
     void plan_ahead(const std::vector<Candidate>& queue, std::size_t first) {
         if (holds(plans_[first % plans_.size()], queue, first, first)) return;
-        // what was overtaken soon is the sign of a small cavity, or of changes that reach far
+        // plans that were soon outdated: the cavity is small, or changes reach far, so the next round plans less far
+        // ahead
         reach_ = std::clamp(2 * (first - last_round_), 2 * (other_hands_.size() + 1), plans_.size());
         last_round_ = first;
         without_plan_.clear();

@@ -8,11 +8,12 @@ namespace featuremesh {
 
 namespace {
 
-/// With more, the angle opposite the side is large enough to be worth something.
+/// A needle's shortest side over its longest. If it is longer than that, the angle opposite to it is large enough to be
+/// improved.
 constexpr double needle_share = 0.005;
-/// Of the penalty: less is not worth a change that leaves the worst angle as it is.
+/// A change that leaves the worst angle as it is has to lower the penalty by at least this share.
 constexpr double least_gain_of_penalty = 0.02;
-/// Share of the mean shape that is left: one angle is not worth all other shapes.
+/// A change has to leave at least this share of the mean shape: one angle is not worth the shapes of all others.
 constexpr double least_kept_shape = 0.5;
 
 /// The side, by its place in edge_corners, that makes a tet a needle: the boundary has both its ends, and it is shorter

@@ -17,8 +17,8 @@ namespace featuremesh {
 
 namespace {
 
-/// An update that takes more than the second costs more than one that keeps less: of thirty on real parts, those that
-/// ended well had six at most.
+/// The most rounds of a full mesh and of an update. After more rounds an update that keeps less is cheaper: of thirty
+/// updates of real parts, those that succeeded took six rounds at most.
 constexpr int most_rounds = 12, most_rounds_of_update = 6;
 constexpr int most_halving_rounds = 3;
 constexpr int most_constraining_rounds = 5;  // only around what is missing
@@ -121,7 +121,8 @@ void BoundaryRecovery::fill(std::size_t i) {
     }
 }
 
-/// Where seeds alone keep out all triangles that no other diagonal brings back, those seeds go.
+/// Some missing triangles come back by turning diagonals of the surface. If seeds alone stand in the way of all others,
+/// these seeds are left out.
 void BoundaryRecovery::drop_seeds(std::size_t i, int round) {
     const Cavity& cavity = cavities[i];
     CavityFill& fill = fills[i];
@@ -262,7 +263,7 @@ bool BoundaryRecovery::halve_stuck(Gap& gap) {
     return halve(gap, stuck, unrecovered(mesh_, cavities, fills));
 }
 
-/// All that is missing, or nothing: then what could not be had is what is stuck.
+/// Brings all missing triangles back by flips, or none. In that case gap.stuck has those that could not be recovered.
 bool BoundaryRecovery::flip(Gap& gap) {
     FlippedTriangulation flipped = recover_by_flips(gap.cavity, gap.fill, context_);
     if (flipped.tets) known_.push_back({gap.cavity.nodes, gap.seeds, std::move(*flipped.tets), true});
@@ -287,7 +288,8 @@ void BoundaryRecovery::relocate(Gap& gap, ConstrainedTriangulation constrained) 
     }
 }
 
-/// In a few rounds, however many cavities there are; then they are the obstacle.
+/// Halves the longest edges of these facets. Rounds of halving are counted once for all cavities; after too many of
+/// them the facets are the obstacle.
 bool BoundaryRecovery::halve(Gap& gap, std::span<const int> facets, Obstacle obstacle) {
     if (std::exchange(last_halving_, gap.round) != gap.round) ++halving_rounds_;
     if (halving_rounds_ > most_halving_rounds)
