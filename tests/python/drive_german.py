@@ -67,7 +67,7 @@ def check_errors(document, body, mesh, study):
                 document, "Nirgends")
     check_error("size", "die Größe muss größer als 0 mm sein, nicht -1", api.add_mesh, body, -1.0)
     check_error("study", "nichts ändert sich: ein Maß anhaken und ihm einen Bereich geben", study_object.study_of, study, "")
-    check_error("range", "der Bereich von Plate.Length muss steigen, nicht 9:5; das untere Ende zuerst schreiben", design.check, design.Study(
+    check_error("range", "der Bereich von Plate.Length muss ansteigen, nicht 9:5; das untere Ende zuerst schreiben", design.check, design.Study(
         "", [design.parse_parameter("Plate.Length=9:5")], [], cases=3))
     assert "in einem eigenen Prozess" in about.text(in_words) and "in a process of its own" in about.text(), about.text(in_words)
 

@@ -104,6 +104,14 @@ def check_command(document, live_panel, mesh):
     return live
 
 
+def check_first_solution(live_panel):
+    """While there is no result yet, it is being solved: nothing is out of date."""
+    from freecad.featuremesh import live_result
+    wait_for(lambda: live_panel.status.text().startswith("first solution: "), 20)
+    assert live_panel.live.Status == live_result.FIRST_SOLVING, live_panel.live.Status
+    assert not live_panel.legend.labels and not live_panel.grey.isVisible()
+
+
 def check_settings(live_panel, live):
     """Each widget changes the picture, and what it says."""
     seen = [pixels()]
@@ -174,9 +182,11 @@ def check_edit(document, live_panel, live):
         else:
             assert np.isnan(values[row])
     assert 0.5 < known / len(values) < 1, known / len(values)
+    assert live_panel.grey.isVisible()   # it says what grey nodes are
     spin()
     picture("live_difference")
     click(live_panel.difference)
+    assert not live_panel.grey.isVisible()
     assert live_overlay.FIELDS[live_panel.field.currentIndex()] == "von_mises"
 
 
@@ -470,7 +480,10 @@ def drive():
     Gui.SendMsgToActiveView("ViewFit")
     old = document.addObject("Fem::FemMeshObject", "OldResultMesh")   # as of a solution before
     old.FemMesh = mesh.FemMesh
-    Gui.runCommand("FeatureMesh_LiveResult")
+    with no_solution_ends():
+        Gui.runCommand("FeatureMesh_LiveResult")
+        spin()
+        check_first_solution(panel("LivePanel"))
     spin()
     shown = panel("LivePanel")
     assert mesh.ViewObject.Visibility != bool(shown.view.drawn)   # there is something to see until there is a result

@@ -15,6 +15,7 @@ import Part
 from analyses import add_material, add_solver, quantity, solve
 from freecad.featuremesh import api, assembled, mesh_object, versions
 from freecad.featuremesh.errors import UserError
+from freecad.featuremesh.messages import in_english
 from parts import new_document, placement
 
 STEEL = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.0", "Density": "7900 kg/m^3"}
@@ -47,6 +48,11 @@ def nodes_by_solid(mesh):
 
 def points_of(mesh):
     return {number: np.array(point) for number, point in mesh.FemMesh.Nodes.items()}
+
+
+def warnings_of_contact(mesh):
+    """What the report says of parts that touch."""
+    return [line for line in in_english(json.loads(mesh.Report))["warnings"] if "touch or overlap without sharing faces" in line]
 
 
 def face_at(shape, solid, z):
@@ -236,6 +242,7 @@ class Assembly(InADocument):
         self.assertEqual(len(parts), COUNT)
         shared = [len(below & above) for below, above in zip(parts, parts[1:])]
         self.assertGreater(min(shared), 9)
+        self.assertFalse(warnings_of_contact(mesh))
         before = points_of(mesh)
         boxes[-1].Height = HEIGHT + 2
         self.document.recompute()
@@ -249,6 +256,8 @@ class Assembly(InADocument):
         self.document.recompute()
         self.assertEqual(part.Joints, [])
         self.assert_own_nodes(mesh, COUNT)
+        (warning,) = warnings_of_contact(mesh)
+        self.assertIn("by the property Join of its object 'Parts of ...'", warning)
 
     def test_parts_that_overlap_are_not_joined(self):
         part, boxes = self.joined_tower()

@@ -190,6 +190,19 @@ class Live(Case):
             api.live_result(analysis)
         self.assertIn(live, self.document.Objects)   # it was there before
 
+    def test_without_a_result_nothing_is_called_out_of_date(self):
+        _, analysis = self.held_box()
+        live = live_result.add(analysis)
+        self.assertEqual(live.Status, live_result.NOT_SOLVED)
+        live.Proxy.prepare(live)
+        self.assertEqual(live.Status, live_result.FIRST_SOLVING)
+        live.Proxy.fail(live, KeyboardInterrupt())
+        self.assertEqual(live.Status, live_result.FIRST_CANCELLED)
+        api.solve_live(live)
+        self.check_is_fresh(analysis, live)
+        live.Proxy.prepare(live)
+        self.assertEqual(live.Status, live_result.SOLVING)
+
     def test_an_analysis_that_is_gone_while_it_is_solved(self):
         part, analysis, live = self.cantilever()
         job = live.Proxy.prepare(live)

@@ -287,7 +287,7 @@ class IgnoredDetails(unittest.TestCase):
         report = api.update_mesh(self.mesh)
         self.assertGreater(self.mesh.MinDihedral.Value, 20)
         self.assertEqual(self.mesh.KeptNodes, 0)   # with other details than before, nothing of the old mesh is of use
-        self.assertEqual(sum("Nearer to another vertex than 0.01 mm" in english(line) for line in report["warnings"]), 1)
+        self.assertEqual(sum("These vertices are nearer to another one than 0.01 mm" in english(line) for line in report["warnings"]), 1)
 
     def test_are_ignored_from_the_first_mesh_on_by_a_script(self):
         self.mesh.IgnoreBelow = 0.01

@@ -392,7 +392,7 @@ TEST_CASE("links that dangle and loops do no harm") {
     CHECK(named(tree, "Cut").volumes.size() == 1);
     CHECK(named(tree, "Cut").depends_on.empty());
     REQUIRE(tree.notes.size() == 1);
-    CHECK(tree.notes[0].in_english() == "Cut: its link to Gone dangles");
+    CHECK(tree.notes[0].in_english() == "Cut: its link to Gone leads to nothing");
 }
 
 TEST_CASE("what has no solid is named, and counts as changed where it should have one") {

@@ -120,7 +120,7 @@ TEST_CASE(
     CHECK(std::count(without.is_point.begin(), without.is_point.end(), 1) == 2);
     CHECK_FALSE(with.is_same_as(without));
     REQUIRE(without.warnings().size() == 3);
-    CHECK(without.warnings()[0].in_english().starts_with("Nearer to another vertex than 0.01 mm"));
+    CHECK(without.warnings()[0].in_english().starts_with("These vertices are nearer to another one than 0.01 mm"));
 
     const Mesh mesh = mesh_ignoring(brep, without, 3);
     CHECK(smallest_angle(mesh) > 25);

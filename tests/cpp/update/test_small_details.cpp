@@ -69,7 +69,7 @@ TEST_CASE(
                 [&](const featuremesh::Message& line) { return line.in_english().starts_with(begin); });
         };
         CHECK(said(on, "Too narrow for elements of their own: Face") == 1);
-        CHECK(said(on, "Nearer to another vertex than 0.01 mm") == 1);
+        CHECK(said(on, "These vertices are nearer to another one than 0.01 mm") == 1);
 
         const PartMeshResult moved = updated(*on.part_mesh, stepped_block(0.004, 47), without);
         check_valid(*moved.part_mesh);

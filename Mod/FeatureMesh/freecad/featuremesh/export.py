@@ -34,7 +34,7 @@ def write(mesh, path, file_format):
     if file_format not in FORMATS:
         raise UserError(said("cannot export to {format:text}, only to {formats:text}", format=file_format or path, formats=", ".join(FORMATS)))
     if not mesh.FemMesh.NodeCount:
-        raise UserError(said("{mesh:text} has no mesh yet", mesh=mesh.Label))
+        raise UserError(said("{mesh:text} has no mesh yet; recompute the document first", mesh=mesh.Label))
     if file_format in _WITHOUT_BEAMS and not mesh.FemMesh.FaceCount:
         raise UserError(said("{format:text} has no form for a mesh of edges; export it as inp, vtu, vtk, msh, unv or med", format=file_format))
     if file_format == "z88" and not mesh.FemMesh.VolumeCount and mesh.Order == "1st" and mesh.FemMesh.FaceCount:

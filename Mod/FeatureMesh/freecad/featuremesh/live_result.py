@@ -19,6 +19,11 @@ UP_TO_DATE = QT_TRANSLATE_NOOP("FeatureMesh", "up to date")
 OUT_OF_DATE = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: the part, its mesh or the analysis changed")
 SOLVING = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: solving")
 CANCELLED = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: solving was cancelled")
+# What these are called as long as there is no result that could be out of date.
+NOT_SOLVED = QT_TRANSLATE_NOOP("FeatureMesh", "not solved yet")
+FIRST_SOLVING = QT_TRANSLATE_NOOP("FeatureMesh", "being solved for the first time")
+FIRST_CANCELLED = QT_TRANSLATE_NOOP("FeatureMesh", "not solved: solving was cancelled")
+_AT_FIRST = {OUT_OF_DATE: NOT_SOLVED, SOLVING: FIRST_SOLVING, CANCELLED: FIRST_CANCELLED}
 
 _NO_TOUCH = 8 | 16   # status of a property whose change asks for no recompute
 # (type, name, group, default, hidden, read-only, tooltip)
@@ -26,7 +31,7 @@ PROPERTIES = [
     ("App::PropertyBool", "Automatic", "Live result", True, False, "Solve whenever the document was recomputed"),
     ("App::PropertyInteger", "Threads", "Live result", 0, False, "Processor threads to use; 0: all. The result is the same for any number"),
     ("App::PropertyLinkList", "Members", "Live result", [], True, "What of the analysis is solved: mesh, materials, supports, loads"),
-    ("App::PropertyString", "Status", "Result", OUT_OF_DATE, True, "Whether the result is that of the part as it is, and if not, why"),
+    ("App::PropertyString", "Status", "Result", NOT_SOLVED, True, "Whether the result is that of the part as it is, and if not, why"),
     ("App::PropertyLinkHidden", "Result", "Result", None, True, "FreeCAD's own result object, for FEM's result panel, filters and pipeline"),
     ("App::PropertyFloat", "MaxMises", "Result", 0.0, True, "Largest von Mises stress, MPa"),
     ("App::PropertyFloat", "MaxDisplacement", "Result", 0.0, True, "Largest displacement, mm"),
@@ -84,7 +89,7 @@ class LiveResult:
     def onDocumentRestored(self, live):
         self._forget()
         self._get_ready(live)
-        if live.Status == SOLVING:
+        if live.Status in (SOLVING, FIRST_SOLVING):
             self.set_status(live, OUT_OF_DATE)
 
     def dumps(self):
@@ -162,6 +167,8 @@ class LiveResult:
         self.set_status(live, CANCELLED if mesh_object.is_cancelled(error) else failed(live, error))
 
     def set_status(self, live, status):
+        if not has_result(live):
+            status = _AT_FIRST.get(status, status)
         self.is_fresh = status == UP_TO_DATE
         if live.Status != status:
             live.Status = status
@@ -200,7 +207,7 @@ class LiveResult:
     def _own_analysis(self, live):
         analysis = self.analysis(live)
         if analysis is None:
-            raise UserError(said("{live:text} belongs to no analysis", live=describe(live)))
+            raise UserError(said("{live:text} belongs to no analysis; drag it into one", live=describe(live)))
         return analysis
 
     def key(self, live):
@@ -241,6 +248,11 @@ def is_live_result(obj):
     return isinstance(getattr(obj, "Proxy", None), LiveResult)
 
 
+def has_result(live):
+    """Was it ever solved?"""
+    return live.Result is not None or live.Proxy.solution is not None
+
+
 def add(analysis):
     """The live result of an analysis, made where it has none."""
     for member in analysis.Group:
@@ -267,7 +279,7 @@ def _outdate(live):
     """Something of it changed, and no recompute calls execute for that."""
     if cancel is not None:
         cancel(live)
-    if live.Status in (UP_TO_DATE, SOLVING):
+    if live.Status in (UP_TO_DATE, SOLVING, FIRST_SOLVING):
         live.Proxy.set_status(live, OUT_OF_DATE)
 
 

@@ -23,11 +23,11 @@ FROM_SHAPE = DIMENSIONS[0]
 PROPERTIES = [
     ("App::PropertyLength", "Size", "Mesh size", 0.0, False, "Wanted edge length of the elements"),
     ("App::PropertyLength", "MinSize", "Mesh size", 0.0, False,
-     "Smallest edge length that curvature, thin gaps and growth may ask for; 0: a tenth of Size"),
+     "Smallest edge length that curvature, thin walls and growth may ask for; 0: a tenth of Size"),
     ("App::PropertyFloat", "ElementsPerCircle", "Mesh size", 12.0, False,
      "Edges along a full circle of any curved face or edge; 0: sizes do not follow curvature"),
     ("App::PropertyFloat", "ElementsAcrossGap", "Mesh size", 0.0, False,
-     "Elements across thin walls and slots; 0: sizes do not follow thickness"),
+     "Elements across thin walls; 0: sizes do not follow thickness"),
     ("App::PropertyFloat", "Growth", "Mesh size", 1.3, False,
      "By how much neighbouring elements may differ in size at most"),
     ("App::PropertyFloat", "QualityTarget", "Mesh", 30.0, False,

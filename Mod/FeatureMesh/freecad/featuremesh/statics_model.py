@@ -174,7 +174,7 @@ class _Reader:
         statics, rows = self.statics, self._rows(member)
         before = statics.held[rows] & held
         if (before & (np.abs(statics.given[rows] - given) > 0)).any():
-            raise NotUnderstood(said("{support:text} gives nodes another displacement than a support before it", support=describe(member)))
+            raise NotUnderstood(said("{support:text} gives nodes another displacement than a support before it; let one of the two hold them", support=describe(member)))
         mine = np.zeros_like(statics.held)
         mine[rows] = held & ~statics.held[rows]   # what several supports hold counts with the first, so that reactions add up
         statics.supports[member.Name] = mine
@@ -221,7 +221,7 @@ class _Reader:
 
     def read_self_weight(self, member):
         if not self.statics.has_density:
-            raise UserError(said("{weight:text} needs the density of every material", weight=describe(member)))
+            raise UserError(said("{weight:text} needs the density of every material; give each of them one", weight=describe(member)))
         self._load(member, _by_weight, self.statics.materials, self.statics.tet_materials, list(gravity(member)))
 
     def _load(self, member, make, *given):
@@ -233,7 +233,7 @@ class _Reader:
             return
         face = self.part.Shape.getElement(name)
         if sum(any(face.isSame(other) for other in solid.Faces) for solid in solids) > 1:
-            raise NotUnderstood(said("{pressure:text} presses on {face:entities}, which lies between two solids", pressure=describe(member),
+            raise NotUnderstood(said("{pressure:text} presses on {face:entities}, which lies between two solids; choose an outer face", pressure=describe(member),
                                      face=[name]))
 
     # References
@@ -301,7 +301,7 @@ def gravity(member):
         direction = FreeCAD.Vector(member.Gravity_x, member.Gravity_y, member.Gravity_z)
         size = int(FreeCAD.Units.Quantity(constants.gravity()).getValueAs("mm/s^2"))
     if not direction.Length > 0:
-        raise UserError(said("{weight:text} has no direction", weight=describe(member)))
+        raise UserError(said("{weight:text} has no direction; give it one", weight=describe(member)))
     return np.array(tuple(direction)) * (size / direction.Length)
 
 

@@ -37,7 +37,8 @@ class LivePanel(ClosesWithObject):
         self.status, self.largest, self.remarks = QtGui.QLabel(), QtGui.QLabel(), QtGui.QLabel()
         for label in (self.status, self.largest, self.remarks):
             label.setWordWrap(True)
-        self.legend = Legend()
+        self.legend, self.grey = Legend(), QtGui.QLabel(translate("FeatureMesh", "grey: new nodes, which have no value from before"))
+        self.grey.setWordWrap(True)
         self._make_fields()
         self.bar, self.button = QtGui.QProgressBar(), QtGui.QPushButton()
         self.bar.setRange(0, 100)
@@ -51,7 +52,7 @@ class LivePanel(ClosesWithObject):
         layout.addLayout(self._fields_in_a_form())
         self.ten_nodes = QtGui.QPushButton(translate("FeatureMesh", "Use 10-node tetrahedra"))
         self.ten_nodes.clicked.connect(self._take_ten_nodes)
-        for widget in (self.legend, self.largest, self.cut, self.remarks, self.ten_nodes):
+        for widget in (self.legend, self.grey, self.largest, self.cut, self.remarks, self.ten_nodes):
             layout.addWidget(widget)
         wheel.scrolls(self.form)
         self._set_fields()
@@ -77,6 +78,7 @@ class LivePanel(ClosesWithObject):
         mesh = live.Proxy.mesh(live)
         self.ten_nodes.setVisible(mesh is not None and mesh.Order == "1st")
         self.legend.show_range(drawn, *self._unit(), is_fresh)
+        self.grey.setVisible(is_fresh and bool(self.legend.labels) and not np.isfinite(drawn.values).all())
         self.largest.setText(self._largest_in_words(drawn) if is_fresh else "")
         if drawn is not None:
             self.cut.set_box(drawn.points)
@@ -171,7 +173,8 @@ class LivePanel(ClosesWithObject):
         self.button.setEnabled(run is not None or self.live.Status != live_result.UP_TO_DATE)
         if run is not None:
             step, share = run.words()
-            self.status.setText(translate("FeatureMesh", "out of date: %s") % step)
+            said_first = translate("FeatureMesh", "out of date: %s") if live_result.has_result(self.live) else translate("FeatureMesh", "first solution: %s")
+            self.status.setText(said_first % step)
             self.bar.setValue(round(100 * share))
 
     def _press(self):

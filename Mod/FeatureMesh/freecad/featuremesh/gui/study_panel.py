@@ -186,7 +186,7 @@ class StudyPanel(ClosesWithObject):
             layout.addWidget(widget)
         form = QtGui.QFormLayout()
         form.addRow(translate("FeatureMesh", "Cases"), self.cases)
-        form.addRow(translate("FeatureMesh", "Chosen"), self.sampling)
+        form.addRow(translate("FeatureMesh", "Sampling"), self.sampling)
         form.addRow(translate("FeatureMesh", "Solver"), self.solver)
         form.addRow(translate("FeatureMesh", "At once"), self.jobs)
         for widget in (self.at, self.at_button):

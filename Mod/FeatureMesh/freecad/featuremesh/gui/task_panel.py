@@ -107,7 +107,7 @@ class MeshPanel:
                               (None, self.order),   # its words need all the width
                               (None, self.estimate), (None, self._progress_bar()), (None, self.status),   # seen without scrolling where there is little room
                               (translate("FeatureMesh", "Per circle"), self.per_circle),
-                              (translate("FeatureMesh", "Across gaps"), self.across_gap),
+                              (translate("FeatureMesh", "Across walls"), self.across_gap),
                               (translate("FeatureMesh", "Growth"), self.growth),
                               (translate("FeatureMesh", "Ignore below"), self.details),
                               ("", self.ignore_below)):

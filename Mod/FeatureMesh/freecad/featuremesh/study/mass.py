@@ -95,7 +95,7 @@ def _density(material):
     """t/mm^3."""
     text = material.Material.get("Density")
     if text is None:
-        raise UserError(said("the material {material:text} has no density", material=describe(material)))
+        raise UserError(said("the material {material:text} has no density; give it one", material=describe(material)))
     return float(FreeCAD.Units.Quantity(text).getValueAs("t/mm^3").Value)
 
 

@@ -40,8 +40,8 @@
       <translation>Kanten, Absätze und Flächenstreifen, die kleiner sind, bekommen keine eigenen Elemente; 0: solche unter einem Tausendstel von Size, wo das Bauteil mit ihnen nicht vernetzt werden kann; negativ: keine</translation>
     </message>
     <message>
-      <source>Elements across thin walls and slots; 0: sizes do not follow thickness</source>
-      <translation>Elemente quer durch dünne Wände und Schlitze; 0: die Größe folgt der Dicke nicht</translation>
+      <source>Elements across thin walls; 0: sizes do not follow thickness</source>
+      <translation>Elemente quer durch dünne Wände; 0: die Größe folgt der Dicke nicht</translation>
     </message>
     <message>
       <source>Elements of the mesh: tetrahedra, or triangles or segments where faces or edges are meshed</source>
@@ -152,8 +152,8 @@
       <translation>Kleinster Winkel in Grad, bis zu dem neue Elemente verbessert werden; unter 30 geht es schneller, über 35 wird selten erreicht</translation>
     </message>
     <message>
-      <source>Smallest edge length that curvature, thin gaps and growth may ask for; 0: a tenth of Size</source>
-      <translation>Kleinste Kantenlänge, die Krümmung, dünne Stellen und Wachstum verlangen dürfen; 0: ein Zehntel von Size</translation>
+      <source>Smallest edge length that curvature, thin walls and growth may ask for; 0: a tenth of Size</source>
+      <translation>Kleinste Kantenlänge, die Krümmung, dünne Wände und Wachstum verlangen dürfen; 0: ein Zehntel von Size</translation>
     </message>
     <message>
       <source>Solve whenever the document was recomputed</source>
@@ -355,8 +355,20 @@
       <translation>; war {names:messages} gemeint?</translation>
     </message>
     <message>
+      <source>A part of the mesh has no material. Give every solid one.</source>
+      <translation>Ein Teil des Netzes hat keinen Werkstoff. Jedem Volumenkörper einen geben.</translation>
+    </message>
+    <message>
+      <source>Across walls</source>
+      <translation>In Wänden</translation>
+    </message>
+    <message>
       <source>All cases at once</source>
       <translation>Alle Fälle zugleich</translation>
+    </message>
+    <message>
+      <source>An adopted mesh keeps its element order. Mesh the part from scratch for another one.</source>
+      <translation>Ein übernommenes Netz behält seine Elementordnung. Für eine andere das Bauteil vollständig neu vernetzen.</translation>
     </message>
     <message>
       <source>Box-Behnken needs at least three parameters, not {count:count}; take central_composite</source>
@@ -368,11 +380,11 @@
     </message>
     <message>
       <source>CalculiX found {modes:count} {modes:mode|modes}; ask its solver for more</source>
-      <translation>CalculiX fand {modes:count} {modes:Eigenform|Eigenformen}; von seinem Löser mehr verlangen</translation>
+      <translation>CalculiX fand {modes:count} {modes:Eigenform|Eigenformen}; bei seinem Löser mehr anfordern</translation>
     </message>
     <message>
       <source>CalculiX gave no displacements for {analysis:text}</source>
-      <translation>CalculiX ergab keine Verschiebungen für {analysis:text}</translation>
+      <translation>CalculiX lieferte keine Verschiebungen für {analysis:text}</translation>
     </message>
     <message>
       <source>CalculiX left no readable result: {why:messages}</source>
@@ -408,19 +420,19 @@
     </message>
     <message>
       <source>FreeCAD ended</source>
-      <translation>FreeCAD hat geendet</translation>
+      <translation>FreeCAD hat sich beendet</translation>
     </message>
     <message>
       <source>FreeCAD ended ({why:messages})</source>
-      <translation>FreeCAD hat geendet ({why:messages})</translation>
+      <translation>FreeCAD hat sich beendet ({why:messages})</translation>
     </message>
     <message>
       <source>FreeCAD ended with exit code {code:count}</source>
-      <translation>FreeCAD hat mit dem Rückgabewert {code:count} geendet</translation>
+      <translation>FreeCAD endete mit dem Rückgabewert {code:count}</translation>
     </message>
     <message>
       <source>FreeCAD made a shape of {part:text} that is not valid</source>
-      <translation>FreeCAD ergab eine ungültige Form von {part:text}</translation>
+      <translation>FreeCAD hat für {part:text} eine ungültige Form erzeugt</translation>
     </message>
     <message>
       <source>FreeCAD refuses {value:text} for {object:text}.{name:text} (it would take {taken:text})</source>
@@ -463,6 +475,10 @@
       <translation>Zielgrößen über Parametern</translation>
     </message>
     <message>
+      <source>Sampling</source>
+      <translation>Versuchsplan</translation>
+    </message>
+    <message>
       <source>Study of {document:text}</source>
       <translation>Studie von {document:text}</translation>
     </message>
@@ -471,16 +487,48 @@
       <translation>System</translation>
     </message>
     <message>
+      <source>The geometry kernel failed: {why:text}. Check the shape (Part: Check geometry).</source>
+      <translation>Der Geometriekern ist gescheitert: {why:text}. Die Form prüfen (Part: Geometrie prüfen).</translation>
+    </message>
+    <message>
       <source>The main effect is the response's mean change from a parameter's lowest to its highest value; the indices are Sobol's shares of the variance. All are of the response surface: they mean no more than its error allows, which is that of cases left out of the fit.</source>
       <translation>Der Haupteffekt ist die mittlere Änderung der Zielgröße vom kleinsten zum größten Wert eines Parameters; die Indizes sind die Anteile an der Varianz nach Sobol. Alle gelten für die Antwortfläche: Sie sagen nicht mehr, als deren Fehler zulässt, der an Fällen bestimmt ist, die bei der Anpassung weggelassen wurden.</translation>
+    </message>
+    <message>
+      <source>The mesh is not valid: {finding:messages} (and {more:count} more). Try another size, or check the shape there (Part: Check geometry).</source>
+      <translation>Das Netz ist nicht gültig: {finding:messages} (und {more:count} weitere). Eine andere Größe versuchen, oder die Form dort prüfen (Part: Geometrie prüfen).</translation>
+    </message>
+    <message>
+      <source>The mesh is not valid: {finding:messages}. Try another size, or check the shape there (Part: Check geometry).</source>
+      <translation>Das Netz ist nicht gültig: {finding:messages}. Eine andere Größe versuchen, oder die Form dort prüfen (Part: Geometrie prüfen).</translation>
     </message>
     <message>
       <source>The mesh is not valid: {triangles:count} {triangles:surface triangle is|surface triangles are} turned over, the first on {face:entities} at {place:point}. The face bends too much there for this size; ask for a smaller size on it.</source>
       <translation>Das Netz ist nicht gültig: {triangles:count} {triangles:Dreieck der Oberfläche ist|Dreiecke der Oberfläche sind} umgeklappt, das erste auf {face:entities} bei {place:point}. Die Fläche krümmt sich dort zu stark für diese Größe; auf ihr eine kleinere Größe wählen.</translation>
     </message>
     <message>
+      <source>The mesh is too fine for the live solver, whose matrix would have more than 2 billion entries. Choose a larger size.</source>
+      <translation>Das Netz ist zu fein für den mitlaufenden Löser, dessen Matrix mehr als 2 Milliarden Einträge hätte. Eine größere Größe wählen.</translation>
+    </message>
+    <message>
+      <source>The number of elements across walls is {asked:number}; it must not be negative (0 turns it off).</source>
+      <translation>Die Zahl der Elemente in Wänden ist {asked:number}; sie darf nicht negativ sein (0 schaltet ab).</translation>
+    </message>
+    <message>
       <source>There are too few cases for response surfaces of {parameters:count} {parameters:parameter|parameters}; add some.</source>
       <translation>Es sind zu wenige Fälle für Antwortflächen von {parameters:count} {parameters:Parameter|Parametern}; weitere hinzufügen.</translation>
+    </message>
+    <message>
+      <source>These solids touch or overlap without sharing faces: {solids:messages} ({faces:messages}). Each has a mesh of its own: no load passes between them but by ties and contacts, and where they overlap the material counts twice. If that is not meant, fuse them, or let them share faces: by Part's Boolean Fragments, or, where they are the parts of a container, by the property Join of its object 'Parts of ...'.</source>
+      <translation>Diese Volumenkörper berühren oder überlappen sich, ohne Flächen zu teilen: {solids:messages} ({faces:messages}). Jeder hat ein eigenes Netz: Zwischen ihnen geht außer durch Verbindungen (Tie) und Kontakte keine Last über, und wo sie sich überlappen, zählt der Werkstoff doppelt. Wenn das nicht gewollt ist, sie vereinigen oder Flächen teilen lassen: mit den Booleschen Fragmenten von Part oder, wenn es Bauteile eines Containers sind, mit der Eigenschaft Join seines Objekts „Bauteile von ...“.</translation>
+    </message>
+    <message>
+      <source>These vertices are nearer to another one than {distance:length} and share its node: {vertices:entities}.</source>
+      <translation>Diese Eckpunkte liegen näher als {distance:length} an einem anderen und teilen sich dessen Knoten: {vertices:entities}.</translation>
+    </message>
+    <message>
+      <source>These vertices lie within a millionth of the part's size of another one and share its node: {vertices:entities}.</source>
+      <translation>Diese Eckpunkte liegen auf ein Millionstel der Bauteilgröße genau an einem anderen und teilen sich dessen Knoten: {vertices:entities}.</translation>
     </message>
     <message>
       <source>What matters</source>
@@ -504,7 +552,7 @@
     </message>
     <message>
       <source>a live result</source>
-      <translation>ein Live-Ergebnis</translation>
+      <translation>ein mitlaufendes Ergebnis</translation>
     </message>
     <message>
       <source>a mesh of FeatureMesh</source>
@@ -607,6 +655,10 @@
       <translation>davor und danach</translation>
     </message>
     <message>
+      <source>being solved for the first time</source>
+      <translation>wird zum ersten Mal gelöst</translation>
+    </message>
+    <message>
       <source>boolean</source>
       <translation>boolesch</translation>
     </message>
@@ -679,6 +731,10 @@
       <translation>Dateien von Studien brauchen Python 3.11 oder neuer, das dieses FreeCAD nicht hat</translation>
     </message>
     <message>
+      <source>first solution: %s</source>
+      <translation>erste Lösung: %s</translation>
+    </message>
+    <message>
       <source>first-order index</source>
       <translation>Index erster Ordnung</translation>
     </message>
@@ -697,6 +753,10 @@
     <message>
       <source>from the portable zip</source>
       <translation>aus dem portablen ZIP-Archiv</translation>
+    </message>
+    <message>
+      <source>grey: new nodes, which have no value from before</source>
+      <translation>grau: neue Knoten, für die es keinen früheren Wert gibt</translation>
     </message>
     <message>
       <source>in FreeCAD's process</source>
@@ -732,11 +792,11 @@
     </message>
     <message>
       <source>it ended at once</source>
-      <translation>er hat sofort geendet</translation>
+      <translation>er hat sich sofort beendet</translation>
     </message>
     <message>
       <source>it ended with code {code:count}</source>
-      <translation>er hat mit dem Rückgabewert {code:count} geendet</translation>
+      <translation>er endete mit dem Rückgabewert {code:count}</translation>
     </message>
     <message>
       <source>it lacks its {part:text}</source>
@@ -814,7 +874,7 @@
     </message>
     <message>
       <source>no element of {mesh:text} was kept: it was meshed from scratch, or not updated since the document was opened. Edit the part first</source>
-      <translation>von {mesh:text} blieb kein Element: Das Netz wurde von Grund auf neu gemacht oder seit dem Öffnen des Dokuments nicht aktualisiert. Erst das Teil bearbeiten</translation>
+      <translation>von {mesh:text} blieb kein Element: Es wurde vollständig neu vernetzt oder seit dem Öffnen des Dokuments nicht aktualisiert. Zuerst das Bauteil ändern</translation>
     </message>
     <message>
       <source>no support has a reaction</source>
@@ -843,6 +903,14 @@
     <message>
       <source>not solved</source>
       <translation>nicht gelöst</translation>
+    </message>
+    <message>
+      <source>not solved yet</source>
+      <translation>noch nicht gelöst</translation>
+    </message>
+    <message>
+      <source>not solved: solving was cancelled</source>
+      <translation>nicht gelöst: das Lösen wurde abgebrochen</translation>
     </message>
     <message>
       <source>nothing is varied: every parameter has one value only</source>
@@ -914,7 +982,7 @@
     </message>
     <message>
       <source>several parts are selected, select one, or the container of those to mesh: {parts:text}</source>
-      <translation>mehrere Teile sind gewählt, eines auswählen oder den Behälter derer, die vernetzt werden sollen: {parts:text}</translation>
+      <translation>mehrere Bauteile sind ausgewählt; eines auswählen oder den Container derer, die zu vernetzen sind: {parts:text}</translation>
     </message>
     <message>
       <source>shape</source>
@@ -962,7 +1030,7 @@
     </message>
     <message>
       <source>the analysis gives no {what:messages}</source>
-      <translation>die Analyse ergibt keine Werte für: {what:messages}</translation>
+      <translation>die Analyse liefert keine Werte für: {what:messages}</translation>
     </message>
     <message>
       <source>the analysis {analysis:text} has another mesh than {mesh:text}</source>
@@ -1041,8 +1109,8 @@
       <translation>die Masse eines Balkens mit dem Querschnitt {section:text} von {member:text} ist nicht bekannt</translation>
     </message>
     <message>
-      <source>the material {material:text} has no density</source>
-      <translation>der Werkstoff {material:text} hat keine Dichte</translation>
+      <source>the material {material:text} has no density; give it one</source>
+      <translation>der Werkstoff {material:text} hat keine Dichte; ihm eine geben</translation>
     </message>
     <message>
       <source>the memory limit of a case is more than 0 GB, not {gigabytes:number}; leave it out where the whole machine may be used</source>
@@ -1074,7 +1142,7 @@
     </message>
     <message>
       <source>the range of {name:text} has to rise, not {low:number}:{high:number}; write its low end first</source>
-      <translation>der Bereich von {name:text} muss steigen, nicht {low:number}:{high:number}; das untere Ende zuerst schreiben</translation>
+      <translation>der Bereich von {name:text} muss ansteigen, nicht {low:number}:{high:number}; das untere Ende zuerst schreiben</translation>
     </message>
     <message>
       <source>the response</source>
@@ -1159,6 +1227,10 @@
     <message>
       <source>the time limit of a case is more than 0 s, not {seconds:number}</source>
       <translation>die Zeitgrenze eines Falls ist größer als 0 s, nicht {seconds:number}</translation>
+    </message>
+    <message>
+      <source>the two parts look unrelated: they have no feature name in common; compare two states of one part</source>
+      <translation>die beiden Bauteile haben wohl nichts miteinander zu tun: Kein Name eines Formelements kommt in beiden vor; zwei Stände eines Bauteils vergleichen</translation>
     </message>
     <message>
       <source>the values of {parameter:text} are numbers, or words, all of them</source>
@@ -1289,6 +1361,10 @@
       <translation>{elements:count} {elements:Element|Elemente} fast ohne Volumen {elements:bleibt|bleiben} bei {faces:entities}; dort feiner vernetzen, oder weglassen, was viel kleiner als der Rest des Bauteils ist</translation>
     </message>
     <message>
+      <source>{feature:text}: its link to {object:text} leads to nothing</source>
+      <translation>{feature:text}: die Verknüpfung mit {object:text} führt ins Leere</translation>
+    </message>
+    <message>
       <source>{format:text} would lose the beams of this mesh; export it as inp, vtu, vtk, msh, unv or med</source>
       <translation>{format:text} würde die Balken dieses Netzes verlieren; es als inp, vtu, vtk, msh, unv oder med exportieren</translation>
     </message>
@@ -1305,12 +1381,20 @@
       <translation>{kind:messages}, {error:text} ({percent:text} % der Spannweite)</translation>
     </message>
     <message>
+      <source>{live:text} belongs to no analysis; drag it into one</source>
+      <translation>{live:text} gehört zu keiner Analyse; es in eine ziehen</translation>
+    </message>
+    <message>
       <source>{member:text} did not arrive on the disk whole; is it full?</source>
       <translation>{member:text} kam nicht vollständig auf der Platte an; ist sie voll?</translation>
     </message>
     <message>
       <source>{mesh:text} and {analysis:text} are in two documents; an analysis is solved with a mesh of its own document</source>
       <translation>{mesh:text} und {analysis:text} sind in zwei Dokumenten; eine Analyse wird mit einem Netz ihres eigenen Dokuments gelöst</translation>
+    </message>
+    <message>
+      <source>{mesh:text} has no mesh yet; recompute the document first</source>
+      <translation>{mesh:text} hat noch kein Netz; zuerst das Dokument neu berechnen</translation>
     </message>
     <message>
       <source>{nodes:count} {nodes:boundary node is|boundary nodes are} off the surface</source>
@@ -1338,7 +1422,7 @@
     </message>
     <message>
       <source>{object:text} is no live result</source>
-      <translation>{object:text} ist kein Live-Ergebnis</translation>
+      <translation>{object:text} ist kein mitlaufendes Ergebnis</translation>
     </message>
     <message>
       <source>{object:text} is no mesh of FeatureMesh</source>
@@ -1385,10 +1469,6 @@
       <translation>%s an %s</translation>
     </message>
     <message>
-      <source>{live:text} belongs to no analysis</source>
-      <translation>{live:text} gehört zu keiner Analyse</translation>
-    </message>
-    <message>
       <source>{mesh:text} cannot be renumbered: {why:messages}</source>
       <translation>{mesh:text} kann nicht neu nummeriert werden: {why:messages}</translation>
     </message>
@@ -1423,10 +1503,6 @@
     <message>
       <source>{analysis:text} has no mesh of FeatureMesh to copy along</source>
       <translation>{analysis:text} hat kein Netz von FeatureMesh, das mitkopiert werden könnte</translation>
-    </message>
-    <message>
-      <source>{mesh:text} has no mesh yet</source>
-      <translation>{mesh:text} hat noch kein Netz</translation>
     </message>
     <message>
       <source>%s has no mesh; let it share %s (api.share_mesh), or give it one of its own</source>
@@ -1529,6 +1605,10 @@
       <translation>{place:text}, wo nach einer Zielgröße gefragt ist, gibt es nicht mehr</translation>
     </message>
     <message>
+      <source>{pressure:text} presses on {face:entities}, which lies between two solids; choose an outer face</source>
+      <translation>{pressure:text} drückt auf {face:entities}, die zwischen zwei Volumenkörpern liegt; eine Außenfläche wählen</translation>
+    </message>
+    <message>
       <source>{property:text} has to be 0 mm or more, not {value:number}</source>
       <translation>{property:text} muss 0 mm oder mehr sein, nicht {value:number}</translation>
     </message>
@@ -1558,7 +1638,7 @@
     </message>
     <message>
       <source>{script:text} ended with {code:text}</source>
-      <translation>{script:text} hat mit {code:text} geendet</translation>
+      <translation>{script:text} endete mit {code:text}</translation>
     </message>
     <message>
       <source>{sides:count} {sides:side between faces follows|sides between faces follow} no edge</source>
@@ -1566,7 +1646,7 @@
     </message>
     <message>
       <source>{sides:count} {sides:side|sides} of 10-node tetrahedra at {places:entities} {sides:is|are} straight, with {sides:its middle|their middles} up to {distance:length} off the part, because elements would be folded if {sides:it|they} followed it. FreeCAD does not find these nodes on the face, so a load on it lacks the elements there. Ask for another size there.</source>
-      <translation>{sides:count} {sides:Seite|Seiten} von 10-Knoten-Tetraedern bei {places:entities} {sides:ist|sind} gerade, {sides:ihre Mitte|ihre Mitten} bis zu {distance:length} neben dem Teil, weil Elemente gefaltet würden, wenn {sides:sie ihm folgte|sie ihm folgten}. FreeCAD findet diese Knoten nicht auf der Fläche, so dass einer Last darauf die Elemente dort fehlen. Dort eine andere Größe wählen.</translation>
+      <translation>{sides:count} {sides:Seite|Seiten} von 10-Knoten-Tetraedern bei {places:entities} {sides:ist|sind} gerade, {sides:ihre Mitte|ihre Mitten} bis zu {distance:length} neben dem Bauteil, weil Elemente gefaltet würden, wenn {sides:sie ihm folgte|sie ihm folgten}. FreeCAD findet diese Knoten nicht auf der Fläche, so dass einer Last darauf die Elemente dort fehlen. Dort eine andere Größe wählen.</translation>
     </message>
     <message>
       <source>{study:text} has no part</source>
@@ -1602,7 +1682,7 @@
     </message>
     <message>
       <source>%s in its place</source>
-      <translation>%s an ihrem Ort</translation>
+      <translation>%s an Ort und Stelle</translation>
     </message>
     <message>
       <source>%s is %s; update it before solving</source>
@@ -1623,6 +1703,10 @@
     <message>
       <source>{analysis:text} is no analysis</source>
       <translation>{analysis:text} ist keine Analyse</translation>
+    </message>
+    <message>
+      <source>{support:text} gives nodes another displacement than a support before it; let one of the two hold them</source>
+      <translation>{support:text} gibt Knoten eine andere Verschiebung als ein Lager davor; nur eines der beiden dort halten lassen</translation>
     </message>
     <message>
       <source>{target:text} cannot be {value:text}, only one of: {known:text}</source>
@@ -1749,20 +1833,12 @@
       <translation>Ein Netz, das dem Bauteil folgt</translation>
     </message>
     <message>
-      <source>A part of the mesh has no material.</source>
-      <translation>Ein Teil des Netzes hat keinen Werkstoff.</translation>
-    </message>
-    <message>
       <source>A size of {size:length} would make about {millions:count} million elements; at most {most:count} million are made. Choose a larger size.</source>
       <translation>Eine Größe von {size:length} ergäbe etwa {millions:count} Millionen Elemente; höchstens {most:count} Millionen werden gemacht. Eine größere Größe wählen.</translation>
     </message>
     <message>
       <source>About FeatureMesh</source>
       <translation>Über FeatureMesh</translation>
-    </message>
-    <message>
-      <source>Across gaps</source>
-      <translation>In Wänden</translation>
     </message>
     <message>
       <source>Add another mesh</source>
@@ -1775,10 +1851,6 @@
     <message>
       <source>Add cases</source>
       <translation>Fälle hinzufügen</translation>
-    </message>
-    <message>
-      <source>An adopted mesh keeps its element order.</source>
-      <translation>Ein übernommenes Netz behält seine Elementordnung.</translation>
     </message>
     <message>
       <source>Analysis</source>
@@ -1822,7 +1894,7 @@
     </message>
     <message>
       <source>CalculiX gave no result for {analysis:text}</source>
-      <translation>CalculiX ergab kein Ergebnis für {analysis:text}</translation>
+      <translation>CalculiX lieferte kein Ergebnis für {analysis:text}</translation>
     </message>
     <message>
       <source>Cancel</source>
@@ -1843,10 +1915,6 @@
     <message>
       <source>Check the shape there (Part: Check geometry), mesh from scratch, or try another size.</source>
       <translation>Die Form dort prüfen (Part: Geometrie prüfen), vollständig neu vernetzen oder eine andere Größe versuchen.</translation>
-    </message>
-    <message>
-      <source>Chosen</source>
-      <translation>Versuchsplan</translation>
     </message>
     <message>
       <source>Colours</source>
@@ -2001,10 +2069,6 @@
       <translation>Weglassen unter</translation>
     </message>
     <message>
-      <source>In the place of another vertex within a millionth of the part, with which they share a node: {vertices:entities}.</source>
-      <translation>An der Stelle eines anderen Eckpunkts, auf ein Millionstel des Bauteils genau, mit dem sie einen Knoten teilen: {vertices:entities}.</translation>
-    </message>
-    <message>
       <source>Kept elements</source>
       <translation>Behaltene Elemente</translation>
     </message>
@@ -2063,10 +2127,6 @@
     <message>
       <source>Meshed finer than asked, because a face beside it would cross itself: {edges:entities}.</source>
       <translation>Feiner vernetzt als gewünscht, weil sich eine Fläche daneben selbst kreuzen würde: {edges:entities}.</translation>
-    </message>
-    <message>
-      <source>Nearer to another vertex than {distance:length}, so that they share its node: {vertices:entities}.</source>
-      <translation>Näher als {distance:length} an einem anderen Eckpunkt, sodass sie dessen Knoten haben: {vertices:entities}.</translation>
     </message>
     <message>
       <source>New elements</source>
@@ -2265,12 +2325,8 @@
       <translation>Der Geometriekern ist beim Vernetzen gescheitert: {why:text}. Eine andere Größe versuchen, oder die Form prüfen (Part: Geometrie prüfen).</translation>
     </message>
     <message>
-      <source>The geometry kernel failed: {why:text}</source>
-      <translation>Der Geometriekern ist gescheitert: {why:text}</translation>
-    </message>
-    <message>
       <source>The growth rate is {growth:number}; it must be at least 1 (1.3 is usual).</source>
-      <translation>Das Wachstum ist {growth:number}; es muss mindestens 1 sein (üblich ist 1.3).</translation>
+      <translation>Das Wachstum ist {growth:number}; es muss mindestens 1 sein (üblich ist 1,3).</translation>
     </message>
     <message>
       <source>The kept nodes of {edge:entities} are not in the order of the edge. Mesh the part from scratch.</source>
@@ -2333,20 +2389,8 @@
       <translation>Das Netz liegt in keiner Analyse: %s hat schon %s, und eine Analyse wird mit einem Netz gelöst.</translation>
     </message>
     <message>
-      <source>The mesh is not valid: {finding:messages} (and {more:count} more).</source>
-      <translation>Das Netz ist nicht gültig: {finding:messages} (und {more:count} weitere).</translation>
-    </message>
-    <message>
       <source>The mesh is joined where these faces of one solid lie on one another: {faces:entities}.</source>
       <translation>Das Netz ist verbunden, wo diese Flächen eines Volumenkörpers aufeinanderliegen: {faces:entities}.</translation>
-    </message>
-    <message>
-      <source>The mesh is not valid: {finding:messages}.</source>
-      <translation>Das Netz ist nicht gültig: {finding:messages}.</translation>
-    </message>
-    <message>
-      <source>The mesh is too fine for the live solver, whose matrix would have more than 2 billion entries.</source>
-      <translation>Das Netz ist zu fein für den mitlaufenden Löser, dessen Matrix mehr als 2 Milliarden Einträge hätte.</translation>
     </message>
     <message>
       <source>The mesh size is {size:length}; it must be larger than zero. The part is {part:extent}.</source>
@@ -2355,10 +2399,6 @@
     <message>
       <source>The mesh size of {size:length} is larger than the part, which is {part:extent}. Ask for a smaller size.</source>
       <translation>Die Elementgröße von {size:length} ist größer als das Bauteil, es misst {part:extent}. Eine kleinere Größe wählen.</translation>
-    </message>
-    <message>
-      <source>The number of elements across gaps is {asked:number}; it must not be negative (0 turns it off).</source>
-      <translation>Die Zahl der Elemente in Wänden ist {asked:number}; sie darf nicht negativ sein (0 schaltet ab).</translation>
     </message>
     <message>
       <source>The number of elements per circle is {asked:number}; it must not be negative (0 turns it off).</source>
@@ -2402,7 +2442,7 @@
     </message>
     <message>
       <source>The refinement {zone:text} grows to {outer:length} over {over:length}, not over {asked:length}: neighbouring elements may differ by a factor of {growth:number} at most (Growth).</source>
-      <translation>Die Verfeinerung {zone:text} wächst auf {outer:length} über {over:length}, nicht über {asked:length}: benachbarte Elemente dürfen sich höchstens um den Faktor {growth:number} unterscheiden (Growth).</translation>
+      <translation>Die Verfeinerung {zone:text} wächst erst auf einer Strecke von {over:length} auf {outer:length}, nicht schon auf {asked:length}: Benachbarte Elemente dürfen sich höchstens um den Faktor {growth:number} unterscheiden (Growth).</translation>
     </message>
     <message>
       <source>The refinement {zone:text} has a height of {height:length}; it must be larger than zero.</source>
@@ -2550,15 +2590,11 @@
     </message>
     <message>
       <source>These faces touch or cross without sharing edges: {pairs:messages}. Each sheet has a mesh of its own, and no load passes between them. If that is not meant, join them (Part: Boolean Fragments).</source>
-      <translation>Diese Flächen berühren oder schneiden sich, ohne Kanten zu teilen: {pairs:messages}. Jede Schale hat ein eigenes Netz, und zwischen ihnen wird keine Last übertragen. Wenn das nicht gemeint ist, sie verbinden (Part: Boolesche Fragmente).</translation>
+      <translation>Diese Flächen berühren oder schneiden sich, ohne Kanten zu teilen: {pairs:messages}. Jede Schale hat ein eigenes Netz, und zwischen ihnen wird keine Last übertragen. Wenn das nicht gewollt ist, sie verbinden (Part: Boolesche Fragmente).</translation>
     </message>
     <message>
       <source>These shells and beams lie inside a solid and share no nodes with it there: {places:messages}. No load passes between them. Divide the solid along them (Part: Boolean Fragments).</source>
       <translation>Diese Schalen und Balken liegen in einem Volumenkörper und haben dort keine Knoten mit ihm gemeinsam: {places:messages}. Zwischen ihnen wird keine Last übertragen. Den Volumenkörper an ihnen teilen (Part: Boolesche Fragmente).</translation>
-    </message>
-    <message>
-      <source>These solids touch or overlap without sharing faces: {solids:messages} ({faces:messages}). Each has a mesh of its own: no load passes between them but by ties and contacts, and where they overlap the material counts twice. If that is not meant, fuse them or join them (Part: Boolean Fragments).</source>
-      <translation>Diese Volumenkörper berühren oder überlappen sich, ohne Flächen zu teilen: {solids:messages} ({faces:messages}). Jeder hat ein eigenes Netz: Zwischen ihnen geht außer durch Verbindungen (Tie) und Kontakte keine Last über, und wo sie sich überlappen, zählt der Werkstoff doppelt. Wenn das nicht gemeint ist, vereinigen oder verbinden (Part: Boolesche Fragmente).</translation>
     </message>
     <message>
       <source>Threads</source>
@@ -2866,7 +2902,7 @@
     </message>
     <message>
       <source>ended</source>
-      <translation>hat geendet</translation>
+      <translation>hat sich beendet</translation>
     </message>
     <message>
       <source>estimating the mesh of %s</source>
@@ -3014,7 +3050,7 @@
     </message>
     <message>
       <source>largest: {value:text} on {place:text}, node {node:count} at {point:point}; displacements drawn {times:number} times</source>
-      <translation>am größten: {value:text} auf {place:text}, Knoten {node:count} bei {point:point}; Verschiebungen {times:number}-fach gezeichnet</translation>
+      <translation>am größten: {value:text} auf {place:text}, Knoten {node:count} bei {point:point}; Verschiebungen {times:number}-fach überhöht gezeichnet</translation>
     </message>
     <message>
       <source>let the Addon Manager install %s, or type `%s`, or unpack FeatureMesh's portable zip into %s</source>
@@ -3478,7 +3514,7 @@
     </message>
     <message>
       <source>the range of {target:text} has to rise</source>
-      <translation>der Bereich von {target:text} muss steigen</translation>
+      <translation>der Bereich von {target:text} muss ansteigen</translation>
     </message>
     <message>
       <source>the refinement {refinement:text} refers to {place:text}, which is not on {part:text}; refer to faces of that one</source>
@@ -3535,10 +3571,6 @@
     <message>
       <source>the surface mesh does not close at {place:entities}; check the shape there, or try another size</source>
       <translation>das Oberflächennetz schließt sich nicht bei {place:entities}; dort die Form prüfen, oder eine andere Größe versuchen</translation>
-    </message>
-    <message>
-      <source>the two parts look unrelated: they have no feature name in common</source>
-      <translation>die beiden Bauteile haben wohl nichts miteinander zu tun: Kein Name eines Formelements kommt in beiden vor</translation>
     </message>
     <message>
       <source>the two states of the part cannot be compared ({why:text}); check the geometry of the new shape, or mesh it from scratch</source>
@@ -3761,10 +3793,6 @@
       <translation>{feature:text}: hat keinen Volumenkörper, also ist die Wirkung unbekannt, und es gilt als geändert</translation>
     </message>
     <message>
-      <source>{feature:text}: its link to {object:text} dangles</source>
-      <translation>{feature:text}: die Verknüpfung mit {object:text} führt ins Leere</translation>
-    </message>
-    <message>
       <source>{feature:text}: its operand {operand:text} has no solid and is left out</source>
       <translation>{feature:text}: der Operand {operand:text} hat keinen Volumenkörper und wird weggelassen</translation>
     </message>
@@ -3881,20 +3909,12 @@
       <translation>{one:messages} und {other:messages}</translation>
     </message>
     <message>
-      <source>{pressure:text} presses on {face:entities}, which lies between two solids</source>
-      <translation>{pressure:text} drückt auf {face:entities}, die zwischen zwei Volumenkörpern liegt</translation>
-    </message>
-    <message>
       <source>{solid:entities} has no positive volume. Its faces point inwards or cross each other; check the feature that made it (Part: Check geometry).</source>
       <translation>{solid:entities} hat kein positives Volumen. Seine Flächen zeigen nach innen oder kreuzen einander; das Formelement prüfen, das ihn erzeugt hat (Part: Geometrie prüfen).</translation>
     </message>
     <message>
       <source>{solid:entities} has {elements:volume} of elements, not {wanted:volume}</source>
       <translation>{solid:entities} hat {elements:volume} an Elementen, nicht {wanted:volume}</translation>
-    </message>
-    <message>
-      <source>{support:text} gives nodes another displacement than a support before it</source>
-      <translation>{support:text} gibt Knoten eine andere Verschiebung als ein Lager davor</translation>
     </message>
     <message>
       <source>{triangle:messages} has {solid:messages} before it, not {wanted:messages}</source>
@@ -3933,12 +3953,12 @@
       <translation>{version:text}, {came:messages}, in {folder:text}</translation>
     </message>
     <message>
-      <source>{weight:text} has no direction</source>
-      <translation>{weight:text} hat keine Richtung</translation>
+      <source>{weight:text} has no direction; give it one</source>
+      <translation>{weight:text} hat keine Richtung; ihm eine geben</translation>
     </message>
     <message>
-      <source>{weight:text} needs the density of every material</source>
-      <translation>{weight:text} braucht die Dichte jedes Werkstoffs</translation>
+      <source>{weight:text} needs the density of every material; give each of them one</source>
+      <translation>{weight:text} braucht die Dichte jedes Werkstoffs; jedem eine geben</translation>
     </message>
     <message>
       <source>{what:messages} {text:text} cannot be evaluated: {why:messages}; it may use {names:text}</source>
