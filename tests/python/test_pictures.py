@@ -42,6 +42,11 @@ class Differences(unittest.TestCase):
         self.assertEqual(difference_picture.verdicts_by_face(self.SIDE, changes, "old_face"), ["kept", "vanished"])
         self.assertEqual(difference_picture.verdicts_by_face(self.SIDE, changes, "new_face"), ["appeared", "kept"])
 
+    def test_the_legend_names_what_is_drawn_and_the_glass(self):
+        labels = dict((label, colour) for colour, label in difference_picture.legend_of((["kept", "vanished"], ["kept", "kept"])))
+        self.assertEqual(list(labels), ["kept, drawn as glass", "vanished"])
+        self.assertEqual(labels["vanished"], difference_picture.COLOURS["vanished"])
+
     def test_the_view_shows_the_changed_faces(self):
         from_above = difference_picture.best_direction([(self.SIDE, ["vanished", "kept"])])
         from_below = difference_picture.best_direction([(self.SIDE, ["kept", "vanished"])])

@@ -16,6 +16,8 @@ import pictures
 COLOURS = {"kept": "#a9bfd1", "vanished": "#d9605a", "appeared": "#3f9d6d", "trimmed differently": "#f2994a"}
 # Kept faces are glass, so that the walls of a hole can be seen from outside.
 KEPT_OPACITY = 0.35
+# Through glass everything is seen paler, or greyer, than the legend has it.
+_LABELS = {"kept": "kept, drawn as glass"}
 _DIRECTIONS = [(x, y, z) for z in (-0.75, 0.75) for x, y in ((-0.45, -1), (0.45, -1), (-0.45, 1), (0.45, 1), (-1, -0.45), (1, 0.45))]
 
 
@@ -26,8 +28,12 @@ def write(path, old, new, changes):
     with pictures.off_screen():
         panels = [(title, _draw(side, faces, direction)) for title, side, faces in
                   zip(("before", "after"), (old, new), verdicts)]
-    shown = [verdict for verdict in COLOURS if any(verdict in faces for faces in verdicts)]
-    pictures.write_panels(path, panels, legend=[(COLOURS[verdict], verdict) for verdict in shown])
+    pictures.write_panels(path, panels, legend=legend_of(verdicts))
+
+
+def legend_of(verdicts):
+    """(colour, label) of each verdict that a face of either side has."""
+    return [(colour, _LABELS.get(verdict, verdict)) for verdict, colour in COLOURS.items() if any(verdict in faces for faces in verdicts)]
 
 
 def verdicts_by_face(side, changes, key):
