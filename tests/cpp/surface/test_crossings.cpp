@@ -11,6 +11,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Wire.hxx>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -52,6 +53,29 @@ TEST_CASE("triangles cross when they have more in common than their shared nodes
     CHECK(crossings_of(triangles_at(points, {{0, 1, 2}, {1, 0, 6}})) == 0);
     CHECK(crossings_of(triangles_at(points, {{0, 1, 2}, {0, 1, 7}})) == 1);
     CHECK(crossings_of(triangles_at(points, {{0, 1, 2}, {2, 1, 0}})) == 1);
+}
+
+TEST_CASE("of the pairs that cross those with a new triangle are found, the new one first") {
+    // a fan through the axis of the cylinder, whose triangles on its wall do not lie in it: each crosses each other
+    std::vector<Vec3> points;
+    std::vector<std::array<int, 3>> corners;
+    for (int i = 0; i < 6; ++i) {
+        const double angle = 0.5 * i, x = std::cos(angle), y = std::sin(angle);
+        for (const Vec3& p : {Vec3{-x, -y, 0.1 * i}, Vec3{x, y, -0.1 * i}, Vec3{0, 0, 5}}) points.push_back(p);
+        corners.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    Mesh mesh = triangles_at(points, corners);
+    const Brep brep(BRepPrimAPI_MakeCylinder(1, 1).Shape());
+    for (std::size_t t = 0; t < corners.size(); ++t) mesh.triangle_faces[t] = FaceId(t % brep.face_count());
+    RunContext context;
+    const auto all = crossing_triangles(brep, mesh, 0, context).within;
+    REQUIRE(all.size() > 6);
+    for (std::size_t first_new = 1; first_new <= corners.size(); ++first_new) {
+        auto wanted = all, found = crossing_triangles(brep, mesh, first_new, context).within;
+        std::erase_if(wanted, [&](const auto& pair) { return pair[0].index() < first_new; });
+        std::sort(wanted.begin(), wanted.end()), std::sort(found.begin(), found.end());
+        CHECK(found == wanted);
+    }
 }
 
 TEST_CASE("a thin tube is meshed finer than asked where its walls would cross") {
