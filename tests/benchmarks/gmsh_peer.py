@@ -16,13 +16,12 @@ TET, NODES_OF = 4, {1: 2, 2: 3, 4: 4, 15: 1}
 
 
 def mesh_with_gmsh(name, brep, size, threads, limit_seconds=600):
-    """Wall seconds of the whole process (reading, meshing, writing), its largest memory in MB, and the mesh: (seconds, megabytes, points, tets)."""
+    """What the whole process used (reading, meshing, writing), and the mesh: (Used, points, tets)."""
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "mesh.msh"
         command = ["gmsh", str(brep), "-3", "-algo", ALGORITHMS[name], "-clmin", str(size), "-clmax", str(size), "-nt", str(threads),
                    "-format", "msh22", "-bin", "-o", str(out), "-v", "1"]
-        seconds, megabytes = run_measured(command, out, limit_seconds)
-        return seconds, megabytes, *read_msh(out)
+        return run_measured(command, out, limit_seconds), *read_msh(out)
 
 
 def read_msh(path):

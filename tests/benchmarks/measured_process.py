@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A program run once in a process of its own, so that its time and its memory are its own.
 
-measured_process.py OUT.json COMMAND...: runs the command and writes its wall seconds and its largest resident memory. A process starts with
-the memory of the one it came from on its account, so this small one stands between the benchmark and what is measured.
+measured_process.py OUT.json COMMAND...: runs the command and writes what it used (Used). A process starts with the memory of the one it came
+from on its account, so this small one stands between the benchmark and what is measured.
 """
 import json
 import resource
@@ -11,17 +11,24 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from typing import NamedTuple
+
+
+class Used(NamedTuple):
+    seconds: float              # by the clock
+    processor_seconds: float
+    megabytes: float            # the largest resident memory
 
 
 def run_measured(command, out, limit_seconds, environment=None):
-    """(wall seconds, largest resident memory in MB) of a command that writes the file `out`; RuntimeError when it does not."""
+    """What a command used that writes the file `out`; RuntimeError when it does not."""
     with tempfile.TemporaryDirectory() as folder:
         figures = Path(folder) / "figures.json"
         done = subprocess.run([sys.executable, __file__, str(figures), str(limit_seconds), *command], cwd=Path(out).parent, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, env=environment)
         if done.returncode or not Path(out).is_file():
             raise RuntimeError(f"{Path(command[0]).name} gave no mesh within {limit_seconds} s: {done.stdout.decode(errors='replace')[-300:]}")
-        return json.loads(figures.read_text(encoding="utf-8"))
+        return Used(*json.loads(figures.read_text(encoding="utf-8")))
 
 
 def measure(figures, limit_seconds, *command):
@@ -31,7 +38,8 @@ def measure(figures, limit_seconds, *command):
     except subprocess.TimeoutExpired:
         return 1
     seconds = time.perf_counter() - start
-    Path(figures).write_text(json.dumps((seconds, resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024)), encoding="utf-8")
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    Path(figures).write_text(json.dumps(Used(seconds, used.ru_utime + used.ru_stime, used.ru_maxrss / 1024)), encoding="utf-8")
     return code
 
 

@@ -24,9 +24,9 @@ np.savez(sys.argv[3], points=points, tets=tets)
 
 
 def mesh_with_netgen(step, size, limit_seconds=1800):
-    """Wall seconds of the whole process (reading, meshing, writing), its largest memory in MB, and the mesh: (seconds, megabytes, points, tets)."""
+    """What the whole process used (reading, meshing, writing), and the mesh: (Used, points, tets)."""
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "mesh.npz"
-        seconds, megabytes = run_measured([sys.executable, "-c", PROGRAM, str(step), str(size), str(out)], out, limit_seconds)
+        used = run_measured([sys.executable, "-c", PROGRAM, str(step), str(size), str(out)], out, limit_seconds)
         with np.load(out) as mesh:
-            return seconds, megabytes, mesh["points"], mesh["tets"]
+            return used, mesh["points"], mesh["tets"]

@@ -187,7 +187,7 @@ def memory_of_a_full_mesh(folder, size, threads):
     out = folder / "once.json"
     command = [sys.executable, str(Path(__file__).parent / "mesh_once.py"), str(folder / "new.json"), str(size), str(threads), str(out)]
     engine = {**os.environ, "PYTHONPATH": str(ROOT / "build" / "release" / "bindings")}
-    return run_measured(command, out, limit_seconds=600, environment=engine)[1]
+    return run_measured(command, out, limit_seconds=600, environment=engine).megabytes
 
 
 def seconds_of_a_query(case, folder, count=1_000_000):
@@ -225,12 +225,12 @@ def seconds_of_cells(folder, reading):
 
 def add_peer_round(rows, peer, mesh_once):
     try:
-        seconds, megabytes, points, tets = mesh_once()
+        used, points, tets = mesh_once()
     except RuntimeError as error:
         print(f"  {peer}: {error}", file=sys.stderr)
         return
-    figures = {"tets": len(tets), "peak_memory_mb": megabytes} | ({} if peer in rows else quality_of(points, tets))
-    add_round(rows, peer, seconds, figures)
+    figures = {"tets": len(tets), "peak_memory_mb": used.megabytes} | ({} if peer in rows else quality_of(points, tets))
+    add_round(rows, peer, used.seconds, figures)
 
 
 def add_round(rows, who, seconds, figures):

@@ -14,6 +14,7 @@ EXAMPLES = ROOT / "resources" / "examples"
 sys.path.insert(0, str(BENCH.parent))
 
 import mesh_document  # noqa: E402
+from measured_process import run_measured  # noqa: E402
 
 
 class Documents(unittest.TestCase):
@@ -49,6 +50,14 @@ class Documents(unittest.TestCase):
                 (folder / f"{number}.json").touch()
             (folder / "measured.json").touch()
             self.assertEqual([path.stem for path in mesh_document.edited(folder)], [str(number) for number in range(1, 12)])
+
+    def test_a_process_that_waits_uses_time_but_no_processor(self):
+        with tempfile.TemporaryDirectory() as name:
+            out = Path(name) / "out"
+            used = run_measured([sys.executable, "-c", f"import time; open({str(out)!r}, 'w').close(); time.sleep(1)"], out, 60)
+        self.assertGreater(used.processor_seconds, 0)
+        self.assertLess(used.processor_seconds, used.seconds - 0.9)
+        self.assertGreater(used.megabytes, 1)
 
     def test_a_folder_without_documents_is_the_users_error(self):
         with tempfile.TemporaryDirectory() as name:
