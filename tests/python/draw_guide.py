@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the user's guide's pictures of the window anew, with the bracket of the examples (first_use is drawn by drive_first_use.py):
+"""Draws the user's guide's pictures anew, with the bracket of the examples:
 
     FEATUREMESH_PICTURES=docs/pictures /usr/bin/python3 tests/python/test_window.py draw_guide.py
+
+drive_first_use.py draws those of first_use. kept.jpg, in the README, is pictures/kept.png of `./featuremesh demo`.
 """
+import base64
 import os
+import re
 import shutil
 import sys
 
@@ -39,8 +43,12 @@ def save(name, box=None, width=1000):
     hide_reports()
     spin(1)
     shot = QtGui.QGuiApplication.primaryScreen().grabWindow(0)
-    shot = shot.copy(*box) if box else shot
-    shot.scaledToWidth(width, QtCore.Qt.SmoothTransformation).save(os.path.join(window.PICTURES, name + ".jpg"), "JPG", 85)
+    write(name, shot.copy(*box) if box else shot, width)
+
+
+def write(name, picture, width):
+    """Writes a picture for the guide, of that width."""
+    picture.scaledToWidth(width, QtCore.Qt.SmoothTransformation).save(os.path.join(window.PICTURES, name + ".jpg"), "JPG", 85)
 
 
 def opened_bracket(folder):
@@ -73,11 +81,7 @@ def meshed(document):
 def draw():
     from freecad.featuremesh import versions
     from freecad.featuremesh.commands import compare
-    main = Gui.getMainWindow()
-    main.setGeometry(0, 0, 1280, 770)
-    Gui.activateWorkbench("FeatureMeshWorkbench")
-    spin()
-    window.open_dialog().close()
+    window.choose_workbench(height=770)
     folder = os.path.dirname(os.environ["FEATUREMESH_RESULT"])
     document, path = opened_bracket(folder)
     mesh, settings = meshed(document)
@@ -97,15 +101,30 @@ def draw():
     panel("KeptPanel").reject()
     spin()
     draw_live(document, mesh)
-    draw_difference(main, versions.part_of(mesh), mesh, compare.Command().show, path)
-    draw_menu(main)
+    draw_difference(versions.part_of(mesh), mesh, compare.Command().show, path)
+    draw_menu(Gui.getMainWindow())
     FreeCAD.closeDocument(document.Name)
+    draw_difference_picture(folder)
     draw_local_size(folder)
     draw_adopted(folder)
     draw_preferences()
     draw_shells()
     draw_zone()
     draw_study(folder)
+
+
+def draw_difference_picture(folder):
+    """Both states of the bracket, as `./featuremesh diff --picture` draws them."""
+    from freecad.featuremesh import api
+    before = FreeCAD.openDocument(shutil.copy(BRACKET, os.path.join(folder, "before.FCStd")))
+    after, _ = opened_bracket(folder)
+    move_hole(after, "105 mm")
+    parts = api.find_part(before), api.find_part(after)
+    path = os.path.join(folder, "difference.png")
+    api.draw_difference(*parts, api.difference(*parts), path)
+    write("difference", QtGui.QImage(path), 1400)
+    for document in (before, after):
+        FreeCAD.closeDocument(document.Name)
 
 
 def draw_local_size(folder):
@@ -233,12 +252,12 @@ def draw_zone():
     painter.drawPixmap(0, 0, before.copy(0, VIEW[1], VIEW[0] + VIEW[2], VIEW[3]))
     painter.drawPixmap(VIEW[0] + VIEW[2], 0, after)
     painter.end()
-    both.scaledToWidth(1200, QtCore.Qt.SmoothTransformation).save(os.path.join(window.PICTURES, "zone.jpg"), "JPG", 85)
+    write("zone", both, 1200)
     FreeCAD.closeDocument(document.Name)
 
 
 def draw_study(folder):
-    """The panel while a study runs, and the lines of its cases."""
+    """The panel while a study runs, the lines of its cases, and these in its report."""
     from freecad.featuremesh.gui import study_runs
     document, _ = opened_bracket(folder)
     Gui.Selection.clearSelection()
@@ -259,8 +278,22 @@ def draw_study(folder):
     place = results.geometry()
     save("study_results", (place.x(), place.y(), place.width(), place.height()), place.width())
     results.close()
+    draw_study_report(shown.study.Folder, os.path.join(folder, "report.html"))
     shown.reject()
     FreeCAD.closeDocument(document.Name)
+
+
+def draw_study_report(of_study, page):
+    """The picture of all cases in a study's report."""
+    from freecad.featuremesh.study import report
+    from freecad.featuremesh.study.folder import StudyFolder
+    study = StudyFolder(of_study)
+    report.write(study, page)
+    study.database.close()
+    with open(page, encoding="utf-8") as stream:
+        drawn, = re.findall('alt="All cases at once" src="data:image/png;base64,([^"]*)"', stream.read())
+    picture = QtGui.QImage.fromData(base64.b64decode(drawn))
+    write("study", picture, picture.width())
 
 
 def draw_live(document, mesh):
@@ -279,7 +312,7 @@ def draw_live(document, mesh):
     shown.live.ViewObject.Visibility = False
 
 
-def draw_difference(main, part, mesh, compare, path):
+def draw_difference(part, mesh, compare, path):
     """The table of what changed, its first change opened, above the part with the faces of it."""
     mesh.ViewObject.Visibility = False
     dialog = compare(part, path)

@@ -5,6 +5,8 @@ Clicks and keys go to the real widgets and the real 3D view. Run by test_window.
 film of the user's guide:
 
     FEATUREMESH_FILM=docs/pictures/first_use /usr/bin/python3 tests/python/test_window.py drive_first_use.py 1920x1080 resources/examples/bracket.FCStd
+
+FreeCAD 0.20 draws all of them but 10_freecad_1_1, which FreeCAD 1.1 draws.
 """
 import os
 import sys
@@ -23,9 +25,9 @@ WIDTH = 1100
 LOADED = FreeCAD.Vector(88, 36, 35)   # on the top of the rib
 
 
-def film(name):
-    """A picture of the film."""
-    if FILM:
+def film(name, version="0.20"):
+    """A picture of the film, by that version of FreeCAD."""
+    if FILM and ".".join(FreeCAD.Version()[:2]) == version:
         spin(1)
         shot = QtGui.QGuiApplication.primaryScreen().grabWindow(0)
         shot.scaledToWidth(WIDTH, QtCore.Qt.SmoothTransformation).save(os.path.join(FILM, name + ".jpg"), "JPG", 80)
@@ -148,6 +150,7 @@ def look_at_kept(mesh):
     close_toolbars()
     assert "%d" % mesh.KeptTets in panel("KeptPanel").labels[0].text()
     film("8_kept")
+    film("10_freecad_1_1", "1.1")
     click_in_panel("Close")
     wait_for(lambda: not Gui.Control.activeDialog())
 

@@ -148,6 +148,25 @@ class DesignNotes(unittest.TestCase):
                     self.assertTrue(name in known, f"{note.name} speaks of {name}")
         self.assertGreater(seen, 50)
 
+    def test_files_in_them_exist(self):
+        files = {str(path.relative_to(ROOT).with_suffix("")) for folder in ("src", "tests") for path in (ROOT / folder).rglob("*")}
+        seen = 0
+        for note in sorted((ROOT / "docs" / "design").glob("*.md")):
+            for quoted in re.findall(r"`((?:src/|tests/cpp/)?(?:%s)/[\w/]+)(?:\.h|\.cpp)?`" % "|".join(ORDER), note.read_text(encoding="utf-8")):
+                seen += 1
+                self.assertTrue(quoted in files or "src/" + quoted in files, f"{note.name} speaks of {quoted}")
+        self.assertGreater(seen, 20)
+
+
+class UsersGuide(unittest.TestCase):
+    def test_a_script_draws_each_of_its_pictures_and_none_is_left_over(self):
+        scripts = "".join((ROOT / "tests" / "python" / name).read_text(encoding="utf-8") for name in ("draw_guide.py", "drive_first_use.py"))
+        shown = re.findall(r"\(pictures/([\w/]+)\.jpg\)", (ROOT / "docs" / "user-guide.md").read_text(encoding="utf-8"))
+        self.assertGreater(len(shown), 20)
+        self.assertEqual([picture for picture in shown if '"%s"' % Path(picture).name not in scripts], [])
+        there = {str(path.relative_to(ROOT / "docs" / "pictures").with_suffix("")) for path in (ROOT / "docs" / "pictures").rglob("*.jpg")}
+        self.assertEqual(there - set(shown), {"kept"})   # that of the README, by `./featuremesh demo`
+
 
 class Vocabulary(unittest.TestCase):
     """The noun of a type's name is its last word, but for names such as MadeFor, Filled and CellsBefore."""
