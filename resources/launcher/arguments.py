@@ -91,7 +91,7 @@ def add_solve(subparsers):
 
 
 def add_adopt(subparsers):
-    adopt = command(subparsers, "adopt", commands.adopt, "make a mesh of Gmsh or another mesher in the document one that updates locally")
+    adopt = command(subparsers, "adopt", commands.adopt, "take over a mesh that Gmsh or another mesher made, so that it is updated locally")
     add_part(adopt)
     adopt.add_argument("--mesh", required=True, metavar="NAME", help="the FEM mesh object to adopt; it stays in the document")
     adopt.add_argument("--size", type=millimetres, metavar="H", help="edge length for what is meshed anew (default: that of the mesh)")
@@ -120,7 +120,7 @@ def add_diff(subparsers):
     diff = command(subparsers, "diff", commands.diff, "tell what changed between two documents, feature by feature")
     diff.add_argument("old", metavar="OLD.FCStd", help="the document before")
     diff.add_argument("new", metavar="NEW.FCStd", help="the document after")
-    diff.add_argument("--picture", metavar="OUT.png", help="draw both, with kept, vanished and appeared faces in colours")
+    diff.add_argument("--picture", metavar="OUT.png", help="draw both: kept faces as glass; vanished, appeared and differently cut ones in colours")
     add_object(diff)
     add_print_json(diff)
 

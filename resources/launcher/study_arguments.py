@@ -44,7 +44,7 @@ def add_resume(parts, command, _):
 
 
 def add_add(parts, command, _):
-    add = command(parts, "add", study_commands.add, "add cases to a study and run them; sequences continue")
+    add = command(parts, "add", study_commands.add, "add cases to a study and run them; those of sobol and halton go on where they stopped")
     add_folder(add)
     which = add.add_mutually_exclusive_group(required=True)
     which.add_argument("--cases", type=int, metavar="N", help="so many more of the same sampling")
