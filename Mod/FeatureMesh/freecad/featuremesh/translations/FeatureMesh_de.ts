@@ -2326,7 +2326,7 @@
     </message>
     <message>
       <source>The growth rate is {growth:number}; it must be at least 1 (1.3 is usual).</source>
-      <translation>Das Wachstum ist {growth:number}; es muss mindestens 1 sein (üblich ist 1,3).</translation>
+      <translation>Das Wachstum ist {growth:number}; es muss mindestens 1 sein (üblich ist 1.3).</translation>
     </message>
     <message>
       <source>The kept nodes of {edge:entities} are not in the order of the edge. Mesh the part from scratch.</source>
