@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "statics/coarse_level.h"
 
+#include <utility>
+
 #include "mesh/mesh.h"
 #include "mesh/second_order.h"
 
 namespace featuremesh {
 
-CoarseLevel coarse_level(const StaticsModel& model, RunContext& context) {
+namespace {
+
+SameRows of_corners(const SameRows& same, std::size_t corner_count) {
+    return {{same.row.begin(), same.row.begin() + std::ptrdiff_t(corner_count)}, same.node_now};
+}
+
+}  // namespace
+
+CoarseLevel coarse_level(const StaticsModel& model, const TetsOfNodes& around, RunContext& context, BlockMatrix earlier,
+                         const SameRows* same) {
     const Mesh& mesh = model.mesh;
     const auto corner_end = std::ptrdiff_t(mesh.corner_count);
     Mesh straight;
@@ -21,7 +32,9 @@ CoarseLevel coarse_level(const StaticsModel& model, RunContext& context) {
                               {}};
 
     CoarseLevel level;
-    level.matrix = assemble_stiffness(linear, tets_of_nodes(straight), context);
+    level.matrix =
+        same ? changed_stiffness(std::move(earlier), of_corners(*same, mesh.corner_count), linear, around, context)
+             : assemble_stiffness(linear, around, context);
     level.is_held = model.is_held;
     level.parents.resize(mesh.node_count());
     for (std::size_t node = 0; node < mesh.corner_count; ++node)

@@ -18,7 +18,9 @@ struct CoarseLevel {
     std::vector<char> is_held;                         ///< by component of the 10-node mesh; held ones get nothing
 };
 
-/// Of a model with 10-node tets.
-CoarseLevel coarse_level(const StaticsModel& model, RunContext& context);
+/// Of a model with 10-node tets. Its matrix is made of an earlier one in place where that is given; rows that are
+/// `same` in the model's matrix are so in its own, too.
+CoarseLevel coarse_level(const StaticsModel& model, const TetsOfNodes& around, RunContext& context,
+                         BlockMatrix earlier = {}, const SameRows* same = nullptr);
 
 }  // namespace featuremesh

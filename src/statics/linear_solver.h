@@ -41,6 +41,13 @@ class LinearSolver {
     /// The matrix that it solves; empty before it has one.
     virtual const BlockMatrix& matrix() const = 0;
 
+    /// Hands out the matrix and that of its coarse level, to be changed in place to those that it is carried over to.
+    /// Empty where there is none. Until it is given others nothing else may be asked for.
+    struct Matrices {
+        BlockMatrix finest, coarse;
+    };
+    virtual Matrices give_matrices() = 0;
+
     /// Moves these nodes, and no others, until the forces at them are all but balanced. `forces` are what the
     /// displacements have to balance, zero on held components, which stay where they are.
     virtual void balance_within(std::span<const std::int32_t> nodes, std::span<const double> forces,
@@ -50,7 +57,8 @@ class LinearSolver {
     virtual double energy_norm(std::span<const double> residual) = 0;
 
     /// Adds to `solution` what solves the matrix for `residual`, until the energy norm of what is left is below
-    /// `target`. Returns the iterations, or -1 when that takes more than `most_iterations`. Throws Cancelled.
+    /// `target`, or expected to be after a few fast iterations: the caller has to look. Returns the iterations, or -1
+    /// when that takes more than `most_iterations`. Throws Cancelled.
     virtual int solve(std::span<const double> residual, std::span<double> solution, double target, int most_iterations,
                       const RunContext& context) = 0;
 };

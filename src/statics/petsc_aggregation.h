@@ -55,6 +55,9 @@ class Aggregation {
         is_carried_ = true;
     }
 
+    /// Hands the matrix out, to be changed to that which this is carried over to.
+    BlockMatrix give_matrix() { return is_carried_ ? present_.give() : earlier_.give_but_rounded(); }
+
     void abandon() { multigrid_.abandon(); }
 
     void apply(Vec in, Vec out) {

@@ -55,14 +55,13 @@ class Carried {
         const BlockMatrix& blocks = system_->blocks;
         for (std::size_t i = 0; i < new_.nodes.size(); ++i) {
             const auto node = std::size_t(new_.nodes[i]);
-            const auto begin = std::size_t(blocks.starts[node]), end = std::size_t(blocks.starts[node + 1]);
-            for (std::size_t k = begin; k < end; ++k) {
+            for (std::size_t k = blocks.begin(node); k < blocks.end(node); ++k) {
                 const auto other = std::size_t(blocks.neighbours[k]);
                 if (origin_[other] < 0) continue;
                 for (std::size_t r = 0; r < 3; ++r)
                     for (std::size_t c = 0; c < 3; ++c)
                         visit(3 * i + r, 3 * other + c,
-                              blocks.values[9 * begin + r * 3 * (end - begin) + 3 * (k - begin) + c]);
+                              blocks.values[blocks.place(node, k) + r * blocks.width(node) + c]);
             }
         }
     }

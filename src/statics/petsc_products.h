@@ -152,7 +152,8 @@ class ProductsByBlocks {
             const PetscBlocks motions(asked.by, asked.height(), 6);
             if (asked.height() == 3) {
                 const BlockMatrix& matrix = asked.self->matrix_;
-                const BlockPattern pattern{3, 3, matrix.starts, matrix.neighbours};
+                BlockPattern pattern{3, 3, matrix.begins, matrix.neighbours};  // rows as assembled
+                pattern.starts.push_back(matrix.ends.back());
                 asked.self->make_of<3>(asked, product, {pattern, matrix.values.data()}, motions);
             } else {
                 const PetscBlocks stiffness(asked.of, 6, 6);
@@ -191,7 +192,7 @@ class ProductsByBlocks {
         Level& level = *levels_.back();
         const PetscScalar* values = nullptr;
         check(MatSeqAIJGetArrayRead(of, &values));
-        level.rounded = {6, 6, level.pattern.starts, level.pattern.columns, values, threads_};
+        level.rounded = {6, 6, rows_of(level.pattern.starts, level.pattern.columns), values, threads_};
         check(MatSeqAIJRestoreArrayRead(of, &values));
         attach(of, level_name, &level);
         check(MatSetOperation(of, MATOP_MULT, (void (*)(void))multiply));

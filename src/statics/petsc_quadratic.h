@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <random>
 #include <utility>
 #include <vector>
 
 #include "statics/coarse_level.h"
 #include "statics/petsc_aggregation.h"
+#include "statics/petsc_nodes_block.h"
 #include "statics/petsc_objects.h"
 #include "statics/petsc_system.h"
 #include "statics/stiffness.h"
@@ -47,6 +50,41 @@ struct Interpolation {
     }
 };
 
+/// The same numbers each time, none of which stands out.
+inline void fill_with_noise(Vec vector) {
+    std::minstd_rand random;
+    PetscInt size = 0;
+    PetscScalar* values = nullptr;
+    check(VecGetLocalSize(vector, &size));
+    check(VecGetArrayWrite(vector, &values));
+    for (PetscInt i = 0; i < size; ++i) values[i] = double(random()) / double(std::minstd_rand::max()) - 0.5;
+    check(VecRestoreArrayWrite(vector, &values));
+}
+
+/// About the largest eigenvalue of a matrix in terms of its diagonal, from below: that of ten steps of Lanczos.
+inline double largest_eigenvalue(Mat matrix) {
+    constexpr PetscInt steps = 10;
+    Owned<KSP, KSPDestroy> lanczos;
+    PC diagonal = nullptr;
+    Vector in, out;
+    check(KSPCreate(PETSC_COMM_SELF, lanczos.fresh()));
+    check(KSPSetType(lanczos, KSPCG));
+    check(KSPSetNormType(lanczos, KSP_NORM_NONE));
+    check(KSPSetComputeEigenvalues(lanczos, PETSC_TRUE));
+    check(KSPSetTolerances(lanczos, 0, 0, PETSC_DEFAULT, steps));
+    check(KSPSetOperators(lanczos, matrix, matrix));
+    check(KSPGetPC(lanczos, &diagonal));
+    check(PCSetType(diagonal, PCJACOBI));
+    check(MatCreateVecs(matrix, out.fresh(), in.fresh()));
+    fill_with_noise(in);
+    check(KSPSolve(lanczos, in, out));
+    PetscInt done = 0, found = 0;
+    std::array<PetscReal, steps> values{}, imaginary{};
+    check(KSPGetIterationNumber(lanczos, &done));
+    check(KSPComputeEigenvalues(lanczos, std::min(done, steps), values.data(), imaginary.data(), &found));
+    return *std::max_element(values.begin(), values.end());
+}
+
 /// Smooths quadratic displacements, and leaves the rest to the aggregation of the linear ones.
 class QuadraticLevel {
   public:
@@ -56,6 +94,7 @@ class QuadraticLevel {
         multigrid_.reset();
         system_.take(std::move(matrix));
         system_.round_products();
+        find_largest_eigenvalue();
         interpolation_.take(level, below.system().size());
         check(PCCreate(PETSC_COMM_SELF, multigrid_.fresh()));
         check(PCSetOptionsPrefix(multigrid_, prefix));
@@ -64,8 +103,15 @@ class QuadraticLevel {
         check(PCMGSetLevels(multigrid_, 2, nullptr));
         check(PCMGSetInterpolation(multigrid_, 1, interpolation_.matrix));
         solve_coarse_by(below);
+        smooth();
         check(PCSetFromOptions(multigrid_));
         check(PCSetUp(multigrid_));
+    }
+
+    /// Hands the matrix out, to be changed to the next one.
+    BlockMatrix give_matrix() {
+        multigrid_.reset();
+        return system_.give();
     }
 
     void reset() {
@@ -84,21 +130,55 @@ class QuadraticLevel {
   private:
     /// A few iterations there cost little beside one of quadratic displacements, and save nearly half of those.
     void solve_coarse_by(Aggregation& below) {
-        constexpr double least_share = 0.1;
-        constexpr PetscInt most = 3;
+        constexpr PetscInt iterations = 3;
         KSP coarse = nullptr;
         PC aggregation = nullptr;
         check(PCMGGetCoarseSolve(multigrid_, &coarse));
         check(KSPSetType(coarse, KSPCG));
-        check(KSPSetNormType(coarse, KSP_NORM_NATURAL));
-        check(KSPSetTolerances(coarse, least_share, 0, PETSC_DEFAULT, most));
+        check(KSPSetNormType(coarse, KSP_NORM_NONE));
+        check(KSPSetTolerances(coarse, 0, 0, PETSC_DEFAULT, iterations));
         check(KSPSetOperators(coarse, below.system().exact, below.system().exact));
         check(KSPGetPC(coarse, &aggregation));
         use_shell(aggregation, below);
     }
 
+    /// Of the matrix in terms of its diagonal. Where most rows are those of the last matrix, what is larger now belongs
+    /// to a motion at the new ones, so only these and their neighbours are looked at.
+    void find_largest_eigenvalue() {
+        const BlockMatrix& blocks = system_.blocks;
+        if (blocks.blocks_before == 0) {
+            largest_eigenvalue_ = largest_eigenvalue(system_.rounded);
+            return;
+        }
+        NodesBlock changed;
+        changed.take(blocks, nodes_by_new_rows(blocks));
+        if (changed.size() > 0) largest_eigenvalue_ = std::max(largest_eigenvalue_, largest_eigenvalue(changed.matrix));
+    }
+
+    static std::vector<std::int32_t> nodes_by_new_rows(const BlockMatrix& blocks) {
+        std::vector<char> is_by(blocks.node_count(), 0);
+        for (std::size_t node = 0; node < blocks.node_count(); ++node)
+            if (blocks.begin(node) >= blocks.blocks_before)
+                for (std::size_t k = blocks.begin(node); k < blocks.end(node); ++k)
+                    is_by[std::size_t(blocks.neighbours[k])] = 1;
+        std::vector<std::int32_t> nodes;
+        for (std::size_t node = 0; node < is_by.size(); ++node)
+            if (is_by[node]) nodes.push_back(std::int32_t(node));
+        return nodes;
+    }
+
+    /// Chebyshev's polynomials serve from a tenth of the largest eigenvalue to a tenth beyond what was found of it.
+    void smooth() {
+        constexpr double from = 0.1, to = 1.1;
+        KSP smoother = nullptr;
+        check(PCMGGetSmoother(multigrid_, 1, &smoother));
+        check(KSPSetType(smoother, KSPCHEBYSHEV));
+        check(KSPChebyshevSetEigenvalues(smoother, to * largest_eigenvalue_, from * largest_eigenvalue_));
+    }
+
     System system_;
     Interpolation interpolation_;
+    double largest_eigenvalue_ = 0;
     Preconditioner multigrid_;
 };
 

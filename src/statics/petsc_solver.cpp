@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solver by PETSc, in a library of its own.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -50,20 +51,31 @@ void start_petsc() {
         check(PetscOptionsSetValue(nullptr, (std::string("-") + Aggregation::prefix + name).c_str(), value));
 }
 
-/// When conjugate gradients stop.
+/// When conjugate gradients stop. The energy norm of what is left is known of the iteration before, since it takes the
+/// preconditioner. Where each of the last two took off half of it and more, the present one is expected to do so, too:
+/// the caller asks for the norm of what is left anyway.
 struct Stop {
     double target;
     int most_iterations;
     const RunContext* context;
     bool is_cancelled = false;
+    std::array<double, 3> norms{};  ///< the last ones, the latest first
+
+    void add(double norm) { norms = {norm, norms[0], norms[1]}; }
+
+    double expected() const {
+        constexpr double fast = 0.5;
+        const double share = std::max(norms[0] / norms[1], norms[1] / norms[2]);
+        return share <= fast ? share * norms[0] : norms[0];
+    }
 };
 
 PetscErrorCode look_whether_to_stop(KSP, PetscInt iteration, PetscReal norm, KSPConvergedReason* reason, void* data) {
     Stop& stop = *static_cast<Stop*>(data);
     *reason = KSP_CONVERGED_ITERATING;
-    if (PetscIsInfOrNanReal(norm))
+    if (PetscIsInfOrNanReal(norm) || PetscIsInfOrNanReal(stop.norms[0]))
         *reason = KSP_DIVERGED_NANORINF;
-    else if (norm <= stop.target)
+    else if (iteration > 0 && stop.expected() <= stop.target)
         *reason = KSP_CONVERGED_ATOL;
     else if (iteration >= stop.most_iterations)
         *reason = KSP_DIVERGED_ITS;
@@ -106,6 +118,12 @@ class PetscSolver final : public LinearSolver {
 
     const BlockMatrix& matrix() const override { return system().blocks; }
 
+    Matrices give_matrices() override {
+        forget_known();
+        if (!is_quadratic_) return {aggregation_.give_matrix(), {}};
+        return {quadratic_.give_matrix(), aggregation_.give_matrix()};
+    }
+
     void use_threads(int threads) override {
         aggregation_.use_threads(threads);
         quadratic_.use_threads(threads);
@@ -116,19 +134,12 @@ class PetscSolver final : public LinearSolver {
         if (nodes.empty()) return;
         NodesBlock block;
         block.take(system().blocks, {nodes.begin(), nodes.end()});
-        Vector all, resisting, b, x;
-        fill(all, displacements);
-        check(VecDuplicate(all, resisting.fresh()));
-        check(MatMult(system().exact, all, resisting));
-        check(VecCreateSeq(PETSC_COMM_SELF, PetscInt(block.size()), b.fresh()));
+        std::vector<double> left = block.resisting(system().blocks, displacements);
+        for (std::size_t i = 0; i < block.size(); ++i) left[i] = forces[block.at(i)] - left[i];
+        Vector b, x;
+        fill(b, left);
         check(VecDuplicate(b, x.fresh()));
         const PetscScalar* values = nullptr;
-        PetscScalar* to = nullptr;
-        check(VecGetArrayRead(resisting, &values));
-        check(VecGetArrayWrite(b, &to));
-        for (std::size_t i = 0; i < block.size(); ++i) to[i] = forces[block.at(i)] - values[block.at(i)];
-        check(VecRestoreArrayWrite(b, &to));
-        check(VecRestoreArrayRead(resisting, &values));
         solve_roughly(block.matrix, b, x);
         check(VecGetArrayRead(x, &values));
         for (std::size_t i = 0; i < block.size(); ++i) displacements[block.at(i)] += values[i];
@@ -149,17 +160,19 @@ class PetscSolver final : public LinearSolver {
 
     int solve(std::span<const double> residual, std::span<double> solution, double target, int most_iterations,
               const RunContext& context) override {
+        if (energy_norm(residual) <= target) return 0;
         Vector b, x;
         fill(b, residual);
         check(VecDuplicate(b, x.fresh()));
         Owned<KSP, KSPDestroy> cg;
         Preconditioner shell;
         Stop stop{target, most_iterations, &context};
+        Watched watched{*this, stop};
         check(PCCreate(PETSC_COMM_SELF, shell.fresh()));
-        use_shell(shell, *this);
+        use_shell(shell, watched);
         check(KSPCreate(PETSC_COMM_SELF, cg.fresh()));
         use_conjugate_gradients(cg);
-        check(KSPSetNormType(cg, KSP_NORM_NATURAL));
+        check(KSPSetNormType(cg, KSP_NORM_UNPRECONDITIONED));
         check(KSPSetPC(cg, shell));
         check(KSPSetOperators(cg, system().exact, system().exact));
         check(KSPSetConvergenceTest(cg, look_whether_to_stop, &stop, nullptr));
@@ -188,6 +201,19 @@ class PetscSolver final : public LinearSolver {
     }
 
   private:
+    /// Preconditions and says what the energy norm is.
+    struct Watched {
+        PetscSolver& solver;
+        Stop& stop;
+
+        void apply(Vec in, Vec out) {
+            solver.apply(in, out);
+            PetscScalar product = 0;
+            check(VecDot(in, out, &product));
+            stop.add(std::sqrt(std::abs(double(product))));
+        }
+    };
+
     /// Calls work of which PETSc's preconditioners are no more to be used when it does not come to its end.
     template <class Work>
     void whole(const Work& work) {
@@ -242,8 +268,8 @@ class PetscSolver final : public LinearSolver {
 
     void forget_known() { known_in_.reset(), known_out_.reset(); }
 
-    void fill(Vector& vector, std::span<const double> values) {
-        check(VecCreateSeq(PETSC_COMM_SELF, system().size(), vector.fresh()));
+    static void fill(Vector& vector, std::span<const double> values) {
+        check(VecCreateSeq(PETSC_COMM_SELF, PetscInt(values.size()), vector.fresh()));
         PetscScalar* to = nullptr;
         check(VecGetArrayWrite(vector, &to));
         std::copy(values.begin(), values.end(), to);

@@ -33,6 +33,23 @@ struct System {
         make_shell(exact, &System::multiply_exactly);
     }
 
+    /// Hands the matrix out, to be changed; another has to be taken before this is used again.
+    BlockMatrix give() {
+        exact.reset(), rounded.reset();
+        return std::move(blocks);
+    }
+
+    /// Hands the matrix out once it serves but as a preconditioner: its rounded products are all that this is asked for
+    /// then.
+    BlockMatrix give_but_rounded() {
+        exact.reset();
+        BlockMatrix given;
+        given.begins = blocks.begins, given.ends = blocks.ends, given.neighbours.reserve(blocks.neighbours.capacity());
+        given.neighbours = blocks.neighbours;
+        given.values = std::move(blocks.values);
+        return given;
+    }
+
     /// For a preconditioner that asks for products and the diagonal only.
     void round_products() {
         round();
@@ -47,8 +64,7 @@ struct System {
         starts_.assign(std::size_t(size()) + 1, 0);
         columns_.resize(blocks.values.size());
         for (std::size_t node = 0; node < blocks.node_count(); ++node) {
-            const auto begin = std::size_t(blocks.starts[node]), end = std::size_t(blocks.starts[node + 1]);
-            const std::size_t width = 3 * (end - begin);
+            const std::size_t begin = blocks.begin(node), width = blocks.width(node);
             for (std::size_t r = 0; r < 3; ++r) {
                 const std::size_t at = 9 * begin + r * width;
                 starts_[3 * node + r + 1] = PetscInt(at + width);
@@ -71,7 +87,10 @@ struct System {
   private:
     using Product = PetscErrorCode (*)(Mat, Vec, Vec);
 
-    void round() { rounded_ = {3, 3, blocks.starts, blocks.neighbours, blocks.values.data(), threads}; }
+    void round() {
+        rounded_.take({blocks.begins, blocks.ends, blocks.neighbours}, blocks.values.data(), threads,
+                      blocks.blocks_before);
+    }
 
     void make_shell(Matrix& shell, Product product) {
         check(MatCreateShell(PETSC_COMM_SELF, size(), size(), size(), size(), this, shell.fresh()));
@@ -107,12 +126,11 @@ struct System {
         PetscCall(VecGetArrayWrite(out, &y));
         const BlockMatrix& blocks = self->blocks;
         for (std::size_t node = 0; node < blocks.node_count(); ++node) {
-            const auto first = blocks.neighbours.begin() + blocks.starts[node];
-            const auto last = blocks.neighbours.begin() + blocks.starts[node + 1];
-            const auto at = std::size_t(std::lower_bound(first, last, std::int32_t(node)) - first);
-            const auto width = 3 * std::size_t(last - first);
+            const auto first = blocks.neighbours.begin() + blocks.begins[node];
+            const auto last = blocks.neighbours.begin() + blocks.ends[node];
+            const auto own = std::size_t(std::find(first, last, std::int32_t(node)) - blocks.neighbours.begin());
             for (std::size_t r = 0; r < 3; ++r)
-                y[3 * node + r] = blocks.values[9 * std::size_t(blocks.starts[node]) + r * width + 3 * at + r];
+                y[3 * node + r] = blocks.values[blocks.place(node, own) + r * blocks.width(node) + r];
         }
         PetscCall(VecRestoreArrayWrite(out, &y));
         return PetscErrorCode(0);
@@ -131,7 +149,7 @@ struct System {
 
     static constexpr const char* owner = "featuremesh_system";
 
-    RoundedBlocks rounded_;
+    RoundedBlocks rounded_{3, 3};
     std::vector<PetscInt> starts_, columns_;
     ProductsByBlocks products_{blocks, threads};
 };

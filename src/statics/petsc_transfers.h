@@ -27,8 +27,8 @@ class Transfer {
             for (std::size_t row = begin; row < end; ++row)
                 for (std::size_t at = down_.begin(row); at < down_.end(row); ++at) turn(blocks, has, row, at, turned);
         });
-        prolongation_ = {up_.height, up_.across, up_.starts, up_.columns, blocks.values, threads};
-        restriction_ = {down_.height, down_.across, down_.starts, down_.columns, turned.data(), threads};
+        prolongation_ = {up_.height, up_.across, rows_of(up_.starts, up_.columns), blocks.values, threads};
+        restriction_ = {down_.height, down_.across, rows_of(down_.starts, down_.columns), turned.data(), threads};
     }
 
     /// Lets PETSc's P go by this, which has to outlive it.

@@ -27,7 +27,7 @@ RigidBalance::RigidBalance(const StaticsModel& model, const BlockMatrix& matrix,
     std::vector<std::vector<Resisted>> of_chunk(nodes / grain + 1);
     parallel_for(context, nodes, grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t node = begin; node < end; ++node) {
-            const auto first = std::size_t(matrix.starts[node]), last = std::size_t(matrix.starts[node + 1]);
+            const std::size_t first = matrix.begin(node), last = matrix.end(node);
             const auto is_beside = [&](std::int32_t other) { return is_held(model, std::size_t(other)); };
             if (std::none_of(matrix.neighbours.begin() + std::ptrdiff_t(first),
                              matrix.neighbours.begin() + std::ptrdiff_t(last), is_beside))
@@ -35,7 +35,7 @@ RigidBalance::RigidBalance(const StaticsModel& model, const BlockMatrix& matrix,
             for (std::size_t r = 0; r < 3; ++r) {
                 Resisted resisted{3 * node + r, {}};
                 if (model.is_held[resisted.component]) continue;
-                const double* value = matrix.values.data() + 9 * first + r * 3 * (last - first);
+                const double* value = matrix.values.data() + matrix.place(node, first) + r * matrix.width(node);
                 for (std::size_t k = first; k < last; ++k)
                     for (std::size_t c = 0; c < 3; ++c, ++value) {
                         const Motions motions = at(3 * std::size_t(matrix.neighbours[k]) + c);

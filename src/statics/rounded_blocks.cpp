@@ -13,7 +13,7 @@ typedef float Rounded __attribute__((vector_size(4 * lanes), aligned(4), may_ali
 typedef double Sums __attribute__((vector_size(8 * lanes)));
 
 struct Rows {
-    const std::int64_t* starts;
+    const std::int64_t *begins, *ends;
     const std::int32_t* columns;
     const float* values;
     const double* x;
@@ -26,7 +26,7 @@ template <std::size_t height, std::size_t across>
     constexpr std::size_t vectors = (height + lanes - 1) / lanes;
     for (std::size_t row = begin; row < end; ++row) {
         Sums sums[vectors][3] = {};
-        for (auto k = std::size_t(rows.starts[row]); k < std::size_t(rows.starts[row + 1]); ++k) {
+        for (auto k = std::size_t(rows.begins[row]); k < std::size_t(rows.ends[row]); ++k) {
             const float* block = rows.values + height * across * k;
             const double* u = rows.x + across * std::size_t(rows.columns[k]);
             for (std::size_t c = 0; c < across; ++c)
@@ -64,27 +64,32 @@ const bool has_avx2 = __builtin_cpu_supports("avx2");
 
 }  // namespace
 
-RoundedBlocks::RoundedBlocks(std::size_t height, std::size_t across, std::span<const std::int64_t> starts,
-                             std::span<const std::int32_t> columns, const double* values, RunContext& threads)
-    : height_(height),
-      across_(across),
-      starts_(starts),
-      columns_(columns),
-      values_(height * across * columns.size() + 2 * lanes) {
-    parallel_for(threads, starts.size() - 1, grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t row = begin; row < end; ++row) {
-            const auto first = std::size_t(starts[row]), width = across * (std::size_t(starts[row + 1]) - first);
-            const double* from = values + height * across * first;
-            float* to = values_.data() + height * across * first;
-            for (std::size_t k = 0; k < width; ++k)
-                for (std::size_t r = 0; r < height; ++r) to[height * k + r] = float(from[r * width + k]);
-        }
+void RoundedBlocks::take(const RowsOfBlocks& rows, const double* values, RunContext& threads,
+                         std::size_t blocks_before) {
+    rows_ = rows;
+    const std::size_t numbers = height_ * across_;
+    if (blocks_before == 0) {
+        values_ = {};
+        values_.reserve(numbers * with_room(rows.columns.size()) + 2 * lanes);
+    }
+    values_.resize(numbers * rows.columns.size() + 2 * lanes);
+    parallel_for(threads, rows.begins.size(), grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t row = begin; row < end; ++row)
+            if (std::size_t(rows.begins[row]) >= blocks_before) round(row, values);
     });
 }
 
+void RoundedBlocks::round(std::size_t row, const double* values) {
+    const auto first = std::size_t(rows_.begins[row]), width = across_ * (std::size_t(rows_.ends[row]) - first);
+    const double* from = values + height_ * across_ * first;
+    float* to = values_.data() + height_ * across_ * first;
+    for (std::size_t k = 0; k < width; ++k)
+        for (std::size_t r = 0; r < height_; ++r) to[height_ * k + r] = float(from[r * width + k]);
+}
+
 void RoundedBlocks::multiply(const double* x, double* y, RunContext& threads, [[maybe_unused]] bool by_parts) const {
-    const Rows rows{starts_.data(), columns_.data(), values_.data(), x, y};
-    parallel_for(threads, starts_.size() - 1, grain, [&](std::size_t begin, std::size_t end) {
+    const Rows rows{rows_.begins.data(), rows_.ends.data(), rows_.columns.data(), values_.data(), x, y};
+    parallel_for(threads, rows_.begins.size(), grain, [&](std::size_t begin, std::size_t end) {
 #if defined(__x86_64__)
         if (has_avx2 && !by_parts) return multiply_by_avx2(height_, across_, rows, begin, end);
 #endif

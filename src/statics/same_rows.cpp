@@ -55,9 +55,8 @@ bool AssembledModel::is_same(const StaticsModel& model, std::size_t tet, std::si
            (mesh_.order == 1 || are_same(model.mesh.tet_mids[tet], mesh_.tet_mids[earlier]));
 }
 
-SameRows AssembledModel::rows_for(const StaticsModel& model, const TetsOfNodes& around, const BlockMatrix& matrix,
-                                  RunContext& context) const {
-    SameRows same{matrix, std::vector<std::int32_t>(model.mesh.node_count(), -1),
+SameRows AssembledModel::rows_for(const StaticsModel& model, const TetsOfNodes& around, RunContext& context) const {
+    SameRows same{std::vector<std::int32_t>(model.mesh.node_count(), -1),
                   std::vector<std::int32_t>(mesh_.node_count(), -1)};
     if (mesh_.order != model.mesh.order || materials_ != model.materials) return same;
     const std::vector<std::int32_t> origin = same_nodes(model);

@@ -18,10 +18,9 @@ class AssembledModel {
     AssembledModel() = default;
     explicit AssembledModel(const StaticsModel& model, const TetsOfNodes& around);
 
-    /// Those rows of the model's matrix that `matrix`, which was assembled from this, has: of nodes whose tets are the
-    /// same in the same order, with the same nodes at the same places, held and made of the same.
-    SameRows rows_for(const StaticsModel& model, const TetsOfNodes& around, const BlockMatrix& matrix,
-                      RunContext& context) const;
+    /// Those rows of the model's matrix that the one assembled from this has: of nodes whose tets are the same in the
+    /// same order, with the same nodes at the same places, held and made of the same.
+    SameRows rows_for(const StaticsModel& model, const TetsOfNodes& around, RunContext& context) const;
 
   private:
     std::vector<std::int32_t> same_nodes(const StaticsModel& model) const;

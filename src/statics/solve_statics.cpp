@@ -21,7 +21,7 @@ constexpr double most_fresh_share = 0.2;
 /// A kept preconditioner may take this many times the iterations of its own matrix, and then some.
 constexpr int patience = 3, more_iterations = 10;
 /// Iterations go on to this share of the tolerance, since the residual is computed again by other sums.
-constexpr double nearer = 0.9;
+constexpr double nearer = 0.95;
 /// A start whose error has less than this share of the energy norm of all says well enough what that is.
 constexpr double good_start = 0.1;
 /// A start that is best when scaled by this much was found under other loads; one that is best with less than this
@@ -182,22 +182,22 @@ double StaticsSolver::whole_energy_norm(std::span<const double> unbalanced) {
 
 /// Gives the solver the model's matrix. Returns whether the earlier preconditioner serves it.
 bool StaticsSolver::prepare(const StaticsModel& model, const TetsOfNodes& around, RunContext& context) {
+    std::vector<std::int32_t> origin = origins(model);
+    const auto fresh = std::count(origin.begin(), origin.end(), -1);
+    if (double(fresh) <= most_new_nodes(origin.size())) {
+        carry_over(model, around, std::move(origin), context);
+        return true;
+    }
     BlockMatrix matrix = [&] {
         RunContext::Step step(context, "assemble");
-        const SameRows same = assembled_.rows_for(model, around, solver_->matrix(), context);
-        return assemble_stiffness(model, around, context, &same);
+        const SameRows same = assembled_.rows_for(model, around, context);
+        const EarlierRows earlier{solver_->matrix(), same};
+        return assemble_stiffness(model, around, context, &earlier);
     }();
     assembled_ = {};  // until the solver has the matrix
     RunContext::Step step(context, "setup");
-    std::vector<std::int32_t> origin = origins(model);
-    const auto fresh = std::count(origin.begin(), origin.end(), -1);
     std::optional<CoarseLevel> coarse;
-    if (model.mesh.order == 2) coarse = coarse_level(model, context);
-    if (double(fresh) <= most_new_nodes(origin.size())) {
-        solver_->carry_over(std::move(matrix), std::move(coarse), std::move(origin));
-        assembled_ = AssembledModel(model, around);
-        return true;
-    }
+    if (model.mesh.order == 2) coarse = coarse_level(model, around, context);
     solver_->set_up(std::move(matrix), model.mesh.points, std::move(coarse));
     assembled_ = AssembledModel(model, around);
     setup_ = {};
@@ -207,6 +207,25 @@ bool StaticsSolver::prepare(const StaticsModel& model, const TetsOfNodes& around
     std::sort(setup_.nodes.begin(), setup_.nodes.end(),
               [](const NodeState& a, const NodeState& b) { return a.number < b.number; });
     return false;
+}
+
+/// Changes the solver's matrices in place and keeps its preconditioner.
+void StaticsSolver::carry_over(const StaticsModel& model, const TetsOfNodes& around, std::vector<std::int32_t> origin,
+                               RunContext& context) {
+    LinearSolver::Matrices given;
+    SameRows same;
+    {
+        RunContext::Step step(context, "assemble");
+        same = assembled_.rows_for(model, around, context);
+        assembled_ = {};  // until the solver has the next matrices
+        given = solver_->give_matrices();
+        given.finest = changed_stiffness(std::move(given.finest), same, model, around, context);
+    }
+    RunContext::Step step(context, "setup");
+    std::optional<CoarseLevel> coarse;
+    if (model.mesh.order == 2) coarse = coarse_level(model, around, context, std::move(given.coarse), &same);
+    solver_->carry_over(std::move(given.finest), std::move(coarse), std::move(origin));
+    assembled_ = AssembledModel(model, around);
 }
 
 /// By node of linear displacements that of the last set-up, -1 where it was not there or was held otherwise; all -1

@@ -72,6 +72,8 @@ class StaticsSolver {
 
     std::vector<std::int32_t> origins(const StaticsModel& model) const;
     bool prepare(const StaticsModel& model, const TetsOfNodes& around, RunContext& context);
+    void carry_over(const StaticsModel& model, const TetsOfNodes& around, std::vector<std::int32_t> origin,
+                    RunContext& context);
     void balance(const StaticsModel& model, const TetsOfNodes& around, std::span<const double> unbalanced,
                  const Start& start, StaticsSolution& solution, std::vector<double>& resisting, RunContext& context);
     struct Aim {

@@ -21,13 +21,13 @@ void for_each_node(const Mesh& mesh, std::size_t tet, Visit visit) {
         for (const NodeId node : mesh.tet_mids[tet]) visit(node);
 }
 
-bool is_same(const SameRows* same, std::size_t node) { return same && same->row[node] >= 0; }
+bool is_same(const EarlierRows* earlier, std::size_t node) { return earlier && earlier->same.row[node] >= 0; }
 
-void copy_neighbours(const SameRows& same, std::size_t node, std::vector<std::int32_t>& found) {
-    const auto row = std::size_t(same.row[node]);
+void copy_neighbours(const EarlierRows& earlier, std::size_t node, std::vector<std::int32_t>& found) {
+    const auto row = std::size_t(earlier.same.row[node]);
     const auto first = std::ptrdiff_t(found.size());
-    for (auto k = same.matrix.starts[row]; k < same.matrix.starts[row + 1]; ++k)
-        found.push_back(same.node_now[std::size_t(same.matrix.neighbours[std::size_t(k)])]);
+    for (std::size_t k = earlier.matrix.begin(row); k < earlier.matrix.end(row); ++k)
+        found.push_back(earlier.same.node_now[std::size_t(earlier.matrix.neighbours[k])]);
     if (!std::is_sorted(found.begin() + first, found.end())) std::sort(found.begin() + first, found.end());
 }
 
@@ -42,25 +42,50 @@ void gather_neighbours(const Mesh& mesh, const TetsOfNodes& around, std::size_t 
     std::sort(found.begin() + first, found.end());
 }
 
-BlockMatrix pattern_of(const Mesh& mesh, const TetsOfNodes& around, RunContext& context, const SameRows* same) {
-    const std::size_t n = mesh.node_count();
-    BlockMatrix matrix;
-    matrix.starts.assign(n + 1, 0);
-    std::vector<std::vector<std::int32_t>> of_chunk(n / grain + 1);
-    parallel_for(context, n, grain, [&](std::size_t begin, std::size_t end) {
-        auto& found = of_chunk[begin / grain];
-        for (std::size_t node = begin; node < end; ++node) {
-            const std::size_t before = found.size();
-            is_same(same, node) ? copy_neighbours(*same, node, found) : gather_neighbours(mesh, around, node, found);
-            matrix.starts[node + 1] = std::int64_t(found.size() - before);
-        }
-    });
-    for (std::size_t node = 0; node < n; ++node) matrix.starts[node + 1] += matrix.starts[node];
-    matrix.neighbours.reserve(std::size_t(matrix.starts[n]));
-    for (auto& found : of_chunk) {
-        matrix.neighbours.insert(matrix.neighbours.end(), found.begin(), found.end());
-        std::vector<std::int32_t>().swap(found);
+/// The neighbours of rows, one row after the other.
+struct Neighbours {
+    std::vector<std::int64_t> counts;  ///< by row
+    std::vector<std::vector<std::int32_t>> of_chunk;
+
+    /// `gather(row, found)` adds those of a row to what was found.
+    template <class Gather>
+    Neighbours(std::size_t rows, RunContext& context, const Gather& gather)
+        : counts(rows, 0), of_chunk(rows / grain + 1) {
+        parallel_for(context, rows, grain, [&](std::size_t begin, std::size_t end) {
+            auto& found = of_chunk[begin / grain];
+            for (std::size_t row = begin; row < end; ++row) {
+                const std::size_t before = found.size();
+                gather(row, found);
+                counts[row] = std::int64_t(found.size() - before);
+            }
+        });
     }
+
+    std::size_t size() const {
+        std::size_t size = 0;
+        for (const auto& found : of_chunk) size += found.size();
+        return size;
+    }
+
+    void move_behind(std::vector<std::int32_t>& all) {
+        for (auto& found : of_chunk) {
+            all.insert(all.end(), found.begin(), found.end());
+            std::vector<std::int32_t>().swap(found);
+        }
+    }
+};
+
+BlockMatrix pattern_of(const Mesh& mesh, const TetsOfNodes& around, RunContext& context, const EarlierRows* earlier) {
+    const std::size_t n = mesh.node_count();
+    Neighbours found(n, context, [&](std::size_t node, auto& of) {
+        is_same(earlier, node) ? copy_neighbours(*earlier, node, of) : gather_neighbours(mesh, around, node, of);
+    });
+    BlockMatrix matrix;
+    matrix.begins.resize(n), matrix.ends.resize(n);
+    std::int64_t at = 0;
+    for (std::size_t node = 0; node < n; ++node) matrix.begins[node] = at, matrix.ends[node] = at += found.counts[node];
+    matrix.neighbours.reserve(with_room(std::size_t(at)));
+    found.move_behind(matrix.neighbours);
     return matrix;
 }
 
@@ -68,9 +93,8 @@ BlockMatrix pattern_of(const Mesh& mesh, const TetsOfNodes& around, RunContext& 
 class Rows {
   public:
     Rows(BlockMatrix& matrix, std::size_t node)
-        : neighbours_(matrix.neighbours.data() + matrix.starts[node],
-                      std::size_t(matrix.starts[node + 1] - matrix.starts[node])),
-          values_(matrix.values.data() + 9 * matrix.starts[node]) {}
+        : neighbours_(matrix.neighbours.data() + matrix.begin(node), matrix.end(node) - matrix.begin(node)),
+          values_(matrix.values.data() + 9 * matrix.begin(node)) {}
 
     void clear() { std::fill_n(values_, 9 * neighbours_.size(), 0.0); }
 
@@ -134,18 +158,47 @@ void fill_rows(const StaticsModel& model, const std::vector<Lame>& lame, const T
 }
 
 /// Neighbours may follow one another in another order than in the earlier matrix.
-void copy_rows(const SameRows& same, std::size_t node, BlockMatrix& matrix) {
-    const auto row = std::size_t(same.row[node]);
-    const std::int32_t* before = same.matrix.neighbours.data() + same.matrix.starts[row];
-    const std::int32_t* now = matrix.neighbours.data() + matrix.starts[node];
-    const auto count = std::size_t(matrix.starts[node + 1] - matrix.starts[node]);
-    const double* from = same.matrix.values.data() + 9 * same.matrix.starts[row];
-    double* to = matrix.values.data() + 9 * matrix.starts[node];
+void copy_rows(const EarlierRows& earlier, std::size_t node, BlockMatrix& matrix) {
+    const auto row = std::size_t(earlier.same.row[node]);
+    const std::int32_t* before = earlier.matrix.neighbours.data() + earlier.matrix.begin(row);
+    const std::int32_t* now = matrix.neighbours.data() + matrix.begin(node);
+    const std::size_t count = matrix.end(node) - matrix.begin(node);
+    const double* from = earlier.matrix.values.data() + 9 * earlier.matrix.begin(row);
+    double* to = matrix.values.data() + 9 * matrix.begin(node);
     for (std::size_t k = 0; k < count; ++k) {
-        const std::int32_t neighbour = same.node_now[std::size_t(before[k])];
+        const std::int32_t neighbour = earlier.same.node_now[std::size_t(before[k])];
         const auto at = now[k] == neighbour ? k : std::size_t(std::lower_bound(now, now + count, neighbour) - now);
         for (std::size_t r = 0; r < 3; ++r) std::copy_n(from + 3 * (r * count + k), 3, to + 3 * (r * count + at));
     }
+}
+
+std::vector<Lame> lame_constants(const StaticsModel& model) {
+    std::vector<Lame> lame;
+    for (const Material& material : model.materials) lame.push_back({material.lame_first(), material.shear_modulus()});
+    return lame;
+}
+
+std::vector<std::size_t> other_rows(const SameRows& same) {
+    std::vector<std::size_t> others;
+    for (std::size_t node = 0; node < same.row.size(); ++node)
+        if (same.row[node] < 0) others.push_back(node);
+    return others;
+}
+
+/// Gives rows that are the same the numbers of today; the other ones are empty.
+void renumber(BlockMatrix& matrix, const SameRows& same, RunContext& context) {
+    const std::size_t n = same.row.size();
+    const std::vector<std::int64_t> begins = std::move(matrix.begins), ends = std::move(matrix.ends);
+    matrix.begins.assign(n, 0), matrix.ends.assign(n, 0);
+    parallel_for(context, n, grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t node = begin; node < end; ++node) {
+            if (same.row[node] < 0) continue;
+            matrix.begins[node] = begins[std::size_t(same.row[node])],
+            matrix.ends[node] = ends[std::size_t(same.row[node])];
+            for (std::size_t k = matrix.begin(node); k < matrix.end(node); ++k)
+                matrix.neighbours[k] = same.node_now[std::size_t(matrix.neighbours[k])];
+        }
+    });
 }
 
 }  // namespace
@@ -165,14 +218,39 @@ TetsOfNodes tets_of_nodes(const Mesh& mesh) {
 }
 
 BlockMatrix assemble_stiffness(const StaticsModel& model, const TetsOfNodes& around, RunContext& context,
-                               const SameRows* same) {
-    BlockMatrix matrix = pattern_of(model.mesh, around, context, same);
+                               const EarlierRows* earlier) {
+    BlockMatrix matrix = pattern_of(model.mesh, around, context, earlier);
+    matrix.values.reserve(9 * with_room(matrix.neighbours.size()));
     matrix.values.resize(9 * matrix.neighbours.size());
-    std::vector<Lame> lame;
-    for (const Material& material : model.materials) lame.push_back({material.lame_first(), material.shear_modulus()});
+    const std::vector<Lame> lame = lame_constants(model);
     parallel_for(context, model.mesh.node_count(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t node = begin; node < end; ++node)
-            is_same(same, node) ? copy_rows(*same, node, matrix) : fill_rows(model, lame, around, node, matrix);
+            is_same(earlier, node) ? copy_rows(*earlier, node, matrix) : fill_rows(model, lame, around, node, matrix);
+    });
+    return matrix;
+}
+
+BlockMatrix changed_stiffness(BlockMatrix earlier, const SameRows& same, const StaticsModel& model,
+                              const TetsOfNodes& around, RunContext& context) {
+    const std::vector<std::size_t> others = other_rows(same);
+    Neighbours found(others.size(), context,
+                     [&](std::size_t i, auto& of) { gather_neighbours(model.mesh, around, others[i], of); });
+    BlockMatrix matrix = std::move(earlier);
+    const std::size_t blocks = matrix.neighbours.size() + found.size();
+    if (blocks > matrix.neighbours.capacity() || 9 * blocks > matrix.values.capacity()) {
+        const EarlierRows from{matrix, same};
+        return assemble_stiffness(model, around, context, &from);
+    }
+    renumber(matrix, same, context);
+    matrix.blocks_before = matrix.neighbours.size();
+    auto at = std::int64_t(matrix.blocks_before);
+    for (std::size_t i = 0; i < others.size(); ++i)
+        matrix.begins[others[i]] = at, matrix.ends[others[i]] = at += found.counts[i];
+    found.move_behind(matrix.neighbours);
+    matrix.values.resize(9 * blocks);
+    const std::vector<Lame> lame = lame_constants(model);
+    parallel_for(context, others.size(), grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) fill_rows(model, lame, around, others[i], matrix);
     });
     return matrix;
 }
@@ -180,8 +258,7 @@ BlockMatrix assemble_stiffness(const StaticsModel& model, const TetsOfNodes& aro
 void multiply(const BlockMatrix& matrix, const double* x, double* y, RunContext& context) {
     parallel_for(context, matrix.node_count(), 4 * grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t node = begin; node < end; ++node) {
-            const auto first = std::size_t(matrix.starts[node]), last = std::size_t(matrix.starts[node + 1]);
-            const std::size_t width = 3 * (last - first);
+            const std::size_t first = matrix.begin(node), last = matrix.end(node), width = matrix.width(node);
             const double* row = matrix.values.data() + 9 * first;
             double sums[3] = {0, 0, 0};
             for (std::size_t k = first; k < last; ++k, row += 3) {

@@ -120,7 +120,7 @@ TEST_CASE("products in single precision are those of the rounded matrix, on any 
     for (const int threads : {1, 4}) {
         RunContext context;
         context.threads = threads;
-        const RoundedBlocks matrix(height, across, pattern.starts, pattern.columns, values.data(), context);
+        const RoundedBlocks matrix(height, across, rows_of(pattern.starts, pattern.columns), values.data(), context);
         found.emplace_back(height * rows, 7.0);
         matrix.multiply(x.data(), found.back().data(), context);
         double most = 0;

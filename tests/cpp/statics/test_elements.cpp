@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <cstring>
+#include <map>
+#include <utility>
 
 #include "catch.h"
 #include "held_box.h"
@@ -25,11 +28,10 @@ std::vector<double> field(const Mesh& mesh, const std::function<Vec3(const Vec3&
 std::vector<double> times(const BlockMatrix& matrix, const std::vector<double>& x) {
     std::vector<double> y(x.size(), 0.0);
     for (std::size_t node = 0; node < matrix.node_count(); ++node) {
-        const auto begin = std::size_t(matrix.starts[node]), end = std::size_t(matrix.starts[node + 1]);
         for (std::size_t r = 0; r < 3; ++r)
-            for (std::size_t k = 0; k < 3 * (end - begin); ++k)
-                y[3 * node + r] += matrix.values[9 * begin + r * 3 * (end - begin) + k] *
-                                   x[3 * std::size_t(matrix.neighbours[begin + k / 3]) + k % 3];
+            for (std::size_t k = 0; k < matrix.width(node); ++k)
+                y[3 * node + r] += matrix.values[9 * matrix.begin(node) + r * matrix.width(node) + k] *
+                                   x[3 * std::size_t(matrix.neighbours[matrix.begin(node) + k / 3]) + k % 3];
     }
     return y;
 }
@@ -136,18 +138,44 @@ TEST_CASE("boxes that touch along an edge only are two bodies") {
 
 namespace {
 
-/// Checks that the model's matrix has the same bytes with what is the same of an earlier one. Returns how many rows
-/// are.
+/// By row and neighbour the values of a matrix, wherever they lie.
+using Entries = std::map<std::pair<std::size_t, std::int32_t>, std::array<double, 9>>;
+
+Entries entries_of(const BlockMatrix& matrix) {
+    Entries entries;
+    for (std::size_t node = 0; node < matrix.node_count(); ++node)
+        for (std::size_t k = matrix.begin(node); k < matrix.end(node); ++k)
+            for (std::size_t i = 0; i < 9; ++i)
+                entries[{node, matrix.neighbours[k]}][i] =
+                    matrix.values[matrix.place(node, k) + i / 3 * matrix.width(node) + i % 3];
+    return entries;
+}
+
+/// Checks that the model's matrix has the same bytes with what is the same of an earlier one, copied or changed in
+/// place. Returns how many rows are.
 std::size_t rows_that_are_same(const StaticsModel& earlier, const StaticsModel& model) {
     RunContext context;
     const TetsOfNodes around_earlier = tets_of_nodes(earlier.mesh), around = tets_of_nodes(model.mesh);
     const BlockMatrix matrix = assemble_stiffness(earlier, around_earlier, context);
-    const SameRows same = AssembledModel(earlier, around_earlier).rows_for(model, around, matrix, context);
+    const SameRows same = AssembledModel(earlier, around_earlier).rows_for(model, around, context);
     const BlockMatrix expected = assemble_stiffness(model, around, context);
-    const BlockMatrix found = assemble_stiffness(model, around, context, &same);
-    CHECK(found.starts == expected.starts);
-    CHECK(found.neighbours == expected.neighbours);
-    CHECK(std::memcmp(found.values.data(), expected.values.data(), 8 * expected.values.size()) == 0);
+    const EarlierRows rows{matrix, same};
+    const BlockMatrix copied = assemble_stiffness(model, around, context, &rows);
+    CHECK(copied.begins == expected.begins);
+    CHECK(copied.ends == expected.ends);
+    CHECK(copied.neighbours == expected.neighbours);
+    CHECK(std::memcmp(copied.values.data(), expected.values.data(), 8 * expected.values.size()) == 0);
+    const auto change = [&](int threads) {
+        RunContext with_threads;
+        with_threads.threads = threads;
+        return changed_stiffness(assemble_stiffness(earlier, around_earlier, with_threads), same, model, around,
+                                 with_threads);
+    };
+    const BlockMatrix changed = change(1), threaded = change(3);
+    CHECK(entries_of(changed) == entries_of(expected));
+    CHECK(threaded.begins == changed.begins);
+    CHECK(threaded.neighbours == changed.neighbours);
+    CHECK(entries_of(threaded) == entries_of(changed));
     return std::size_t(std::count_if(same.row.begin(), same.row.end(), [](std::int32_t row) { return row >= 0; }));
 }
 
@@ -204,4 +232,34 @@ TEST_CASE("rows of an earlier matrix are taken where nothing of them changed, an
     const Mesh turned = with_first_node_last(mesh);
     // The first node's neighbours come in another order.
     CHECK(rows_that_are_same(free_model(mesh), free_model(turned)) == mesh.node_count());
+}
+
+TEST_CASE("a matrix is changed in place until its room ends, and has the same blocks as one that is assembled") {
+    for (const int order : {1, 2}) {
+        Mesh mesh = solved_box(6, order);
+        RunContext context;
+        const TetsOfNodes around = tets_of_nodes(mesh);
+        BlockMatrix matrix = assemble_stiffness(free_model(mesh), around, context);
+        std::size_t in_place = 0;
+        bool is_put_together = false;
+        for (int edit = 0; edit < 30 && !is_put_together; ++edit) {
+            const AssembledModel before(free_model(mesh), around);
+            const auto inner = std::size_t(
+                std::find_if(mesh.entities.begin(), mesh.entities.end(), [](const auto& on) { return on.dim == 3; }) -
+                mesh.entities.begin());
+            mesh.points[inner + std::size_t(edit % 3)] += Vec3{0.001, 0, 0};
+            const StaticsModel model = free_model(mesh);
+            const SameRows same = before.rows_for(model, around, context);
+            const double* values = matrix.values.data();
+            matrix = changed_stiffness(std::move(matrix), same, model, around, context);
+            CHECK(entries_of(matrix) == entries_of(assemble_stiffness(model, around, context)));
+            is_put_together = matrix.blocks_before == 0;
+            if (is_put_together) break;
+            CHECK(matrix.values.data() == values);
+            ++in_place;
+        }
+        CHECK(in_place >= 1);
+        CHECK(is_put_together);
+        CHECK(std::is_sorted(matrix.begins.begin(), matrix.begins.end()));
+    }
 }
