@@ -130,13 +130,15 @@ class QuadraticLevel {
   private:
     /// A few iterations there cost little beside one of quadratic displacements, and save nearly half of those.
     void solve_coarse_by(Aggregation& below) {
-        constexpr PetscInt iterations = 3;
+        constexpr double least_share = 0.01;  // a factor comes to it at once
+        constexpr PetscInt most = 3;
+        constexpr double never = 1e300;  // is it given up: what is out of balance may grow while the error falls
         KSP coarse = nullptr;
         PC aggregation = nullptr;
         check(PCMGGetCoarseSolve(multigrid_, &coarse));
         check(KSPSetType(coarse, KSPCG));
-        check(KSPSetNormType(coarse, KSP_NORM_NONE));
-        check(KSPSetTolerances(coarse, 0, 0, PETSC_DEFAULT, iterations));
+        check(KSPSetNormType(coarse, KSP_NORM_UNPRECONDITIONED));
+        check(KSPSetTolerances(coarse, least_share, 0, never, most));
         check(KSPSetOperators(coarse, below.system().exact, below.system().exact));
         check(KSPGetPC(coarse, &aggregation));
         use_shell(aggregation, below);
