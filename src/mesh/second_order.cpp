@@ -115,8 +115,9 @@ constexpr std::array<int, 20> term_counts = make_term_counts();
 
 }  // namespace
 
-std::array<double, 20> jacobian_coefficients(const std::array<Vec3, 10>& nodes) {
-    const Directions direction = directions_of(nodes);
+namespace {
+
+Coefficients coefficients_of(const Directions& direction) {
     Coefficients sum{};
     for (int a = 0; a < 4; ++a)
         for (int b = 0; b < 4; ++b) {
@@ -125,6 +126,21 @@ std::array<double, 20> jacobian_coefficients(const std::array<Vec3, 10>& nodes) 
         }
     for (int n = 0; n < 20; ++n) sum[n] /= term_counts[n];
     return sum;
+}
+
+}  // namespace
+
+std::array<double, 20> jacobian_coefficients(const std::array<Vec3, 10>& nodes) {
+    return coefficients_of(directions_of(nodes));
+}
+
+// Those at the corners cost least and are the smallest most often: there a bent side leaves its chord most.
+double smallest_coefficient(const std::array<Vec3, 10>& nodes, double limit) {
+    const Directions direction = directions_of(nodes);
+    for (const auto& [x, y, z] : direction)
+        if (dot(cross(x, y), z) <= limit) return -std::numeric_limits<double>::infinity();
+    const Coefficients all = coefficients_of(direction);
+    return *std::min_element(all.begin(), all.end());
 }
 
 std::array<Vec3, 10> jacobian_gradient(const std::array<Vec3, 10>& nodes, const std::array<double, 20>& weights) {

@@ -22,6 +22,9 @@ inline constexpr std::array<std::array<int, 3>, 4> tet_faces{{{1, 2, 3}, {0, 3, 
 /// Johnen, Remacle and Geuzaine 2013. All positive means valid everywhere.
 std::array<double, 20> jacobian_coefficients(const std::array<Vec3, 10>& nodes);
 
+/// The smallest of them; minus infinity, in less time, where one of the corners' is no larger than `limit`.
+double smallest_coefficient(const std::array<Vec3, 10>& nodes, double limit);
+
 /// How the sum of the coefficients, weighted, changes with the nodes.
 std::array<Vec3, 10> jacobian_gradient(const std::array<Vec3, 10>& nodes, const std::array<double, 20>& weights);
 

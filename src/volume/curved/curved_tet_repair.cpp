@@ -2,7 +2,9 @@
 #include "volume/curved/curved_tet_repair.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "core/geometry.h"
@@ -18,12 +20,13 @@ namespace {
 
 constexpr std::size_t grain = 1 << 13;
 
-/// Lower bound of the scaled Jacobian without subdivision. Nothing is worse than a tet whose corners are turned over.
-double quick_bound(const std::array<Vec3, 10>& nodes) {
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Lower bound of the scaled Jacobian without subdivision, minus infinity where it is found to be no larger than
+/// `limit`. Nothing is worse than a tet whose corners are turned over.
+double quick_bound(const std::array<Vec3, 10>& nodes, double limit = -infinite) {
     const double straight = 6 * signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]);
-    if (!(straight > 0)) return -std::numeric_limits<double>::infinity();
-    const auto coefficients = jacobian_coefficients(nodes);
-    return *std::min_element(coefficients.begin(), coefficients.end()) / straight;
+    return straight > 0 ? smallest_coefficient(nodes, limit * straight) / straight : -infinite;
 }
 
 /// Cheap where all coefficients are large enough; the subdivision decides the rest.
@@ -80,6 +83,7 @@ class Unfolding {
           least_volume_(aims.least_volume),
           context_(context),
           placed_(mesh.points),
+          in_vain_(mesh.points.size()),
           directions_(search_directions()) {}
 
     /// Bends the inner sides, and those on planes, that end on the boundary as the curved sides near them are bent.
@@ -186,9 +190,9 @@ class Unfolding {
     /// The tet that stopped the last look is the likeliest to stop the next.
     double smallest_bound(const std::vector<TetId>& star, double enough, double limit) const {
         if (refusing_ >= star.size()) refusing_ = 0;
-        double low = std::min(enough, quick_bound(tet_nodes(mesh_, star[refusing_])));
+        double low = std::min(enough, quick_bound(tet_nodes(mesh_, star[refusing_]), limit));
         for (std::size_t i = 0; i < star.size() && low > limit; ++i) {
-            const double bound = quick_bound(tet_nodes(mesh_, star[i]));
+            const double bound = quick_bound(tet_nodes(mesh_, star[i]), limit);
             low = std::min(low, bound);
             if (low <= limit) refusing_ = i;
         }
@@ -253,13 +257,29 @@ class Unfolding {
     }
 
     bool improve(NodeId n, const std::vector<TetId>& star) {
+        const std::uint64_t now = print_of(star);
+        std::uint64_t& in_vain = in_vain_[n.index()][static_cast<std::size_t>(aim_)];
+        if (in_vain == now) return false;
         const double before = worst(star);
         double best = before;
         for (double step = 0.2 * longest_side_at(n, star), last = 0.02 * step; step > last && best <= target_;
              step *= 0.5)
             for (int tries = 0; tries < 4 && best <= target_ + 0.05; ++tries)
                 if (!best_step(n, star, step, best)) break;
+        if (best == before) in_vain = now;
         return best > before + 1e-4;
+    }
+
+    /// Of all that decides what moving its node can gain.
+    std::uint64_t print_of(const std::vector<TetId>& star) const {
+        std::uint64_t print = 1;
+        const auto add = [&](double value) {
+            print = (print ^ std::bit_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15ull;
+            print ^= print >> 32;
+        };
+        for (const TetId t : star)
+            for (const Vec3& p : tet_nodes(mesh_, t)) add(p.x), add(p.y), add(p.z);
+        return print;
     }
 
     /// Tries all directions at one step length and takes the best one.
@@ -334,8 +354,9 @@ class Unfolding {
     const double target_, least_volume_;
     const RunContext& context_;
     Aim aim_ = Aim::smallest_bound;
-    mutable std::size_t refusing_ = 0;  ///< place in the star
-    const std::vector<Vec3> placed_;    ///< where the nodes were at first
+    mutable std::size_t refusing_ = 0;                   ///< place in the star
+    const std::vector<Vec3> placed_;                     ///< where the nodes were at first
+    std::vector<std::array<std::uint64_t, 2>> in_vain_;  ///< by node and aim: around it when it was last tried so
     const std::vector<Vec3> directions_;
 };
 

@@ -102,6 +102,15 @@ TEST_CASE("the Bernstein coefficients bound the Jacobian and the subdivision fin
         const double straight = 6 * signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]);
         const auto coefficients = jacobian_coefficients(nodes);
         const auto [low, high] = std::minmax_element(coefficients.begin(), coefficients.end());
+        double at_corners = 1e300;
+        for (int corner = 0; corner < 4; ++corner) {
+            std::array<double, 4> l{};
+            l[corner] = 1;
+            at_corners = std::min(at_corners, determinant(nodes, l));
+        }
+        CHECK(smallest_coefficient(nodes, -1e300) == *low);
+        CHECK(smallest_coefficient(nodes, at_corners - 1e-9) == *low);
+        CHECK(smallest_coefficient(nodes, at_corners + 1e-9) < -1e300);
         double sampled = 1e300;
         for (const auto& l : samples) {
             const double value = determinant(nodes, l);
