@@ -207,12 +207,20 @@ class BoundaryBuilder {
     void add_segments(const Use& use) {
         int before = use.start_point;
         for (std::size_t i = 0; i < use.pieces.size(); ++i) {
-            const int here =
-                i + 1 == use.pieces.size() ? use.end_point : add_point(use.points[i + 1], use.nodes[i + 1]);
+            const int here = i + 1 == use.pieces.size() ? use.end_point : inner_point(use, i + 1);
             (use.is_inner ? boundary_.inner : boundary_.segments)
                 .push_back({before, here, use.edge, use.pieces[i], use.is_pole});
             before = here;
         }
+    }
+
+    /// Where a use passes a vertex that another edge of the face has, the two have one point there, as they have one
+    /// node: the face between them ends at it. Both sides of a seam are further apart.
+    int inner_point(const Use& use, std::size_t i) {
+        const NodeId node = use.nodes[i];
+        if (use.is_pole || mesh_.entities[node.index()].dim != 0) return add_point(use.points[i], node);
+        const Vec2 p = use.points[i];
+        return corner(node, p, 0.5 * std::min(distance(use.points[i - 1], p), distance(p, use.points[i + 1])));
     }
 
     /// Those that no edge of the face with a chain has.

@@ -86,31 +86,15 @@ void widen_rim(const Mesh& mesh, std::size_t kept_triangles, Kept& kept) {
     if (is_wider) kept.rim_tets = tets_at_nodes(mesh, kept.is_rim);
 }
 
-/// Half of their longest sides, at the 6-node triangles that are folded or nearly so; those in front are kept and stay.
-SizeRequest for_bent_triangles(const Brep& brep, const Mesh& mesh, std::size_t kept, double& smallest_jacobian) {
-    constexpr double wanted_scaled_jacobian = 0.2;
-    SizeRequest request{SizeReason::folded, {}, {}};
-    for (std::size_t t = kept; t < mesh.triangles.size(); ++t) {
-        if (!brep.is_free(mesh.triangle_faces[t])) continue;
-        const double jacobian = min_scaled_jacobian(triangle_nodes(mesh, TriangleId(t)));
-        if (jacobian >= wanted_scaled_jacobian) continue;
-        smallest_jacobian = std::min(smallest_jacobian, jacobian);
-        const auto& [a, b, c] = mesh.triangles[t];
+/// Half of their longest sides.
+SizeRequest for_bent_triangles(const Mesh& mesh, const std::vector<TriangleId>& bent) {
+    SizeRequest request{SizeReason::folded, as_parameter(mesh.triangle_faces[bent.front().index()]), {}};
+    for (const TriangleId t : bent) {
+        const auto& [a, b, c] = mesh.triangles[t.index()];
         const Vec3 p = mesh.point(a), q = mesh.point(b), r = mesh.point(c);
         request.lengths.push_back({(p + q + r) / 3, 0.5 * std::max({distance(p, q), distance(q, r), distance(r, p)})});
-        if (request.place.empty()) request.place = as_parameter(mesh.triangle_faces[t]);
     }
     return request;
-}
-
-/// Of shells that bend: as for_bent_triangles, with a refusal where they stay folded.
-void ask_for_bent_shells(const Brep& brep, const Mesh& mesh, std::size_t kept, Attempt& attempt) {
-    double smallest = 1;
-    SizeRequest request = for_bent_triangles(brep, mesh, kept, smallest);
-    if (request.is_empty()) return;
-    attempt.smallest_jacobian = std::min(attempt.smallest_jacobian, smallest);
-    if (!(smallest > 0)) attempt.refusal = say<Code::triangles_folded>(request.lengths.size(), request.place);
-    attempt.request = std::move(request);
 }
 
 Filled filled_of(Mesh mesh, const SurfaceReport& surface, VolumeResult volume) {
@@ -125,7 +109,7 @@ Filled filled_of(Mesh mesh, const SurfaceReport& surface, VolumeResult volume) {
 /// Better than no mesh, where that is valid; with a warning, since FreeCAD finds the nodes of a face by their distance.
 std::optional<Filled> with_straight_sides(const Brep& brep, StraightSides straightened, const SurfaceReport& surface,
                                           const VolumeResult& volume, const Message& why, RunContext& context) {
-    if (straightened.mesh.tets.empty()) return {};
+    if (straightened.mesh.points.empty()) return {};
     Attempt check;
     validate(straightened.mesh, brep, {}, 0, {}, check, context);
     if (!check.refusal.empty()) return {};
@@ -134,6 +118,23 @@ std::optional<Filled> with_straight_sides(const Brep& brep, StraightSides straig
     filled.surface.warnings.push_back(
         say<Code::sides_stay_straight>(straightened.sides, straightened.places, Length{straightened.distance}));
     return filled;
+}
+
+/// Of shells that bend: asks for shorter edges at 6-node triangles that are folded or nearly so; those that are kept,
+/// in front, stay. Which are folded: with any the mesh is refused.
+std::vector<TriangleId> ask_for_bent_shells(const Brep& brep, const Mesh& mesh, std::size_t kept, Attempt& attempt) {
+    constexpr double wanted_scaled_jacobian = 0.2;
+    const std::vector<TriangleId> bent = shell_triangles_below(brep, mesh, kept, wanted_scaled_jacobian);
+    if (bent.empty()) return {};
+    attempt.request = for_bent_triangles(mesh, bent);
+    std::vector<TriangleId> folded;
+    for (const TriangleId t : bent) {
+        const double jacobian = min_scaled_jacobian(triangle_nodes(mesh, t));
+        attempt.smallest_jacobian = std::min(attempt.smallest_jacobian, jacobian);
+        if (!(jacobian > 0)) folded.push_back(t);
+    }
+    if (!folded.empty()) attempt.refusal = say<Code::triangles_folded>(bent.size(), attempt.request.place);
+    return folded;
 }
 
 /// Where 10-node tetrahedra stay folded there is no mesh, and shorter edges are asked for there.
@@ -171,8 +172,13 @@ void fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult surf
             return;
         }
         mesh = std::move(second.mesh);
-        ask_for_bent_shells(brep, mesh, surface.kept.triangles, attempt);
-        if (!attempt.refusal.empty()) return;
+        if (auto folded = ask_for_bent_shells(brep, mesh, surface.kept.triangles, attempt); !folded.empty()) {
+            if (kept.curved) return;
+            StraightSides straight = straighten(brep, std::move(mesh), {{}, std::move(folded)}, context);
+            attempt.stand_in =
+                with_straight_sides(brep, std::move(straight), surface.report, volume, attempt.refusal, context);
+            return;
+        }
     }
     if (has_shells) kept.is_rim.clear();  // everything is checked: tets tell nothing about what is beside them
     validate(mesh, brep, std::move(kept), kept_tets - volume.released.size(), volume.released_nodes, attempt, context);
@@ -183,13 +189,17 @@ void fill_volume(const Brep& brep, const SizingField& sizing, SurfaceResult surf
 /// Of a part of faces or edges: here the filling ends.
 void take_surface(const Brep& brep, const SizingField&, SurfaceResult surface, Kept kept, const MeshOptions& options,
                   Attempt& attempt, RunContext& context) {
-    const std::size_t kept_triangles = surface.kept.triangles;
     Mesh mesh = std::move(surface.mesh);
     mesh.corner_count = mesh.node_count();
     if (options.order == 2) {
         mesh = curved_without_tets(brep, std::move(mesh), kept.curved.get(), context);
-        ask_for_bent_shells(brep, mesh, kept_triangles, attempt);
-        if (!attempt.refusal.empty()) return;
+        if (auto folded = ask_for_bent_shells(brep, mesh, surface.kept.triangles, attempt); !folded.empty()) {
+            if (kept.curved) return;
+            StraightSides straight = straighten(brep, std::move(mesh), {{}, std::move(folded)}, context);
+            attempt.stand_in =
+                with_straight_sides(brep, std::move(straight), surface.report, {}, attempt.refusal, context);
+            return;
+        }
     }
     kept.is_rim.clear();  // everything is checked: without tets that is little
     validate(mesh, brep, std::move(kept), 0, {}, attempt, context);

@@ -249,7 +249,7 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
                 return {{}, shorter_lengths(curved.mesh, bent), place_of(curved.mesh, bent.front()), 0};
         if (curved.low.empty()) return {std::move(curved.mesh), {}, {}, 1};
         if (refinement == 0 && !curved.folded.empty()) {
-            if (!kept) failed.straight = straighten(curved.mesh, curved.folded, curved.is_movable, context);
+            if (!kept) failed.straight = straighten(brep, curved.mesh, {curved.folded, {}}, context);
             Mesh placed = mesh;
             place_mid_side_nodes(brep, placed, kept, context);
             if (BentWalls walls = find_bent_walls(brep, projector, placed, counts.tets, context);

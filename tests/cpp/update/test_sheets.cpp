@@ -14,6 +14,8 @@
 #include <set>
 
 #include "core/errors.h"
+#include "core/messages.h"
+#include "mesh/second_order.h"
 #include "mesh/validation.h"
 #include "part_documents.h"
 #include "part_meshes.h"
@@ -60,6 +62,26 @@ TopoDS_Shape three_sheets(double third_width) {
         all = all.IsNull() ? sheet : BRepAlgoAPI_Fuse(all, sheet).Shape();
     }
     return all;
+}
+
+/// Of two arcs, since an edge that is closed passes no vertex of another one.
+TopoDS_Wire circle_of_arcs(Vec3 centre, double radius) {
+    const gp_Circ round(gp_Ax2(gp_Pnt(centre.x, centre.y, centre.z), gp_Dir(0, 0, 1)), radius);
+    const TopoDS_Edge upper = BRepBuilderAPI_MakeEdge(round, 0, M_PI).Edge();
+    return BRepBuilderAPI_MakeWire(upper, BRepBuilderAPI_MakeEdge(round, M_PI, 2 * M_PI).Edge()).Wire();
+}
+
+/// A flat sheet with a round hole and a notch in its border whose tip all but touches the hole.
+TopoDS_Shape sheet_with_notch(double gap, TopoDS_Wire hole) {
+    BRepBuilderAPI_MakePolygon border;
+    for (const auto& [x, y] :
+         {std::array{0.0, 0.0}, {100.0, 0.0}, {100.0, 60.0}, {57.0, 60.0}, {50.0, 36 + gap}, {43.0, 60.0}, {0.0, 60.0}})
+        border.Add(gp_Pnt(x, y, 0));
+    border.Close();
+    BRepBuilderAPI_MakeFace face(border.Wire());
+    hole.Reverse();
+    face.Add(hole);
+    return face.Face();
 }
 
 void check_sound(const PartMesh& part, double size) {
@@ -115,6 +137,34 @@ TEST_CASE("A part of faces is meshed with triangles on its faces") {
         CHECK(result.report.quality.min_dihedral_unforced > 20);
         CHECK(result.report.lengths.share_within > 0.9);
     }
+}
+
+TEST_CASE("A 6-node triangle that a curved side folds at any length has straight sides, which is said once") {
+    MeshOptions options = options_of(8, 2);
+    options.ignore_below = -1;
+    const PartMeshResult result = meshed(document_of(sheet_with_notch(3e-4, circle({50, 30, 0}, 6))), options);
+    const Mesh& mesh = result.part_mesh->mesh;
+    CHECK(broken_invariants(mesh, expectation_of(result.part_mesh->part.brep)).empty());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        REQUIRE(min_scaled_jacobian(triangle_nodes(mesh, TriangleId(t))) > 0.05);
+    std::vector<std::string> told;
+    for (const auto& line : result.report.warnings)
+        if (line.code() == Code::sides_stay_straight) told.push_back(line.in_english());
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].starts_with("1 side of elements at Edge"));
+    const PartMeshResult moved =
+        updated(*result.part_mesh, document_of(sheet_with_notch(4e-4, circle({50, 30, 0}, 6))), options);
+    CHECK(broken_invariants(moved.part_mesh->mesh, expectation_of(moved.part_mesh->part.brep)).empty());
+}
+
+TEST_CASE("A border that passes a vertex of another nearer than what is ignored has its node") {
+    const int order = GENERATE(1, 2);
+    MeshOptions options = options_of(5, order);
+    options.ignore_below = 0.01;
+    const PartMeshResult result = meshed(document_of(sheet_with_notch(0.005, circle_of_arcs({50, 30, 0}, 6))), options);
+    CHECK(broken_invariants(result.part_mesh->mesh, expectation_of(result.part_mesh->part.brep)).empty());
+    CHECK(result.report.quality.min_dihedral > 5);
+    CHECK(result.report.triangles < 1000);
 }
 
 TEST_CASE("Where three sheets meet in an edge they share its nodes") {

@@ -1645,8 +1645,8 @@
       <translation>{sides:count} {sides:Seite zwischen Flächen folgt|Seiten zwischen Flächen folgen} keiner Kante</translation>
     </message>
     <message>
-      <source>{sides:count} {sides:side|sides} of 10-node tetrahedra at {places:entities} {sides:is|are} straight, with {sides:its middle|their middles} up to {distance:length} off the part, because elements would be folded if {sides:it|they} followed it. FreeCAD does not find these nodes on the face, so a load on it lacks the elements there. Ask for another size there.</source>
-      <translation>{sides:count} {sides:Seite|Seiten} von 10-Knoten-Tetraedern bei {places:entities} {sides:ist|sind} gerade, {sides:ihre Mitte|ihre Mitten} bis zu {distance:length} neben dem Bauteil, weil Elemente gefaltet würden, wenn {sides:sie ihm folgte|sie ihm folgten}. FreeCAD findet diese Knoten nicht auf der Fläche, so dass einer Last darauf die Elemente dort fehlen. Dort eine andere Größe wählen.</translation>
+      <source>{sides:count} {sides:side|sides} of elements at {places:entities} {sides:is|are} straight, with {sides:its middle|their middles} up to {distance:length} off the part, because elements would be folded if {sides:it|they} followed it. FreeCAD does not find these nodes on the face, so a load on it lacks the elements there. Ask for another size there.</source>
+      <translation>{sides:count} {sides:Seite|Seiten} von Elementen bei {places:entities} {sides:ist|sind} gerade, {sides:ihre Mitte|ihre Mitten} bis zu {distance:length} neben dem Bauteil, weil Elemente gefaltet würden, wenn {sides:sie ihm folgte|sie ihm folgten}. FreeCAD findet diese Knoten nicht auf der Fläche, so dass einer Last darauf die Elemente dort fehlen. Dort eine andere Größe wählen.</translation>
     </message>
     <message>
       <source>{study:text} has no part</source>
