@@ -85,13 +85,16 @@ def main():
 
 
 def measure_documents(given):
+    if given.case or given.threads != 1 or given.netgen:
+        print("featuremesh bench: --documents measures on one thread, beside Gmsh at most; leave out --case, --threads and --netgen", file=sys.stderr)
+        return 2
     try:
         found = bench_documents.measure(given.documents, given.divisor, given.edits, not given.ours)
     except RuntimeError as error:
         print(f"featuremesh bench: {error}", file=sys.stderr)
         return 2
     append_to_results({"case": "documents", "divisor": given.divisor, "machine": machine(), "documents": found})
-    return 0
+    return 0 if found else 1
 
 
 def all_cases():

@@ -18,9 +18,9 @@ from measured_process import run_measured  # noqa: E402
 
 
 class Documents(unittest.TestCase):
-    def measured(self, folder):
-        return subprocess.run([sys.executable, str(BENCH), "--documents", str(folder), "--divisor", "12", "--edits", "1", "--ours"], stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE, text=True)
+    def measured(self, folder, *words):
+        return subprocess.run([sys.executable, str(BENCH), "--documents", str(folder), "--divisor", "12", "--edits", "1", "--ours", *words],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
     def test_every_part_has_a_line_and_all_have_a_table(self):
         with tempfile.TemporaryDirectory() as name:
@@ -64,6 +64,19 @@ class Documents(unittest.TestCase):
             done = self.measured(name)
         self.assertEqual(done.returncode, 2)
         self.assertIn("no document (*.FCStd)", done.stderr)
+
+    def test_what_it_does_not_do_is_refused(self):
+        for words in (["--threads", "2"], ["--case", "bracket"], ["--netgen"]):
+            done = self.measured(EXAMPLES, *words)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("leave out --case, --threads and --netgen", done.stderr)
+
+    def test_where_nothing_could_be_measured_it_fails(self):
+        with tempfile.TemporaryDirectory() as name:
+            (Path(name) / "torn.FCStd").write_bytes((EXAMPLES / "bracket.FCStd").read_bytes()[:2000])
+            done = self.measured(name)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("1 documents, 1 not measured", done.stdout)
 
 
 if __name__ == "__main__":
