@@ -18,7 +18,6 @@ _KINDS = ("Fem::FemResultObject", "Fem::FemPostPipeline")
 _MEMBERS = ("Fem::Constraint", "Fem::Element", "Fem::Material")   # how the types of FEM's objects in Python begin
 # Properties that FreeCAD computes for what it draws, or that say nothing of what is solved.
 _DRAWN = {"Label", "Label2", "Visibility", "Proxy", "ExpressionEngine", "Scale", "Points", "Normals", "NormalDirection", "DirectionVector", "BasePoint", "Axis"}
-_VALUES = (int, float, str, FreeCAD.Units.Quantity, FreeCAD.Vector, FreeCAD.Placement, FreeCAD.Rotation)
 _states = {}   # (document, analysis) -> the state of its mesh and its members when input for a solver was last written
 
 
@@ -128,12 +127,20 @@ def _values_of(member):
 
 
 def _as_text(value):
-    """Objects by name; what else has no text but its place in memory is no value."""
+    """Objects by name, numbers to twelve digits; what else has no text but its place in memory is no value."""
     if isinstance(value, FreeCAD.DocumentObject):
         return value.Name
-    if isinstance(value, (list, tuple)):
+    if isinstance(value, FreeCAD.Units.Quantity):
+        value = value.Value
+    elif isinstance(value, FreeCAD.Placement):
+        value = *value.Base, *value.Rotation.Q
+    if isinstance(value, float):
+        return "%.12g" % value
+    if isinstance(value, dict):
+        return sorted(value.items())
+    if isinstance(value, (list, tuple, FreeCAD.Vector)):
         return [_as_text(one) for one in value]
-    return sorted(value.items()) if isinstance(value, dict) else repr(value) if isinstance(value, _VALUES) else ""
+    return str(value) if isinstance(value, (int, str)) else ""
 
 
 def _is_solved_with(obj):
