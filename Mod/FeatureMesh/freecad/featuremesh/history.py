@@ -97,9 +97,10 @@ class _Observer:
             results.note_again(obj, from_input=True)   # since 1.1 a solver fills its pipeline anew
         if not obj.Document.Recomputing:
             _left_touched.get(obj.Document.Name, set()).discard(obj.Name)
-        if not (FreeCAD.isRestoring() or obj.Document.Recomputing or obj.Document.Transacting):
-            results.member_changed(obj, name)
-        if name not in _WATCHED or FreeCAD.isRestoring() or obj.Document.Recomputing or obj.Document.Transacting:
+        if FreeCAD.isRestoring() or obj.Document.Recomputing or obj.Document.Transacting:
+            return
+        results.member_changed(obj, name)
+        if name not in _WATCHED:
             return
         if name == "Group" and obj.isDerivedFrom("Fem::FemAnalysis"):
             results.note(obj)
