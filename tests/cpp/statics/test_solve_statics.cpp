@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <chrono>
 #include <cstring>
+#include <string_view>
+#include <thread>
 
 #include "catch.h"
 #include "held_box.h"
@@ -233,6 +236,36 @@ TEST_CASE("after many edits the solution is that of a fresh solve, and has the s
             CHECK(std::abs(found.displacements[i] - fresh.displacements[i]) < 2e-6 * largest(fresh.displacements));
     }
     CHECK(kept >= 10);
+}
+
+TEST_CASE("cancelled anywhere after an edit, the next solution is that of a fresh solve") {
+    NEEDS_SOLVER();
+    const int order = GENERATE(1, 2);
+    const Mesh mesh = solved_box(order == 1 ? 6 : 3, order, {30, 10, 10});
+    Mesh edited = mesh;
+    move_inner_node(edited, 0, {0.1, -0.05, 0.05});
+    const StaticsModel before = cantilever(mesh, 30, 100, 0.3), model = cantilever(edited, 30, 100, 0.3);
+    const StaticsSolution fresh = solved(model);
+    bool was_cancelled = true;
+    for (int looks = 0; was_cancelled; ++looks) {
+        RunContext context, cancelled;
+        StaticsSolver solver;
+        solver.solve(before, context);
+        int left = looks;
+        cancelled.on_progress = [&](std::string_view step, double) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(21));  // or the next look is left out
+            return step == "solve" || step == "stresses" || left-- > 0;
+        };
+        try {
+            solver.solve(model, cancelled);
+            was_cancelled = false;
+        } catch (const Cancelled&) {
+            const StaticsSolution found = solver.solve(model, context);
+            CHECK(found.energy_error <= StaticsSolver::tolerance);
+            CHECK(found.strain_energy == Approx(fresh.strain_energy).epsilon(1e-7));
+        }
+        REQUIRE((looks > 0 || was_cancelled));
+    }
 }
 
 TEST_CASE("where an edit makes single tets stiff the smoothing that is carried over knows of them") {
