@@ -40,6 +40,15 @@ except DiskFull as error:
 """
 
 
+WORKER = """#!{python}
+import json, os
+said = json.loads(os.environ["FEATUREMESH_STUDY_WORKER"])
+os.write(said["answers"], b'{{"ready": 1}}\\n')
+for line in os.fdopen(said["requests"]):
+    os.write(said["answers"], b'{{"state": "done", "responses": {{"mass": 1.0}}}}\\n')
+"""
+
+
 OPTUNA = (optuna_search.OptunaOptimiser,) if importlib.util.find_spec("optuna") else ()
 
 
@@ -54,6 +63,14 @@ def folder_of(test, asked, integers=()):
     database = Database(os.path.join(path, "study.sqlite"), new=True)
     test.addCleanup(database.close)
     return SimpleNamespace(path=path, database=database, study=lambda: design.from_plain(asked.to_plain()), facts=lambda: {"integers": list(integers), "base_values": {}})
+
+
+def interrupted_after(method):
+    """The method, and then Ctrl-C."""
+    def call(*arguments):
+        method(*arguments)
+        raise KeyboardInterrupt
+    return call
 
 
 def finish(folder, cases, mass):
@@ -361,6 +378,27 @@ class Running(unittest.TestCase):
                 self.assertTrue(worker.is_overdue())
             finally:
                 worker.end()
+
+    def test_an_interrupt_between_two_lines_loses_no_case(self):
+        """It comes when the database has just heard that a case begins, or is done; a worker that is no FreeCAD."""
+        for name, states, attempts in (("start", ["waiting"] * 3, [0] * 3), ("finish", ["done"] + ["waiting"] * 2, [1, 0, 0])):
+            folder = self.folder_with_base(cases=3)
+            program = os.path.join(folder.path, "worker")
+            with open(program, "w", encoding="utf-8") as stream:
+                stream.write(WORKER.format(python=sys.executable))
+            os.chmod(program, 0o755)
+            with unittest.mock.patch.object(Database, name, interrupted_after(getattr(Database, name))), self.assertRaises(KeyboardInterrupt):
+                with runner.Runner(folder, runner.Machine(program, dict(os.environ)), keep_base=True) as running:
+                    running.run()
+            cases = folder.database.cases()
+            self.assertEqual(([case.state for case in cases], [case.attempts for case in cases]), (states, attempts))
+
+    def folder_with_base(self, cases):
+        folder = folder_of(self, study("grid", "A.x=1:3"))
+        folder.database.add_cases([({"A.x": float(number)}, None) for number in range(cases)], "test")
+        folder.facts = lambda: {"nodes": 10, "filled_by": "tets", "solver": None, "engine": "", "freecad": ""}
+        folder.base_path, folder.refuse_damaged_base, folder.clear_case = "base.FCStd", lambda: None, lambda case_id: folder.path
+        return folder
 
     def test_the_longest_time_limit_can_be_waited_for(self):
         with tempfile.TemporaryDirectory() as folder:

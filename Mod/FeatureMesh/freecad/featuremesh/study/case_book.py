@@ -71,11 +71,15 @@ class CaseBook:
         made = made_of(self.study, self.facts, self._document_hash, case.parameters)
         return {**result, "seconds": seconds, "hashes": {**result.get("hashes", {}), "made_of": made}}
 
-    def give_back(self, cases):
-        """These were not finished and wait again, as if they had not been started."""
+    def give_back(self, case):
+        """The case was not begun and waits again."""
+        self.database.wait_again(case.id, counts=False)
+        case.attempts -= 1
+
+    def give_back_all(self):
+        """What was not finished waits again, as if it had not been started. The database says what that is: an interrupt can come anywhere."""
         try:
-            for case in cases:
-                self.database.wait_again(case.id, counts=False)
+            self.database.forget_running()
         except DiskFull:
             pass   # the next run does it
 

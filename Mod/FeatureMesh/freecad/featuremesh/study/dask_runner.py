@@ -63,7 +63,7 @@ class DaskRunner:
 
     def __exit__(self, *_):
         unfinished = list(self._running)
-        self._book.give_back([case for case, _ in self._running.values()])
+        self._book.give_back_all()
         self._running = {}
         try:
             if unfinished:

@@ -108,7 +108,7 @@ class Database:
                                 _plain(result.get("mesh")), _plain(result.get("hashes")), case_id))
 
     def forget_running(self):
-        """Cases that a killed runner left wait again. Returns how many these were."""
+        """Cases that a runner began and did not finish wait again. Returns how many these were."""
         with self._transaction():
             return self._link.execute("update cases set state = ?, attempts = attempts - 1 where state = ?", (WAITING, RUNNING)).rowcount
 
@@ -137,8 +137,8 @@ class Database:
     @contextmanager
     def _transaction(self):
         with _disk_errors(self._path):
-            self._link.execute("begin immediate")
             try:
+                self._link.execute("begin immediate")
                 yield
                 self._link.execute("commit")
             except BaseException:

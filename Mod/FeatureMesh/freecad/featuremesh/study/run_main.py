@@ -53,6 +53,7 @@ def _run(said):
 
 
 def _interrupt(*_):
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)   # once is enough: it ends its workers now
     raise KeyboardInterrupt
 
 

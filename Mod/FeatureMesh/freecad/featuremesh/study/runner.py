@@ -35,7 +35,7 @@ class Runner:
 
     def __init__(self, folder, machine, show=None, keep_base=False):
         self._machine, self._book = machine, CaseBook(folder, show, keep_base)
-        self._busy, self._idle, self._starting = [], [], []
+        self._busy, self._idle, self._starting = [], [], []   # each worker is in one of them at any moment: an interrupt can come between two lines
         self._started = 0   # workers, for the names of their logs
         self._ended_early = 0
 
@@ -46,7 +46,7 @@ class Runner:
         while waiting or self._busy:
             self._book.refuse_changed_document()
             while waiting and self._idle and len(self._busy) < jobs:
-                waiting[:1] = self._start(waiting[0], self._idle.pop())
+                waiting[:1] = self._start(waiting[0])
             while len(self._starting + self._idle + self._busy) < min(jobs, len(self._busy) + len(waiting)):
                 self._starting.append(self._new_worker())
             self._book.show_progress([busy.start for busy in self._busy], jobs)
@@ -65,7 +65,7 @@ class Runner:
         """Ends all workers; cases that run wait again."""
         for worker in self._starting + self._idle + [busy.worker for busy in self._busy]:
             worker.end()
-        self._book.give_back([busy.case for busy in self._busy])
+        self._book.give_back_all()
         self._busy, self._idle, self._starting = [], [], []
 
     def _jobs_now(self, jobs):
@@ -77,18 +77,19 @@ class Runner:
                                needed="%.1f" % (needed / 1e9), free="%.1f" % (available / 1e9)))
         return fitting
 
-    def _start(self, case, worker):
-        """Gives a case to a worker. Returns the case, in a list, where the worker had ended: between two cases nothing is lost."""
+    def _start(self, case):
+        """Gives a case to an idle worker. Returns the case, in a list, where the worker had ended: between two cases nothing is lost."""
+        worker, returned = self._idle[-1], []
         request = self._book.start(case)
         try:
             worker.send(request)
+            self._busy.append(_Busy(worker, case, time.monotonic()))
         except WorkerDied:
             worker.end()
-            self._book.give_back([case])
-            case.attempts -= 1
-            return [case]
-        self._busy.append(_Busy(worker, case, time.monotonic()))
-        return []
+            self._book.give_back(case)
+            returned = [case]
+        self._idle.remove(worker)
+        return returned
 
     def _new_worker(self):
         """A FreeCAD that opens the base document; it says when it has."""
@@ -98,7 +99,6 @@ class Runner:
 
     def _take_ready(self, worker):
         """The worker is ready for cases, or has ended. Throws Stopped where that is of no use."""
-        self._starting.remove(worker)
         try:
             worker.answer()
         except BaseBroken as error:
@@ -106,6 +106,7 @@ class Runner:
             raise Stopped(said("a worker cannot open the base document: {why:messages}", why=of_error(error))) from error
         except WorkerDied as error:
             worker.end()
+            self._starting.remove(worker)
             self._ended_early += 1
             if self._ended_early >= _MOST_STARTS:
                 raise Stopped(said("a worker cannot start: {why:messages}; see the worker logs in {folder:text}",
@@ -113,6 +114,7 @@ class Runner:
             return
         self._ended_early = 0
         self._idle.append(worker)
+        self._starting.remove(worker)
 
     def _take(self, busy):
         """Keeps what a case gave. Returns the case, in a list, where it is to be run again."""
@@ -122,6 +124,6 @@ class Runner:
             busy.worker.end()
             result, worker = {"state": "killed", "message": of_error(error)}, None
         again = self._book.keep(busy.case, result, time.monotonic() - busy.start)
-        self._busy.remove(busy)
         self._idle += [worker] if worker else []
+        self._busy.remove(busy)
         return [busy.case] if again else []
