@@ -2,13 +2,13 @@
 """What each command does: set-up, then one task in FreeCAD or one program."""
 import json
 import os
-import re
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import addon
+import ctest
 import freecad_roots
 import package_tests
 import packages
@@ -21,10 +21,7 @@ from freecad_task import freecad_environment, run_script, run_task, window_envir
 from layout import EXAMPLES, RELEASE, ROOT, WORKBENCH, Failure, Unavailable, UserError
 from setup_log import say
 
-CLOSING_LINES = 30
-IN_FREECAD_LABEL = "in_freecad"   # of the tests that run in FreeCAD
 DOCUMENT = ".FCStd"   # the ending of its name
-TABLE_LINE = re.compile(r"\d+: (?=\| )")
 
 
 def mesh(given):
@@ -145,37 +142,13 @@ def test(given):
     extra = () if given.in_freecad else packages.STYLE_PACKAGES + packages.WINDOWS_PACKAGES + packages.SOLVER_PACKAGES + packages.CLUSTER_PACKAGES
     set_up(packages.PICTURE_PACKAGES + packages.PEER_PACKAGES + packages.READER_PACKAGES + packages.STUDY_PACKAGES + extra, IN_FREECAD if given.in_freecad else ALL)
     say("running the tests" + (" in FreeCAD" if given.in_freecad else ""))
-    options = [*(["-R", given.only] if given.only else []), *(["-L", IN_FREECAD_LABEL] if given.in_freecad else [])]
+    options = [*(["-R", given.only] if given.only else []), *(["-L", ctest.IN_FREECAD_LABEL] if given.in_freecad else [])]
     environment = dict(os.environ)
     if given.long:
         options.append("--verbose")
         environment["FEATUREMESH_LONG"] = "1"
-    log_file = RELEASE / "ctest.log"
-    code, lines = run_ctest(options, environment, log_file)
-    print_closing_lines(lines, failed=code != 0)
-    if code:
-        raise Failure(f"tests failed; everything they said: {log_file}")
+    ctest.run(RELEASE, options, environment)
     return 0
-
-
-def run_ctest(options, environment, log_file):
-    """Its exit code, and all that it said, of which tests and tables are shown as they come. It ends with the launcher."""
-    lines = []
-    with open(log_file, "w", encoding="utf-8") as log, subprocess.Popen(
-            ["ctest", "--test-dir", str(RELEASE), "--output-on-failure", "--no-tests=error", *options],
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", env=environment) as process:
-        try:
-            for line in process.stdout:
-                log.write(line)
-                lines.append(line)
-                if "Test  #" in line or "Test #" in line:
-                    print(line, end="", flush=True)
-                elif TABLE_LINE.match(line):
-                    print(TABLE_LINE.sub("", line), end="", flush=True)
-        except BaseException:
-            process.terminate()
-            raise
-    return process.returncode, lines
 
 
 def test_packages(given):
@@ -195,15 +168,6 @@ def test_elsewhere(given):
     options = [*(["--only", given.only] if given.only else []), *(["--long"] if given.long else []),
                *(["--in-freecad"] if given.in_freecad else [])]
     return freecad_roots.run_in_root(given.freecad, [f"{freecad_roots.CHECKOUT}/featuremesh", "test", *options])
-
-
-def print_closing_lines(lines, failed):
-    """Ctest's summary, and after a failure all that the failed tests said."""
-    if failed:
-        print("".join(lines), end="")
-        return
-    start = next((i for i, line in enumerate(lines) if "tests passed" in line), max(0, len(lines) - CLOSING_LINES))
-    print("".join(lines[start:]), end="")
 
 
 def bench(given):

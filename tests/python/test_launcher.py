@@ -24,6 +24,7 @@ sys.path.insert(0, str(ROOT / "resources" / "launcher"))
 import addon  # noqa: E402
 import cgal_headers  # noqa: E402
 import commands  # noqa: E402
+import ctest  # noqa: E402
 import engine_build  # noqa: E402
 import freecad_roots  # noqa: E402
 import freecad_task  # noqa: E402
@@ -422,21 +423,45 @@ class SetUp(unittest.TestCase):
             time.sleep(0.1)
         self.fail("it goes on")
 
+    def stand_in_for_ctest(self, text):
+        """A folder with the program in CTest's place, and an environment that finds it."""
+        folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, folder)
+        (folder / "ctest").write_text("#!/bin/sh\n" + text, encoding="utf-8")
+        (folder / "ctest").chmod(0o755)
+        environment = {**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"}
+        self.enterContext(mock.patch.dict(os.environ, environment))
+        return folder, environment
+
     def test_tests_end_with_the_launcher(self):
-        with tempfile.TemporaryDirectory() as folder:
-            ctest, started = Path(folder) / "ctest", Path(folder) / "started"
-            ctest.write_text(f"#!/bin/sh\necho $$ > {started}\necho '1/1 Test  #1: sleeps'\nexec sleep 60\n", encoding="utf-8")
-            ctest.chmod(0o755)
-            environment = {**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"}
-            with mock.patch.dict(os.environ, environment), mock.patch("builtins.print", side_effect=KeyboardInterrupt), self.assertRaises(KeyboardInterrupt):
-                commands.run_ctest([], environment, Path(folder) / "ctest.log")
-            process = int(started.read_text(encoding="utf-8"))
+        folder, environment = self.stand_in_for_ctest("echo $$ > $2/started\necho '1/1 Test  #1: sleeps'\nexec sleep 60\n")
+        with mock.patch("builtins.print", side_effect=KeyboardInterrupt), self.assertRaises(KeyboardInterrupt):
+            ctest.run(folder, [], environment)
+        process = int((folder / "started").read_text(encoding="utf-8"))
         for _ in range(100):
             if not is_running(process):
                 return
             time.sleep(0.1)
         os.kill(process, signal.SIGKILL)
         self.fail("they go on")
+
+    def test_only_tests_of_the_window_run_once_more(self):
+        """One that fails the first time, one that fails twice, and one that is not of the window."""
+        folder, environment = self.stand_in_for_ctest(
+            'case "$*" in *" -N "*) echo "  Test  #7: python_live"; exit ;; esac\n'
+            'echo "$*" >> $2/calls\nread name times < $2/fails\n[ $(wc -l < $2/calls) -gt $times ] && echo "100% tests passed" && exit\n'
+            'printf "The following tests FAILED:\\n\\t  7 - $name (Failed)\\n"\nexit 8\n')
+        for fails, calls, word in (("python_live 1", 2, "passed only the second time: python_live"), ("python_live 2", 2, "failed twice"), ("volume 1", 1, "")):
+            (folder / "fails").write_text(fails, encoding="utf-8")
+            (folder / "calls").unlink(missing_ok=True)
+            with contextlib.redirect_stdout(io.StringIO()) as said, contextlib.redirect_stderr(said):
+                with contextlib.nullcontext() if word.startswith("passed") else self.assertRaises(Failure):
+                    ctest.run(folder, ["-L", "in_freecad"], environment)
+            lines = (folder / "calls").read_text(encoding="utf-8").splitlines()
+            self.assertEqual(len(lines), calls, said.getvalue())
+            self.assertIn(word, said.getvalue())
+            self.assertIn("- %s (Failed)" % fails.split()[0], (folder / "ctest.log").read_text(encoding="utf-8"))
+            self.assertTrue(calls == 1 or lines[1].endswith("-R ^(python_live)$"), lines)
 
     def test_only_one_set_up_at_a_time(self):
         steps = []
