@@ -124,6 +124,43 @@ def check_which_analysis(document, body):
     close_panel()
 
 
+def check_mesh_of_another_maker():
+    """The analysis has Gmsh's mesh: ours takes its place with what belongs to it, or leaves it there; undo and Cancel bring it back."""
+    document = FreeCAD.newDocument("Gmsh")
+    document.UndoMode = 1
+    box = document.addObject("Part::Box", "Box")
+    document.recompute()
+    analysis = ObjectsFem.makeAnalysis(document, "Analysis")
+    theirs = ObjectsFem.makeMeshGmsh(document, "Gmsh")
+    region, group = ObjectsFem.makeMeshRegion(document, theirs, 0.5), ObjectsFem.makeMeshGroup(document, theirs)
+    region.References, group.References = [(box, "Face1")], [(box, "Face2")]
+    theirs.CharacteristicLengthMax = 2.5
+    analysis.addObject(theirs)
+    document.recompute()
+    seen = []
+    for text, button, members in (("Cancel", None, [theirs]), ("Leave it there", "Cancel", [theirs]), ("Take its place", "Cancel", [theirs]),
+                                  ("Take its place", "Ok", None)):
+        timer = answer_with(text, seen)
+        select((box,))
+        run_command("MeshPart")
+        assert not timer.isActive() and bool(Gui.Control.activeDialog()) == (text != "Cancel"), text
+        picture("mesh_of_another_maker")
+        if button:
+            mesh = panel("MeshPanel").mesh
+            click_in_panel(button)
+            wait_for(lambda: not Gui.Control.activeDialog())
+        assert analysis.Group == (members or [mesh]), (text, button, analysis.Group)
+    assert seen == ["Analysis has the mesh Gmsh, and an analysis is solved with one mesh."] * 4, seen
+    assert (mesh.Size.Value, mesh.MeshRegionList, mesh.MeshGroupList) == (2.5, [region], [group])
+    assert (mesh.Status, theirs.ViewObject.Visibility) == ("up to date", False), mesh.Status
+    groups = [mesh.FemMesh.getGroupName(number) for number in mesh.FemMesh.Groups]
+    assert any(name.startswith(group.Name) for name in groups), groups
+    Gui.runCommand("Std_Undo")
+    spin()
+    assert analysis.Group == [theirs] and not document.getObject("FeatureMesh"), analysis.Group
+    FreeCAD.closeDocument(document.Name)
+
+
 def check_part_deleted(document, mesh):
     """The panel and the commands of a mesh without its part say so; undo brings it back."""
     document.openTransaction("Delete")
@@ -179,6 +216,7 @@ def drive():
     if versions.version() >= (1, 0):
         check_frozen(two, two.Box, two.FeatureMesh)
     FreeCAD.closeDocument(two.Name)
+    check_mesh_of_another_maker()
     document = FreeCAD.newDocument("Mistakes")
     document.UndoMode = 1
     body = plate_with_hole(document)

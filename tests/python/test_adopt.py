@@ -58,6 +58,8 @@ class Adopt(unittest.TestCase):
         foreign = self.gmsh(order)
         analysis = ObjectsFem.makeAnalysis(self.document)
         analysis.addObject(foreign)
+        named = ObjectsFem.makeMeshGroup(self.document, foreign)
+        named.References = [(self.body, "Face1")]
         mesh, report = api.adopt_mesh(foreign)
         self.assertIsNone(report["fallback"])
         self.assertEqual(report["kept"]["nodes_share"], 1.0)
@@ -68,6 +70,8 @@ class Adopt(unittest.TestCase):
         self.assertAlmostEqual(mesh.Size.Value, SIZE, delta=0.35 * SIZE)
         self.assertIn(mesh, analysis.Group)
         self.assertNotIn(foreign, analysis.Group)
+        self.assertEqual(mesh.MeshGroupList, [named])
+        self.assertTrue(any(mesh.FemMesh.getGroupName(g).startswith(named.Name) for g in mesh.FemMesh.Groups))
         for number, face in enumerate(self.body.Shape.Faces, 1):
             group = next(g for g in mesh.FemMesh.Groups if mesh.FemMesh.getGroupName(g) == "Face%d_Nodes" % number)
             self.assertEqual(set(mesh.FemMesh.getGroupElements(group)), set(foreign.FemMesh.getNodesByFace(face)))

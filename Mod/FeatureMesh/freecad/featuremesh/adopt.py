@@ -66,6 +66,13 @@ def arrays_of(obj):
     return arrays
 
 
+def asked_size(obj):
+    """The largest size (mm) that Gmsh's or Netgen's mesh object was given, None without one (Netgen's own default is 1000 mm)."""
+    given = [getattr(obj, name, None) for name in ("CharacteristicLengthMax", "MaxSize")]
+    lengths = [getattr(value, "Value", value) for value in given if value is not None]
+    return next((length for length in lengths if 0 < length < 1000), None)
+
+
 def typical_size(arrays):
     """The edge length that most of the mesh's surface has (of its inside where it has no triangles), mm, rounded to three digits."""
     triangles = len(arrays["triangles"]) > 0

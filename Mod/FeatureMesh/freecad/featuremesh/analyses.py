@@ -19,10 +19,9 @@ def for_new_mesh(part, active=None):
     FreeCAD solves an analysis with exactly one.
     """
     every = analyses_of(part.Document)
-    if active is not None and active in every:
-        return _unless_it_has_a_mesh(active)
-    if len(every) == 1:
-        return _unless_it_has_a_mesh(every[0])
+    meant = _meant(every, active)
+    if meant is not None:
+        return _unless_it_has_a_mesh(meant)
     fitting = [analysis for analysis in every if not meshes_of(analysis) and _is_about(analysis, part)]
     if len(fitting) == 1:
         return fitting[0], translate("FeatureMesh", "The mesh is in %s, which refers to %s.") % (describe(fitting[0]), describe(part))
@@ -30,6 +29,13 @@ def for_new_mesh(part, active=None):
         return None, ""
     return None, translate("FeatureMesh", "The mesh is in no analysis, because none of %s is active: drag it into the one that it is for.") % (
         ", ".join(describe(analysis) for analysis in every))
+
+
+def other_makers_mesh(document, active=None):
+    """(the analysis that a new mesh would join, the mesh of another maker in it), or None where no such mesh is in the way."""
+    analysis = _meant(analyses_of(document), active)
+    meshes = meshes_of(analysis) if analysis is not None else []
+    return (analysis, meshes[0]) if len(meshes) == 1 and not is_ours(meshes[0]) else None
 
 
 def refuse_other(obj):
@@ -76,12 +82,17 @@ def _type_of(obj):
     return getattr(getattr(obj, "Proxy", None), "Type", "")
 
 
+def _meant(every, active):
+    """The active one, else the only one, or None."""
+    return active if active in every else every[0] if len(every) == 1 else None
+
+
 def _unless_it_has_a_mesh(analysis):
     meshes = meshes_of(analysis)
     if not meshes:
         return analysis, ""
-    return None, translate("FeatureMesh", "The mesh is in no analysis: %s has %s already, and an analysis is solved with one mesh.") % (
-        describe(analysis), describe(meshes[0]))
+    return None, translate("FeatureMesh", "The mesh is in no analysis: %s has %s already, and an analysis is solved with one mesh. Drag the "
+                               "other one out of it and this one into it, if this one is to be solved.") % (describe(analysis), describe(meshes[0]))
 
 
 def _is_about(analysis, part):

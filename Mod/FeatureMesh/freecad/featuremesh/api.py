@@ -29,7 +29,7 @@ DEFAULT_ELEMENTS = 30
 
 
 def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=True, elements=DEFAULT_ELEMENTS,
-             join_analysis=True, active_analysis=None, dimension=FROM_SHAPE, ignore_below=0.0):
+             join_analysis=True, active_analysis=None, dimension=FROM_SHAPE, ignore_below=0.0, in_place_of=None):
     """Adds a mesh object for `part` to its document; recompute it, or call update_mesh, to mesh.
 
     Of a container (App::Part, group, assembly) all parts are meshed, each by itself, by way of an object that shows them (see assembled.py); so is a link.
@@ -37,8 +37,9 @@ def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=
     `size` in mm, by default the part's diagonal over `elements`; `order` 2 for 10-node tetrahedra, 1 for 4-node ones, which are far too stiff
     in bending; `dimension` "Solids", "Faces" (triangles for shells), "Edges" (segments for beams), or by default what the shape has. Details smaller
     than `ignore_below` (mm) get no elements of their own; 0: those below a thousandth of the size where the part cannot be meshed with them, negative:
-    none. It joins the active analysis, where one is given, or the one that it is for, see analyses.for_new_mesh. Throws UserError for sizes that make
-    no sense.
+    none. It joins the active analysis, where one is given, or the one that it is for, see analyses.for_new_mesh; or those of `in_place_of`, a mesh object
+    of another maker that leaves them and stays in the document, whose refinements and groups are the new mesh's, too, and whose size is the default.
+    Throws UserError for sizes that make no sense.
     """
     reading.refuse_gone(part)
     if order not in (1, 2):
@@ -47,7 +48,7 @@ def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=
         raise UserError(said("the dimension is one of {dimensions:text}, not {dimension:text}", dimensions=", ".join(DIMENSIONS), dimension=str(dimension)))
     with all_or_nothing(part.Document):
         part = _shown_by_one(part)
-        size = default_size(part, elements) if size is None else length_of(size)
+        size = adopt.asked_size(in_place_of) or default_size(part, elements) if size is None else length_of(size)
         check_size(size, part)
         ignore_below = finite_length(ignore_below)
         mesh = part.Document.addObject(versions.mesh_object_type(), name)
@@ -55,7 +56,10 @@ def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=
         setattr(mesh, versions.part_property(mesh), part)
         mesh.Size, mesh.Order, mesh.Threads, mesh.Automatic = size, "2nd" if order == 2 else "1st", threads, automatic
         mesh.Dimension, mesh.IgnoreBelow = dimension, ignore_below
-        if join_analysis:
+        if in_place_of is not None:
+            _take_what_belongs_to(in_place_of, mesh)
+            _take_place_of(in_place_of, mesh)
+        elif join_analysis:
             _join_analysis(mesh, part, active_analysis)
         return mesh
 
@@ -76,6 +80,18 @@ def _join_analysis(mesh, part, active):
         analysis.addObject(mesh)
     if remark:
         FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, remark))
+
+
+def _take_what_belongs_to(foreign, mesh):
+    """Its refinements and groups."""
+    for name in ("MeshRegionList", "MeshGroupList"):
+        setattr(mesh, name, [obj for obj in getattr(foreign, name, []) if not getattr(obj, "Suppressed", False)])
+
+
+def _take_place_of(foreign, mesh):
+    for analysis in [obj for obj in foreign.InList if obj.isDerivedFrom("Fem::FemAnalysis")]:
+        analysis.removeObject(foreign)
+        analysis.addObject(mesh)
 
 
 def update_mesh(mesh, full=False, progress=None):
@@ -107,14 +123,12 @@ def adopt_mesh(foreign, part=None, size=None, progress=None):
     order = 2 if len(arrays["tet_mids"]) else 1
     mesh = add_mesh(part, adopt.typical_size(arrays) if size is None else size, order, join_analysis=False)
     try:
-        mesh.MeshRegionList = [region for region in getattr(foreign, "MeshRegionList", []) if not getattr(region, "Suppressed", False)]
+        _take_what_belongs_to(foreign, mesh)
         report = mesh.Proxy.adopt(mesh, arrays, progress)
     except BaseException:
         mesh.Document.removeObject(mesh.Name)
         raise
-    for analysis in [obj for obj in foreign.InList if obj.isDerivedFrom("Fem::FemAnalysis")]:
-        analysis.removeObject(foreign)
-        analysis.addObject(mesh)
+    _take_place_of(foreign, mesh)
     mesh.Proxy.renew_analysis_groups(mesh)
     mesh.purgeTouched()
     return mesh, report

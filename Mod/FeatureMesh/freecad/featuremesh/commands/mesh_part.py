@@ -4,7 +4,7 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtGui
 
-from .. import api, preferences
+from .. import analyses, api, preferences
 from ..errors import UserError
 from ..messages import said
 from .base import MeshCommand, is_mesh_of, only_shown_part, selected_container, selected_part
@@ -25,7 +25,7 @@ class Command(MeshCommand):
         part = selected_container(document) or only_shown_part(document) or selected_part(document)
         existing = [mesh for mesh in api.meshes_of(document) if is_mesh_of(mesh, part)]
         if not existing:
-            self.add(document, part)
+            self.add_first(document, part)
             return
         selection = Gui.Selection.getSelection(document.Name)
         mesh = next((mesh for mesh in existing if mesh in selection), existing[0])
@@ -35,26 +35,48 @@ class Command(MeshCommand):
         elif answer == "add":
             self.add(document, part)
 
-    def add(self, document, part):
+    def add_first(self, document, part):
+        """Adds a mesh; where its analysis has the mesh of another maker it is asked which of them is solved."""
+        found = analyses.other_makers_mesh(document, FemGui.getActiveAnalysis())
+        answer = self.ask_whose_place(*found) if found else "keep"
+        if answer is not None:
+            self.add(document, part, found[1] if answer == "take" else None)
+
+    def add(self, document, part, in_place_of=None):
         """Adds a mesh; the panel's OK and Apply end the transaction, Cancel takes it back."""
         document.openTransaction(self.title)
         try:
-            _open(api.add_mesh(part, active_analysis=FemGui.getActiveAnalysis(), **preferences.for_new_mesh()))
+            mesh = api.add_mesh(part, active_analysis=FemGui.getActiveAnalysis(), in_place_of=in_place_of, **preferences.for_new_mesh())
+            if in_place_of is not None:
+                in_place_of.ViewObject.Visibility = False
+            _open(mesh)
         except Exception:
             FreeCAD.closeActiveTransaction(True)
             raise
 
     def ask(self, part, mesh):
         """The part has a mesh: "open" that, "add" another one, or None."""
+        return self._answer(translate("FeatureMesh", "%s has the mesh %s already.") % (part.Label, mesh.Label), "",
+                            {"open": translate("FeatureMesh", "Open it"), "add": translate("FeatureMesh", "Add another mesh")})
+
+    def ask_whose_place(self, analysis, mesh):
+        """The analysis has a mesh that is not ours: "take" its place, "keep" it there, or None."""
+        return self._answer(translate("FeatureMesh", "%s has the mesh %s, and an analysis is solved with one mesh.") % (analysis.Label, mesh.Label),
+                            translate("FeatureMesh", "The new mesh can take its place, with its refinements, groups and size; %s stays in the document.") % mesh.Label,
+                            {"take": translate("FeatureMesh", "Take its place"), "keep": translate("FeatureMesh", "Leave it there")})
+
+    def _answer(self, text, more, choices):
+        """The key of the choice that was clicked, the first by default; None for Cancel."""
         box = QtGui.QMessageBox(Gui.getMainWindow())
         box.setWindowTitle(self.title)
-        box.setText(translate("FeatureMesh", "%s has the mesh %s already.") % (part.Label, mesh.Label))
-        open_it = box.addButton(translate("FeatureMesh", "Open it"), QtGui.QMessageBox.AcceptRole)
-        add = box.addButton(translate("FeatureMesh", "Add another mesh"), QtGui.QMessageBox.ActionRole)
+        box.setText(text)
+        box.setInformativeText(more)
+        roles = [QtGui.QMessageBox.AcceptRole, QtGui.QMessageBox.ActionRole]
+        buttons = {key: box.addButton(choice, role) for (key, choice), role in zip(choices.items(), roles)}
         box.addButton(QtGui.QMessageBox.Cancel)
-        box.setDefaultButton(open_it)
+        box.setDefaultButton(next(iter(buttons.values())))
         box.exec_()
-        return "open" if box.clickedButton() is open_it else "add" if box.clickedButton() is add else None
+        return next((key for key, button in buttons.items() if box.clickedButton() is button), None)
 
 
 def _open(mesh):

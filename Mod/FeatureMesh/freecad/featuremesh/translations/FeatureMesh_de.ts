@@ -311,6 +311,10 @@
       <translation> von {part:text}</translation>
     </message>
     <message>
+      <source>%s has the mesh %s, and an analysis is solved with one mesh.</source>
+      <translation>%s hat das Netz %s, und eine Analyse wird mit einem Netz gelöst.</translation>
+    </message>
+    <message>
       <source>%s refers to %s, which is gone; choose another face, edge or solid for it</source>
       <translation>%s bezieht sich auf %s, das es nicht mehr gibt; dafür eine andere Fläche, eine andere Kante oder einen anderen Volumenkörper wählen</translation>
     </message>
@@ -459,6 +463,10 @@
       <translation>Bibliotheken</translation>
     </message>
     <message>
+      <source>Leave it there</source>
+      <translation>Dort lassen</translation>
+    </message>
+    <message>
       <source>Less of both: {cases:text}.</source>
       <translation>Weniger von beidem: {cases:text}.</translation>
     </message>
@@ -487,12 +495,20 @@
       <translation>System</translation>
     </message>
     <message>
+      <source>Take its place</source>
+      <translation>Seinen Platz nehmen</translation>
+    </message>
+    <message>
       <source>The geometry kernel failed: {why:text}. Check the shape (Part: Check geometry).</source>
       <translation>Der Geometriekern ist gescheitert: {why:text}. Die Form prüfen (Part: Geometrie prüfen).</translation>
     </message>
     <message>
       <source>The main effect is the response's mean change from a parameter's lowest to its highest value; the indices are Sobol's shares of the variance. All are of the response surface: they mean no more than its error allows, which is that of cases left out of the fit.</source>
       <translation>Der Haupteffekt ist die mittlere Änderung der Zielgröße vom kleinsten zum größten Wert eines Parameters; die Indizes sind die Anteile an der Varianz nach Sobol. Alle gelten für die Antwortfläche: Sie sagen nicht mehr, als deren Fehler zulässt, der an Fällen bestimmt ist, die bei der Anpassung weggelassen wurden.</translation>
+    </message>
+    <message>
+      <source>The mesh is in no analysis: %s has %s already, and an analysis is solved with one mesh. Drag the other one out of it and this one into it, if this one is to be solved.</source>
+      <translation>Das Netz ist in keiner Analyse: %s hat schon %s, und eine Analyse wird mit einem Netz gelöst. Soll dieses gelöst werden, das andere aus ihr heraus- und dieses hineinziehen.</translation>
     </message>
     <message>
       <source>The mesh is not valid: {finding:messages} (and {more:count} more). Try another size, or check the shape there (Part: Check geometry).</source>
@@ -509,6 +525,10 @@
     <message>
       <source>The mesh is too fine for the live solver, whose matrix would have more than 2 billion entries. Choose a larger size.</source>
       <translation>Das Netz ist zu fein für den mitlaufenden Löser, dessen Matrix mehr als 2 Milliarden Einträge hätte. Eine größere Größe wählen.</translation>
+    </message>
+    <message>
+      <source>The new mesh can take its place, with its refinements, groups and size; %s stays in the document.</source>
+      <translation>Das neue Netz kann seinen Platz nehmen, mit seinen Verfeinerungen, Gruppen und seiner Größe; %s bleibt im Dokument.</translation>
     </message>
     <message>
       <source>The number of elements across walls is {asked:number}; it must not be negative (0 turns it off).</source>
@@ -2383,10 +2403,6 @@
     <message>
       <source>The mesh is in no analysis, because none of %s is active: drag it into the one that it is for.</source>
       <translation>Das Netz liegt in keiner Analyse, weil keine von %s aktiv ist: Es in die ziehen, für die es gedacht ist.</translation>
-    </message>
-    <message>
-      <source>The mesh is in no analysis: %s has %s already, and an analysis is solved with one mesh.</source>
-      <translation>Das Netz liegt in keiner Analyse: %s hat schon %s, und eine Analyse wird mit einem Netz gelöst.</translation>
     </message>
     <message>
       <source>The mesh is joined where these faces of one solid lie on one another: {faces:entities}.</source>
