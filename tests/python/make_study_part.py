@@ -2,7 +2,7 @@
 """Run by `featuremesh run`: saves a plate with a hole and an analysis, meshed coarsely, as FEATUREMESH_STUDY_PART.
 
 FEATUREMESH_STUDY_KIND is the kind of analysis: static (default: pulled), buckling (pressed), frequency (free at the far end), thermomech (pulled, and
-warmer at the far end).
+warmer at the far end), gmsh (static, with a mesh of Gmsh's in place of ours).
 """
 import os
 
@@ -38,7 +38,7 @@ document = FreeCAD.newDocument("Study")
 body = plate_with_hole(document)
 analysis = ObjectsFem.makeAnalysis(document, "Analysis")
 KIND = os.environ.get("FEATUREMESH_STUDY_KIND", "static")
-add_solver(document, analysis, KIND)
+add_solver(document, analysis, "static" if KIND == "gmsh" else KIND)
 add_material(document, analysis, "Steel", STEEL)
 fixed = ObjectsFem.makeConstraintFixed(document, "Fixed")
 fixed.References = [(body, face_at(body, 0))]
@@ -50,7 +50,12 @@ for member in (fixed, force)[:1 if KIND == "frequency" else 2]:
     analysis.addObject(member)
 if KIND == "thermomech":
     add_temperatures(document, analysis, body)
-mesh = api.add_mesh(body, 10.0)
+if KIND == "gmsh":
+    mesh = ObjectsFem.makeMeshGmsh(document, "Gmsh")
+    mesh.CharacteristicLengthMax = 10.0
+    analysis.addObject(mesh)
+else:
+    mesh = api.add_mesh(body, 10.0)
 document.recompute()
 has_live_solver = not engine.load().statics_missing()
 if KIND == "static" and has_live_solver:

@@ -134,6 +134,16 @@ class Studies(StudyTest):
         self.study("run", "part.FCStd", "--vary", "Plate.Length=8,12", "--sampling", "grid", "--solver", "ccx", "--responses", responses, "--folder", "s")
         return [row["responses"] for row in self.rows("s")]
 
+    def test_a_mesh_of_gmsh_gives_its_place_to_ours_in_the_cases(self):
+        words = ["run", "part.FCStd", *VARIED, "--sampling", "sobol", "--cases", "2", "--responses", "max_mises", "--folder"]
+        self.study(*words, "ours")
+        self.make_part(self.part, "gmsh")
+        before = self.part.read_bytes()
+        self.study(*words, "theirs")
+        self.assertEqual(self.part.read_bytes(), before)
+        ours, theirs = ([row["max_mises"] for row in self.table(folder)] for folder in ("ours", "theirs"))
+        self.assertEqual(ours, theirs)   # of the same size
+
     def test_frequencies_rise_with_the_thickness(self):
         thin, thick = self.of_kind("frequency", "mass,frequency_1,frequency_2")
         self.assertLess(thin["frequency_1"], thin["frequency_2"])

@@ -5,7 +5,7 @@ import os
 
 from femtools import femutils
 
-from .. import api, documents, edits, engine, formats, live_result, mesh_object, reading, statics, statics_model, versions
+from .. import analyses, api, documents, edits, engine, formats, live_result, mesh_object, reading, statics, statics_model, versions
 from ..errors import UserError
 from ..messages import said
 from . import places, response_words, responses
@@ -49,7 +49,7 @@ def _mesh_of(document, study):
     part = reading.find_meshable(document, study.object)
     found = [mesh for mesh in api.meshes_of(document) if versions.part_of(mesh) is part]
     if not found:
-        return api.add_mesh(part, study.mesh_size, study.mesh_order or 2)
+        return api.add_mesh(part, study.mesh_size, study.mesh_order or 2, in_place_of=_other_makers_mesh(document, study))
     mesh = found[0]
     if study.mesh_size is not None:
         api.check_size(study.mesh_size, part)
@@ -57,6 +57,14 @@ def _mesh_of(document, study):
     if study.mesh_order is not None:
         mesh.Order = "2nd" if study.mesh_order == 2 else "1st"
     return mesh
+
+
+def _other_makers_mesh(document, study):
+    """The mesh that the study's analysis has where that is not ours, or None."""
+    if not response_words.needs_solution(study.responses):
+        return None
+    found = analyses.other_makers_mesh(document, api.find_analysis(document, study.analysis))
+    return found[1] if found else None
 
 
 def _refuse_unknown_places(study, part):

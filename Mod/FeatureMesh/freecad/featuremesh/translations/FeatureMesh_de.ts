@@ -1117,6 +1117,10 @@
       <translation>der mitlaufende Löser braucht PETSc: {why:messages}</translation>
     </message>
     <message>
+      <source>the live solver needs one mesh of FeatureMesh in the analysis {analysis:text}: select its part, and Mesh a part</source>
+      <translation>der mitlaufende Löser braucht genau ein Netz von FeatureMesh in der Analyse {analysis:text}: das Bauteil auswählen und „Bauteil vernetzen“</translation>
+    </message>
+    <message>
       <source>the mass needs a {what:messages} for all of the part, and {count:count} {count:element has|elements have} none</source>
       <translation>für die Masse fehlt an {count:count} {count:Element|Elementen} des Bauteils: {what:messages}</translation>
     </message>
@@ -3467,10 +3471,6 @@
     <message>
       <source>the live solver needs PETSc: install Debian's package libpetsc-real-dev, then any command of ./featuremesh in a clone builds the solver with it</source>
       <translation>der mitlaufende Löser braucht PETSc: Debians Paket libpetsc-real-dev installieren, dann baut jeder Befehl von ./featuremesh in einem Klon den Löser damit</translation>
-    </message>
-    <message>
-      <source>the live solver needs one mesh of FeatureMesh in the analysis {analysis:text}</source>
-      <translation>der mitlaufende Löser braucht genau ein Netz von FeatureMesh in der Analyse {analysis:text}</translation>
     </message>
     <message>
       <source>the material {material:text} has no readable Young's modulus or Poisson's ratio ({why:text})</source>
