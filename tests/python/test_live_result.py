@@ -137,6 +137,28 @@ class Live(Case):
         self.document.recompute()
         self.check_is_fresh(analysis, live)
 
+    def test_an_error_fails_the_mesh_when_it_is_new(self):
+        """One that stays is no reason to fail what was meshed anew since; one that comes again after undo is."""
+        body = plate_with_hole(self.document)
+        mesh = self.mesh(body, 8)
+        self.document.UndoMode = 1
+        for _ in range(2):
+            self.document.openTransaction("Edit")
+            self.document.Plate.Length = 0
+            self.document.commitTransaction()
+            self.document.recompute()
+            self.assertIn("FreeCAD cannot recompute Plate: ", mesh.Status)
+            self.document.undo()
+        self.document.recompute()
+        self.assertEqual(mesh.Status, mesh_properties.UP_TO_DATE)
+        self.document.Plate.Length = 0
+        self.document.recompute()
+        api.update_mesh(mesh)
+        self.assertEqual(mesh.Status, mesh_properties.UP_TO_DATE)
+        self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        self.assertEqual(mesh.Status, mesh_properties.UP_TO_DATE)
+
     def test_mesh_that_failed_leaves_its_result_out_of_date(self):
         part, analysis, live = self.cantilever()
         with mock.patch.object(mesh_object.FeatureMesh, "_store", side_effect=UserError("the disk is full")):

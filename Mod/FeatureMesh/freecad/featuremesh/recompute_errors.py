@@ -38,14 +38,21 @@ def watch(hook):
 
 
 class _Observer:
+    """FreeCAD 1.1 has no word before a recompute; so what was in error is known from the one before."""
 
     def __init__(self):
-        self._before = {}   # by the name of a document that is being recomputed
-
-    def slotBeforeRecomputeDocument(self, document):
-        self._before[document.Name] = in_error(document)
+        self._known = {}   # by the name of a document: the names of its objects that were in error when its last recompute ended
 
     def slotRecomputedDocument(self, document):
-        new = in_error(document) - self._before.pop(document.Name, set())
+        found = in_error(document)
+        known = self._known.get(document.Name, ())
+        self._known[document.Name] = {obj.Name for obj in found}
+        new = {obj for obj in found if obj.Name not in known}
         for hook in on_errors if new else ():
             hook(document, new)
+
+    def forget(self, document):
+        """All errors that the next recompute finds are new ones."""
+        self._known.pop(document.Name, None)
+
+    slotUndoDocument = slotRedoDocument = slotDeletedDocument = forget
