@@ -181,7 +181,7 @@ def check_scene(scene):
 
 def check_active_assembly():
     """An assembly of FreeCAD 1.x is being edited from its making on; the mesh follows an edit of a part all the same."""
-    from freecad.featuremesh import api
+    from freecad.featuremesh import api, versions
     if "AssemblyWorkbench" not in Gui.listWorkbenches():
         return
     document = FreeCAD.newDocument("Assembled")
@@ -194,7 +194,7 @@ def check_active_assembly():
     Gui.activateWorkbench("FemWorkbench")
     mesh, analysis = api.add_mesh(assembly, 4), ObjectsFem.makeAnalysis(document, "Analysis")
     load = ObjectsFem.makeConstraintFixed(document, "Fixed")
-    load.References = [(assembly, "Link.Face3")]
+    load.References = [(assembly, "Link.Face3") if versions.version() >= (1, 1) else (box, "Face3")]   # FreeCAD 1.0 ends by the first
     analysis.addObject(mesh)
     analysis.addObject(load)
     document.recompute()

@@ -78,7 +78,7 @@ def number_of(enumerator):
 
 
 def is_frozen(obj):
-    """Is the object left out of recomputes? Since 1.0; FreeCAD tells nobody when it changes all the same, as a primitive of Part does."""
+    """Is the object left out of recomputes? Told since 1.1; FreeCAD tells nobody when it changes all the same, as a primitive of Part does."""
     return obj.getStatusString() == "Freezed"
 
 
