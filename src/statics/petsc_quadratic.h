@@ -61,7 +61,8 @@ inline void fill_with_noise(Vec vector) {
     check(VecRestoreArrayWrite(vector, &values));
 }
 
-/// About the largest eigenvalue of a matrix in terms of its diagonal, from below: that of ten steps of Lanczos.
+/// About the largest eigenvalue of a matrix in terms of its nodes' own blocks, from below: that of ten steps of
+/// Lanczos.
 inline double largest_eigenvalue(Mat matrix) {
     constexpr PetscInt steps = 10;
     Owned<KSP, KSPDestroy> lanczos;
@@ -74,7 +75,7 @@ inline double largest_eigenvalue(Mat matrix) {
     check(KSPSetTolerances(lanczos, 0, 0, PETSC_DEFAULT, steps));
     check(KSPSetOperators(lanczos, matrix, matrix));
     check(KSPGetPC(lanczos, &diagonal));
-    check(PCSetType(diagonal, PCJACOBI));
+    check(PCSetType(diagonal, PCPBJACOBI));
     check(MatCreateVecs(matrix, out.fresh(), in.fresh()));
     fill_with_noise(in);
     check(KSPSolve(lanczos, in, out));
@@ -144,8 +145,8 @@ class QuadraticLevel {
         use_shell(aggregation, below);
     }
 
-    /// Of the matrix in terms of its diagonal. Where most rows are those of the last matrix, what is larger now belongs
-    /// to a motion at the new ones, so only these and their neighbours are looked at.
+    /// Of the matrix in terms of its nodes' own blocks. Where most rows are those of the last matrix, what is larger
+    /// now belongs to a motion at the new ones, so only these and their neighbours are looked at.
     void find_largest_eigenvalue() {
         const BlockMatrix& blocks = system_.blocks;
         if (blocks.blocks_before == 0) {

@@ -50,7 +50,7 @@ struct System {
         return given;
     }
 
-    /// For a preconditioner that asks for products and the diagonal only.
+    /// For a preconditioner that asks for products and the nodes' own blocks only.
     void round_products() {
         round();
         make_shell(rounded, &System::multiply_rounded);
@@ -95,7 +95,8 @@ struct System {
     void make_shell(Matrix& shell, Product product) {
         check(MatCreateShell(PETSC_COMM_SELF, size(), size(), size(), size(), this, shell.fresh()));
         check(MatShellSetOperation(shell, MATOP_MULT, (void (*)(void))product));
-        check(MatShellSetOperation(shell, MATOP_GET_DIAGONAL, (void (*)(void)) & System::get_diagonal));
+        check(MatSetBlockSize(shell, 3));
+        check(MatSetOperation(shell, MATOP_INVERT_BLOCK_DIAGONAL, (void (*)(void)) & System::invert_own_blocks));
         check(MatSetOption(shell, MAT_SPD, PETSC_TRUE));
     }
 
@@ -119,21 +120,39 @@ struct System {
         return multiply_by(static_cast<System*>(self)->rounded_, in, out, static_cast<System*>(self)->threads);
     }
 
-    static PetscErrorCode get_diagonal(Mat of, Vec out) {
+    /// The inverses of the nodes' own blocks, for PETSc's Jacobi by blocks. They are symmetric.
+    static PetscErrorCode invert_own_blocks(Mat of, const PetscScalar** values) {
         System* self = nullptr;
-        PetscScalar* y = nullptr;
         PetscCall(MatShellGetContext(of, &self));
-        PetscCall(VecGetArrayWrite(out, &y));
-        const BlockMatrix& blocks = self->blocks;
-        for (std::size_t node = 0; node < blocks.node_count(); ++node) {
-            const auto first = blocks.neighbours.begin() + blocks.begins[node];
-            const auto last = blocks.neighbours.begin() + blocks.ends[node];
-            const auto own = std::size_t(std::find(first, last, std::int32_t(node)) - blocks.neighbours.begin());
-            for (std::size_t r = 0; r < 3; ++r)
-                y[3 * node + r] = blocks.values[blocks.place(node, own) + r * blocks.width(node) + r];
+        return guarded([&] {
+            const BlockMatrix& blocks = self->blocks;
+            self->inverses_.resize(9 * blocks.node_count());
+            parallel_for(self->threads, blocks.node_count(), 4096, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t node = begin; node < end; ++node)
+                    invert(blocks.values.data() + own_place(blocks, node), blocks.width(node),
+                           self->inverses_.data() + 9 * node);
+            });
+            *values = self->inverses_.data();
+        });
+    }
+
+    /// By cofactors: each row of the inverse is a product of the other two rows, over the determinant.
+    static void invert(const double* block, std::size_t width, double* inverse) {
+        const auto row = [&](std::size_t r) {
+            const double* a = block + r % 3 * width;
+            return Vec3{a[0], a[1], a[2]};
+        };
+        const double determinant = dot(row(0), cross(row(1), row(2)));
+        for (std::size_t r = 0; r < 3; ++r) {
+            const Vec3 cofactors = cross(row(r + 1), row(r + 2));
+            for (int c = 0; c < 3; ++c) inverse[3 * r + std::size_t(c)] = cofactors[c] / determinant;
         }
-        PetscCall(VecRestoreArrayWrite(out, &y));
-        return PetscErrorCode(0);
+    }
+
+    static std::size_t own_place(const BlockMatrix& blocks, std::size_t node) {
+        const auto first = blocks.neighbours.begin() + blocks.begins[node];
+        const auto last = blocks.neighbours.begin() + blocks.ends[node];
+        return blocks.place(node, std::size_t(std::find(first, last, std::int32_t(node)) - blocks.neighbours.begin()));
     }
 
     PetscErrorCode multiply(Vec in, Vec out) {
@@ -151,6 +170,7 @@ struct System {
 
     RoundedBlocks rounded_{3, 3};
     std::vector<PetscInt> starts_, columns_;
+    std::vector<double> inverses_;
     ProductsByBlocks products_{blocks, threads};
 };
 

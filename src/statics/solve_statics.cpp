@@ -18,6 +18,8 @@ namespace {
 constexpr double most_new_share = 0.08, most_new_root = 10;
 /// With more new nodes than that a start from the last displacements saves less than balancing the new ones costs.
 constexpr double most_fresh_share = 0.2;
+/// New nodes are balanced with a layer of those round them, or with more while they are fewer than this share of all.
+constexpr double balanced_share = 0.02;
 /// A kept preconditioner may take this many times the iterations of its own matrix, and then some.
 constexpr int patience = 3, more_iterations = 10;
 /// Iterations go on to this share of the tolerance, since the residual is computed again by other sums.
@@ -59,6 +61,24 @@ double product(std::span<const double> a, std::span<const double> b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
     return sum;
+}
+
+/// The nodes and layers of neighbours round them: one, and more while they stay few.
+std::vector<std::int32_t> widened(std::vector<std::int32_t> nodes, const BlockMatrix& matrix) {
+    std::vector<char> is_in(matrix.node_count(), 0);
+    for (const std::int32_t node : nodes) is_in[std::size_t(node)] = 1;
+    std::size_t before = 0;
+    do {
+        const std::size_t count = nodes.size();
+        for (; before < count; ++before) {
+            const auto node = std::size_t(nodes[before]);
+            for (std::size_t k = matrix.begin(node); k < matrix.end(node); ++k)
+                if (char& is_other_in = is_in[std::size_t(matrix.neighbours[k])]; !is_other_in)
+                    is_other_in = 1, nodes.push_back(matrix.neighbours[k]);
+        }
+    } while (before < nodes.size() && double(nodes.size()) < balanced_share * double(is_in.size()));
+    std::sort(nodes.begin(), nodes.end());
+    return nodes;
 }
 
 double norm(std::span<const double> values) { return std::sqrt(product(values, values)); }
@@ -242,9 +262,8 @@ std::vector<std::int32_t> StaticsSolver::origins(const StaticsModel& model) cons
     return origin;
 }
 
-/// Gives kept nodes their last displacements, and new ones such that they are balanced among those: at rest they would
-/// be farther off than if nothing had moved. Of 4-node tets a preconditioner that is carried over does the latter by
-/// itself.
+/// Gives kept nodes their last displacements, and new ones such that they and the nodes round them are balanced among
+/// the others: at rest they would be farther off than if nothing had moved.
 StaticsSolver::Start StaticsSolver::start_from_last(const StaticsModel& model, const std::vector<double>& unbalanced,
                                                     StaticsSolution& solution, RunContext& context) const {
     const std::size_t count = model.mesh.node_count();
@@ -260,22 +279,21 @@ StaticsSolver::Start StaticsSolver::start_from_last(const StaticsModel& model, c
                 if (!model.is_held[i]) moved[i] = at->displacement[int(c)] - model.given[i];
     }
     if (double(fresh.size()) > most_fresh_share * double(count)) return {unbalanced, 0};
-    const bool is_balanced = fresh.empty() || !solution.kept_preconditioner || model.mesh.order == 2;
-    if (is_balanced) solver_->balance_within(fresh, unbalanced, moved);
-    Start start = start_at(moved, unbalanced, is_balanced, context);
+    solver_->balance_within(widened(fresh, solver_->matrix()), unbalanced, moved);
+    Start start = start_at(moved, unbalanced, context);
     for (std::size_t i = 0; i < moved.size(); ++i) solution.displacements[i] += moved[i];
     if (start.least_energy_norm > 0) solution.kept_start_share = 1 - double(fresh.size()) / double(count);
     return start;
 }
 
-/// What `moved` leaves of the unbalanced forces. Where it is balanced by itself it is scaled to the loads as they are,
-/// such that the error's energy is least.
+/// What `moved`, scaled to the loads as they are such that the error's energy is least, leaves of the unbalanced
+/// forces.
 StaticsSolver::Start StaticsSolver::start_at(std::vector<double>& moved, const std::vector<double>& unbalanced,
-                                             bool is_balanced, RunContext& context) const {
+                                             RunContext& context) const {
     std::vector<double> resisting(moved.size());
     multiply(solver_->matrix(), moved.data(), resisting.data(), context);
     const double work = product(unbalanced, moved), energy = product(resisting, moved);
-    double scale = is_balanced ? work / energy : 1;
+    double scale = work / energy;
     if (std::abs(scale - 1) < other_loads) scale = 1;
     if (!std::isfinite(scale) || std::abs(scale) < other_problem) {
         std::fill(moved.begin(), moved.end(), 0.0);

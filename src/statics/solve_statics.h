@@ -83,8 +83,7 @@ class StaticsSolver {
     int move_by(const StaticsModel& model, std::span<const double> residual, const Aim& aim,
                 std::vector<double>& displacements, RunContext& context);
     double whole_energy_norm(std::span<const double> unbalanced);
-    Start start_at(std::vector<double>& moved, const std::vector<double>& unbalanced, bool is_balanced,
-                   RunContext& context) const;
+    Start start_at(std::vector<double>& moved, const std::vector<double>& unbalanced, RunContext& context) const;
     Start start_from_last(const StaticsModel& model, const std::vector<double>& unbalanced, StaticsSolution& solution,
                           RunContext& context) const;
     void remember(const StaticsModel& model, const StaticsSolution& solution);
