@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "statics/rounded_blocks.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace featuremesh {
 
 namespace {
@@ -14,7 +17,7 @@ typedef double Sums __attribute__((vector_size(8 * lanes)));
 
 struct Rows {
     const std::int64_t *begins, *ends;
-    const std::int32_t* columns;
+    const std::int32_t *columns, *order;
     const float* values;
     const double* x;
     double* y;
@@ -24,7 +27,8 @@ struct Rows {
 template <std::size_t height, std::size_t across>
 [[gnu::always_inline]] inline void multiply_rows(const Rows& rows, std::size_t begin, std::size_t end) {
     constexpr std::size_t vectors = (height + lanes - 1) / lanes;
-    for (std::size_t row = begin; row < end; ++row) {
+    for (std::size_t i = begin; i < end; ++i) {
+        const std::size_t row = rows.order ? std::size_t(rows.order[i]) : i;
         Sums sums[vectors][3] = {};
         for (auto k = std::size_t(rows.begins[row]); k < std::size_t(rows.ends[row]); ++k) {
             const float* block = rows.values + height * across * k;
@@ -67,6 +71,7 @@ const bool has_avx2 = __builtin_cpu_supports("avx2");
 void RoundedBlocks::take(const RowsOfBlocks& rows, const double* values, RunContext& threads,
                          std::size_t blocks_before) {
     rows_ = rows;
+    find_order();
     const std::size_t numbers = height_ * across_;
     if (blocks_before == 0) {
         values_ = {};
@@ -79,6 +84,17 @@ void RoundedBlocks::take(const RowsOfBlocks& rows, const double* values, RunCont
     });
 }
 
+/// Rows that were changed in place lie in another order than they are counted, and memory is read fastest as it lies.
+void RoundedBlocks::find_order() {
+    order_.clear();
+    if (std::is_sorted(rows_.begins.begin(), rows_.begins.end())) return;
+    order_.resize(rows_.begins.size());
+    std::iota(order_.begin(), order_.end(), 0);
+    std::sort(order_.begin(), order_.end(), [&](std::int32_t a, std::int32_t b) {
+        return rows_.begins[std::size_t(a)] < rows_.begins[std::size_t(b)];
+    });
+}
+
 void RoundedBlocks::round(std::size_t row, const double* values) {
     const auto first = std::size_t(rows_.begins[row]), width = across_ * (std::size_t(rows_.ends[row]) - first);
     const double* from = values + height_ * across_ * first;
@@ -88,7 +104,13 @@ void RoundedBlocks::round(std::size_t row, const double* values) {
 }
 
 void RoundedBlocks::multiply(const double* x, double* y, RunContext& threads, [[maybe_unused]] bool by_parts) const {
-    const Rows rows{rows_.begins.data(), rows_.ends.data(), rows_.columns.data(), values_.data(), x, y};
+    const Rows rows{rows_.begins.data(),
+                    rows_.ends.data(),
+                    rows_.columns.data(),
+                    order_.empty() ? nullptr : order_.data(),
+                    values_.data(),
+                    x,
+                    y};
     parallel_for(threads, rows_.begins.size(), grain, [&](std::size_t begin, std::size_t end) {
 #if defined(__x86_64__)
         if (has_avx2 && !by_parts) return multiply_by_avx2(height_, across_, rows, begin, end);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/run_context.h"
 #include "statics/growing_values.h"
@@ -41,9 +42,11 @@ class RoundedBlocks {
 
   private:
     void round(std::size_t row, const double* values);
+    void find_order();
 
     std::size_t height_ = 0, across_ = 0;
     RowsOfBlocks rows_;
+    std::vector<std::int32_t> order_;  ///< of rows as they lie in memory; empty where that is their own
     GrowingValues<float> values_;
 };
 

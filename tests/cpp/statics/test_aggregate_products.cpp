@@ -129,6 +129,17 @@ TEST_CASE("products in single precision are those of the rounded matrix, on any 
         std::vector<double> by_parts(height * rows, 7.0);
         matrix.multiply(x.data(), by_parts.data(), context, true);
         CHECK(by_parts == found.back());  // a machine without AVX2 has the same bytes
+
+        std::vector<std::int64_t> begins(pattern.starts.rbegin() + 1, pattern.starts.rend());
+        std::vector<std::int64_t> ends(pattern.starts.rbegin(), pattern.starts.rend() - 1);
+        RoundedBlocks last_first(height, across);
+        last_first.take({begins, ends, pattern.columns}, values.data(), context);
+        std::vector<double> backwards(height * rows, 7.0);
+        last_first.multiply(x.data(), backwards.data(), context);
+        for (std::size_t row = 0; row < rows; ++row)
+            CHECK(std::equal(backwards.begin() + std::ptrdiff_t(height * row),
+                             backwards.begin() + std::ptrdiff_t(height * (row + 1)),
+                             found.back().begin() + std::ptrdiff_t(height * (rows - 1 - row))));
     }
     CHECK(found[0] == found[1]);
 }
