@@ -29,11 +29,29 @@ std::vector<Box> boxes_of_runs(std::span<const Triangle> triangles) {
         for (const Vec3& corner : triangles[t]) boxes[t / run].add(corner);
     return boxes;
 }
+
+/// What changed on one underlying surface: triangles from `begin` to `end`.
+struct OnSurface {
+    std::size_t begin, end;
+    Box box;
+};
+
+std::vector<OnSurface> by_surface(std::span<const Triangle> triangles, std::span<const std::size_t> ends) {
+    std::vector<OnSurface> surfaces;
+    for (std::size_t begin = 0; const std::size_t end : ends) {
+        OnSurface& surface = surfaces.emplace_back(OnSurface{begin, end, {}});
+        for (const Triangle& triangle : triangles.subspan(begin, end - begin))
+            for (const Vec3& corner : triangle) surface.box.add(corner);
+        begin = end;
+    }
+    return surfaces;
+}
 }  // namespace
 
 struct ChangedBoundary::Tree {
     std::vector<Triangle> triangles;
     std::optional<Box> domain;
+    std::vector<OnSurface> surfaces;
     BoxTree boxes{boxes_of_runs(triangles)};
 
     std::span<const Triangle> run_of(std::size_t number) const {
@@ -41,22 +59,37 @@ struct ChangedBoundary::Tree {
     }
     /// The smaller of `most` and the squared distance; of the places below `enough` any will do.
     double least_distance(const Vec3& p, double most, double enough) const {
+        return boxes.least_distance(p, most, enough,
+                                    [&](std::int32_t r) { return least_of(run_of(std::size_t(r)), p); });
+    }
+    /// The same to triangles on the surface alone.
+    double least_distance(const Vec3& p, double most, double enough, const OnSurface& surface) const {
         return boxes.least_distance(p, most, enough, [&](std::int32_t r) {
-            double least = std::numeric_limits<double>::infinity();
-            for (const auto& [a, b, c] : run_of(std::size_t(r)))
-                least = std::min(least, squared_distance_to_triangle(p, a, b, c));
-            return least;
+            const std::size_t first = std::max(surface.begin, run * std::size_t(r)),
+                              last = std::min(surface.end, run * (std::size_t(r) + 1));
+            return first < last ? least_of(std::span(triangles).subspan(first, last - first), p)
+                                : std::numeric_limits<double>::infinity();
         });
+    }
+    static double least_of(std::span<const Triangle> some, const Vec3& p) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const auto& [a, b, c] : some) least = std::min(least, squared_distance_to_triangle(p, a, b, c));
+        return least;
     }
 };
 
 ChangedBoundary::ChangedBoundary() : ChangedBoundary(std::vector<Triangle>{}) {}
 
 ChangedBoundary::ChangedBoundary(std::vector<Triangle> triangles)
-    : tree_(std::make_shared<Tree>(Tree{std::move(triangles), {}})) {}
+    : ChangedBoundary(std::move(triangles), std::span<const std::size_t>{}) {}
+
+ChangedBoundary::ChangedBoundary(std::vector<Triangle> triangles, std::span<const std::size_t> ends) {
+    std::vector<OnSurface> surfaces = by_surface(triangles, ends);
+    tree_ = std::make_shared<Tree>(Tree{std::move(triangles), {}, std::move(surfaces)});
+}
 
 ChangedBoundary::ChangedBoundary(std::vector<Triangle> triangles, const Box& domain)
-    : tree_(std::make_shared<Tree>(Tree{std::move(triangles), domain})) {}
+    : tree_(std::make_shared<Tree>(Tree{std::move(triangles), domain, {}})) {}
 
 bool ChangedBoundary::is_empty() const { return tree_->triangles.empty() && !tree_->domain; }
 
@@ -72,6 +105,12 @@ double ChangedBoundary::distance(const Vec3& p, double limit) const {
 bool ChangedBoundary::is_within(double reach, const Vec3& p) const {
     if (tree_->domain && depth_in_box(p, *tree_->domain) < reach) return true;
     return reach > 0 && tree_->least_distance(p, reach * reach, reach * reach) < reach * reach;
+}
+
+bool ChangedBoundary::is_within(double reach, const Vec3& p, std::size_t surface) const {
+    const OnSurface& of = tree_->surfaces[surface];
+    return of.box.grown(reach).contains(p) &&
+           tree_->least_distance(p, reach * reach, reach * reach, of) < reach * reach;
 }
 
 Box ChangedBoundary::box() const {

@@ -71,12 +71,16 @@ CarriedRegion find_region(const BoundaryPair& pair, BoundaryMatch& match) {
 
 ChangedBoundary changed_boundary(const BoundaryPair& pair, const BoundaryMatch& match, const Resolution& resolution) {
     std::vector<SpaceTriangle> triangles;
+    std::vector<std::size_t> ends;
     if (pair.new_model.brep().dimension() != Dimension::edges)
-        for (const SurfaceGroup& group : match.groups)
+        for (const SurfaceGroup& group : match.groups) {
             append_trim_difference(pair, match, group, resolution, triangles);
+            ends.push_back(triangles.size());
+        }
     if (pair.old_model.brep().has_free_edges() || pair.new_model.brep().has_free_edges())
         append_edge_difference(pair, match, resolution, triangles);
-    return pair.domain ? ChangedBoundary(std::move(triangles), *pair.domain) : ChangedBoundary(std::move(triangles));
+    return pair.domain ? ChangedBoundary(std::move(triangles), *pair.domain)
+                       : ChangedBoundary(std::move(triangles), ends);
 }
 
 std::vector<std::string> names_of_unmoved(const std::vector<FeatureChange>& changes) {
@@ -115,6 +119,7 @@ FeatureDifference compare_states(const PartState& old_state, const PartState& ne
     const BoundaryPair in_place{old_model, new_model, RigidMotion{}, std::nullopt, sameness};
     difference.regions.push_back(find_region(in_place, match));
     difference.regions[0].changed = changed_boundary(in_place, match, resolution);
+    difference.regions[0].surface_of_old_face = match.group_of_old_face;
     difference.faces = face_changes(in_place, match, difference.regions[0]);
     context.progress(0.6);
 

@@ -82,6 +82,8 @@ class ChangedBoundary {
   public:
     ChangedBoundary();
     explicit ChangedBoundary(std::vector<std::array<Vec3, 3>> triangles);
+    /// Of underlying surfaces one after the other: `ends` has the number of triangles up to each surface's last.
+    ChangedBoundary(std::vector<std::array<Vec3, 3>> triangles, std::span<const std::size_t> ends);
     /// Nothing was looked at outside the domain: all of that counts as changed.
     ChangedBoundary(std::vector<std::array<Vec3, 3>> triangles, const Box& domain);
     bool is_empty() const;
@@ -90,6 +92,8 @@ class ChangedBoundary {
     double distance(const Vec3& p, double limit) const;
     /// Whether it is closer to p than `reach`, mm: the same question without the number, which costs less.
     bool is_within(double reach, const Vec3& p) const;
+    /// The same of what changed on one of the underlying surfaces alone.
+    bool is_within(double reach, const Vec3& p, std::size_t surface) const;
     /// Holds everything that is changed: all of space when there is a domain.
     Box box() const;
 
@@ -107,6 +111,7 @@ struct CarriedRegion {
     /// In the new state's place: old boundary under the motion against the new one. All of space for another motion
     /// than the identity that carries no volume.
     ChangedBoundary changed;
+    std::vector<int> surface_of_old_face;  ///< by FaceId, among those of `changed`; for the identity only
     std::vector<FaceId>
         new_face_of;  ///< by old FaceId: the new face on the same underlying surface under the motion; none
     std::vector<EdgeId> new_edge_of;      ///< by old EdgeId, same curve under the motion (trims may differ); none

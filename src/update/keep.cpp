@@ -11,6 +11,7 @@
 #include "update/entity_finder.h"
 #include "update/kept_entities.h"
 #include "update/kept_mesh.h"
+#include "update/kept_surfaces.h"
 #include "update/kept_tets.h"
 #include "update/kept_triangles.h"
 #include "update/untouched_solids.h"
@@ -23,6 +24,7 @@ constexpr double size_change_that_releases = 1.2;
 constexpr double clearance_between_motions = 1.5;  // edge lengths
 constexpr double active_margin = 0.6;              // edge lengths
 constexpr double same_size = 1e-9;                 // relative
+constexpr char stays_for_surface = 2;              // in near_change_
 
 /// Edge lengths that were asked for at a node under its motion, mm; 0 where nobody asked.
 struct AskedSizes {
@@ -39,7 +41,8 @@ class Keeper {
           nodes_{input, motions_},
           entities_(nodes_),
           is_resized_(motions_.size(), 0),
-          asked_(motions_.size()) {}
+          asked_(motions_.size()),
+          surfaces_(input) {}
 
     Kept run() {
         if (has_tets()) {
@@ -53,13 +56,15 @@ class Keeper {
             choose_motions_of_shells();
         }
         drop_near_changes();
+        keep_surfaces();
         place_on_entities();
         clear_between_motions();
+        surfaces_.settle(motions_);
         context_.check_cancelled();
         const std::optional<KeptShells> shells = keep_shells();
         const KeptTets tets(in_.old_mesh, motions_, nodes_.regions(), in_.old_brep, in_.new_brep, near_change_,
                             untouched_solids_, is_resized_, &entities_);
-        Kept kept = assemble(nodes_, entities_, tets, shells ? &*shells : nullptr, context_);
+        Kept kept = assemble(nodes_, entities_, tets, surfaces_, shells ? &*shells : nullptr, context_);
         context_.check_cancelled();
         remember_sizes(kept);
         collect_active(kept, tets);
@@ -202,6 +207,22 @@ class Keeper {
             motions_[n] = dropped, is_resized_[n] = is_resized;
     }
 
+    // What lies on a surface may stay though its tets go: for its triangles only what changes on that surface counts.
+    void keep_surfaces() {
+        if (!has_tets() || has_shells()) return;
+        const auto margin_of = [&](std::size_t n) {
+            return is_resized_[n] || asked_[n].is_carried ? 0 : in_.margin * asked_[n].wanted;
+        };
+        surfaces_.find(motions_, margin_of, context_);
+        for (std::size_t n = 0; n < node_count(); ++n) {
+            if (!surfaces_.has_kept(n) || motions_[n] != dropped) continue;
+            if (near_change_.empty()) near_change_.assign(node_count(), 0);
+            motions_[n] = 0;
+            near_change_[n] = stays_for_surface;
+        }
+    }
+    bool is_for_surface(std::size_t n) const { return !near_change_.empty() && near_change_[n] == stays_for_surface; }
+
     void place_on_entities() {
         for (std::size_t n = 0; n < node_count(); ++n) {
             if (n % 4096 == 0) context_.check_cancelled();
@@ -235,7 +256,8 @@ class Keeper {
             if (box.is_empty()) continue;
             std::vector<Vec3> settled;
             for (std::size_t n = 0; n < node_count(); ++n)
-                if (motions_[n] >= 0 && motions_[n] < std::int32_t(r) && box.grown(spacing).contains(nodes_.at(n)))
+                if (motions_[n] >= 0 && motions_[n] < std::int32_t(r) && !is_for_surface(n) &&
+                    box.grown(spacing).contains(nodes_.at(n)))
                     settled.push_back(nodes_.at(n));
             const PointGrid grid(std::move(settled), spacing);
             for (std::size_t n = 0; n < node_count(); ++n)
@@ -243,6 +265,24 @@ class Keeper {
                     grid.has_within(nodes_.at(n), clearance_between_motions * in_.new_sizing.at(nodes_.at(n))))
                     motions_[n] = dropped;
         }
+        clear_surfaces_of_carried();
+    }
+
+    // Tets come first: a node that stays for a surface alone goes where carried ones come near.
+    void clear_surfaces_of_carried() {
+        std::vector<Vec3> carried;
+        double spacing = 0;
+        for (std::size_t n = 0; n < node_count(); ++n)
+            if (motions_[n] > 0) {
+                carried.push_back(nodes_.at(n));
+                spacing = std::max(spacing, clearance_between_motions * in_.new_sizing.at(carried.back()));
+            }
+        if (carried.empty() || near_change_.empty()) return;
+        const PointGrid grid(std::move(carried), spacing);
+        for (std::size_t n = 0; n < node_count(); ++n)
+            if (motions_[n] == 0 && is_for_surface(n) &&
+                grid.has_within(nodes_.at(n), clearance_between_motions * asked_[n].wanted))
+                motions_[n] = dropped;
     }
 
     // Likewise, but only on a face, or edge, that both are on.
@@ -317,9 +357,10 @@ class Keeper {
     std::vector<char> has_tet_;             // by old node; only where there are free faces or edges
     // By old node: the motion of the untouched solid, face or edge that it is of; empty where there is none.
     std::vector<std::int32_t> untouched_under_;
-    std::vector<char> near_change_;  // likewise: and it stays for those tets only
+    std::vector<char> near_change_;  // likewise: and it stays for those tets only, or for the triangles of surfaces
     std::vector<char> is_resized_;   // by old node: it goes, since another size is wanted
     std::vector<AskedSizes> asked_;  // by old node
+    KeptSurfaces surfaces_;
 };
 
 }  // namespace

@@ -51,7 +51,8 @@ struct Kept {
 /// wanted size there is within a factor of 1.2 of the one it was made for, and it is verified to lie on its entity of
 /// the new shape. Tets stay when their four nodes do, under one motion, and when their connected region is verified to
 /// be inside a new solid; but where nodes go for their size, inner ones beside them that would keep few of their tets
-/// keep none. A solid whose faces are all as they were keeps its mesh, whatever happens in a solid beside it.
+/// keep none. Of what changed only that on its own underlying surface counts for a triangle, so that it may stay
+/// without its tet. A solid whose faces are all as they were keeps its mesh, whatever happens in a solid beside it.
 Kept keep(const KeepInput& input, RunContext& context);
 
 }  // namespace featuremesh

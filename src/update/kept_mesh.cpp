@@ -17,9 +17,15 @@ namespace {
 
 class Assembler {
   public:
-    Assembler(const CarriedNodes& nodes, const KeptEntities& entities, const KeptTets& tets, const KeptShells* shells,
-              RunContext& context)
-        : nodes_(nodes), in_(nodes.input), entities_(entities), tets_(tets), shells_(shells), context_(context) {}
+    Assembler(const CarriedNodes& nodes, const KeptEntities& entities, const KeptTets& tets,
+              const KeptSurfaces& surfaces, const KeptShells* shells, RunContext& context)
+        : nodes_(nodes),
+          in_(nodes.input),
+          entities_(entities),
+          tets_(tets),
+          surfaces_(surfaces),
+          shells_(shells),
+          context_(context) {}
 
     Kept run() {
         Kept kept;
@@ -61,7 +67,7 @@ class Assembler {
         Mesh& mesh = kept.mesh;
         std::vector<std::int32_t> new_index(nodes_.motions.size(), -1);
         for (std::size_t n = 0; n < old.corner_count; ++n) {
-            if (!tets_.has_kept_tet(n) && !(shells_ && shells_->has_kept(n))) continue;
+            if (!tets_.has_kept_tet(n) && !surfaces_.has_kept(n) && !(shells_ && shells_->has_kept(n))) continue;
             new_index[n] = std::int32_t(kept.node_origin.size());
             kept.node_origin.push_back(std::int32_t(n));
         }
@@ -157,7 +163,7 @@ class Assembler {
         auto flip = flipped.end();
         for (std::size_t t = 0; t < old.triangles.size(); ++t) {
             const auto& nodes = old.triangles[t];
-            if (!backed[t] || !survives(nodes, new_index)) continue;
+            if (!(backed[t] || surfaces_.is_kept(t)) || !survives(nodes, new_index)) continue;
             const std::size_t r = nodes_.motion_of(nodes[0]);
             const FaceId old_face = old.triangle_faces[t], face = entities_.face_of(t);
             if (!face.is_valid() || !in_.new_brep.is_meshed(face)) {
@@ -323,15 +329,16 @@ class Assembler {
     const KeepInput& in_;
     const KeptEntities& entities_;
     const KeptTets& tets_;
+    const KeptSurfaces& surfaces_;
     const KeptShells* shells_;
     RunContext& context_;
 };
 
 }  // namespace
 
-Kept assemble(const CarriedNodes& nodes, const KeptEntities& entities, const KeptTets& tets, const KeptShells* shells,
-              RunContext& context) {
-    return Assembler(nodes, entities, tets, shells, context).run();
+Kept assemble(const CarriedNodes& nodes, const KeptEntities& entities, const KeptTets& tets,
+              const KeptSurfaces& surfaces, const KeptShells* shells, RunContext& context) {
+    return Assembler(nodes, entities, tets, surfaces, shells, context).run();
 }
 
 }  // namespace featuremesh

@@ -122,6 +122,7 @@ class Filling {
             if (count_thin(regions_[i].complex, angles_, context_) > 0)
                 leave_out_flat_tets(cavities_[i], regions_[i].complex);
         }
+        renumber_moved();
         report.released_for_quality -= std::min(report.released_for_quality, report.released_for_shape);
     }
 
@@ -166,7 +167,8 @@ class Filling {
         const std::size_t bad = count_bad(region.complex, all, context_);
         if (bad == 0) return;
         MovableSurface surface{{}, &projector_, options_.is_for_curved_tets};
-        if (options_.moves_surface_nodes) surface.vertices = movable_vertices(brep_, result_.mesh, region, kept_nodes_);
+        if (options_.moves_surface_nodes)
+            surface.vertices = movable_vertices(brep_, result_.mesh, region, kept_nodes_, options_.moves_kept_nodes);
         LocalMesh mesh(region.complex, std::move(surface));
         const RefillOptions refill{.most_large_cavities = most_insertions(region)};
         const Improvement angles = improve(
@@ -188,11 +190,35 @@ class Filling {
             note(improve(mesh, all, list_of(lookahead(mesh, all, context_)), {}, with_lookaheads(region.complex),
                          context_),
                  context_);
-        for (const SurfaceVertex& of : mesh.release_surface()) {
-            const std::size_t node = region.node_of(of.vertex).index();
-            result_.mesh.points[node] = region.complex.points[static_cast<std::size_t>(of.vertex)];
-            result_.mesh.parameters[node] = of.parameters;
+        for (const SurfaceVertex& of : mesh.release_surface()) place(region, of);
+    }
+
+    /// One that was kept and has moved is a new one.
+    void place(const InterfaceRegion& region, const SurfaceVertex& of) {
+        const NodeId node = region.node_of(of.vertex);
+        const Vec3& there = region.complex.points[static_cast<std::size_t>(of.vertex)];
+        Vec3& place = result_.mesh.points[node.index()];
+        if (of.is_kept && place != there) {
+            result_.mesh.node_numbers[node.index()] = result_.mesh.next_node_number++;
+            result_.moved.push_back(node);
         }
+        place = there;
+        result_.mesh.parameters[node.index()] = of.parameters;
+    }
+
+    /// Kept triangles and segments with a node that has moved are new ones.
+    void renumber_moved() {
+        Mesh& mesh = result_.mesh;
+        if (result_.moved.empty()) return;
+        std::vector<char> is_moved(mesh.node_count(), 0);
+        for (const NodeId n : result_.moved) is_moved[n.index()] = 1;
+        const auto renumber = [&](const auto& elements, std::vector<Number>& numbers) {
+            for (std::size_t i = 0; i < elements.size(); ++i)
+                if (std::any_of(elements[i].begin(), elements[i].end(), [&](NodeId n) { return is_moved[n.index()]; }))
+                    numbers[i] = mesh.next_element_number++;
+        };
+        renumber(mesh.segments, mesh.segment_numbers);
+        renumber(mesh.triangles, mesh.triangle_numbers);
     }
 
     static void note(const Improvement& done, const RunContext& context) {

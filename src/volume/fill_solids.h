@@ -29,8 +29,9 @@ struct VolumeOptions {
     /// Smallest length that is asked for, mm, where the sizing has shorter ones for the mesher's own sake: these are no
     /// reason for smaller tets than are allowed otherwise.
     double smallest_asked = 0;
-    bool moves_kept_nodes =
-        false;  ///< those inside, at an interface, where poor shapes gain much by that (relax_interfaces)
+    /// Those inside, at an interface, where poor shapes gain much by that (relax_interfaces), and those of a surface
+    /// that stay without a tet, for the worst angles there.
+    bool moves_kept_nodes = false;
     bool operator==(const VolumeOptions&) const = default;
 };
 

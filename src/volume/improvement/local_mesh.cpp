@@ -81,7 +81,8 @@ bool LocalMesh::gather(int vertex, Star& star) const {
 }
 
 Price LocalMesh::price_of_moving(int vertex) const {
-    if (is_on_surface(vertex)) return price_of_surface_move;
+    if (const SurfaceVertex* of = surface_vertex(vertex))
+        return of->is_kept && !has_moved(vertex) ? price_of_kept_surface_move : price_of_surface_move;
     return complex_.mobility[vertex] == Mobility::kept && !has_moved(vertex) ? price_of_kept_move : Price{};
 }
 

@@ -24,6 +24,7 @@ struct SurfaceVertex {
     int vertex;
     Entity on;
     std::array<double, 2> parameters;  ///< (t, 0) on an edge, (u, v) on a face
+    bool is_kept = false;              ///< a node that stays, unless it moves
 };
 
 /// The surface on which some vertices may move. Without a projector none may.

@@ -38,7 +38,8 @@ struct Price {
 };
 inline constexpr Price price_of_new_vertex{0.05, std::numeric_limits<double>::infinity(), true};
 /// A kept node that moves is lost to what was kept; one of the surface costs how well the surface is met.
-inline constexpr Price price_of_kept_move{1e-3, 0.3}, price_of_surface_move{0.02, 0.02};
+inline constexpr Price price_of_kept_move{1e-3, 0.3}, price_of_surface_move{0.02, 0.02},
+    price_of_kept_surface_move{price_of_surface_move.angle, price_of_kept_move.shape};
 inline constexpr Price price_of_lookahead{0.02};
 inline constexpr Price price_of_fewer_tets{1e-3, 0};
 

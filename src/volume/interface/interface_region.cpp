@@ -181,18 +181,18 @@ std::vector<TetId> InterfaceRegion::give_back(const Mesh& mesh) {
 }
 
 std::vector<SurfaceVertex> movable_vertices(const Brep& brep, const Mesh& mesh, const InterfaceRegion& region,
-                                            std::size_t first_new) {
+                                            std::size_t kept_nodes, bool moves_kept_nodes) {
     std::vector<SurfaceVertex> vertices;
     for (int v = 0; v < static_cast<int>(region.complex.points.size()); ++v) {
         const NodeId node = region.node_of(v);
-        if (!node.is_valid() || node.index() < first_new || region.is_at_interface(v) ||
-            region.complex.tet_of_vertex[v] < 0)
-            continue;
+        if (!node.is_valid() || region.is_at_interface(v) || region.complex.tet_of_vertex[v] < 0) continue;
+        const bool is_kept = node.index() < kept_nodes;
+        if (is_kept && !moves_kept_nodes) continue;
         const Entity on = mesh.entities[node.index()];
         if (on.dim != 1 && on.dim != 2) continue;
         const std::vector<FaceId> faces = brep.faces_at(on);
         if (faces.size() <= 2 && std::all_of(faces.begin(), faces.end(), [&](FaceId f) { return is_outside(brep, f); }))
-            vertices.push_back({v, on, mesh.parameters[node.index()]});
+            vertices.push_back({v, on, mesh.parameters[node.index()], is_kept});
     }
     return vertices;
 }

@@ -73,9 +73,9 @@ class InterfaceRegion {
     std::vector<Taken> taken_;
 };
 
-/// The region's nodes from `first_new` on that are on one face, or between two, with one solid beside them, and
-/// away from kept tets.
+/// The region's nodes that are on one face, or between two, with one solid beside them, and away from kept tets; of the
+/// first `kept_nodes` of the mesh only where these may move.
 std::vector<SurfaceVertex> movable_vertices(const Brep& brep, const Mesh& mesh, const InterfaceRegion& region,
-                                            std::size_t first_new);
+                                            std::size_t kept_nodes, bool moves_kept_nodes);
 
 }  // namespace featuremesh

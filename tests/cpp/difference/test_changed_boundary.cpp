@@ -69,6 +69,27 @@ TEST_CASE("what is within reach is closer than it") {
     CHECK((within > 100 && within < 1900));
 }
 
+TEST_CASE("of one surface only what changed there is within reach") {
+    std::mt19937 random(27);
+    const std::vector<std::size_t> ends{7, 7, 90, 91, 300};  // the second surface has nothing that changed
+    const std::vector<Triangle> triangles = random_triangles(ends.back(), 4, random);
+    const ChangedBoundary all(triangles, ends);
+    std::uniform_real_distribution<double> at(-10, 110), reach(0, 30);
+    std::size_t within = 0;
+    for (std::size_t s = 0; s < ends.size(); ++s) {
+        const auto begin = triangles.begin() + std::ptrdiff_t(s == 0 ? 0 : ends[s - 1]);
+        const ChangedBoundary alone(std::vector<Triangle>(begin, triangles.begin() + std::ptrdiff_t(ends[s])));
+        for (int i = 0; i < 200; ++i) {
+            const Vec3 p{at(random), at(random), at(random)};
+            const double r = reach(random);
+            CHECK(all.is_within(r, p, s) == alone.is_within(r, p));
+            within += all.is_within(r, p, s);
+        }
+    }
+    CHECK(within > 100);
+    CHECK(within < 900);
+}
+
 TEST_CASE("nothing changed is as far as the limit") {
     const ChangedBoundary nothing;
     CHECK_FALSE(nothing.is_within(7.5, {1, 2, 3}));

@@ -4,6 +4,8 @@
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
+#include <map>
+#include <vector>
 
 #include "catch.h"
 #include "difference/followed_faces.h"
@@ -49,6 +51,29 @@ TopoDS_Shape together(const TopoDS_Shape& a, const TopoDS_Shape& b) {
     builder.Add(compound, a);
     builder.Add(compound, b);
     return compound;
+}
+
+/// A plate with a pocket that leaves a wall of this thickness above the plate's bottom.
+RawDocument pocketed_plate(double wall) {
+    return PartDocument()
+        .box("Plate", {0, 0, 0}, {60, 40, 8})
+        .box("Pocket", {15, 10, wall}, {30, 20, 10})
+        .cut("Part", "Plate", "Pocket")
+        .finish();
+}
+
+/// The triangles of a mesh in a plane, by number: the places of their nodes.
+std::map<Number, std::vector<Vec3>> triangles_at_height(const Mesh& mesh, double z) {
+    std::map<Number, std::vector<Vec3>> found;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        std::vector<Vec3> places;
+        for (const NodeId n : mesh.triangles[t]) places.push_back(mesh.point(n));
+        if (mesh.order == 2)
+            for (const NodeId n : mesh.triangle_mids[t]) places.push_back(mesh.point(n));
+        if (std::all_of(places.begin(), places.end(), [&](const Vec3& p) { return p.z == z; }))
+            found[mesh.triangle_numbers[t]] = std::move(places);
+    }
+    return found;
 }
 
 /// Two plates with a hole each, one above the other; the upper one stays.
@@ -191,6 +216,57 @@ TEST_CASE("a solid that moves as a whole takes its mesh along, though it lies on
         CHECK(carried == std::size_t(std::count(old.tet_solids.begin(), old.tet_solids.end(), SolidId(1))));
         CHECK(second.report.kept_tets_share < 0.95);
     }
+}
+
+TEST_CASE("a face stays divided as it was, however near behind it the wall changes") {
+    const int order = GENERATE(1, 2);
+    const double wall = GENERATE(1.3, 1.8);
+    const auto first = meshed(pocketed_plate(1.5), options_of(2, order));
+    const auto second = updated(*first.part_mesh, pocketed_plate(wall), options_of(2, order));
+    CHECK(second.report.fallbacks.empty());
+    const Mesh &old = first.part_mesh->mesh, &now = second.part_mesh->mesh;
+    const auto was = triangles_at_height(old, 0), is = triangles_at_height(now, 0);
+    CHECK(was.size() > 300);
+    CHECK(is.size() == was.size());
+    // few nodes have moved for the worst angle of their tets: their triangles have new numbers
+    std::size_t left = 0;
+    for (const auto& [number, places] : is) {
+        left += was.contains(number);
+        CHECK((was.contains(number) ? was.at(number) == places : number >= old.next_element_number));
+    }
+    CHECK(double(left) > 0.9 * double(was.size()));
+    // their tets go all the same, and no node that stays is left without an element
+    CHECK(second.report.kept_tets_share < 0.9);
+    std::vector<char> is_used(now.node_count(), 0);
+    for (const auto& tet : now.tets)
+        for (const NodeId n : tet) is_used[n.index()] = 1;
+    CHECK(std::count(is_used.begin(), is_used.begin() + std::ptrdiff_t(now.corner_count), 0) == 0);
+}
+
+TEST_CASE("triangles near a change of their own face go, on another face they stay") {
+    const auto plate = [](double depth) {
+        return PartDocument()
+            .box("Plate", {0, 0, 0}, {60, 30, 2})
+            .cylinder("Hole", {20, 15, 2 - depth}, 4, 5)
+            .cut("Part", "Plate", "Hole")
+            .finish();
+    };
+    const auto first = meshed(plate(1.0), options_of(3));
+    const auto through = updated(*first.part_mesh, plate(4.0), options_of(3));
+    const auto top = triangles_at_height(first.part_mesh->mesh, 2),
+               top_now = triangles_at_height(through.part_mesh->mesh, 2);
+    CHECK(top.size() == top_now.size());
+    const auto was = triangles_at_height(first.part_mesh->mesh, 0),
+               is = triangles_at_height(through.part_mesh->mesh, 0);
+    std::size_t left = 0, near = 0;
+    for (const auto& [number, places] : was) {
+        const Vec3 from_axis = (places[0] + places[1] + places[2]) / 3 - Vec3{20, 15, 0};
+        left += is.contains(number);
+        near += is.contains(number) && length(from_axis) < 5;
+    }
+    CHECK(near == 0);
+    CHECK(left > was.size() / 2);
+    CHECK(through.report.fallbacks.empty());
 }
 
 TEST_CASE("faces of solids that lie on one another are followed each by itself") {
