@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/geometry.h"
+#include "core/sort_once.h"
 #include "mesh/second_order.h"
 
 namespace featuremesh {
@@ -29,14 +30,14 @@ double product(const Field& a, const Field& b) {
 /// The tets around the bad ones and the nodes among theirs that may move.
 class Patch {
   public:
-    Patch(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable, const std::vector<TetId>& bad,
-          const CurvedTetAims& aims, const RunContext& context)
+    Patch(Mesh& mesh, const TetsAtNode& tets_at, const Projector& projector, const std::vector<bool>& is_movable,
+          const std::vector<TetId>& bad, const CurvedTetAims& aims)
         : mesh_(mesh),
           projector_(projector),
           wanted_(aims.scaled_jacobian),
           least_volume_(6 * aims.least_volume),
           place_(mesh.points.size(), -1) {
-        collect(is_movable, bad, context);
+        collect(tets_at, is_movable, bad);
         placed_.reserve(free_.size());
         for (const NodeId n : free_) placed_.push_back(mesh.point(n));
         measure_lengths();
@@ -126,32 +127,24 @@ class Patch {
         for (NodeId n : mesh_.tet_mids[t.index()]) visit(n);
     }
 
-    void collect(const std::vector<bool>& is_movable, const std::vector<TetId>& bad, const RunContext& context) {
-        RoundWatch watch(context);
-        std::vector<char> is_near(mesh_.corner_count, 0);
+    void collect(const TetsAtNode& tets_at, const std::vector<bool>& is_movable, const std::vector<TetId>& bad) {
+        std::vector<NodeId> corners;
         for (const TetId t : bad)
-            for (const NodeId n : mesh_.tets[t.index()]) is_near[n.index()] = 1;
-        const auto near_corners = [&](std::size_t t) {
-            const auto& n = mesh_.tets[t];
-            return std::count_if(n.begin(), n.end(), [&](NodeId c) { return is_near[c.index()] != 0; });
-        };
-        for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
-            watch();
-            if (near_corners(t) < 2) continue;
-            for_each_node(TetId(t), [&](NodeId n) {
-                const bool is_corner = n.index() < mesh_.corner_count;
-                if (!is_movable[n.index()] || place_[n.index()] >= 0) return;
-                if (is_corner && (mesh_.entities[n.index()].dim < 3 || !is_near[n.index()])) return;
-                place_[n.index()] = static_cast<std::int32_t>(free_.size());
-                free_.push_back(n);
+            corners.insert(corners.end(), mesh_.tets[t.index()].begin(), mesh_.tets[t.index()].end());
+        sort_once(corners);
+        const auto is_near = [&](NodeId n) { return std::binary_search(corners.begin(), corners.end(), n); };
+        for (const TetId t : tets_at.of(corners)) {
+            const auto& n = mesh_.tets[t.index()];
+            if (std::count_if(n.begin(), n.end(), is_near) < 2) continue;
+            for_each_node(t, [&](NodeId node) {
+                const bool is_corner = node.index() < mesh_.corner_count;
+                if (!is_movable[node.index()] || place_[node.index()] >= 0) return;
+                if (is_corner && (mesh_.entities[node.index()].dim < 3 || !is_near(node))) return;
+                place_[node.index()] = static_cast<std::int32_t>(free_.size());
+                free_.push_back(node);
             });
         }
-        for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
-            watch();
-            bool has_free = false;
-            for_each_node(TetId(t), [&](NodeId n) { has_free |= place_[n.index()] >= 0; });
-            if (has_free) tets_.push_back(TetId(t));
-        }
+        tets_ = tets_at.of(free_);
     }
 
     /// Of a mid-side node its side, of a corner the shortest side there.
@@ -317,10 +310,10 @@ class Descent {
 
 }  // namespace
 
-void descend(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable, const std::vector<TetId>& bad,
-             const CurvedTetAims& aims, RunContext& context) {
+void descend(Mesh& mesh, const TetsAtNode& tets_at, const Projector& projector, const std::vector<bool>& is_movable,
+             const std::vector<TetId>& bad, const CurvedTetAims& aims, RunContext& context) {
     constexpr int most_rounds = 40, most_steps = 40;
-    Patch patch(mesh, projector, is_movable, bad, aims, context);
+    Patch patch(mesh, tets_at, projector, is_movable, bad, aims);
     if (patch.size() == 0) return;
     for (int round = 0; round < most_rounds && patch.renew_barriers(); ++round) {
         Descent descent(patch);

@@ -8,6 +8,7 @@
 #include "core/run_context.h"
 #include "mesh/mesh.h"
 #include "surface/projection.h"
+#include "volume/curved/low_tets.h"
 
 namespace featuremesh {
 
@@ -23,7 +24,7 @@ struct CurvedTetAims {
 /// Lambrechts 2013) by quasi-Newton steps of all their movable mid-side nodes and inner corners, those on CAD entities
 /// along these. Every coefficient below the wanted scaled Jacobian is pushed up to it. Where moving one node at a
 /// time stops because a neighbour loses what the tet gains, this goes on.
-void descend(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable, const std::vector<TetId>& bad,
-             const CurvedTetAims& aims, RunContext& context);
+void descend(Mesh& mesh, const TetsAtNode& tets_at, const Projector& projector, const std::vector<bool>& is_movable,
+             const std::vector<TetId>& bad, const CurvedTetAims& aims, RunContext& context);
 
 }  // namespace featuremesh

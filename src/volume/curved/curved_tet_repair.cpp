@@ -6,35 +6,19 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "core/geometry.h"
 #include "core/sort_once.h"
 #include "mesh/quality.h"
 #include "mesh/second_order.h"
 #include "volume/curved/curved_tet_descent.h"
+#include "volume/curved/low_tets.h"
 #include "volume/improvement/objective.h"
 #include "volume/tets/tet_measures.h"
 
 namespace featuremesh {
 namespace {
-
-constexpr std::size_t grain = 1 << 13;
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-/// Lower bound of the scaled Jacobian without subdivision, minus infinity where it is found to be no larger than
-/// `limit`. Nothing is worse than a tet whose corners are turned over.
-double quick_bound(const std::array<Vec3, 10>& nodes, double limit = -infinite) {
-    const double straight = 6 * signed_volume(nodes[0], nodes[1], nodes[2], nodes[3]);
-    return straight > 0 ? smallest_coefficient(nodes, limit * straight) / straight : -infinite;
-}
-
-/// Cheap where all coefficients are large enough; the subdivision decides the rest.
-bool is_at_most(const Mesh& mesh, TetId tet, double limit) {
-    if (!has_curved_side(mesh, tet)) return false;
-    const auto nodes = tet_nodes(mesh, tet);
-    return quick_bound(nodes) <= limit && min_scaled_jacobian(nodes) <= limit;
-}
 
 /// The 26 directions to the neighbours in a cubic lattice.
 std::vector<Vec3> search_directions() {
@@ -46,42 +30,18 @@ std::vector<Vec3> search_directions() {
     return directions;
 }
 
-/// Tets around the nodes that may have to move.
-class Stars {
-  public:
-    Stars(const Mesh& mesh, const std::vector<NodeId>& nodes, const RunContext& context)
-        : place_(mesh.points.size(), -1) {
-        for (NodeId n : nodes)
-            if (place_[n.index()] < 0) place_[n.index()] = static_cast<std::int32_t>(count_++);
-        tets_.resize(count_);
-        const auto note = [&](NodeId n, std::size_t t) {
-            if (place_[n.index()] >= 0) tets_[static_cast<std::size_t>(place_[n.index()])].push_back(TetId(t));
-        };
-        RoundWatch watch(context);
-        for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-            watch();
-            for (NodeId n : mesh.tets[t]) note(n, t);
-            for (NodeId n : mesh.tet_mids[t]) note(n, t);
-        }
-    }
-    const std::vector<TetId>& of(NodeId n) const { return tets_[static_cast<std::size_t>(place_[n.index()])]; }
-
-  private:
-    std::vector<std::int32_t> place_;
-    std::size_t count_ = 0;
-    std::vector<std::vector<TetId>> tets_;
-};
+using Star = std::span<const TetId>;
 
 class Unfolding {
   public:
-    Unfolding(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable, const CurvedTetAims& aims,
-              const RunContext& context)
+    Unfolding(Mesh& mesh, const TetsAtNode& tets_at, const Projector& projector, const std::vector<bool>& is_movable,
+              const CurvedTetAims& aims)
         : mesh_(mesh),
+          tets_at_(tets_at),
           projector_(projector),
           is_movable_(is_movable),
           target_(aims.scaled_jacobian),
           least_volume_(aims.least_volume),
-          context_(context),
           placed_(mesh.points),
           in_vain_(mesh.points.size()),
           directions_(search_directions()) {}
@@ -93,9 +53,9 @@ class Unfolding {
         nodes.erase(
             std::remove_if(nodes.begin(), nodes.end(), [&](NodeId n) { return n.index() < mesh_.corner_count; }),
             nodes.end());
-        const Stars stars(mesh_, nodes, context_);
         std::vector<Vec3> bends;
-        for (NodeId n : nodes) bends.push_back(mesh_.entities[n.index()].dim == 1 ? Vec3{} : bend_of(n, stars.of(n)));
+        for (NodeId n : nodes)
+            bends.push_back(mesh_.entities[n.index()].dim == 1 ? Vec3{} : bend_of(n, tets_at_.of(n)));
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             const Place start = place(nodes[i], {});
             if (squared_length(bends[i]) > 0) move(nodes[i], start, bends[i]);
@@ -110,9 +70,8 @@ class Unfolding {
     bool pass(const std::vector<TetId>& bad, Aim aim) {
         aim_ = aim;
         const std::vector<NodeId> nodes = movable_nodes(bad);
-        const Stars stars(mesh_, nodes, context_);
         bool moved = false;
-        for (NodeId n : nodes) moved |= improve(n, stars.of(n));
+        for (NodeId n : nodes) moved |= improve(n, tets_at_.of(n));
         return moved;
     }
 
@@ -148,7 +107,7 @@ class Unfolding {
     /// How a still straight side between two boundary nodes would be bent if it curved like the bent sides of its tets,
     /// the nearest ones above all: the bend goes with the square of the length along them. In a tet as thin as an edge
     /// of a millionth of the part, only the sides beside it count.
-    Vec3 bend_of(NodeId mid, const std::vector<TetId>& star) const {
+    Vec3 bend_of(NodeId mid, Star star) const {
         Vec3 sum, own, middle;
         double weights = 0;
         for (TetId t : star)
@@ -176,7 +135,7 @@ class Unfolding {
 
     /// What a move has to raise, at most what is enough: what is good enough need not get better. Stops early, with
     /// some value no larger than `limit`, once it is down to that.
-    double worst(const std::vector<TetId>& star, double limit = -std::numeric_limits<double>::infinity()) const {
+    double worst(Star star, double limit = -std::numeric_limits<double>::infinity()) const {
         const double enough = target_ + 0.1;
         if (aim_ == Aim::smallest_bound) return smallest_bound(star, enough, limit);
         double shortfalls = 0;
@@ -188,7 +147,7 @@ class Unfolding {
         return enough - shortfalls;
     }
     /// The tet that stopped the last look is the likeliest to stop the next.
-    double smallest_bound(const std::vector<TetId>& star, double enough, double limit) const {
+    double smallest_bound(Star star, double enough, double limit) const {
         if (refusing_ >= star.size()) refusing_ = 0;
         double low = std::min(enough, quick_bound(tet_nodes(mesh_, star[refusing_]), limit));
         for (std::size_t i = 0; i < star.size() && low > limit; ++i) {
@@ -202,7 +161,7 @@ class Unfolding {
     static double shortfall(double enough, double bound) {
         return bound >= 0 ? (enough - bound) * (enough - bound) / enough : enough + 2 * std::log1p(-bound);
     }
-    double worst_angle(const std::vector<TetId>& star) const {
+    double worst_angle(Star star) const {
         double low = 180;
         for (const TetId t : star) low = std::min(low, worst_angle_of(t));
         return low;
@@ -220,7 +179,7 @@ class Unfolding {
         return unforced < all ? angle_of_flatness(unforced) : angle;
     }
 
-    double smallest_volume(const std::vector<TetId>& star) const {
+    double smallest_volume(Star star) const {
         double low = std::numeric_limits<double>::infinity();
         for (TetId t : star) {
             const auto& n = mesh_.tets[t.index()];
@@ -231,13 +190,13 @@ class Unfolding {
     }
 
     /// The side that a mid-side node belongs to.
-    BentSide side_at(NodeId mid, const std::vector<TetId>& star) const {
+    BentSide side_at(NodeId mid, Star star) const {
         const auto& mids = mesh_.tet_mids[star.front().index()];
         return side_of(star.front(), static_cast<int>(std::find(mids.begin(), mids.end(), mid) - mids.begin()));
     }
     /// An inner side that is bent more than this would spoil what it is to repair; a node on the boundary that slides
     /// to a quarter of its side would make the element singular.
-    bool is_bent_too_much(NodeId n, const std::vector<TetId>& star) const {
+    bool is_bent_too_much(NodeId n, Star star) const {
         constexpr double most_bend = 0.3, most_slide = 0.15;
         if (n.index() < mesh_.corner_count) return false;
         const BentSide side = side_at(n, star);
@@ -248,7 +207,7 @@ class Unfolding {
         return dim > 1 && squared_length(off) > most_bend * most_bend * squared;
     }
 
-    double longest_side_at(NodeId n, const std::vector<TetId>& star) const {
+    double longest_side_at(NodeId n, Star star) const {
         double longest = 0;
         for (TetId t : star)
             for (NodeId other : mesh_.tets[t.index()])
@@ -256,7 +215,7 @@ class Unfolding {
         return longest;
     }
 
-    bool improve(NodeId n, const std::vector<TetId>& star) {
+    bool improve(NodeId n, Star star) {
         const std::uint64_t now = print_of(star);
         std::uint64_t& in_vain = in_vain_[n.index()][static_cast<std::size_t>(aim_)];
         if (in_vain == now) return false;
@@ -271,7 +230,7 @@ class Unfolding {
     }
 
     /// Of all that decides what moving its node can gain.
-    std::uint64_t print_of(const std::vector<TetId>& star) const {
+    std::uint64_t print_of(Star star) const {
         std::uint64_t print = 1;
         const auto add = [&](double value) {
             print = (print ^ std::bit_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15ull;
@@ -283,7 +242,7 @@ class Unfolding {
     }
 
     /// Tries all directions at one step length and takes the best one.
-    bool best_step(NodeId n, const std::vector<TetId>& star, double step, double& best) {
+    bool best_step(NodeId n, Star star, double step, double& best) {
         const Place start = place(n, star);
         const bool is_corner = n.index() < mesh_.corner_count;
         const double angle = is_corner ? std::min(worst_angle(star), 20.0) : 0;
@@ -315,7 +274,7 @@ class Unfolding {
         std::array<double, 2> parameters;
         std::vector<std::pair<NodeId, Vec3>> followers;
     };
-    Place place(NodeId n, const std::vector<TetId>& star) const {
+    Place place(NodeId n, Star star) const {
         Place now{mesh_.point(n), mesh_.parameters[n.index()], {}};
         if (n.index() >= mesh_.corner_count) return now;
         for (TetId t : star)
@@ -349,10 +308,10 @@ class Unfolding {
     }
 
     Mesh& mesh_;
+    const TetsAtNode& tets_at_;
     const Projector& projector_;
     const std::vector<bool>& is_movable_;
     const double target_, least_volume_;
-    const RunContext& context_;
     Aim aim_ = Aim::smallest_bound;
     mutable std::size_t refusing_ = 0;                   ///< place in the star
     const std::vector<Vec3> placed_;                     ///< where the nodes were at first
@@ -362,46 +321,37 @@ class Unfolding {
 
 }  // namespace
 
-std::vector<TetId> tets_at_most(const Mesh& mesh, double limit, RunContext& context) {
-    std::vector<std::vector<TetId>> parts((mesh.tets.size() + grain - 1) / grain);
-    parallel_for(context, mesh.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t)
-            if (is_at_most(mesh, TetId(t), limit)) parts[begin / grain].push_back(TetId(t));
-    });
-    std::vector<TetId> found;
-    for (const auto& part : parts) found.insert(found.end(), part.begin(), part.end());
-    return found;
-}
-
 std::vector<TetId> unfold_tets(Mesh& mesh, const Projector& projector, const std::vector<bool>& is_movable,
                                const CurvedTetAims& aims, RunContext& context) {
     constexpr int most_passes = 6;
     const double target = aims.scaled_jacobian;
     constexpr std::size_t most_together = 500;  // more trouble is refined first
-    std::vector<TetId> bad = tets_at_most(mesh, target, context);
-    if (bad.empty()) return bad;
-    Unfolding unfolding(mesh, projector, is_movable, aims, context);
+    LowTets bad(mesh, target, context);
+    if (bad.found().empty()) return {};
+    const TetsAtNode tets_at(mesh, context);
+    Unfolding unfolding(mesh, tets_at, projector, is_movable, aims);
     const std::vector<Vec3> points = mesh.points;
     const std::vector<std::array<double, 2>> parameters = mesh.parameters;
-    unfolding.bend_along(bad);
-    if (std::vector<TetId> bent = tets_at_most(mesh, target, context); bent.size() < bad.size()) {
-        bad = std::move(bent);
-    } else {
+    const std::size_t bad_before = bad.found().size();
+    unfolding.bend_along(bad.found());
+    bad.look_again(tets_at);
+    if (bad.found().size() >= bad_before) {
         mesh.points = points;
         mesh.parameters = parameters;
+        bad.look_again(tets_at);
     }
     using Aim = Unfolding::Aim;
     for (const Aim aim : {Aim::smallest_bound, Aim::sum_of_shortfalls, Aim::smallest_bound}) {
-        for (int pass = 0; pass < most_passes && !bad.empty(); ++pass) {
+        for (int pass = 0; pass < most_passes && !bad.found().empty(); ++pass) {
             context.check_cancelled();
-            if (!unfolding.pass(bad, aim)) break;
-            bad = tets_at_most(mesh, target, context);
+            if (!unfolding.pass(bad.found(), aim)) break;
+            bad.look_again(tets_at);
         }
-        if (bad.empty() || bad.size() > most_together) break;
-        descend(mesh, projector, is_movable, bad, {target + 0.05, aims.least_volume}, context);
-        bad = tets_at_most(mesh, target, context);
+        if (bad.found().empty() || bad.found().size() > most_together) break;
+        descend(mesh, tets_at, projector, is_movable, bad.found(), {target + 0.05, aims.least_volume}, context);
+        bad.look_again(tets_at);
     }
-    return bad;
+    return bad.found();
 }
 
 }  // namespace featuremesh

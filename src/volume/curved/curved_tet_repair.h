@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds 10-node tets that their curved sides fold, and unfolds them by moving nodes.
+// Unfolds 10-node tets by moving nodes.
 #pragma once
 
 #include <vector>
@@ -11,10 +11,6 @@
 #include "volume/curved/curved_tet_descent.h"
 
 namespace featuremesh {
-
-/// The tets whose scaled Jacobian is at most `limit` somewhere, proved by its Bernstein coefficients. Only tets with a
-/// curved side are looked at.
-std::vector<TetId> tets_at_most(const Mesh& mesh, double limit, RunContext& context);
 
 /// Moves nodes of the tets below the aim until they reach it or nothing helps any more, in this order: inner mid-side
 /// nodes, mid-side nodes on faces (along the face), inner corner nodes, mid-side nodes on edges. A move is accepted

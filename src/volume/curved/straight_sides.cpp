@@ -7,7 +7,7 @@
 
 #include "core/geometry.h"
 #include "mesh/second_order.h"
-#include "volume/curved/curved_tet_repair.h"
+#include "volume/curved/low_tets.h"
 
 namespace featuremesh {
 namespace {

@@ -22,6 +22,7 @@
 #include "surface/surface_checks.h"
 #include "volume/curved/curved_tet_repair.h"
 #include "volume/curved/curved_tet_split.h"
+#include "volume/curved/low_tets.h"
 #include "volume/curved/mid_side_nodes.h"
 #include "volume/curved/straight_sides.h"
 
@@ -276,6 +277,28 @@ TEST_CASE("splits of tets that lie at each other keep the mesh conforming") {
     Mesh mesh = straight;
     CHECK(split_folded_tets(mesh, curved, all, {}) > all.size() / 4);
     CHECK(several(broken_invariants(mesh, expectation_of(brep))).in_english() == "");
+}
+
+TEST_CASE("low tets are found again where nodes move, and where they move back") {
+    const Brep brep(BRepPrimAPI_MakeCylinder(10, 12).Shape());
+    Mesh mesh = with_mid_side_nodes_on_faces(brep, fan_mesh(brep, 8, {0, 0, 6}));
+    RunContext context;
+    const TetsAtNode tets_at(mesh, context);
+    LowTets low(mesh, 0.5, context);
+    const std::vector<TetId> at_first = low.found();
+    CHECK(at_first == tets_at_most(mesh, 0.5, context));
+    const std::vector<Vec3> points = mesh.points;
+    std::size_t most = 0;
+    for (std::size_t n = 0; n < mesh.points.size(); n += 3) {
+        mesh.points[n] += 0.5 * (Vec3{0, 0, 6} - mesh.points[n]);
+        low.look_again(tets_at);
+        CHECK(low.found() == tets_at_most(mesh, 0.5, context));
+        most = std::max(most, low.found().size());
+    }
+    CHECK(most > at_first.size() + 5);
+    mesh.points = points;
+    low.look_again(tets_at);
+    CHECK(low.found() == at_first);
 }
 
 TEST_CASE("sides that fold tets are straight in the end, others stay, and what is off the shape is told") {
