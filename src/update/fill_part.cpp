@@ -115,6 +115,7 @@ std::optional<Filled> with_straight_sides(const Brep& brep, StraightSides straig
     if (!check.refusal.empty()) return {};
     Filled filled = filled_of(std::move(straightened.mesh), surface, volume);
     filled.why_straight = why;
+    filled.straight_sides = straightened.sides;
     filled.surface.warnings.push_back(
         say<Code::sides_stay_straight>(straightened.sides, straightened.places, Length{straightened.distance}));
     return filled;
@@ -243,7 +244,7 @@ class SizeLoop {
         for (;;) {
             Attempt attempt = try_once();
             if (attempt.filled) offer(attempt);
-            if (attempt.stand_in && !stand_in_) stand_in_ = std::move(attempt.stand_in);
+            if (attempt.stand_in) offer_stand_in(attempt);
             if (is_good_enough(attempt) || !may_go_on() || !change_something(attempt)) return outcome(attempt);
         }
     }
@@ -251,7 +252,8 @@ class SizeLoop {
   private:
     bool may_go_on() const {
         const std::size_t own = rounds_.size() - first_round_;
-        return !is_spent_ && rounds_.size() < most_rounds && (!keeps_ || own < most_rounds_that_keep);
+        return !is_spent_ && rounds_.size() < most_rounds && (!keeps_ || own < most_rounds_that_keep) &&
+               rounds_in_vain_ < most_rounds_in_vain;
     }
 
     Attempt try_once() {
@@ -286,6 +288,16 @@ class SizeLoop {
             best_->surface.warnings.push_back(has_tets ? say<Code::finer_for_curved_tets>(place)
                                                        : say<Code::finer_for_curved_triangles>(place));
         if (!why_plain_.empty()) best_->surface.warnings.push_back(say<Code::narrow_faces_plain>(why_plain_));
+    }
+
+    /// The first filling counts, as it has the lengths that were asked for. Rounds that do not halve the straight sides
+    /// are in vain.
+    void offer_stand_in(Attempt& attempt) {
+        const std::size_t sides = attempt.stand_in->straight_sides;
+        const bool gains = !stand_in_ || 2 * sides <= fewest_straight_;
+        rounds_in_vain_ = gains ? 0 : rounds_in_vain_ + 1;
+        if (gains) fewest_straight_ = sides;
+        if (!stand_in_) stand_in_ = std::move(attempt.stand_in);
     }
 
     bool is_good_enough(const Attempt& attempt) const {
@@ -404,6 +416,8 @@ class SizeLoop {
     int failures_ = 0, valid_ = 0, thin_rounds_ = 0;
     std::optional<Filled> best_, stand_in_;
     double best_jacobian_ = 0;
+    std::size_t fewest_straight_ = 0;  ///< sides, of the last round that gained
+    std::size_t rounds_in_vain_ = 0;
 };
 
 }  // namespace

@@ -39,6 +39,7 @@ struct Filled {
     bool refines_narrow_faces = false;       ///< the sizing does
     /// Why some sides of 10-node tets are straight on a curved face (StraightSides); empty where none are.
     Message why_straight = {};
+    std::size_t straight_sides = 0;  ///< on the shape, but straight
 };
 
 /// What to fill a full mesh from.

@@ -38,8 +38,8 @@ struct Round {
     Message refusal;            ///< why there was no mesh; empty where one was only to get better
 };
 
-/// A filling is repeated so often at most, whatever the reasons.
-constexpr std::size_t most_rounds = 6, most_rounds_that_keep = 3;
+/// A filling is repeated so often at most, whatever the reasons, and so often in a row without a gain.
+constexpr std::size_t most_rounds = 6, most_rounds_that_keep = 3, most_rounds_in_vain = 2;
 
 /// For triangles that lie the wrong way round on their faces; at least one.
 SizeRequest for_turned_triangles(const Mesh& mesh, const std::vector<TriangleId>& turned);

@@ -152,6 +152,7 @@ TEST_CASE("A 6-node triangle that a curved side folds at any length has straight
         if (line.code() == Code::sides_stay_straight) told.push_back(line.in_english());
     REQUIRE(told.size() == 1);
     CHECK(told[0].starts_with("1 side of elements at Edge"));
+    CHECK(result.report.rounds.size() == most_rounds_in_vain);
     const PartMeshResult moved =
         updated(*result.part_mesh, document_of(sheet_with_notch(4e-4, circle({50, 30, 0}, 6))), options);
     CHECK(broken_invariants(moved.part_mesh->mesh, expectation_of(moved.part_mesh->part.brep)).empty());
