@@ -305,6 +305,22 @@ class InTheDocument(Case):
             self.assertEqual(report["solver"], "CalculiX")
             self.assertIn("does not know Plane", " ".join(map(english, report["warnings"])))
 
+    def test_very_flat_elements_are_left_to_calculix(self):
+        part = self.document.addObject("Part::Box", "Foil")
+        part.Length, part.Width, part.Height = 100, 100, 0.1
+        self.document.recompute()
+        analysis = self.analysis()
+        self.fix(analysis, part, faces_at(part, 0, 0))
+        self.add(analysis, ObjectsFem.makeConstraintPressure, "Pressure", [(part, faces_at(part, 2, 0.1))], Pressure=quantity(1e-6, "MPa"))
+        self.mesh(part, 20, 2)
+        with self.assertRaisesRegex(engine.load().KernelError, "does not converge on this mesh; solve with CalculiX"):
+            api.solve_analysis(analysis, "live")
+        if shutil.which("ccx"):
+            report = api.solve_analysis(analysis)
+            self.assertEqual(report["solver"], "CalculiX")
+            self.assertIn("does not converge", " ".join(map(english, report["warnings"])))
+            self.assertAlmostEqual(report["responses"]["reactions_n"]["Fixed"][2], 0.01, places=3)
+
     def test_wrong_units_and_nothing_loaded(self):
         part, analysis = self.held_box(8.0)
         material = self.document.getObject("Steel")

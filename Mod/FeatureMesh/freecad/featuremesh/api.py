@@ -368,7 +368,8 @@ def solve_analysis(analysis, which=None, threads=0, keep="", progress=None):
     """Solves the analysis and leaves FreeCAD's own result object in it. Returns the report.
 
     `which` is "live" (linear statics, from our mesh's arrays), "ccx" (CalculiX through FreeCAD), or None: live where that knows all
-    that the analysis holds, else CalculiX, which gets a solver object where there is none, and the report's warnings say why. Throws UserError.
+    that the analysis holds, and converges, else CalculiX, which gets a solver object where there is none, and the report's warnings say why. Throws
+    UserError.
     """
     if which not in (None, "live", "ccx"):
         raise UserError(said("the solver is live or ccx, not {solver:text}", solver=str(which)))
@@ -379,8 +380,8 @@ def solve_analysis(analysis, which=None, threads=0, keep="", progress=None):
         return calculix.solve(analysis)
     try:
         fields, report = statics.solve(analysis, keep, threads, progress, statics_result.last_displacements(analysis))
-    except statics.NotUnderstood as error:
-        if which == "live":
+    except (statics.NotUnderstood, engine.load().KernelError) as error:
+        if which == "live" or not statics.is_for_calculix(error):
             raise
         report = calculix.solve(analysis)
         report["warnings"].append(said("solved with CalculiX: {why:messages}", why=of_error(error)))

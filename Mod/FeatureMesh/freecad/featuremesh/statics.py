@@ -97,6 +97,11 @@ class SolveJob:
             "seconds": {"read": read, **seconds, "total": self._read + time.perf_counter() - start}}
 
 
+def is_for_calculix(error):
+    """May CalculiX solve what the live solver could not? It knows more, and factors matrices on which iterations do not converge."""
+    return isinstance(error, NotUnderstood) or error.message["code"] == "not_converged"
+
+
 def refuse_free_motions(statics):
     """Throws CanMove when the part can move as a rigid body."""
     motions, centre, scale = statics_supports.free_motions(statics.arrays, statics.held)
