@@ -125,11 +125,11 @@ struct System {
         System* self = nullptr;
         PetscCall(MatShellGetContext(of, &self));
         return guarded([&] {
-            const BlockMatrix& blocks = self->blocks;
-            self->inverses_.resize(9 * blocks.node_count());
-            parallel_for(self->threads, blocks.node_count(), 4096, [&](std::size_t begin, std::size_t end) {
+            const BlockMatrix& matrix = self->blocks;
+            self->inverses_.resize(9 * matrix.node_count());
+            parallel_for(self->threads, matrix.node_count(), 4096, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t node = begin; node < end; ++node)
-                    invert(blocks.values.data() + own_place(blocks, node), blocks.width(node),
+                    invert(matrix.values.data() + own_place(matrix, node), matrix.width(node),
                            self->inverses_.data() + 9 * node);
             });
             *values = self->inverses_.data();
