@@ -255,18 +255,20 @@ BlockMatrix changed_stiffness(BlockMatrix earlier, const SameRows& same, const S
     return matrix;
 }
 
+/// Row by row of a node's three, as they lie in memory.
 void multiply(const BlockMatrix& matrix, const double* x, double* y, RunContext& context) {
     parallel_for(context, matrix.node_count(), 4 * grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t node = begin; node < end; ++node) {
-            const std::size_t first = matrix.begin(node), last = matrix.end(node), width = matrix.width(node);
-            const double* row = matrix.values.data() + 9 * first;
-            double sums[3] = {0, 0, 0};
-            for (std::size_t k = first; k < last; ++k, row += 3) {
-                const double* u = x + 3 * std::size_t(matrix.neighbours[k]);
-                for (std::size_t r = 0; r < 3; ++r)
-                    sums[r] += row[r * width] * u[0] + row[r * width + 1] * u[1] + row[r * width + 2] * u[2];
+            const std::size_t first = matrix.begin(node), last = matrix.end(node);
+            const double* value = matrix.values.data() + 9 * first;
+            for (std::size_t r = 0; r < 3; ++r) {
+                double sum = 0;
+                for (std::size_t k = first; k < last; ++k, value += 3) {
+                    const double* u = x + 3 * std::size_t(matrix.neighbours[k]);
+                    sum += value[0] * u[0] + value[1] * u[1] + value[2] * u[2];
+                }
+                y[3 * node + r] = sum;
             }
-            for (std::size_t r = 0; r < 3; ++r) y[3 * node + r] = sums[r];
         }
     });
 }
