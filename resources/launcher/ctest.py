@@ -18,12 +18,12 @@ def run(folder, options, environment):
     log_file = folder / "ctest.log"
     with open(log_file, "w", encoding="utf-8") as log:
         code, lines = _run(folder, options, environment, log)
-        print_closing_lines(lines, failed=code != 0)
+        _print_closing_lines(lines, failed=code != 0)
         failed = [found.group(1) for found in map(_FAILED.match, lines) if found]
         if code and failed and set(failed) <= _tests_in_window(folder, environment):
             say("running once more what failed in FreeCAD's window")
             code, lines = _run(folder, ["-R", "^(%s)$" % "|".join(failed)], environment, log)
-            print_closing_lines(lines, failed=code != 0)
+            _print_closing_lines(lines, failed=code != 0)
             say("passed only the second time: %s" % ", ".join(failed) if code == 0 else "failed twice")
     if code:
         raise Failure(f"tests failed; everything they said: {log_file}")
@@ -53,7 +53,7 @@ def _tests_in_window(folder, environment):
     return set(re.findall(r"Test +#\d+: (\w+)", listed.stdout))
 
 
-def print_closing_lines(lines, failed):
+def _print_closing_lines(lines, failed):
     """CTest's summary, and after a failure all that the failed tests said."""
     if failed:
         print("".join(lines), end="")
