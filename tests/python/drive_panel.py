@@ -11,6 +11,7 @@ import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
+from parts import groups_of  # noqa: E402
 from PySide import QtGui  # noqa: E402
 from window import answer_with, button_in_panel, click, click_in_panel, figures, is_whole, panel, picture, report_view, spin, turn_wheel, type_into, wait_for  # noqa: E402
 
@@ -357,12 +358,6 @@ def choose_in_menu(mesh, text):
     mesh.ViewObject.Proxy.setupContextMenu(mesh.ViewObject, menu)
     next(action for action in menu.actions() if action.text() == text).trigger()
     spin()
-
-
-def groups_of(mesh):
-    """{name: numbers} of the groups of the mesh."""
-    fem_mesh = mesh.FemMesh
-    return {fem_mesh.getGroupName(group): set(fem_mesh.getGroupElements(group)) for group in fem_mesh.Groups}
 
 
 def face_of_hole(body):

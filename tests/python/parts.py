@@ -3,6 +3,7 @@
 import FreeCAD
 import Part
 import Sketcher
+from freecad.featuremesh import export
 
 Vector = FreeCAD.Vector
 
@@ -12,6 +13,16 @@ def new_document(name="Test"):
     for known in list(FreeCAD.listDocuments()):
         FreeCAD.closeDocument(known)
     return FreeCAD.newDocument(name)
+
+
+def groups_of(mesh):
+    """{name: numbers} of the groups that an export of the mesh has."""
+    return {name: set(numbers.tolist()) for name, _, numbers in export.groups_of(mesh)}
+
+
+def groups_in_freecad(mesh):
+    """{name: numbers} of those that FreeCAD's mesh has."""
+    return {name: set(numbers.tolist()) for name, _, numbers in export.groups_in(mesh.FemMesh)}
 
 
 def placement(x=0, y=0, z=0, angle=0, axis=(0, 0, 1)):

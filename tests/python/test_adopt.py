@@ -12,7 +12,7 @@ import ObjectsFem
 from freecad.featuremesh import adopt, api, cli, documents, versions
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
-from parts import new_document, plate_with_hole
+from parts import groups_in_freecad, groups_of, new_document, plate_with_hole
 
 SIZE = 4.0
 
@@ -71,10 +71,9 @@ class Adopt(unittest.TestCase):
         self.assertIn(mesh, analysis.Group)
         self.assertNotIn(foreign, analysis.Group)
         self.assertEqual(mesh.MeshGroupList, [named])
-        self.assertTrue(any(mesh.FemMesh.getGroupName(g).startswith(named.Name) for g in mesh.FemMesh.Groups))
+        self.assertTrue(any(name.startswith(named.Name) for name in groups_in_freecad(mesh)))
         for number, face in enumerate(self.body.Shape.Faces, 1):
-            group = next(g for g in mesh.FemMesh.Groups if mesh.FemMesh.getGroupName(g) == "Face%d_Nodes" % number)
-            self.assertEqual(set(mesh.FemMesh.getGroupElements(group)), set(foreign.FemMesh.getNodesByFace(face)))
+            self.assertEqual(groups_of(mesh)["Face%d_Nodes" % number], set(foreign.FemMesh.getNodesByFace(face)))
         mesh.Automatic = False
         api.set_parameters(self.document, ["HoleSketch.X=23"])
         self.document.recompute()

@@ -13,7 +13,7 @@ import Part
 from analyses import add_material, add_solver, quantity, solve
 from freecad.featuremesh import api, export, mesh_object, overlays
 from freecad.featuremesh.errors import UserError
-from parts import new_document, plate_with_hole
+from parts import groups_of, new_document, plate_with_hole
 from remeshed_examples import STEEL, WITHIN, RemeshedExamples
 
 
@@ -43,7 +43,7 @@ class BeamMeshes(unittest.TestCase):
             self.assertEqual((mesh.FemMesh.VolumeCount, mesh.FemMesh.FaceCount, mesh.FemMesh.EdgeCount), (0, 0, 28))
             self.assertEqual(mesh.TetCount, 28)
             self.assertEqual(len(mesh.FemMesh.getElementNodes(mesh.FemMesh.Edges[0])), nodes)
-            names = {mesh.FemMesh.getGroupName(group) for group in mesh.FemMesh.Groups}
+            names = set(groups_of(mesh))
             self.assertTrue({"Edge1", "Edge2_Nodes", "Edge3"} <= names)
             before = segments_of(mesh)
             frame.Shape = Part.makePolygon([(0, 0, 0), (0, 0, 30), (90, 0, 30), (90, 0, 0)])

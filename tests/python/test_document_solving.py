@@ -11,7 +11,7 @@ from freecad.featuremesh import api, engine, mesh_object, versions
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
 from freecad.featuremesh.study import study_object
-from parts import new_document
+from parts import groups_of, new_document
 
 STEEL = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.30", "Density": "7850 kg/m^3"}
 ALUMINIUM = {"Name": "Aluminium", "YoungsModulus": "70000 MPa", "PoissonRatio": "0.33", "Density": "2700 kg/m^3"}
@@ -171,7 +171,7 @@ class Solving(unittest.TestCase):
         mesh = api.add_mesh(fragments, 4.0, order=1)
         self.document.recompute()
         self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
-        groups = {mesh.FemMesh.getGroupName(g): set(mesh.FemMesh.getGroupElements(g)) for g in mesh.FemMesh.Groups}
+        groups = groups_of(mesh)
         self.assertEqual(groups["Steel_Volumes"], groups[names[0]])
         self.assertEqual(groups["Aluminium_Volumes"], groups[names[1]])
         self.assertEqual(groups["Steel_Volumes"] | groups["Aluminium_Volumes"], set(mesh.FemMesh.Volumes))
@@ -184,10 +184,10 @@ class Solving(unittest.TestCase):
         analysis = analysis_of(self.document, fragments, [("Steel", STEEL, [(left, "Solid1")]), ("Aluminium", ALUMINIUM, [(right, "")])])
         mesh = api.add_mesh(fragments, 4.0, order=1)
         self.document.recompute()
-        groups = {mesh.FemMesh.getGroupName(g): set(mesh.FemMesh.getGroupElements(g)) for g in mesh.FemMesh.Groups}
+        groups = groups_of(mesh)
         self.assertEqual(groups["Steel_Volumes"], groups[names[0]])
         self.assertEqual(groups["Aluminium_Volumes"], groups[names[1]])
         self.document.getObject("Aluminium").References = [(left, "Solid1")]
         mesh.Proxy.renew_analysis_groups(mesh)
-        self.assertNotIn("Steel_Volumes", {mesh.FemMesh.getGroupName(g) for g in mesh.FemMesh.Groups})
+        self.assertNotIn("Steel_Volumes", groups_of(mesh))
         self.assertIn(analysis, mesh.InList)

@@ -92,8 +92,12 @@ class Export(unittest.TestCase):
         group.References = [(body, ("Face3", "Face4"))]
         document.recompute()
         document.HoleSketch.setDatum("X", 22)   # so that the numbers have gaps
+        mesh.AllGroups = True
         document.recompute()
         cls.truth = Truth(mesh)
+        mesh.AllGroups = False
+        document.recompute()
+        assert mesh.KeptNodes == 100 and mesh.FemMesh.GroupCount < 10
         assert {"Held_Nodes", "Pulled_Nodes", "Sides", "Feature_Plate"} <= set(cls.truth.groups), sorted(cls.truth.groups)
 
     def exported(self, name):

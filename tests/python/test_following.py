@@ -11,8 +11,8 @@ import Part
 from freecad.featuremesh import api, history, references, state, versions
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import in_english
-from parts import new_document, placement, rectangle
-from test_references import groups_of, names_of, open_example
+from parts import groups_of, new_document, placement, rectangle
+from test_references import names_of, open_example
 
 NEAR = 1e-4
 

@@ -40,6 +40,7 @@ class HandOver(unittest.TestCase):
     def meshed(self, order=1, dimension="From shape", size=6):
         document = new_document()
         mesh = api.add_mesh(plate_with_hole(document), size, order, dimension=dimension)
+        mesh.AllGroups = True
         document.recompute()
         self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
         return mesh

@@ -8,6 +8,7 @@ from analyses import add_material, add_solver, quantity, solve
 from freecad.featuremesh import analyses, api, engine, live_result, mesh_object, results, solve_guard, statics
 from freecad.featuremesh.errors import UserError
 from meshed_plate import MeshedPlate, points_of
+from parts import groups_in_freecad
 from statics_cases import HAS_SOLVER
 
 STEEL = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.3", "Density": "7900 kg/m^3"}
@@ -21,10 +22,6 @@ def face_across(body, axis, place):
         if abs(low - place) < 1e-6 and abs(high - place) < 1e-6:
             return "Face%d" % number
     raise AssertionError("no such face")
-
-
-def group_names(mesh):
-    return {mesh.FemMesh.getGroupName(group) for group in mesh.FemMesh.Groups}
 
 
 class LoadCases(MeshedPlate):
@@ -82,10 +79,10 @@ class LoadCases(MeshedPlate):
         self.assertEqual(points_of(shared), points_of(self.mesh))
         self.assertEqual(shared.FemMesh.Volumes, self.mesh.FemMesh.Volumes)
         force = next(member for member in copy.Group if member.isDerivedFrom("Fem::ConstraintForce"))
-        self.assertIn("Force_Nodes", group_names(self.mesh))
-        self.assertNotIn("Force_Nodes", group_names(shared))
-        self.assertIn(force.Name + "_Nodes", group_names(shared))
-        self.assertNotIn(force.Name + "_Nodes", group_names(self.mesh))
+        self.assertIn("Force_Nodes", groups_in_freecad(self.mesh))
+        self.assertNotIn("Force_Nodes", groups_in_freecad(shared))
+        self.assertIn(force.Name + "_Nodes", groups_in_freecad(shared))
+        self.assertNotIn(force.Name + "_Nodes", groups_in_freecad(self.mesh))
 
     def test_the_shared_mesh_follows_an_edit_and_its_loads_keep_their_faces(self):
         copy = self.twin()

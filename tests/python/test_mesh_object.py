@@ -12,13 +12,7 @@ from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english, in_english
 from freecad.featuremesh.quality import MEASURES
 from meshed_plate import SIZE, MeshedPlate, points_of
-from parts import new_document, plate_with_hole, rectangle
-
-
-def groups_of(mesh):
-    fem_mesh = mesh.FemMesh
-    return {fem_mesh.getGroupName(group): (fem_mesh.getGroupElementType(group), set(fem_mesh.getGroupElements(group)))
-            for group in fem_mesh.Groups}
+from parts import groups_in_freecad, groups_of, new_document, plate_with_hole, rectangle
 
 
 def interrupt(now):
@@ -37,7 +31,7 @@ class MeshObject(MeshedPlate):
                 continue
             found = mesh.FemMesh.getNodesByFace(face)
             self.assertGreater(len(found), 8)
-            self.assertEqual(set(found), groups_of(mesh)["Face%d_Nodes" % number][1])
+            self.assertEqual(set(found), groups_of(mesh)["Face%d_Nodes" % number])
             for node in found:
                 point = mesh.FemMesh.Nodes[node]
                 self.assertAlmostEqual(((point.x - axis_x) ** 2 + (point.y - 20) ** 2) ** 0.5, 6.0, 6)
@@ -259,20 +253,28 @@ class Groups(unittest.TestCase):
         self.assertIn(api.add_mesh(self.body, SIZE, active_analysis=empty), empty.Group)
 
     def test_faces_edges_solids_and_features(self):
-        groups = groups_of(self.mesh)
+        self.assertEqual(set(groups_in_freecad(self.mesh)), {"Fixed_Nodes"})
+        wanted = groups_of(self.mesh)
+        self.mesh.AllGroups = True
+        self.document.recompute()
+        self.assertEqual((self.mesh.Status, self.mesh.KeptNodes), (mesh_object.UP_TO_DATE, 100))
+        groups, fem_mesh = groups_in_freecad(self.mesh), self.mesh.FemMesh
+        self.assertEqual(groups, wanted)
+        kinds = {fem_mesh.getGroupName(group): fem_mesh.getGroupElementType(group) for group in fem_mesh.Groups}
+        self.assertEqual([kinds[name] for name in ("Face1_Nodes", "Face1", "Edge1_Nodes", "Edge1", "Feature_Plate")], ["Node", "Face", "Node", "Edge", "Volume"])
         for number, face in enumerate(self.body.Shape.Faces, 1):
-            self.assertEqual(groups["Face%d_Nodes" % number], ("Node", set(self.mesh.FemMesh.getNodesByFace(face))))
-            self.assertEqual(groups["Face%d" % number], ("Face", set(self.mesh.FemMesh.getFacesByFace(face))))
+            self.assertEqual(groups["Face%d_Nodes" % number], set(fem_mesh.getNodesByFace(face)))
+            self.assertEqual(groups["Face%d" % number], set(fem_mesh.getFacesByFace(face)))
         for number, edge in enumerate(self.body.Shape.Edges, 1):
-            self.assertEqual(groups["Edge%d_Nodes" % number], ("Node", set(self.mesh.FemMesh.getNodesByEdge(edge))))
+            self.assertEqual(groups["Edge%d_Nodes" % number], set(fem_mesh.getNodesByEdge(edge)))
         self.assertNotIn("Solid1", groups)   # the only solid is the mesh itself
-        self.assertEqual(groups["Feature_Plate"], ("Volume", set(self.mesh.FemMesh.Volumes)))
+        self.assertEqual(groups["Feature_Plate"], set(fem_mesh.Volumes))
 
     def test_constraint_finds_its_nodes_and_follows_its_references(self):
         self.assertEqual(groups_of(self.mesh)["Fixed_Nodes"], groups_of(self.mesh)["Face1_Nodes"])
         self.fixed.References = [(self.body, "Face2"), (self.body, "Edge1")]
         groups = groups_of(self.mesh)
-        self.assertEqual(groups["Fixed_Nodes"][1], groups["Face2_Nodes"][1] | groups["Edge1_Nodes"][1])
+        self.assertEqual(groups["Fixed_Nodes"], groups["Face2_Nodes"] | groups["Edge1_Nodes"])
         self.fixed.References = []
         self.assertNotIn("Fixed_Nodes", groups_of(self.mesh))
 
@@ -281,8 +283,8 @@ class Groups(unittest.TestCase):
         group.References = [(self.body, "Face1"), (self.body, "Face2")]
         self.document.recompute()
         groups = groups_of(self.mesh)
-        self.assertEqual(groups["Clamp"], ("Face", groups["Face1"][1] | groups["Face2"][1]))
-        self.assertEqual(groups["Clamp_Nodes"], ("Node", groups["Face1_Nodes"][1] | groups["Face2_Nodes"][1]))
+        self.assertEqual(groups["Clamp"], groups["Face1"] | groups["Face2"])
+        self.assertEqual(groups["Clamp_Nodes"], groups["Face1_Nodes"] | groups["Face2_Nodes"])
 
     def test_refinement_makes_more_nodes_where_it_is(self):
         before = groups_of(self.mesh)
@@ -290,7 +292,7 @@ class Groups(unittest.TestCase):
         region.References, region.CharacteristicLength = [(self.body, "Face1")], SIZE / 3
         self.document.recompute()
         after = groups_of(self.mesh)
-        self.assertGreater(len(after["Face1_Nodes"][1]), 4 * len(before["Face1_Nodes"][1]))
+        self.assertGreater(len(after["Face1_Nodes"]), 4 * len(before["Face1_Nodes"]))
 
     def test_refinement_of_another_object_is_refused(self):
         other = self.document.addObject("Part::Box", "Other")
@@ -341,7 +343,7 @@ class FacesThatGetOtherNumbers(unittest.TestCase):
         groups = groups_of(self.mesh)
         for fixed in self.constraints:
             name = fixed.References[0][1][0]
-            self.assertEqual(groups[fixed.Name + "_Nodes"][1], groups[name + "_Nodes"][1])
+            self.assertEqual(groups[fixed.Name + "_Nodes"], groups[name + "_Nodes"])
 
     def test_refinement_stays_on_its_face(self):
         number = max(range(1, 7), key=lambda n: self.body.Shape.getElement("Face%d" % n).CenterOfMass.z)
@@ -353,7 +355,7 @@ class FacesThatGetOtherNumbers(unittest.TestCase):
         self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
         face = self.body.Shape.getElement(region.References[0][1][0])
         self.assertAlmostEqual(face.CenterOfMass.z, 10)
-        self.assertGreater(len(groups_of(self.mesh)[region.References[0][1][0] + "_Nodes"][1]), 400)
+        self.assertGreater(len(groups_of(self.mesh)[region.References[0][1][0] + "_Nodes"]), 400)
 
     def test_edges_and_vertices_stay_where_they_are(self):
         """Numbers of edges shift even where those of faces do not."""

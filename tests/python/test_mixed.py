@@ -13,7 +13,7 @@ from analyses import add_material, add_solver, quantity, solve
 from freecad.featuremesh import api, export, mesh_object, mixed_elements
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
-from parts import new_document, placement
+from parts import groups_of, new_document, placement
 from remeshed_examples import STEEL, WITHIN
 
 BLOCK = (20.0, 20.0, 10.0)
@@ -74,7 +74,7 @@ class MixedMeshes(unittest.TestCase):
             both.Document.recompute()
             self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
             self.assertEqual(json.loads(mesh.Report)["warnings"], [])
-            nodes = {mesh.FemMesh.getGroupName(group): set(mesh.FemMesh.getGroupElements(group)) for group in mesh.FemMesh.Groups}
+            nodes = groups_of(mesh)
             in_solid = {node for number in mesh.FemMesh.Volumes for node in mesh.FemMesh.getElementNodes(number)}
             sheet, = faces_at(both.Shape, lambda box: box.XMax > 59)
             post, = edges_at(both.Shape, lambda box: box.ZMax > 44)

@@ -11,7 +11,7 @@ import ObjectsFem
 from freecad.featuremesh import api, assembled, mesh_object, resolving, solve_guard
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
-from parts import new_document, placement
+from parts import groups_of, new_document, placement
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples")
 
@@ -23,11 +23,6 @@ def open_example(case, name):
     case.addCleanup(shutil.rmtree, folder)
     shutil.copyfile(os.path.join(EXAMPLES, name + ".FCStd"), os.path.join(folder, name + ".FCStd"))
     return FreeCAD.openDocument(os.path.join(folder, name + ".FCStd"))
-
-
-def groups_of(mesh):
-    fem = mesh.FemMesh
-    return {fem.getGroupName(g): set(fem.getGroupElements(g)) for g in fem.Groups}
 
 
 def names_of(obj):

@@ -15,7 +15,7 @@ from analyses import add_material, add_solver, quantity, solve, solver_of
 from freecad.featuremesh import api, export, mesh_object, overlays, statics
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
-from parts import new_document, placement, plate_with_hole, rectangle
+from parts import groups_in_freecad, groups_of, new_document, placement, plate_with_hole, rectangle
 from remeshed_examples import STEEL, WITHIN, RemeshedExamples
 
 
@@ -57,7 +57,7 @@ class ShellMeshes(unittest.TestCase):
             self.assertEqual(len(mesh.FemMesh.getElementNodes(mesh.FemMesh.Faces[0])), corners)
             self.assertGreater(mesh.MinDihedral.Value, 30)
             self.assertGreater(mesh.MeanRadiusRatio, 0.9)
-            names = {mesh.FemMesh.getGroupName(group) for group in mesh.FemMesh.Groups}
+            names = set(groups_of(mesh))
             self.assertTrue({"Face1", "Face4", "Edge1", "Face1_Nodes"} <= names)
             off = max(pipe.Shape.distToShape(Part.Vertex(point))[0] for point in list(mesh.FemMesh.Nodes.values())[::7])
             self.assertLess(off, 1e-7)
@@ -81,7 +81,7 @@ class ShellMeshes(unittest.TestCase):
         self.assertGreaterEqual(mesh.KeptTets, 50)
         for member, names in ((fixed, edge_at(pipe.Shape, 0)), (load, edge_at(pipe.Shape, 120))):
             self.assertEqual(sorted(sub for _, subs in member.References for sub in subs), sorted(names))
-        nodes = {mesh.FemMesh.getGroupName(group): mesh.FemMesh.getGroupElements(group) for group in mesh.FemMesh.Groups}["Load_Nodes"]
+        nodes = groups_in_freecad(mesh)["Load_Nodes"]
         self.assertGreater(len(nodes), 20)
         self.assertTrue(all(abs(mesh.FemMesh.Nodes[node].z - 120) < 1e-9 for node in nodes))
 

@@ -13,7 +13,7 @@ import FreeCAD
 import numpy as np
 from freecad.featuremesh import api, engine, mesh_object, reading, state, worker
 from freecad.featuremesh.messages import english
-from parts import new_document, plate_with_hole
+from parts import groups_of, new_document, plate_with_hole
 
 SIZE = 3.0
 OPTIONS = {"size": SIZE, "threads": 1}
@@ -110,7 +110,7 @@ class SameEitherWay(InWorker):
         found = [self.saved(mesh)]
         self.edit()
         found += [self.saved(mesh), points_of(mesh), mesh.KeptNodes,
-                  sorted(mesh.FemMesh.getGroupName(group) for group in mesh.FemMesh.Groups)]
+                  groups_of(mesh)]
         return found
 
     def test_same_bytes(self):

@@ -325,9 +325,9 @@ def show_plain(mesh):
 
 
 def export_mesh(mesh, path, file_format=None):
-    """Writes the mesh with its groups as one of export.FORMATS (by default what the file's name says)."""
+    """Writes the mesh with its groups as one of export.FORMATS (by default what the file's name says). Returns the number of groups."""
     refuse_other(mesh)
-    export.write(mesh, path, file_format or os.path.splitext(path)[1].lstrip("."))
+    return export.write(mesh, path, file_format or os.path.splitext(path)[1].lstrip("."))
 
 
 def transfer_field(old, new, values):

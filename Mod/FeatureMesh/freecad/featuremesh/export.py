@@ -11,7 +11,7 @@ import tempfile
 import FreeCAD
 import numpy as np
 
-from . import state
+from . import hand_over, state
 from .errors import UserError
 from .messages import of_error, said
 from .formats import bdf, fillings_of, inp, msh, stl, vtk, vtu
@@ -29,7 +29,8 @@ _WITHOUT_BEAMS = ("bdf", "stl", "z88")
 
 
 def write(mesh, path, file_format):
-    """Writes `mesh` to `path`, whole or not at all. Throws UserError for an unknown format or a mesh object without a mesh."""
+    """Writes `mesh` to `path`, whole or not at all. Returns the number of its groups in the file. Throws UserError for an unknown format or a mesh
+    object without a mesh."""
     file_format = file_format.lower()
     if file_format not in FORMATS:
         raise UserError(said("cannot export to {format:text}, only to {formats:text}", format=file_format or path, formats=", ".join(FORMATS)))
@@ -45,17 +46,19 @@ def write(mesh, path, file_format):
         raise UserError(said("a MED file keeps its mesh under the file's own name, which may have {most:count} characters at most; choose a shorter one "
                              "than {name:text}",
                              most=_LONGEST_MED_NAME, name=name))
+    groups = groups_of(mesh) if file_format not in WITHOUT_GROUPS else []
     try:
         with tempfile.TemporaryDirectory(prefix=".featuremesh-", dir=os.path.dirname(os.path.abspath(path))) as folder:
             temporary = os.path.join(folder, name + "." + file_format)   # FreeCAD reads a MED mesh by its file's name only
             writer = FORMATS[file_format]
             if writer is None:
-                _write_by_freecad(mesh.FemMesh, temporary)
+                _write_by_freecad(hand_over.to_fem_mesh(mesh.Proxy.last_part_mesh(mesh), groups) if groups else mesh.FemMesh, temporary)
             else:
-                writer.write(temporary, state.load(mesh.SavedState).arrays, groups_in(mesh.FemMesh))
+                writer.write(temporary, state.load(mesh.SavedState).arrays, groups)
             os.replace(temporary, path)
     except OSError as error:
         raise UserError(said("cannot write {path:text}: {why:messages}", path=path, why=error.strerror or of_error(error))) from error
+    return len(groups)
 
 
 def _write_by_freecad(fem_mesh, path):
@@ -95,6 +98,13 @@ def _refuse_beside_others(mesh, file_format):
         raise UserError(said("{format:text} would lose the beams of this mesh; export it as inp, vtu, vtk, msh, unv or med", format=file_format)
                         if kinds[-1] == "segments" else
                         said("{format:text} would lose the shells of this mesh; export it as inp, vtu, vtk, msh, unv or med", format=file_format))
+
+
+def groups_of(mesh):
+    """(name, kind, numbers) of every group of a mesh object: of every entity and feature, and those that it has in FreeCAD."""
+    known = groups_in(mesh.FemMesh)
+    names = {name for name, _, _ in known}
+    return [group for group in hand_over.everything_in_groups(mesh.Proxy.last_part_mesh(mesh)) if group[0] not in names] + known
 
 
 def groups_in(fem_mesh):

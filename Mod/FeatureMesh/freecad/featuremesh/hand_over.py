@@ -189,17 +189,22 @@ def reopened(fem_mesh, arrays):
 
 
 def groups_of(part_mesh, mesh, part, raw=None, analysis_of=None):
-    """All groups of the mesh object `mesh`: per CAD entity, per feature, per group object and per member of its analysis, or of that of the
-    object `analysis_of`. `raw` is the part as it was read for the mesh."""
+    """The groups that the mesh object `mesh` has in FreeCAD: per group object and per member of its analysis, or of that of the object
+    `analysis_of`, and with its property AllGroups everything_in_groups. `raw` is the part as it was read for the mesh."""
     resolver = Resolver(part, raw)
     entities = EntityGroups(part_mesh.arrays())
-    groups = entities.of_all_entities()
-    groups += [("Feature_" + name, "Volume", numbers) for name, numbers in part_mesh.owners_of_tets() if len(numbers)]
+    groups = everything_in_groups(part_mesh, entities) if mesh.AllGroups else []
     for group in getattr(mesh, "MeshGroupList", []):
         name = group.Label if getattr(group, "UseLabel", False) else group.Name
         groups += _groups_of_references(name, group, resolver, entities)
     groups += analysis_groups(analysis_of or mesh, resolver, entities)
     return [group for group in groups if len(group[2])]
+
+
+def everything_in_groups(part_mesh, entities=None):
+    """The groups of every CAD entity and every feature. FreeCAD itself needs none of them, and would take as long for them as for the elements."""
+    entities = entities or EntityGroups(part_mesh.arrays())
+    return entities.of_all_entities() + [("Feature_" + name, "Volume", numbers) for name, numbers in part_mesh.owners_of_tets() if len(numbers)]
 
 
 def analysis_groups(mesh, resolver, entities):

@@ -44,6 +44,8 @@ PROPERTIES = [
     ("App::PropertyBool", "Automatic", "Mesh", True, False, "Update the mesh whenever the document is recomputed"),
     ("App::PropertyLinkList", "MeshRegionList", "Mesh", [], False, "Local sizes: FEM mesh refinements"),
     ("App::PropertyLinkList", "MeshGroupList", "Mesh", [], False, "FEM mesh groups"),
+    ("App::PropertyBool", "AllGroups", "Mesh", False, False,
+     "Give the mesh in this document the groups of every face, edge and feature, too. Exported files have them always"),
     ("App::PropertyString", "Status", "Result", NOT_MESHED, True, "Whether the mesh fits the part, and if not, why"),
     ("App::PropertyInteger", "NodeCount", "Result", 0, True, "Nodes of the mesh"),
     ("App::PropertyInteger", "TetCount", "Result", 0, True, "Elements of the mesh: tetrahedra, or triangles or segments where faces or edges are meshed"),

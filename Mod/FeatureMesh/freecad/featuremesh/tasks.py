@@ -9,7 +9,6 @@ import traceback
 
 from . import about, api, documents, engine, reading, tables, versions, whole_file
 from .errors import UserError
-from .export import WITHOUT_GROUPS
 from .transfer import find_result
 from .mesh_object import element_count
 from .mesh_properties import FROM_SHAPE
@@ -115,10 +114,8 @@ def export(task):
     """Writes a document's mesh to another format."""
     document = documents.open_document(task["part"])
     obj = api.find_mesh(document, task.get("object"))
-    api.export_mesh(obj, task["out"], task["format"])
-    has_groups = task["format"] not in WITHOUT_GROUPS
-    data = {"nodes": obj.FemMesh.NodeCount, "tets": obj.TetCount, "groups": obj.FemMesh.GroupCount if has_groups else 0}
-    groups = ", %d groups" % data["groups"] if has_groups else ""
+    data = {"groups": api.export_mesh(obj, task["out"], task["format"]), "nodes": obj.FemMesh.NodeCount, "tets": obj.TetCount}
+    groups = ", %d groups" % data["groups"] if data["groups"] else ""
     return "wrote %s (%d nodes, %d elements%s)" % (_shown(task["out"]), data["nodes"], data["tets"], groups), data
 
 

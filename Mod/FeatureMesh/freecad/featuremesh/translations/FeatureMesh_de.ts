@@ -72,6 +72,10 @@
       <translation>FreeCADs eigenes Ergebnisobjekt, für Ergebnisfenster, Filter und Pipeline von FEM</translation>
     </message>
     <message>
+      <source>Give the mesh in this document the groups of every face, edge and feature, too. Exported files have them always</source>
+      <translation>Dem Netz in diesem Dokument auch die Gruppen jeder Fläche, jeder Kante und jedes Formelements geben. Exportierte Dateien haben sie immer</translation>
+    </message>
+    <message>
       <source>Height of the box or the cylinder, along its z axis</source>
       <translation>Höhe des Quaders oder des Zylinders, entlang seiner z-Achse</translation>
     </message>
