@@ -253,7 +253,7 @@ class Groups(unittest.TestCase):
         self.assertIn(api.add_mesh(self.body, SIZE, active_analysis=empty), empty.Group)
 
     def test_faces_edges_solids_and_features(self):
-        self.assertEqual(set(groups_in_freecad(self.mesh)), {"Fixed_Nodes"})
+        self.assertEqual(set(groups_in_freecad(self.mesh)), {"Fixed_Nodes", "Face1_Nodes"})
         wanted = groups_of(self.mesh)
         self.mesh.AllGroups = True
         self.document.recompute()

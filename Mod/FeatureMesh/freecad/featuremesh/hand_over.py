@@ -197,7 +197,8 @@ def groups_of(part_mesh, mesh, part, raw=None, analysis_of=None):
     for group in getattr(mesh, "MeshGroupList", []):
         name = group.Label if getattr(group, "UseLabel", False) else group.Name
         groups += _groups_of_references(name, group, resolver, entities)
-    groups += analysis_groups(analysis_of or mesh, resolver, entities)
+    known = {name for name, _, _ in groups}
+    groups += [group for group in analysis_groups(analysis_of or mesh, resolver, entities) if group[0] not in known]
     return [group for group in groups if len(group[2])]
 
 
@@ -208,20 +209,23 @@ def everything_in_groups(part_mesh, entities=None):
 
 
 def analysis_groups(mesh, resolver, entities):
-    """The groups by which the solver's writer finds the nodes of constraints and the elements of materials."""
-    groups = []
+    """The groups by which the solver's writer finds the nodes of constraints, of each face that these refer to (see contact_faces) and the elements of
+    materials."""
+    groups, faces = [], {}
     members = [member for analysis in mesh.InList if analysis.isDerivedFrom("Fem::FemAnalysis")
                for member in analysis.Group]
     materials = [member for member in members if _is_material(member)]
     for member in members:
         if member in materials or not hasattr(member, "References"):
             continue
-        nodes = _nodes_of_references(member, resolver, entities)
-        if nodes is not None:
-            groups.append((member.Name + "_Nodes", "Node", nodes))
+        names, foreign = resolver.of_object(member)
+        if foreign or not names:
+            continue   # not all of it is on the part
+        groups.append((member.Name + "_Nodes", "Node", _union([entities.nodes(name) for name in names])))
+        faces.update((name + "_Nodes", entities.nodes(name)) for name in names if name.startswith("Face"))
     if len(materials) > 1:
         groups += material_groups(materials, resolver, entities)
-    return groups
+    return groups + [(name, "Node", nodes) for name, nodes in faces.items()]
 
 
 def renew_analysis_groups(mesh, resolver, arrays):
@@ -233,8 +237,9 @@ def renew_analysis_groups(mesh, resolver, arrays):
     for group in fem_mesh.Groups:
         if fem_mesh.getGroupName(group) in own:
             fem_mesh.removeGroup(group)
+    known = {fem_mesh.getGroupName(group) for group in fem_mesh.Groups}
     for name, kind, numbers in analysis_groups(mesh, resolver, EntityGroups(arrays)):
-        if len(numbers):
+        if len(numbers) and name not in known:
             fem_mesh.addGroupElements(fem_mesh.addGroup(name, kind), [int(number) for number in numbers])
 
 
@@ -308,14 +313,6 @@ class EntityGroups:
 
 def _element_numbers(arrays):
     return np.concatenate([arrays[own] for _, _, own, _ in _ARRAYS.values()])
-
-
-def _nodes_of_references(member, resolver, entities):
-    """Sorted node numbers of what `member` refers to; None when that is not all on the part."""
-    names, foreign = resolver.of_object(member)
-    if foreign or not names:
-        return None
-    return _union([entities.nodes(name) for name in names])
 
 
 def _groups_of_references(name, group, resolver, entities):
