@@ -296,8 +296,8 @@ class AfterTheMesh(unittest.TestCase):
         self.check(support, 6)
 
 
-class Blocks(unittest.TestCase):
-    """Part's primitives, faces that are split and that become one."""
+class BlockParts(unittest.TestCase):
+    """What tests of blocks share."""
 
     def setUp(self):
         self.document = new_document()
@@ -321,17 +321,6 @@ class Blocks(unittest.TestCase):
     def area_of(self, part, load):
         return sum(part.Shape.getElement(name).Area for _, name in names_of(load))
 
-    def test_a_longer_box(self):
-        box = self.document.addObject("Part::Box", "Box")
-        box.Length, box.Width, box.Height = 50, 20, 10
-        self.document.recompute()
-        load = self.load(box, self.face_at(box, "X", 50))
-        self.mesh_of(box)
-        box.Length = 60
-        self.document.recompute()
-        self.assertEqual(names_of(load), [("Box", self.face_at(box, "X", 60))])
-        self.assertEqual(warnings_of(self.mesh), [])
-
     def block(self):
         body = self.document.addObject("PartDesign::Body", "Body")
         sketch = body.newObject("Sketcher::SketchObject", "BlockSketch")
@@ -350,6 +339,21 @@ class Blocks(unittest.TestCase):
         body.Tip = pocket
         self.document.recompute()
         return pocket
+
+
+class Blocks(BlockParts):
+    """Part's primitives, faces that are split and that become one."""
+
+    def test_a_longer_box(self):
+        box = self.document.addObject("Part::Box", "Box")
+        box.Length, box.Width, box.Height = 50, 20, 10
+        self.document.recompute()
+        load = self.load(box, self.face_at(box, "X", 50))
+        self.mesh_of(box)
+        box.Length = 60
+        self.document.recompute()
+        self.assertEqual(names_of(load), [("Box", self.face_at(box, "X", 60))])
+        self.assertEqual(warnings_of(self.mesh), [])
 
     def test_a_face_that_is_split_and_made_one_again(self):
         for clicked in (False, True):
@@ -439,3 +443,86 @@ class Blocks(unittest.TestCase):
             self.assertAlmostEqual(self.area_of(body, obj), 1800)
         groups = groups_of(self.mesh)
         self.assertEqual(groups["Clamp_Nodes"], set().union(*(groups[name + "_Nodes"] for _, name in names_of(group))))
+
+
+class Directions(BlockParts):
+    """A force along an edge goes on along it, whatever becomes of the feature that was clicked and of the numbers of the edges."""
+
+    def force_along(self, part, axis, target):
+        """A force on the face at x = 100 along an edge on y = 0 and z = 20, or one that stands there, as clicked on `target`."""
+        load = ObjectsFem.makeConstraintForce(self.document, "Force")
+        load.References = [(target, self.face_at(part, "X", 100))]
+        load.Direction = (target, [self.edge_along(part, axis)])
+        self.analysis.addObject(load)
+        return load
+
+    def edge_along(self, part, axis):
+        """The longest edge along that axis."""
+        along = [(edge.Length, "Edge%d" % n) for n, edge in enumerate(part.Shape.Edges, 1) if abs(abs(getattr(edge.tangentAt(0), axis)) - 1) < NEAR]
+        return max(along)[1]
+
+    def chamfered(self):
+        body = self.block()
+        chamfer = body.newObject("PartDesign::Chamfer", "Chamfer")
+        chamfer.Base, chamfer.Size = (self.document.Block, ["Edge1"]), 3
+        self.document.recompute()
+        return body, chamfer
+
+    def direction_of(self, load):
+        """The axis along which it acts, and what it refers to for that."""
+        vector = load.DirectionVector
+        axis, = [axis for axis in "xyz" if abs(abs(getattr(vector, axis)) - 1) < NEAR]
+        return axis, getattr(vector, axis), load.Direction and (load.Direction[0].Name, load.Direction[1])
+
+    def test_the_clicked_feature_is_deleted(self):
+        """FreeCAD lets the force act along the normal of its face then."""
+        body, chamfer = self.chamfered()
+        load = self.force_along(body, "y", chamfer)
+        self.mesh_of(body)
+        before = self.direction_of(load)
+        self.assertEqual((before[0], before[2][0]), ("y", "Body"))
+        body.Tip = self.document.Block
+        self.document.removeObject("Chamfer")
+        self.document.recompute()
+        self.assertEqual(self.direction_of(load)[:2], before[:2])
+        self.assertEqual(abs(body.Shape.getElement(load.Direction[1][0]).tangentAt(0).y), 1)
+        self.assertEqual(references.unmended(self.analysis), [])
+
+    def test_the_edges_get_other_numbers(self):
+        body = self.block()
+        load = self.force_along(body, "y", body)
+        load.Reversed = True
+        self.mesh_of(body)
+        before = self.direction_of(load)
+        self.groove(body)
+        self.assertEqual(self.direction_of(load)[:2], before[:2])
+        self.assertEqual(abs(body.Shape.getElement(load.Direction[1][0]).tangentAt(0).y), 1)
+        load.Direction = load.Direction   # as FEM's panel does with OK
+        self.assertEqual(self.direction_of(load)[:2], before[:2])
+
+    def test_the_edge_is_gone(self):
+        """Nothing is solved until somebody says along what the force is to act; undo brings the edge back."""
+        self.document.UndoMode = 1
+        body, chamfer = self.chamfered()
+        load = self.force_along(body, "y", body)
+        edge, = [name for name, edge in ((n, body.Shape.getElement("Edge%d" % n)) for n in range(1, 1 + len(body.Shape.Edges)))
+                 if abs(edge.CenterOfMass.x - 3) < NEAR and abs(edge.CenterOfMass.y) < NEAR][:1]
+        load.Direction = (body, ["Edge%d" % edge])
+        self.mesh_of(body)
+        before = self.direction_of(load)
+        self.document.openTransaction("Delete the chamfer")
+        body.Tip = self.document.Block
+        self.document.removeObject("Chamfer")
+        self.document.recompute()
+        self.document.commitTransaction()
+        (lost, sentence), = references.unmended(self.analysis)
+        self.assertEqual((lost, sentence), (load, "Force acts along Edge%d, which is gone; open it and choose its direction again" % edge))
+        self.assertTrue(any("choose its direction again" in line for line in warnings_of(self.mesh)), warnings_of(self.mesh))
+        self.document.undo()
+        self.assertEqual(references.unmended(self.analysis), [])
+        self.assertEqual(self.direction_of(load), before)
+        self.document.redo()
+        self.assertEqual(len(references.unmended(self.analysis)), 1)
+        load.Direction = (body, [self.edge_along(body, "x")])
+        self.assertEqual(references.unmended(self.analysis), [])
+        self.assertEqual(self.direction_of(load)[0], "x")

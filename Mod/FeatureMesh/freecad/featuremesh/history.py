@@ -10,7 +10,7 @@ import FreeCAD
 from . import analyses, recompute_errors, references, results, versions
 from .mesh_properties import OUT_OF_DATE
 
-_WATCHED = ("References", "Group", "MeshGroupList", "MeshRegionList")
+_WATCHED = ("References", *references.ALONG, "Group", "MeshGroupList", "MeshRegionList")
 _observer = None
 _deleted = {}   # name of a document -> names of the objects deleted from it
 _recomputed = set()   # names of the documents that were recomputed since they were opened
@@ -106,10 +106,12 @@ class _Observer:
             results.note(obj)
         if name == "References":
             references.note_clicks(obj)
+        if name in references.ALONG:
+            references.mend_direction(obj)
         for mesh in obj.Document.Objects:
             if not _is_ours(mesh):
                 continue
-            if name == "References":
+            if name == "References" or name in references.ALONG:
                 mesh.Proxy.references_changed(mesh, obj)
             elif mesh is obj or obj in mesh.InList or obj in analyses.holding(mesh):
                 mesh.Proxy.members_changed(mesh)

@@ -289,7 +289,7 @@ class FeatureMesh:
             return
         deleted = history.deleted_of(mesh.Document)
         if known and (not in_panel and references.are_set_again(obj, known, deleted)
-                      or any(pair[0] in deleted for pair in known["pairs"]) and not references.was_changed_by_hand(obj, known, deleted)):
+                      or references.lost_by_deletion(known, deleted) and not references.was_changed_by_hand(obj, known, deleted)):
             return
         references.mend(obj)
         self.settle(mesh, [obj])

@@ -22,6 +22,12 @@ is_in_edit = None
 clicked_through = None
 # A property of objects that have nothing left to refer to: the names of what they have lost.
 MARK = "LostReferences"
+# Properties that say along or about what a load acts: the direction of a force, the axis of a centrifugal load. FreeCAD takes the normal of a face where
+# a direction is gone.
+ALONG = ("Direction", "RotationAxis")
+_OPPOSITE = 0.999   # the cosine of directions that are one another's opposite, without its sign
+# A property of objects whose direction is gone: the names of what it was.
+LOST_ALONG = "LostDirection"
 
 _ELSEWHERE = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {where:entities}, which is not on the meshed part {part:text} and has no nodes in its mesh; choose "
                                "faces, edges or vertices of {part:text} instead")
@@ -32,26 +38,33 @@ _CHOOSE_ANOTHER = {
     "Vertex": QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {lost:entities}, which is gone; choose another vertex, the analysis cannot be solved without"),
     "Solid": QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {lost:entities}, which is gone; choose another solid, the analysis cannot be solved without"),
 }
+_CHOOSE_DIRECTION = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} acts along {lost:entities}, which is gone; open it and choose its direction again, the analysis cannot be "
+                                      "solved without")
 
 
 def record_of(objects, resolver):
-    """{object name: {"pairs": what it refers to, "names": the sub-elements of the part that this means}}, to be followed later."""
+    """{object name: {"pairs": what it refers to, "names": the sub-elements of the part that this means}}, to be followed later; with "along", if it
+    acts along or about something of the part: {property: the same of that}."""
     record = {}
     for obj in objects:
         names, foreign = resolver.of_object(obj)
         if names and not foreign:
             record[obj.Name] = {"pairs": plain_pairs(obj), "names": names}
+            along = {name: {"pairs": plain_pairs(obj, name), "names": meant} for name, meant in _meant_along(obj, resolver).items()}
+            record[obj.Name].update({"along": along} if along else {})
     return record
 
 
-def plain_pairs(obj):
+def plain_pairs(obj, name="References"):
     """What an object refers to as [[object name, sub-element], ...]."""
-    return [[target.Name, sub] for target, sub in pairs_of(obj)]
+    return [[target.Name, sub] for target, sub in pairs_of(obj, name)]
 
 
 def settle(objects, resolver):
     """Lets `objects` refer to the meshed part itself: what was clicked names the tip of a body, which may be deleted, or a step before it."""
     for obj in objects:
+        for name, meant in _meant_along(obj, resolver).items() if may_change(obj, resolver) else ():
+            _refer(obj, resolver.bearer, meant, name)
         pairs = pairs_of(obj)
         if all(target is resolver.bearer and LOST not in sub for target, sub in pairs) or not may_change(obj, resolver) or "" in (sub for _, sub in pairs):
             continue
@@ -86,12 +99,18 @@ def may_change(obj, resolver):
 
 def differs(obj, known, deleted):
     """Does the object refer to something else than the record knows, beside what was deleted since?"""
-    return plain_pairs(obj) not in (known["pairs"], [pair for pair in known["pairs"] if pair[0] not in deleted])
+    return any(plain_pairs(obj, name) not in (of["pairs"], [pair for pair in of["pairs"] if pair[0] not in deleted])
+               for name, of in (("References", known), *known.get("along", {}).items()))
 
 
 def are_set_again(obj, known, deleted):
     """Were they set to what they were? Since 1.0 FreeCAD does so whenever a script gives the part another shape, whose faces of these names are others."""
     return versions.follows_faces() and not is_being_edited(obj) and not differs(obj, known, deleted)
+
+
+def lost_by_deletion(known, deleted):
+    """Was something that the record knows deleted since?"""
+    return any(pair[0] in deleted for of in (known, *known.get("along", {}).values()) for pair in of["pairs"])
 
 
 def was_changed_by_hand(obj, known, deleted):
@@ -116,8 +135,8 @@ def follow(obj, known, resolver, numbering):
     if may_change(obj, resolver) and (lost or now != known["names"] or plain_pairs(obj) != known["pairs"] or is_elsewhere):
         _refer(obj, resolver.bearer, now)
         if lost and not now:
-            _mark(obj, lost)
-    return lines + _what_was_lost(obj, lost, now)
+            _mark(obj, MARK, lost)
+    return lines + _what_was_lost(obj, lost, now) + _follow_along(obj, known, resolver, numbering)
 
 
 def elsewhere(objects, resolver):
@@ -133,7 +152,10 @@ def unmended(analysis):
     """(object, sentence) for every member of the analysis that has lost all it referred to: the analysis must not be solved until each has
     been given new references."""
     return [(member, translate("FeatureMesh", "%s refers to %s, which is gone; choose another face, edge or solid for it") % (member.Label, ", ".join(getattr(member, MARK))))
-            for member in analysis.Group if getattr(member, MARK, None) and not getattr(member, "References", None)]
+            for member in analysis.Group if getattr(member, MARK, None) and not getattr(member, "References", None)] + [
+                (member, translate("FeatureMesh", "%s acts along %s, which is gone; open it and choose its direction again") % (
+                    member.Label, ", ".join(getattr(member, LOST_ALONG))))
+                for member in analysis.Group if getattr(member, LOST_ALONG, None)]
 
 
 def mend(obj):
@@ -142,20 +164,59 @@ def mend(obj):
         setattr(obj, MARK, [])
 
 
-def _refer(obj, bearer, names):
-    if plain_pairs(obj) != [[bearer.Name, name] for name in names]:
-        obj.References = [(bearer, tuple(names))] if names else []
+def mend_direction(obj):
+    """To be called when somebody gave an object another direction, or said that it is to have none."""
+    if getattr(obj, LOST_ALONG, None):
+        setattr(obj, LOST_ALONG, [])
 
 
-def _mark(obj, lost):
-    if MARK not in obj.PropertiesList:
-        obj.addProperty("App::PropertyStringList", MARK, "FeatureMesh", "What it referred to and is gone; it needs new references")
-    setattr(obj, MARK, lost)
+def _meant_along(obj, resolver):
+    """{property of ALONG: names of the sub-elements of the part that it means}, of those properties that are about the part."""
+    found = {}
+    for name in set(ALONG).intersection(obj.PropertiesList):
+        meant = [resolver.names(target, sub) for target, sub in pairs_of(obj, name)]
+        if meant and all(meant):
+            found[name] = [names[0] for names in meant]   # all pieces of an edge or a plane have its direction
+    return found
 
 
-def _chosen_by_freecad(obj, resolver):
+def _follow_along(obj, known, resolver, numbering):
+    """Moves what an object acts along or about, as follow does with its references."""
+    lines = []
+    for name, then in known.get("along", {}).items():
+        chosen = _chosen_by_freecad(obj, resolver, name) if versions.follows_faces() else []
+        now = [(numbering.now(one) or _not_a_stranger(one, chosen, numbering))[:1] for one in then["names"]]
+        lost = [one for one, found in zip(then["names"], now) if not found]
+        if lost and may_change(obj, resolver):
+            _refer(obj, resolver.bearer, [], name)
+            _mark(obj, LOST_ALONG, lost)
+        elif may_change(obj, resolver):
+            before = FreeCAD.Vector(getattr(obj, "DirectionVector", FreeCAD.Vector()))
+            _refer(obj, resolver.bearer, [found for found, in now], name)
+            if before.dot(getattr(obj, "DirectionVector", before)) < -_OPPOSITE:
+                obj.Reversed = not obj.Reversed   # the new edge runs the other way
+        lines += [said(_CHOOSE_DIRECTION, object=obj.Label, lost=[one]) for one in lost]
+    return lines
+
+
+def _refer(obj, bearer, names, name="References"):
+    if plain_pairs(obj, name) == [[bearer.Name, one] for one in names]:
+        return
+    if obj.getTypeIdOfProperty(name).startswith("App::PropertyLinkSubList"):
+        setattr(obj, name, [(bearer, tuple(names))] if names else [])
+    else:
+        setattr(obj, name, (bearer, list(names)) if names else None)
+
+
+def _mark(obj, mark, lost):
+    if mark not in obj.PropertiesList:
+        obj.addProperty("App::PropertyStringList", mark, "FeatureMesh", "What it referred to and is gone; it needs new references")
+    setattr(obj, mark, lost)
+
+
+def _chosen_by_freecad(obj, resolver, name="References"):
     """What FreeCAD, which follows references itself, says that the object refers to now."""
-    return [name for target, sub in pairs_of(obj) if LOST not in sub for name in resolver.names(target, sub) or []]
+    return [found for target, sub in pairs_of(obj, name) if LOST not in sub for found in resolver.names(target, sub) or []]
 
 
 def _not_a_stranger(name, chosen, numbering):

@@ -162,7 +162,8 @@ def pairs_of(member, name="References"):
 def plain_pairs_of(member, name="References"):
     """The same as the property has it, without the paths of clicks."""
     value = getattr(member, name, None) or []
-    return [(obj, sub) for obj, subs in value for sub in ((subs,) if isinstance(subs, str) else subs or ("",))]
+    several = value if isinstance(value, list) else [value]   # of a link to one object FreeCAD gives that pair alone
+    return [(obj, sub) for obj, subs in several for sub in ((subs,) if isinstance(subs, str) else subs or ("",))]
 
 
 def _clicked_through(member):
