@@ -10,6 +10,7 @@ import signal
 import sys
 import tempfile
 import time
+from pathlib import Path
 from unittest import mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -185,7 +186,8 @@ def check_tables_close(compare, saved):
 def check_names_of_files():
     """The format is that of the filter unless the name says one; a dot in the name does not. What was written, and where, is said without a box."""
     with tempfile.TemporaryDirectory() as folder:
-        for name, kind, written in (("1.5 mm", "NASTRAN (*.bdf)", "1.5 mm.bdf"), ("plate.INP", "VTK (*.vtu)", "plate.INP"), ("plate", "Surface (*.stl)", "plate.stl")):
+        for name, kind, written in (("1.5 mm", "NASTRAN (*.bdf)", "1.5 mm.bdf"), ("plate.INP", "VTK (*.vtu)", "plate.INP"), ("plate", "Surface (*.stl)", "plate.stl"),
+                                    ("proposed.vtu", "UNV (*.unv)", "proposed.unv")):
             with mock.patch.object(QtGui.QFileDialog, "getSaveFileName", return_value=(os.path.join(folder, name), kind)):
                 Gui.runCommand("FeatureMesh_Export")
             assert os.listdir(folder) == [written], (name, os.listdir(folder), messages)
@@ -195,6 +197,20 @@ def check_names_of_files():
             for said in (in_status_bar, report_view()):
                 assert " was written to %s (" % path in said, (path, said)
             os.unlink(path)
+        check_what_is_replaced(folder)
+
+
+def check_what_is_replaced(folder):
+    """Qt has asked for the name as it was typed; a file of the name with its ending is there, and stays unless it is to go."""
+    path = os.path.join(folder, "plate.stl")
+    for answer, is_kept in (("No", True), ("Yes", False)):
+        Path(path).write_text("mine", encoding="utf-8")
+        asked = []
+        timer = answer_with(answer, asked)
+        with mock.patch.object(QtGui.QFileDialog, "getSaveFileName", return_value=(os.path.join(folder, "plate"), "Surface (*.stl)")):
+            Gui.runCommand("FeatureMesh_Export")
+        assert asked == ["%s is there already. Replace it?" % path] and not timer.isActive(), asked
+        assert (Path(path).read_bytes() == b"mine") == is_kept, answer
 
 
 def check_icons():

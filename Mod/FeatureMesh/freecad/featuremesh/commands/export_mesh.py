@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import os
-import re
 
 import FreeCAD
 import FreeCADGui as Gui
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
 from .. import api
 from ..export import FORMATS
@@ -24,11 +23,10 @@ class Command(MeshCommand):
 
     def run(self, document):
         mesh = selected_mesh(document)
-        path, kind = QtGui.QFileDialog.getSaveFileName(Gui.getMainWindow(), self.title, mesh.Label.replace("/", "-") + ".vtu", _FILTERS)
-        if path:
-            extension = re.search(r"\*(\.\w+)", kind).group(1)
-            has_format = os.path.splitext(path)[1].lstrip(".").lower() in FORMATS   # else a dot in a name, as in "plate 1.5 mm"
-            path = os.path.abspath(path if has_format else path + extension)
+        from ..gui.save_dialog import ask_for_file
+        proposed = os.path.join(os.path.dirname(document.FileName), mesh.Label.replace("/", "-") + ".vtu")
+        path = ask_for_file(Gui.getMainWindow(), self.title, proposed, _FILTERS, FORMATS)
+        if path is not None:
             api.export_mesh(mesh, path)
             tell(translate("FeatureMesh", "%s was written to %s (%s)") % (mesh.Label, path, _size_of(path)))
 

@@ -13,6 +13,7 @@ from ..study import answers, report, response_words, study_object, table
 from ..study.folder import StudyFolder
 from ..user_words import in_words
 from . import errors
+from .save_dialog import ask_for_file
 from .study_plots import PlotTab
 from .undo import undo_step
 
@@ -198,12 +199,11 @@ class StudyWindow(QtGui.QDialog):
         self.note.setText(translate("FeatureMesh", "The report is %s") % path)
 
     def _export(self):
-        path, kind = QtGui.QFileDialog.getSaveFileName(self, translate("FeatureMesh", "Save table"), os.path.join(self.study.Folder, "cases.csv"),
-                                                       "CSV (*.csv);;JSON (*.json)")
-        if path:
+        path = ask_for_file(self, translate("FeatureMesh", "Save table"), os.path.join(self.study.Folder, "cases.csv"), "CSV (*.csv);;JSON (*.json)", ("csv", "json"))
+        if path is not None:
             folder = StudyFolder(self.study.Folder)
             try:
-                table.write(folder, path if os.path.splitext(path)[1] in (".csv", ".json") else path + (".json" if kind.startswith("JSON") else ".csv"))
+                table.write(folder, path)
             except UserError as error:
                 errors.show(error)
             finally:

@@ -13,7 +13,7 @@ from ..messages import english, in_english, said
 
 def write(folder, path, file_format=None):
     """Writes all cases. Returns how many. Throws UserError."""
-    file_format = file_format or os.path.splitext(path)[1].lstrip(".")
+    file_format = (file_format or os.path.splitext(path)[1].lstrip(".")).lower()
     writers = {"csv": _write_csv, "json": _write_json}
     if file_format not in writers:
         raise UserError(said("a table is written as csv or json, not {format:text}", format=file_format or path))
