@@ -15,7 +15,8 @@ from collections import deque
 import Fem
 import numpy as np
 
-from .formats import FILLING, connectivity, vtk
+from . import analyses
+from .formats import FILLING, connectivity, is_single_entity, vtk
 from .materials import material_groups
 from .resolving import Resolver
 from .waiting import let_the_window_live
@@ -195,8 +196,7 @@ def groups_of(part_mesh, mesh, part, raw=None, analysis_of=None):
     entities = EntityGroups(part_mesh.arrays())
     groups = everything_in_groups(part_mesh, entities) if mesh.AllGroups else []
     for group in getattr(mesh, "MeshGroupList", []):
-        name = group.Label if getattr(group, "UseLabel", False) else group.Name
-        groups += _groups_of_references(name, group, resolver, entities)
+        groups += _groups_of_references(_name_of(group), group, resolver, entities)
     known = {name for name, _, _ in groups}
     groups += [group for group in analysis_groups(analysis_of or mesh, resolver, entities) if group[0] not in known]
     return [group for group in groups if len(group[2])]
@@ -231,12 +231,11 @@ def analysis_groups(mesh, resolver, entities):
 def renew_analysis_groups(mesh, resolver, arrays):
     """Replaces the groups of analysis members in the mesh as it is."""
     fem_mesh = mesh.FemMesh
-    members = [member.Name for analysis in mesh.InList if analysis.isDerivedFrom("Fem::FemAnalysis")
-               for member in analysis.Group]
-    own = {name + suffix for name in members for suffix in ("_Nodes", "_Volumes")}
+    named = {name for group in getattr(analyses.source_of(mesh), "MeshGroupList", []) for name in (_name_of(group), _name_of(group) + "_Nodes")}
     for group in fem_mesh.Groups:
-        if fem_mesh.getGroupName(group) in own:
-            fem_mesh.removeGroup(group)
+        name = fem_mesh.getGroupName(group)
+        if name.endswith(("_Nodes", "_Volumes")) and name not in named and not is_single_entity(name) and not name.startswith("Feature_"):
+            fem_mesh.removeGroup(group)   # that of a member, which may be gone
     known = {fem_mesh.getGroupName(group) for group in fem_mesh.Groups}
     for name, kind, numbers in analysis_groups(mesh, resolver, EntityGroups(arrays)):
         if len(numbers) and name not in known:
@@ -324,6 +323,11 @@ def _groups_of_references(name, group, resolver, entities):
     result = [entry for entry in result if len(entry[2])]
     result.append((name + "_Nodes", "Node", _union([entities.nodes(sub) for sub in names])))
     return result
+
+
+def _name_of(group):
+    """What a mesh group object calls its groups."""
+    return group.Label if getattr(group, "UseLabel", False) else group.Name
 
 
 def _is_material(member):
