@@ -12,6 +12,7 @@ import numpy as np
 import ObjectsFem
 from freecad.featuremesh import api, engine, engine_places, mesh_object, mesh_properties, state, versions
 from freecad.featuremesh.errors import EngineMissing, UserError
+from freecad.featuremesh.formats import is_single_entity
 from freecad.featuremesh.messages import english
 from meshed_plate import MeshedPlate, points_of
 from parts import new_document, placement
@@ -111,6 +112,126 @@ class Copies(MeshedPlate):
         self.assertEqual(copy.Status, mesh_object.UP_TO_DATE)
         self.assertGreater(copy.KeptNodes, 30)
         self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+
+
+class CopiesWithLoads(MeshedPlate):
+    """What is pasted or merged has other names, and is followed all the same."""
+
+    def setUp(self):
+        super().setUp()
+        self.analysis = ObjectsFem.makeAnalysis(self.document)
+        self.fixed = ObjectsFem.makeConstraintFixed(self.document)
+        self.fixed.References = [(self.body, self.face_at(self.body, 20, 20))]
+        for obj in (self.fixed, self.mesh):
+            self.analysis.addObject(obj)
+        self.document.recompute()
+
+    def face_at(self, body, x, y):
+        name, = ["Face%d" % n for n, face in enumerate(body.Shape.Faces, 1) if (face.CenterOfMass - FreeCAD.Vector(x, y, 5)).Length < 1e-6]
+        return name
+
+    def check_copy(self, suffix):
+        """A chamfer gives the faces of the copy other numbers; its support stays on the hole, its mesh is kept, the original is as it was."""
+        body, mesh, fixed = (self.document.getObject(name + suffix) for name in ("Body", "FeatureMesh", "ConstraintFixed"))
+        before = fixed.References[0][1][0]
+        chamfer = body.newObject("PartDesign::Chamfer", "Edge")
+        chamfer.Base, chamfer.Size = (self.document.getObject("Hole" + suffix), ["Edge1"]), 2
+        self.document.recompute()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        self.assertNotEqual(self.face_at(body, 20, 20), before)
+        self.assertEqual(fixed.References, [(body, (self.face_at(body, 20, 20),))])
+        self.assertGreater(mesh.KeptNodes, 30)
+        self.assertIsNone(json.loads(mesh.Report)["fallback"])
+        self.assertEqual(self.fixed.References, [(self.body, (self.face_at(self.body, 20, 20),))])
+
+    def test_an_analysis_copied_with_its_part(self):
+        self.document.copyObject([self.analysis], True)
+        self.check_copy("001")
+
+    def test_a_document_merged_into_itself(self):
+        """The objects of the file have other names twice: those of the load and of what it was."""
+        self.save_and_reopen()
+        self.fixed = self.document.ConstraintFixed
+        self.document.mergeProject(self.document.FileName)
+        self.document.recompute()
+        self.check_copy("001")
+
+    def test_a_sheet_that_drives_the_part_is_the_same_sheet(self):
+        sheet = self.document.addObject("Spreadsheet::Sheet", "Sheet")
+        sheet.set("A1", "6")
+        sheet.setAlias("A1", "hole")
+        self.document.HoleSketch.setExpression("Constraints.Radius", "Sheet.hole")
+        self.document.recompute()
+        api.update_mesh(self.mesh)
+        self.document.copyObject([self.analysis], True)
+        copy = self.document.FeatureMesh001
+        self.document.getObject("Sheet001").set("A1", "7")
+        self.document.recompute()
+        self.assertEqual((copy.Status, self.mesh.Status), (mesh_object.UP_TO_DATE, mesh_object.UP_TO_DATE))
+        self.assertGreater(copy.KeptNodes, 30)
+        verdicts = {row["name"]: row["verdict"] for row in json.loads(copy.Report)["difference"]["features"]}
+        self.assertEqual(set(verdicts.values()) & {"added", "removed"}, set(), verdicts)
+
+
+class SavedAs(MeshedPlate):
+
+    def test_undo_after_save_as(self):
+        """FreeCAD looks for a file that undo is to bring back where the document's files were before it got another name."""
+        self.document.UndoMode = 1
+        folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, folder)
+        self.document.saveAs(os.path.join(folder, "one.FCStd"))
+        before, checksum = points_of(self.mesh), state.checksum_of(self.mesh.SavedState)
+        self.document.openTransaction("Edit")
+        self.edit()
+        self.document.commitTransaction()
+        after = points_of(self.mesh)
+        self.document.saveAs(os.path.join(folder, "another.FCStd"))
+        self.document.undo()
+        self.assertEqual((points_of(self.mesh), state.checksum_of(self.mesh.SavedState)), (before, checksum))
+        self.document.redo()
+        self.assertEqual(points_of(self.mesh), after)
+        self.document.undo()
+        self.document.recompute()
+        self.assertEqual((points_of(self.mesh), self.mesh.Status), (before, mesh_object.UP_TO_DATE))
+
+    def test_a_state_that_is_lost_is_said(self):
+        self.document.UndoMode = 1
+        self.document.openTransaction("Edit")
+        self.edit()
+        self.document.commitTransaction()
+        for name in os.listdir(self.document.TransientDir):
+            if name != os.path.basename(self.mesh.SavedState):
+                os.unlink(os.path.join(self.document.TransientDir, name))
+        self.document.undo()
+        self.assertEqual(self.mesh.Status, "failed: the document holds no mesh state")
+        self.document.recompute()
+        api.update_mesh(self.mesh)
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+
+
+class Members(MeshedPlate):
+
+    def test_no_group_stays_of_a_load_that_is_gone(self):
+        analysis, other = (ObjectsFem.makeAnalysis(self.document, name) for name in ("First", "Second"))
+        loads = [ObjectsFem.makeConstraintFixed(self.document, name) for name in ("One", "Two")]
+        group = ObjectsFem.makeMeshGroup(self.document, self.mesh, False, "Clamp")
+        for obj in (*loads, group):
+            obj.References = [(self.body, "Face1")]
+        for obj in (*loads, self.mesh):
+            analysis.addObject(obj)
+        self.document.recompute()
+        self.assertEqual(self.groups(), {"One_Nodes", "Two_Nodes", "Clamp", "Clamp_Nodes"})
+        self.document.removeObject("One")
+        self.assertEqual(self.groups(), {"Two_Nodes", "Clamp", "Clamp_Nodes"})
+        analysis.removeObject(self.mesh)
+        other.addObject(self.mesh)
+        self.assertEqual(self.groups(), {"Clamp", "Clamp_Nodes"})
+
+    def groups(self):
+        """Those that are of no face, edge, solid or feature."""
+        return {name for name in map(self.mesh.FemMesh.getGroupName, self.mesh.FemMesh.Groups)
+                if not name.startswith("Feature_") and not is_single_entity(name)}
 
 
 class Parts(MeshedPlate):

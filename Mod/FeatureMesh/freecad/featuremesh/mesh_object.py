@@ -3,16 +3,14 @@
 
 import json
 import os
-import shutil
-import tempfile
 import time
 
 import FreeCAD
 import Fem
 import numpy as np
 
-from . import adopt, analyses, contact_faces, engine, hand_over, history, log, mesh_properties, messages, mixed_elements, references, refinements
-from . import results, solve_guard, state, too_fine, versions
+from . import adopt, analyses, contact_faces, copied_part, engine, hand_over, history, log, mesh_properties, messages, mixed_elements, references, refinements
+from . import results, solve_guard, state, state_property, too_fine, versions
 from .errors import EngineMissing, FailedUpdate, StateError, UserError
 from .job import MeshJob
 from .messages import said
@@ -34,7 +32,6 @@ run_job = None
 # Called with a mesh object and the PartMesh that it is about to show, when references were moved to it: what needs no FemMesh can begin.
 on_new_mesh = []
 
-_NAMED_BY = 16   # digits of its checksum that name a state's file
 _HIGHEST_TARGET = 45   # degrees; no mesh reaches more
 
 
@@ -75,10 +72,12 @@ class FeatureMesh:
         self._forget()
         self._get_ready(mesh)
         self._miss_the_engine(mesh)
-        _have_own_file(mesh)
+        state_property.have_own(mesh)
         self._shown = state.checksum_of(mesh.SavedState)
         if self._shown:
             self._restore(mesh)
+            if mesh.Document.Importing and versions.part_of(mesh) is not None:   # pasted or merged: what is on record has other names
+                self.note_references(mesh, self._referring(mesh), anew=True)
 
     def dumps(self):
         return {"Type": self.Type}
@@ -254,11 +253,14 @@ class FeatureMesh:
 
     def show_state(self, mesh):
         """Makes FemMesh what the saved state says, after undo or redo brought back another one."""
+        state_property.bring_back(mesh)
         checksum = state.checksum_of(mesh.SavedState)
         if checksum == self._shown:
             return
         if not checksum:
             mesh.FemMesh = Fem.FemMesh()
+            if mesh.StateName:
+                mesh.Status = failed(mesh, StateError(said("the document holds no mesh state")))
         else:
             try:
                 self._show(mesh, self.last_part_mesh(mesh))
@@ -378,7 +380,10 @@ class FeatureMesh:
         """The saved state. Throws StateError."""
         saved, part = state.load(mesh.SavedState), versions.part_of(mesh)
         if part is not None and saved.part_name != part.Name:
-            raise StateError(said("the saved mesh state belongs to {other:text}, not to {part:text}", other=saved.part_name, part=part.Name))
+            raw = copied_part.with_names_of(read_document(part), saved.raw)
+            if raw is None:
+                raise StateError(said("the saved mesh state belongs to {other:text}, not to {part:text}", other=saved.part_name, part=part.Name))
+            saved.raw = raw
         if self._elements is not None:
             saved.raw = with_elements(saved.raw, self._elements)
         self._raw = saved.raw
@@ -464,10 +469,7 @@ class FeatureMesh:
     def _store(self, mesh, job):
         saved = state.State(job.raw, job.options, job.part_mesh.arrays())
         try:
-            with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
-                path = os.path.join(folder, mesh.Name + ".npz")
-                checksum = state.save(path, saved)
-                mesh.SavedState = path, _file_name(mesh, checksum)
+            checksum = state_property.put(mesh, saved)
             if state.checksum_of(mesh.SavedState) != checksum:
                 raise UserError(said("the copy in {folder:text} is not whole", folder=os.path.dirname(mesh.SavedState)))
         except (OSError, RuntimeError, UserError) as error:
@@ -500,23 +502,6 @@ class FeatureMesh:
 def _show_in_other_analyses(mesh):
     for shared in analyses.shares_of(mesh):
         shared.Proxy.show(shared)
-
-
-def _file_name(mesh, checksum):
-    """A name that no other state's file has: FreeCAD puts a pasted file over another one of its name."""
-    return "%s-%s.npz" % (mesh.Name, checksum[:_NAMED_BY])
-
-
-def _have_own_file(mesh):
-    """Gives a copied mesh a state file of its own: FreeCAD lets it have that of the original, and an edit or undo of one would take the other's state."""
-    path = mesh.SavedState
-    if not path or not any(other is not mesh and getattr(other, "SavedState", "") == path for other in mesh.Document.Objects):
-        return
-    with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
-        own = shutil.copy(path, folder)
-        mesh.SavedState = own, _file_name(mesh, state.checksum_of(own))
-        if not os.path.exists(path):   # FreeCAD takes the file that it replaces away
-            shutil.copy(own, path)
 
 
 def _next_numbers(mesh, state_is_sound):

@@ -58,9 +58,10 @@ PROPERTIES = [
     ("App::PropertyString", "Report", "Result", "", True, "Everything about the last mesh or update, as JSON"),
     ("App::PropertyString", "Failure", "Result", "", True, "Why the last update failed, as JSON"),
     ("App::PropertyFileIncluded", "SavedState", "Result", None, True, "What the next update needs"),
+    ("App::PropertyString", "StateName", "Result", "", True, "Which state SavedState is, by which it is found after undo"),
     ("App::PropertyString", "ReferredTo", "Result", "", True, "What loads, supports, materials and refinements referred to, as JSON"),
 ]
-_HIDDEN = ("Report", "Failure", "SavedState", "ReferredTo")
+_HIDDEN = ("Report", "Failure", "SavedState", "StateName", "ReferredTo")
 _NO_TOUCH = 8 | 16   # status of a property whose change asks for no recompute
 OPTION_OF = {"Size": "size", "MinSize": "min_size", "ElementsPerCircle": "elements_per_circle",
               "ElementsAcrossGap": "elements_across_gap", "Growth": "growth", "QualityTarget": "target_dihedral_deg",
@@ -77,7 +78,7 @@ def add(mesh):
         mesh.addProperty("App::PropertyLinkGlobal", "Part", "Mesh", "The part to mesh")
     for kind, name, group, default, read_only, tooltip in PROPERTIES:
         if name not in mesh.PropertiesList:
-            mesh.addProperty(kind, name, group, tooltip, _NO_TOUCH if name == "ReferredTo" else 0)
+            mesh.addProperty(kind, name, group, tooltip, _NO_TOUCH if name in ("StateName", "ReferredTo") else 0)
             if default is not None:
                 setattr(mesh, name, default)
         if read_only:

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The file of a mesh's saved state within its document: FreeCAD copies, renames and loses it, and a mesh must have its own all the same."""
+
+import os
+import shutil
+import tempfile
+
+from . import state
+
+_NAMED_BY = 16   # digits of its checksum that name a state's file
+
+
+def put(mesh, saved):
+    """Stores a State with the mesh object. Returns its checksum. Throws OSError and what FreeCAD does."""
+    with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
+        path = os.path.join(folder, mesh.Name + ".npz")
+        checksum = state.save(path, saved)
+        mesh.SavedState = path, _file_name(mesh, checksum)
+    mesh.StateName = checksum
+    return checksum
+
+
+def have_own(mesh):
+    """Gives a copied mesh a state file of its own: FreeCAD lets it have that of the original, and an edit or undo of one would take the other's state."""
+    path = mesh.SavedState
+    if not path or not any(other is not mesh and getattr(other, "SavedState", "") == path for other in mesh.Document.Objects):
+        return
+    with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
+        own = shutil.copy(path, folder)
+        mesh.SavedState = own, _file_name(mesh, state.checksum_of(own))
+        if not os.path.exists(path):   # FreeCAD takes the file that it replaces away
+            shutil.copy(own, path)
+
+
+def bring_back(mesh):
+    """To be called after undo or redo: FreeCAD looks for the state where it was before *Save As*, which gives the document's folder another name."""
+    wanted = mesh.StateName
+    if not wanted or state.checksum_of(mesh.SavedState) == wanted:
+        return
+    folder = mesh.Document.TransientDir
+    kept = [os.path.join(folder, name) for name in os.listdir(folder) if wanted[:_NAMED_BY] in name]
+    found = next((path for path in kept if state.checksum_of(path) == wanted), None)
+    if found is not None:
+        with tempfile.TemporaryDirectory(prefix="featuremesh-") as own:
+            mesh.SavedState = shutil.copy(found, own), _file_name(mesh, wanted)
+
+
+def _file_name(mesh, checksum):
+    """A name that no other state's file has: FreeCAD puts a pasted file over another one of its name."""
+    return "%s-%s.npz" % (mesh.Name, checksum[:_NAMED_BY])
