@@ -448,16 +448,15 @@ class Blocks(BlockParts):
 class Directions(BlockParts):
     """A force along an edge goes on along it, whatever becomes of the feature that was clicked and of the numbers of the edges."""
 
-    def force_along(self, part, axis, target):
-        """A force on the face at x = 100 along an edge on y = 0 and z = 20, or one that stands there, as clicked on `target`."""
+    def force_along(self, part, axis, target, face=None):
+        """A force on the face at x = 100, or another one, along the longest edge with that axis, as clicked on `target`."""
         load = ObjectsFem.makeConstraintForce(self.document, "Force")
-        load.References = [(target, self.face_at(part, "X", 100))]
+        load.References = [(target, face or self.face_at(part, "X", 100))]
         load.Direction = (target, [self.edge_along(part, axis)])
         self.analysis.addObject(load)
         return load
 
     def edge_along(self, part, axis):
-        """The longest edge along that axis."""
         along = [(edge.Length, "Edge%d" % n) for n, edge in enumerate(part.Shape.Edges, 1) if abs(abs(getattr(edge.tangentAt(0), axis)) - 1) < NEAR]
         return max(along)[1]
 
@@ -499,6 +498,21 @@ class Directions(BlockParts):
         self.assertEqual(abs(body.Shape.getElement(load.Direction[1][0]).tangentAt(0).y), 1)
         load.Direction = load.Direction   # as FEM's panel does with OK
         self.assertEqual(self.direction_of(load)[:2], before[:2])
+
+    def test_the_body_is_turned(self):
+        """FreeCAD 0.20 takes the direction of a clicked edge within its body, and looks at it no more."""
+        body = self.block()
+        body.Placement = placement(angle=90)
+        self.document.recompute()
+        load = self.force_along(body, "y", body.Tip, "Face1")
+        self.mesh_of(body)
+        within = body.Placement.Rotation.inverted().multVec(load.DirectionVector)
+        self.assertGreater(abs(within.x), 1 - NEAR)
+        for angle in (30, 270):
+            body.Placement = placement(angle=angle)
+            self.document.recompute()
+            self.assertGreater(load.DirectionVector.dot(body.Placement.Rotation.multVec(within)), 1 - NEAR, angle)
+            self.assertNotIn("Touched", load.State)
 
     def test_the_edge_is_gone(self):
         """Nothing is solved until somebody says along what the force is to act; undo brings the edge back."""

@@ -191,17 +191,32 @@ def _follow_along(obj, known, resolver, numbering):
             _refer(obj, resolver.bearer, [], name)
             _mark(obj, LOST_ALONG, lost)
         elif may_change(obj, resolver):
-            before = FreeCAD.Vector(getattr(obj, "DirectionVector", FreeCAD.Vector()))
-            _refer(obj, resolver.bearer, [found for found, in now], name)
-            if before.dot(getattr(obj, "DirectionVector", before)) < -_OPPOSITE:
-                obj.Reversed = not obj.Reversed   # the new edge runs the other way
+            _act_along(obj, resolver.bearer, [found for found, in now], name)
         lines += [said(_CHOOSE_DIRECTION, object=obj.Label, lost=[one]) for one in lost]
     return lines
 
 
+def _act_along(obj, bearer, names, name):
+    """Sets what an object acts along also where that is no other edge: it may have turned, at which FreeCAD looks again since 1.1 only."""
+    was_touched, before = "Touched" in obj.State, FreeCAD.Vector(getattr(obj, "DirectionVector", FreeCAD.Vector()))
+    is_another = not _refers(obj, bearer, names, name)
+    _write(obj, bearer, names, name)
+    if is_another and before.dot(getattr(obj, "DirectionVector", before)) < -_OPPOSITE:
+        obj.Reversed = not obj.Reversed   # the new edge runs the other way
+    if not (was_touched or is_another):
+        obj.purgeTouched()   # the mesh is solved with it now
+
+
+def _refers(obj, bearer, names, name):
+    return plain_pairs(obj, name) == [[bearer.Name, one] for one in names]
+
+
 def _refer(obj, bearer, names, name="References"):
-    if plain_pairs(obj, name) == [[bearer.Name, one] for one in names]:
-        return
+    if not _refers(obj, bearer, names, name):
+        _write(obj, bearer, names, name)
+
+
+def _write(obj, bearer, names, name):
     if obj.getTypeIdOfProperty(name).startswith("App::PropertyLinkSubList"):
         setattr(obj, name, [(bearer, tuple(names))] if names else [])
     else:
