@@ -55,6 +55,31 @@ class Truth:
         return rows
 
 
+class NamesOfGroups(unittest.TestCase):
+
+    def test_each_is_there_under_a_name_of_its_own(self):
+        """Legacy VTK has no spaces in names: what looks the same then is told apart by a number."""
+        document = new_document()
+        body = plate_with_hole(document)
+        mesh = api.add_mesh(body, 8.0, 1)
+        for label, face in (("my side", "Face1"), ("my_side", "Face2"), ("Number", "Face3"), ('<A> & "b"', "Face4")):
+            group = ObjectsFem.makeMeshGroup(document, mesh, True)
+            group.Label, group.References = label, [(body, face)]
+        document.recompute()
+        counts = {name: len(members) for name, _, members in groups_of(mesh.FemMesh)}
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "plate.vtk")
+            api.export_mesh(mesh, path)
+            found = meshio.read(path)
+            path = os.path.join(folder, "plate.vtu")
+            api.export_mesh(mesh, path)
+            self.assertEqual(Fem.read(path).NodeCount, mesh.NodeCount)   # VTK takes a > in a name for the end of what stands before the values
+            self.assertIn('<A> & "b"', meshio.read(path).cell_data)
+        cells = {name: sum(int(part.sum()) for part in parts) for name, parts in found.cell_data.items()}
+        self.assertEqual([cells[name] for name in ("my_side", "my_side_2", "Number_2")], [counts[name] for name in ("my side", "my_side", "Number")])
+        self.assertEqual(found.point_data["my_side_Nodes_2"].sum(), counts["my_side_Nodes"])
+
+
 def elements_as_sets(nodes):
     return {frozenset(element) for element in np.asarray(nodes).tolist()}
 

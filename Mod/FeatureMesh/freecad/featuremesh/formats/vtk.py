@@ -10,7 +10,7 @@ _TYPE_NAMES = {"f8": "double", "i4": "int"}
 
 def write(path, arrays, groups):
     """See vtk_contents for what the file says; spaces in names of groups become underscores."""
-    contents = contents_of(arrays, groups)
+    contents = contents_of(arrays, [("_".join(name.split()), kind, members) for name, kind, members in groups])
     cells = [np.hstack([np.full((len(block), 1), block.shape[1]), block]).reshape(-1) for block in contents.blocks]
     size = sum(len(row) for row in cells)
     with open(path, "wb") as stream:
@@ -28,7 +28,7 @@ def write(path, arrays, groups):
             say("%s %d\nFIELD FieldData %d\n" % (title, count, len(data)))
             for name, values in data:
                 kind = "i4" if values.dtype.kind in "iu" else "f8"
-                say("%s 1 %d %s\n" % ("_".join(name.split()), count, _TYPE_NAMES[kind]))
+                say("%s 1 %d %s\n" % (name, count, _TYPE_NAMES[kind]))
                 _write_binary(stream, values, kind)
 
 

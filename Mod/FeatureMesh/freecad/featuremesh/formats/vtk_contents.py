@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What both of VTK's formats say of a mesh."""
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,7 +23,7 @@ class VtkContents:
 def contents_of(arrays, groups):
     """Segments, triangles and tets; groups as 0/1 arrays on cells and points.
 
-    The groups of single edges, faces and solids are one integer array `Entity` instead (with `Dimension`).
+    The groups of single edges, faces and solids are one integer array `Entity` instead (with `Dimension`). No two arrays have one name.
     """
     blocks = [connectivity(arrays, "segments", "segment_mids"), connectivity(arrays, "triangles", "triangle_mids"),
               connectivity(arrays, "tets", "tet_mids")]
@@ -37,5 +38,11 @@ def contents_of(arrays, groups):
         if is_single_entity(name):
             continue
         target, known = (point_data, arrays["node_numbers"]) if kind == "Node" else (cell_data, numbers)
-        target.append((name, np.isin(known, members).astype(np.uint8)))
+        target.append((_not_taken(name, dict(target)), np.isin(known, members).astype(np.uint8)))
     return VtkContents(blocks, types, point_data, cell_data)
+
+
+def _not_taken(name, taken):
+    """The name, or with a number behind it where it is taken."""
+    choices = itertools.chain([name], ("%s_%d" % (name, number) for number in itertools.count(2)))
+    return next(choice for choice in choices if choice not in taken)

@@ -39,4 +39,4 @@ def _array(name, values, components=1):
 
 
 def _xml(text):
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace('"', "&quot;")
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace('"', "&quot;")
