@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a script may ask for by mistake is refused in a sentence: parts without a shape, objects that are gone, settings without sense, sizes far too small."""
+import errno
+import os
 import unittest
+from unittest import mock
 
 import FreeCAD
 import ObjectsFem
 import Part
 from freecad.featuremesh import api, engine
 from freecad.featuremesh.errors import UserError
+from freecad.featuremesh.study import study_object
 from freecad.featuremesh.too_fine import _elements_around
 from parts import new_document, plate_with_hole
 
@@ -33,6 +37,14 @@ class Parts(unittest.TestCase):
         point = self.document.addObject("Part::Feature", "Point")
         point.Shape = Part.Vertex(0, 0, 0)
         self.refused("Point has no shape", point)
+
+    def test_a_study_where_nobody_may_write(self):
+        body = plate_with_hole(self.document)
+        study = api.add_study(body)
+        study.Parameters, study.Responses = ["HoleSketch.Radius=5:7"], ["mass"]
+        with mock.patch.object(os, "makedirs", side_effect=PermissionError(errno.EACCES, os.strerror(errno.EACCES))), \
+                self.assertRaisesRegex(UserError, r"the study's folder .*-study cannot be made \(Permission denied\); save the document where you may write"):
+            study_object.start(study)
 
     def test_no_recompute(self):
         self.refused("Box has no shape yet; recompute the document first", self.document.addObject("Part::Box", "Box"))

@@ -121,7 +121,11 @@ def start(obj):
     """Writes the document as it is and the study into a new folder, and runs it there. Returns the window_run.WindowRun. Throws UserError."""
     study_of(obj, "")   # whatever is wrong is told before anything is written
     folder = window_run.new_folder(obj.Document.FileName, obj.Name)
-    os.makedirs(folder)
+    try:
+        os.makedirs(folder)
+    except OSError as error:
+        raise UserError(said("the study's folder {path:text} cannot be made ({why:text}); save the document where you may write, the study is kept beside it",
+                             path=folder, why=error.strerror)) from error
     path = os.path.join(folder, "part.FCStd")
     documents.save_document(obj.Document, path)
     study_file.write(study_of(obj, path), os.path.join(folder, "study.toml"))
