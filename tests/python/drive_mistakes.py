@@ -181,6 +181,21 @@ def check_part_deleted(document, mesh):
     assert mesh.Status == "up to date", mesh.Status
 
 
+def check_expression(document, mesh):
+    """What an expression drives is not typed in the panel, where it would be another value again after the next edit; the rest is."""
+    mesh.setExpression("Size", "2 * 4")
+    document.recompute()
+    mesh.ViewObject.doubleClicked()
+    spin()
+    settings = panel("MeshPanel")
+    assert not settings.size.isEnabled() and "2 * 4" in settings.size.toolTip() and settings.growth.isEnabled(), settings.size.toolTip()
+    settings.growth.setValue(1.5)
+    click_in_panel("Ok")
+    wait_for(lambda: not Gui.Control.activeDialog())
+    assert (mesh.Size.Value, mesh.Growth, mesh.Status) == (8, 1.5, "up to date"), (mesh.Size, mesh.Growth, mesh.Status)
+    mesh.setExpression("Size", None)
+
+
 def check_frozen(document, part, mesh):
     """A script sets the length of a part that FreeCAD's command froze: the shape changes, and FreeCAD asks for no recompute."""
     select((part,))
@@ -225,6 +240,7 @@ def drive():
     mesh = api.add_mesh(body, 6.0, order=1)
     document.recompute()
     check_what_has_no_part(document, body, mesh)
+    check_expression(document, mesh)
     other = document.addObject("Part::Box", "Other")
     other.Placement.Base.z = 50
     document.recompute()

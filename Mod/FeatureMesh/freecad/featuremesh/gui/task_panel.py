@@ -114,6 +114,7 @@ class MeshPanel:
             settings.addRow(*((widget,) if label is None else (label, widget)))
         for chooser in (self.dimension, self.order, self.details):
             narrow.box(chooser)
+        self._close_driven_fields()
         layout.addWidget(self.automatic)
         self.full_button = QtGui.QPushButton(translate("FeatureMesh", "From scratch"))
         self.full_button.setToolTip(translate("FeatureMesh", "Throws the mesh away and meshes the whole part"))
@@ -125,6 +126,20 @@ class MeshPanel:
             label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         layout.addStretch()
         wheel.scrolls(self.form)
+
+    def _close_driven_fields(self):
+        """What an expression drives cannot be typed: it would be another value again after the next edit."""
+        widgets = {"Size": (self.size,), "MinSize": (self.min_size, self.min_automatic), "ElementsPerCircle": (self.per_circle,),
+                   "ElementsAcrossGap": (self.across_gap,), "Growth": (self.growth,), "Order": (self.order,), "Dimension": (self.dimension,),
+                   "IgnoreBelow": (self.details, self.ignore_below), "Automatic": (self.automatic,)}
+        for name, expression in self._driven().items():
+            for widget in widgets.get(name, ()):
+                widget.setEnabled(False)
+                widget.setToolTip(translate("FeatureMesh", "The expression %s drives this; change it in the property editor") % expression)
+
+    def _driven(self):
+        """{property: the expression that drives it}."""
+        return {path.lstrip("."): expression for path, expression in self.mesh.ExpressionEngine}
 
     def _choose_details(self):
         """Which details get no elements of their own; a length has a field of its own below."""
@@ -274,7 +289,8 @@ class MeshPanel:
 
     def apply_settings(self):
         """The panel's values into the object's properties, those that differ, as one undo step."""
-        changed = {name: value for name, value in self._wanted().items() if self._differs(name, value)}
+        driven = self._driven()
+        changed = {name: value for name, value in self._wanted().items() if name not in driven and self._differs(name, value)}
         if not changed:
             return
         with self._undo_step(translate("FeatureMesh", "Mesh settings")):
