@@ -2,6 +2,8 @@
 """Loads stay on the faces that were chosen, through every kind of edit; what is lost is taken away and said, and nothing else is said."""
 import json
 import os
+import shutil
+import tempfile
 import unittest
 from unittest import mock
 
@@ -513,6 +515,28 @@ class Directions(BlockParts):
             self.document.recompute()
             self.assertGreater(load.DirectionVector.dot(body.Placement.Rotation.multVec(within)), 1 - NEAR, angle)
             self.assertNotIn("Touched", load.State)
+
+    def test_a_document_from_before_directions_were_followed(self):
+        """Its record says nothing of them; the first edit comes after it was opened."""
+        body = self.block()
+        load = self.force_along(body, "y", body)
+        self.mesh_of(body)
+        before = self.direction_of(load)
+        record = json.loads(self.mesh.ReferredTo)
+        del record["Force"]["along"]
+        self.mesh.ReferredTo = json.dumps(record)
+        self.mesh.StateName = ""
+        folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, folder)
+        self.document.saveAs(os.path.join(folder, "old.FCStd"))
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(os.path.join(folder, "old.FCStd"))
+        self.mesh = self.document.FeatureMesh
+        self.assertEqual(self.mesh.StateName, state.checksum_of(self.mesh.SavedState))
+        self.assertNotIn("Touched", self.mesh.State)
+        self.groove(self.document.Body)
+        self.assertNotEqual(self.document.Force.Direction[1], before[2][1])
+        self.assertEqual(self.direction_of(self.document.Force)[:2], before[:2])
 
     def test_the_edge_is_gone(self):
         """Nothing is solved until somebody says along what the force is to act; undo brings the edge back."""

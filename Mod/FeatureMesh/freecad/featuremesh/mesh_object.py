@@ -17,7 +17,7 @@ from .messages import said
 from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE,
                               differ_from_mesh, failed, failure_of, is_of_its_part, settings_of, status_in_words)
 from .numbering import Numbering
-from .reading import describe, elements_of_today, read_document, refuse_gone, shape_of_record, with_elements
+from .reading import describe, elements_of_today, has_shape, read_document, refuse_gone, shape_of_record, with_elements
 from .refusals import part_to_mesh, refuse_no_size
 from .reports import add_fallback, plain, remarks_of
 from .resolving import CLICKED, Resolver
@@ -76,8 +76,6 @@ class FeatureMesh:
         self._shown = state.checksum_of(mesh.SavedState)
         if self._shown:
             self._restore(mesh)
-            if mesh.Document.Importing and versions.part_of(mesh) is not None:   # pasted or merged: what is on record has other names
-                self.note_references(mesh, self._referring(mesh), anew=True)
 
     def dumps(self):
         return {"Type": self.Type}
@@ -379,11 +377,9 @@ class FeatureMesh:
     def _load(self, mesh):
         """The saved state. Throws StateError."""
         saved, part = state.load(mesh.SavedState), versions.part_of(mesh)
+        _take_todays_names(saved, part)
         if part is not None and saved.part_name != part.Name:
-            raw = copied_part.with_names_of(read_document(part), saved.raw)
-            if raw is None:
-                raise StateError(said("the saved mesh state belongs to {other:text}, not to {part:text}", other=saved.part_name, part=part.Name))
-            saved.raw = raw
+            raise StateError(said("the saved mesh state belongs to {other:text}, not to {part:text}", other=saved.part_name, part=part.Name))
         if self._elements is not None:
             saved.raw = with_elements(saved.raw, self._elements)
         self._raw = saved.raw
@@ -403,16 +399,27 @@ class FeatureMesh:
         except StateError as error:
             FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, error))
             return
-        self._elements = elements_of_today(saved.raw, mesh.Document)
         part = versions.part_of(mesh)
+        _take_todays_names(saved, part)
+        self._elements = elements_of_today(saved.raw, mesh.Document)
         if is_of_its_part(mesh) and part is not None:
             self._shape = part.Shape
         if not mesh.ReferredTo:
             mesh.ReferredTo = json.dumps(saved.references)
+        if part is not None and has_shape(part):
+            self._note_what_is_not_known(mesh)
+        mesh.StateName = self._shown
         fem_mesh = hand_over.reopened(mesh.FemMesh, saved.arrays)
         if fem_mesh is not None:
             mesh.FemMesh = fem_mesh
         mesh.purgeTouched()
+
+    def _note_what_is_not_known(self, mesh):
+        """What was pasted or merged is on record with other names; older documents know of no directions."""
+        is_copy, record = mesh.Document.Importing, self._record(mesh)
+        objects = [obj for obj in self._referring(mesh) if is_copy or references.has_unknown_direction(obj, record.get(obj.Name))]
+        if objects or is_copy:
+            self.note_references(mesh, objects, anew=is_copy)
 
     def _show(self, mesh, part_mesh):
         mesh.FemMesh = self._fem_mesh(mesh, part_mesh)
@@ -497,6 +504,12 @@ class FeatureMesh:
             part.install()
         for hook in on_ready:
             hook(mesh)
+
+
+def _take_todays_names(saved, part):
+    """Of a state that came with a copy of its part."""
+    if part is not None and saved.part_name != part.Name and has_shape(part):
+        saved.raw = copied_part.with_names_of(read_document(part), saved.raw) or saved.raw
 
 
 def _show_in_other_analyses(mesh):

@@ -51,7 +51,7 @@ def record_of(objects, resolver):
         if names and not foreign:
             record[obj.Name] = {"pairs": plain_pairs(obj), "names": names}
             along = {name: {"pairs": plain_pairs(obj, name), "names": meant} for name, meant in _meant_along(obj, resolver).items()}
-            record[obj.Name].update({"along": along} if along else {})
+            record[obj.Name].update({"along": along} if _may_act_along(obj) else {})
     return record
 
 
@@ -170,11 +170,20 @@ def mend_direction(obj):
         setattr(obj, LOST_ALONG, [])
 
 
+def has_unknown_direction(obj, known):
+    """Was the record made before directions were on record?"""
+    return bool(known) and "along" not in known and bool(_may_act_along(obj))
+
+
+def _may_act_along(obj):
+    return [name for name in ALONG if name in obj.PropertiesList]
+
+
 def _meant_along(obj, resolver):
     """{property of ALONG: names of the sub-elements of the part that it means}, of those properties that are about the part."""
     found = {}
-    for name in set(ALONG).intersection(obj.PropertiesList):
-        meant = [resolver.names(target, sub) for target, sub in pairs_of(obj, name)]
+    for name in _may_act_along(obj):
+        meant = [sub and resolver.names(target, sub) for target, sub in pairs_of(obj, name)]
         if meant and all(meant):
             found[name] = [names[0] for names in meant]   # all pieces of an edge or a plane have its direction
     return found
