@@ -13,6 +13,7 @@ from . import adopt, analyses, contact_faces, copied_part, engine, hand_over, hi
 from . import results, solve_guard, state, state_property, too_fine, versions
 from .errors import EngineMissing, FailedUpdate, StateError, UserError
 from .job import MeshJob
+from .lost_references import LostReferences
 from .messages import said
 from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE,
                               differ_from_mesh, failed, failure_of, is_of_its_part, settings_of, status_in_words)
@@ -149,7 +150,7 @@ class FeatureMesh:
         job = MeshJob(raw, options_of(mesh, part, raw, refined), old, problem, moved + refined.notes)
         job.saved, job.shape, job.settings = saved, part.Shape, settings_of(mesh)
         if old is None:
-            job.next_numbers = _next_numbers(mesh, state_is_sound=problem is None and saved is None)
+            job.next_numbers = state_property.next_numbers(mesh, state_is_sound=problem is None and saved is None)
         job.seconds = {"document": time.perf_counter() - start, "restore": 0.0}
         return job
 
@@ -291,6 +292,7 @@ class FeatureMesh:
         if known and (not in_panel and references.are_set_again(obj, known, deleted)
                       or references.lost_by_deletion(known, deleted) and not references.was_changed_by_hand(obj, known, deleted)):
             return
+        self._lost.forget(obj.Name)
         references.mend(obj)
         self.settle(mesh, [obj])
         self.note_references(mesh, [obj])
@@ -325,6 +327,7 @@ class FeatureMesh:
     def forget_references(self, mesh, name):
         """To be called when the object of that name was deleted: another one may get its name."""
         record = self._record(mesh)
+        self._lost.forget(name)
         if record.pop(name, None):
             mesh.ReferredTo = json.dumps(record, sort_keys=True)
 
@@ -440,22 +443,27 @@ class FeatureMesh:
         """Moves references with their faces, which `faces()` follows from the last mesh to `raw`. Returns what was done."""
         part, record, lines = versions.part_of(mesh), self._record(mesh), []
         resolver, numberings = Resolver(part, raw), {}
+
+        def numbering_from(then):   # None: from the last mesh
+            if id(then) not in numberings:
+                numberings[id(then)] = Numbering(engine.load().followed_faces(then, raw) if then else faces(),
+                                                 lambda: shape_of_record(then or self._raw), part.Shape)
+            return numberings[id(then)]
         self._following = True
         try:
             for obj in objects:
                 known = record.get(obj.Name)
                 if not known or references.was_changed_by_hand(obj, known, history.deleted_of(mesh.Document)):
+                    lines += self._lost.bring_back(obj, resolver, numbering_from)
                     continue
                 then = self._later.get(obj.Name)
-                if id(then) not in numberings:
-                    old = then or self._raw
-                    if old is None:
-                        lines.append(said("{object:text} could not be followed from the last mesh, whose state is gone; check what it refers to",
-                            object=obj.Label))
-                        continue
-                    numberings[id(then)] = Numbering(engine.load().followed_faces(then, raw) if then else faces(),
-                                                     lambda old=old: shape_of_record(old), part.Shape)
-                lines += references.follow(obj, known, resolver, numberings[id(then)])
+                if then is None and self._raw is None:
+                    lines.append(said("{object:text} could not be followed from the last mesh, whose state is gone; check what it refers to",
+                                      object=obj.Label))
+                    continue
+                said_of_it, lost = references.follow(obj, known, resolver, numbering_from(then))
+                lines += said_of_it + self._lost.bring_back(obj, resolver, numbering_from)
+                self._lost.note(obj, then or self._raw, lost)
         finally:
             self._following = False
         return lines
@@ -492,6 +500,7 @@ class FeatureMesh:
         self._shape = None       # the part's shape then
         self._elements = None    # sketch elements of a saved state, with today's ids
         self._later = {}         # by name of an object: the part as it was when that was given other references, where that was after the last mesh
+        self._lost = LostReferences()
         self._elsewhere = {}     # by name of an object: what was said of its references that are not on the part
         self._following = False  # references are being moved just now
         self._checksum = ""      # of the saved state that it belongs to
@@ -515,16 +524,6 @@ def _take_todays_names(saved, part):
 def _show_in_other_analyses(mesh):
     for shared in analyses.shares_of(mesh):
         shared.Proxy.show(shared)
-
-
-def _next_numbers(mesh, state_is_sound):
-    """What a mesh from scratch has to number on from, so that no number is ever given to another node or element."""
-    known = (mesh.SavedState and state.next_numbers_of(mesh.SavedState)) or (1, 1)
-    fem_mesh = mesh.FemMesh
-    if state_is_sound or not fem_mesh.NodeCount:
-        return known
-    elements = [max(numbers) for numbers in (fem_mesh.Edges, fem_mesh.Faces, fem_mesh.Volumes) if numbers]
-    return max(known[0], 1 + max(fem_mesh.Nodes)), max(known[1], 1 + max(elements, default=0))
 
 
 def is_feature_mesh(obj):

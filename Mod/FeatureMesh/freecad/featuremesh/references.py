@@ -119,7 +119,7 @@ def was_changed_by_hand(obj, known, deleted):
 
 
 def follow(obj, known, resolver, numbering):
-    """Moves the references of one object to what theirs became. Returns a line for each thing to know.
+    """Moves the references of one object to what theirs became. Returns a line for each thing to know, and {property: names of what is gone}.
 
     `known` is what record_of said of it, `numbering` the Numbering from then to now.
     """
@@ -136,7 +136,22 @@ def follow(obj, known, resolver, numbering):
         _refer(obj, resolver.bearer, now)
         if lost and not now:
             _mark(obj, MARK, lost)
-    return lines + _what_was_lost(obj, lost, now) + _follow_along(obj, known, resolver, numbering)
+    more, lost_along = _follow_along(obj, known, resolver, numbering)
+    return lines + _what_was_lost(obj, lost, now) + more, {"References": lost, **lost_along}
+
+
+def take_back(obj, resolver, name, found):
+    """Lets an object refer, or act along, to what is there again as well. Returns whether it did not do so already."""
+    names, foreign = resolver.of_object(obj)
+    if not may_change(obj, resolver) or name == "References" and (foreign or set(found) <= set(names)) or name != "References" and plain_pairs(obj, name):
+        return False
+    if name == "References":
+        _refer(obj, resolver.bearer, names + [one for one in found if one not in names])
+        mend(obj)
+    else:
+        _refer(obj, resolver.bearer, found[:1], name)
+        mend_direction(obj)
+    return True
 
 
 def elsewhere(objects, resolver):
@@ -190,8 +205,8 @@ def _meant_along(obj, resolver):
 
 
 def _follow_along(obj, known, resolver, numbering):
-    """Moves what an object acts along or about, as follow does with its references."""
-    lines = []
+    """Moves what an object acts along or about, as follow does with its references. Returns the same."""
+    lines, gone = [], {}
     for name, then in known.get("along", {}).items():
         chosen = _chosen_by_freecad(obj, resolver, name) if versions.follows_faces() else []
         now = [(numbering.now(one) or _not_a_stranger(one, chosen, numbering))[:1] for one in then["names"]]
@@ -202,7 +217,8 @@ def _follow_along(obj, known, resolver, numbering):
         elif may_change(obj, resolver):
             _act_along(obj, resolver.bearer, [found for found, in now], name)
         lines += [said(_CHOOSE_DIRECTION, object=obj.Label, lost=[one]) for one in lost]
-    return lines
+        gone[name] = lost
+    return lines, gone
 
 
 def _act_along(obj, bearer, names, name):

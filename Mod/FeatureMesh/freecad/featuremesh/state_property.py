@@ -45,6 +45,16 @@ def bring_back(mesh):
             mesh.SavedState = shutil.copy(found, own), _file_name(mesh, wanted)
 
 
+def next_numbers(mesh, state_is_sound):
+    """What a mesh from scratch has to number on from, so that no number is ever given to another node or element."""
+    known = (mesh.SavedState and state.next_numbers_of(mesh.SavedState)) or (1, 1)
+    fem_mesh = mesh.FemMesh
+    if state_is_sound or not fem_mesh.NodeCount:
+        return known
+    elements = [max(numbers) for numbers in (fem_mesh.Edges, fem_mesh.Faces, fem_mesh.Volumes) if numbers]
+    return max(known[0], 1 + max(fem_mesh.Nodes)), max(known[1], 1 + max(elements, default=0))
+
+
 def _file_name(mesh, checksum):
     """A name that no other state's file has: FreeCAD puts a pasted file over another one of its name."""
     return "%s-%s.npz" % (mesh.Name, checksum[:_NAMED_BY])

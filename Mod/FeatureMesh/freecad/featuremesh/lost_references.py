@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What loads, supports and refinements have lost while their document is open comes back with its feature: a body's tip is moved up to put another feature
+in between, or a feature is suppressed for a while."""
+
+import FreeCAD
+
+from . import references
+from .messages import said
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+_THERE_AGAIN = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text}: {now:entities} is there again, it refers to that as before")
+
+
+class LostReferences:
+    """Of one mesh object."""
+
+    def __init__(self):
+        self._entries = {}   # name of an object -> [(the part as it was read when it had them, property, names of sub-elements)]
+
+    def note(self, obj, raw, lost):
+        """`lost` is what references.follow gives."""
+        self._entries.setdefault(obj.Name, []).extend((raw, prop, names) for prop, names in lost.items() if names)
+
+    def forget(self, name):
+        """To be called when somebody has chosen anew for the object of that name, or has deleted it."""
+        self._entries.pop(name, None)
+
+    def bring_back(self, obj, resolver, numbering_from):
+        """Gives an object what the part has again. Returns a line for each thing to know. `numbering_from` gives the Numbering from a part to today's."""
+        lines, gone = [], []
+        for raw, prop, names in self._entries.pop(obj.Name, ()):
+            numbering = numbering_from(raw)
+            now = [new for name in names for new in numbering.now(name)]
+            if now and references.take_back(obj, resolver, prop, now):
+                lines.append(said(_THERE_AGAIN, object=obj.Label, now=now))
+            left = [name for name in names if not numbering.now(name)] if references.may_change(obj, resolver) else names
+            gone += [(raw, prop, left)] if left else []
+        if gone:
+            self._entries[obj.Name] = gone
+        return lines
