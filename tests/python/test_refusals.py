@@ -37,6 +37,12 @@ class Parts(unittest.TestCase):
         point = self.document.addObject("Part::Feature", "Point")
         point.Shape = Part.Vertex(0, 0, 0)
         self.refused("Point has no shape", point)
+        group = self.document.addObject("App::LinkGroup", "Links")
+        group.ElementList = [self.box()]
+        self.document.recompute()
+        self.refused(r"Links is a group of links, which has no shape; make a compound of it", group)
+        with self.assertRaisesRegex(UserError, "make a compound of it"):
+            api.find_part(self.document, "Links")
 
     def test_a_study_where_nobody_may_write(self):
         body = plate_with_hole(self.document)
