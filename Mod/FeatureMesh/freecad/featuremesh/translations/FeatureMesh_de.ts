@@ -276,6 +276,10 @@
       <translation>Ob das Ergebnis zum Bauteil gehört, wie es ist, und wenn nicht, warum</translation>
     </message>
     <message>
+      <source>Which state SavedState is, by which it is found after undo</source>
+      <translation>Welcher Zustand SavedState ist; danach wird er nach dem Rückgängigmachen gefunden</translation>
+    </message>
+    <message>
       <source>Which state of the mesh the result is of</source>
       <translation>Zu welchem Stand des Netzes das Ergebnis gehört</translation>
     </message>
@@ -315,8 +319,16 @@
       <translation> von {part:text}</translation>
     </message>
     <message>
+      <source>%s acts along %s, which is gone; open it and choose its direction again</source>
+      <translation>%s wirkt entlang %s, das es nicht mehr gibt; öffnen und die Richtung neu wählen</translation>
+    </message>
+    <message>
       <source>%s has the mesh %s, and an analysis is solved with one mesh.</source>
       <translation>%s hat das Netz %s, und eine Analyse wird mit einem Netz gelöst.</translation>
+    </message>
+    <message>
+      <source>%s is there already. Replace it?</source>
+      <translation>%s gibt es schon. Ersetzen?</translation>
     </message>
     <message>
       <source>%s refers to %s, which is gone; choose another face, edge or solid for it</source>
@@ -501,6 +513,10 @@
     <message>
       <source>Take its place</source>
       <translation>Seinen Platz nehmen</translation>
+    </message>
+    <message>
+      <source>The expression %s drives this; change it in the property editor</source>
+      <translation>Der Ausdruck %s bestimmt dies; im Eigenschafteneditor ändern</translation>
     </message>
     <message>
       <source>The geometry kernel failed: {why:text}. Check the shape (Part: Check geometry).</source>
@@ -1249,6 +1265,10 @@
       <translation>die Studie in {folder:text} läuft schon, im Prozess {process:text}</translation>
     </message>
     <message>
+      <source>the study's folder {path:text} cannot be made ({why:text}); save the document where you may write, the study is kept beside it</source>
+      <translation>der Ordner der Studie {path:text} lässt sich nicht anlegen ({why:text}); das Dokument dort speichern, wo geschrieben werden darf, die Studie liegt daneben</translation>
+    </message>
+    <message>
       <source>the time limit of a case is at most {most:number} s, not {seconds:number}</source>
       <translation>die Zeitgrenze eines Falls ist höchstens {most:number} s, nicht {seconds:number}</translation>
     </message>
@@ -1437,6 +1457,10 @@
       <translation>{nodes:count} Knoten, {elements:count} {elements:Element|Elemente} in {seconds:text} s</translation>
     </message>
     <message>
+      <source>{object:text} acts along {lost:entities}, which is gone; open it and choose its direction again, the analysis cannot be solved without</source>
+      <translation>{object:text} wirkt entlang {lost:entities}, das es nicht mehr gibt; öffnen und die Richtung neu wählen, sonst lässt sich die Analyse nicht lösen</translation>
+    </message>
+    <message>
       <source>{object:text} has no alias or cell {name:text}{near:messages}</source>
       <translation>{object:text} hat keinen Alias und keine Zelle {name:text}{near:messages}</translation>
     </message>
@@ -1487,6 +1511,10 @@
     <message>
       <source>{object:text}: {features:count} {features:feature|features} in {pieces:count} {pieces:piece|pieces}, volume {volume:text} (FreeCAD: {other:text})</source>
       <translation>{object:text}: {features:count} {features:Formelement|Formelemente} in {pieces:count} {pieces:Stück|Stücken}, Volumen {volume:text} (FreeCAD: {other:text})</translation>
+    </message>
+    <message>
+      <source>{object:text}: {now:entities} is there again, it refers to that as before</source>
+      <translation>{object:text}: {now:entities} gibt es wieder, der Bezug ist wie vorher</translation>
     </message>
     <message>
       <source>{one:text} and {other:text} overlap; parts that are joined may only touch</source>
@@ -1543,6 +1571,10 @@
     <message>
       <source>{part:text} has no shape to mesh: {feature:text} leaves nothing of it</source>
       <translation>{part:text} hat keine Form, die vernetzt werden kann: {feature:text} lässt nichts davon übrig</translation>
+    </message>
+    <message>
+      <source>{part:text} is a group of links, which has no shape; make a compound of it (Part: Compound) and mesh that</source>
+      <translation>{part:text} ist eine Gruppe von Verknüpfungen und hat keine Form; daraus einen Verbund machen (Part: Verbund) und diesen vernetzen</translation>
     </message>
     <message>
       <source>{path:text} cannot be made a study's folder ({why:text}); name another --folder</source>
