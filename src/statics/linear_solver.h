@@ -32,6 +32,10 @@ class LinearSolver {
     /// Returns false and changes nothing where that would take too long.
     virtual bool factor() = 0;
 
+    /// Factors the matrix of 10-node tets itself, as it was at the last set-up, and does without the coarse level from
+    /// now on. Returns false and changes nothing where that would take too long.
+    virtual bool factor_finest() = 0;
+
     /// Takes another matrix and keeps the aggregation: `origin` is by node (with a coarse level by its nodes) the node
     /// at the last set-up, -1 for those that were not there or are held otherwise now. The new nodes' own block is
     /// factored.
@@ -56,11 +60,20 @@ class LinearSolver {
     /// sqrt(r B r) with B the preconditioner: about the energy norm of the error that leaves the residual r.
     virtual double energy_norm(std::span<const double> residual) = 0;
 
-    /// Adds to `solution` what solves the matrix for `residual`, until the energy norm of what is left is below
-    /// `target`, or expected to be after a few fast iterations: the caller has to look. Returns the iterations, or -1
-    /// when that takes more than `most_iterations`. Throws Cancelled.
-    virtual int solve(std::span<const double> residual, std::span<double> solution, double target, int most_iterations,
-                      const RunContext& context) = 0;
+    /// When iterations end.
+    struct Aim {
+        double energy_norm;  ///< of what is left: within it, or expected to be after a few fast iterations
+        int most_iterations;
+        bool has_patience;  ///< to go on where a hundred iterations left more than a fifth
+    };
+    struct Solved {
+        int iterations;
+        bool is_within;  ///< the energy norm that was aimed at, or is expected to be: the caller has to look
+    };
+
+    /// Adds to `solution` what solves the matrix for `residual`. Throws Cancelled.
+    virtual Solved solve(std::span<const double> residual, std::span<double> solution, const Aim& aim,
+                         const RunContext& context) = 0;
 };
 
 /// Throws InputError with the package to install where there is no PETSc.

@@ -22,12 +22,7 @@ class Aggregation {
     static constexpr const char* prefix = "featuremesh_";  // of its options
 
     void set_up(BlockMatrix matrix, std::span<const Vec3> points) {
-        present_.take({});
-        multigrid_.reset();
-        transfers_.reset();
-        factor_.reset();
-        is_carried_ = false;
-        earlier_.take(std::move(matrix));
+        take(std::move(matrix));
         earlier_.round_products_of_entries();
         name_rigid_motions(earlier_, points);
         check(PCCreate(PETSC_COMM_SELF, multigrid_.fresh()));
@@ -42,10 +37,18 @@ class Aggregation {
     /// Puts the matrix's Cholesky factor in place of the aggregation. Returns false and changes nothing where that
     /// takes too much work.
     bool factor() {
-        constexpr double most_work = 2e10;  // multiplications, about 20 s
-        if (!factor_.set_up(earlier_.rounded, most_work)) return false;
+        if (!factor_.set_up(earlier_.rounded)) return false;
         use_shell(multigrid_, factor_);
         return true;
+    }
+
+    /// Takes another matrix, and its factor in place of an aggregation.
+    void set_up_factored(BlockMatrix matrix, Factor& factor) {
+        take(std::move(matrix));
+        swap(factor_, factor);
+        check(PCCreate(PETSC_COMM_SELF, multigrid_.fresh()));
+        check(PCSetOperators(multigrid_, earlier_.exact, earlier_.exact));
+        use_shell(multigrid_, factor_);
     }
 
     /// Serves another matrix from now on; `origin` is by node that at the last set-up, -1 for new ones.
@@ -72,6 +75,15 @@ class Aggregation {
     void use_threads(int threads) { earlier_.threads.threads = present_.threads.threads = threads; }
 
   private:
+    void take(BlockMatrix matrix) {
+        present_.take({});
+        multigrid_.reset();
+        transfers_.reset();
+        factor_.reset();
+        is_carried_ = false;
+        earlier_.take(std::move(matrix));
+    }
+
     System earlier_, present_;  // that of the last set-up, and the one carried over to
     Transfers transfers_;
     Preconditioner multigrid_;

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 #include <string>
+#include <utility>
 
 #include "core/errors.h"
 #include "core/messages.h"
@@ -39,6 +41,7 @@ void start_petsc() {
     // Otherwise how it sums depends on where in memory the vectors lie, since PETSc 3.20.
     check(PetscOptionsSetValue(nullptr, "-vec_mdot_use_gemv", "no"));
     check(PetscOptionsSetValue(nullptr, "-vec_maxpy_use_gemv", "no"));
+    check(PetscOptionsSetValue(nullptr, "-mat_cholmod_print", "0"));
     for (const auto& [name, value] : {std::pair{"pc_gamg_type", "agg"},
                                       {"pc_gamg_agg_nsmooths", "1"},
                                       {"pc_gamg_threshold", "0.02"},
@@ -55,10 +58,10 @@ void start_petsc() {
 /// preconditioner. Where each of the last two took off half of it and more, the present one is expected to do so, too:
 /// the caller asks for the norm of what is left anyway.
 struct Stop {
-    double target;
-    int most_iterations;
+    LinearSolver::Aim aim;
     const RunContext* context;
     bool is_cancelled = false;
+    double early_norm = 0;          ///< that of a hundred iterations ago
     std::array<double, 3> norms{};  ///< the last ones, the latest first
 
     void add(double norm) { norms = {norm, norms[0], norms[1]}; }
@@ -68,6 +71,14 @@ struct Stop {
         const double share = std::max(norms[0] / norms[1], norms[1] / norms[2]);
         return share <= fast ? share * norms[0] : norms[0];
     }
+
+    bool is_enough(PetscInt iteration) {
+        constexpr double slow = 0.2;  // what is left of the norm where 500 iterations will hardly do
+        if (iteration >= aim.most_iterations) return true;
+        if (iteration % 100 != 1) return false;  // the first norm is known then
+        const double before = std::exchange(early_norm, norms[0]);
+        return !aim.has_patience && iteration > 1 && norms[0] > slow * before;
+    }
 };
 
 PetscErrorCode look_whether_to_stop(KSP, PetscInt iteration, PetscReal norm, KSPConvergedReason* reason, void* data) {
@@ -75,9 +86,9 @@ PetscErrorCode look_whether_to_stop(KSP, PetscInt iteration, PetscReal norm, KSP
     *reason = KSP_CONVERGED_ITERATING;
     if (PetscIsInfOrNanReal(norm) || PetscIsInfOrNanReal(stop.norms[0]))
         *reason = KSP_DIVERGED_NANORINF;
-    else if (iteration > 0 && stop.expected() <= stop.target)
+    else if (iteration > 0 && stop.expected() <= stop.aim.energy_norm)
         *reason = KSP_CONVERGED_ATOL;
-    else if (iteration >= stop.most_iterations)
+    else if (stop.is_enough(iteration))
         *reason = KSP_DIVERGED_ITS;
     return guarded([&] {
         try {
@@ -106,6 +117,21 @@ class PetscSolver final : public LinearSolver {
     bool factor() override {
         forget_known();
         return aggregation_.factor();
+    }
+
+    bool factor_finest() override {
+        if (!is_quadratic_) return false;
+        const BlockMatrix& blocks = quadratic_.system().blocks;
+        std::vector<std::int32_t> nodes(blocks.node_count());
+        std::iota(nodes.begin(), nodes.end(), 0);
+        NodesBlock all;
+        Factor factor;
+        all.take(blocks, std::move(nodes));
+        if (!factor.set_up_large(all.matrix)) return false;
+        forget_known();
+        is_quadratic_ = false;
+        whole([&] { aggregation_.set_up_factored(quadratic_.give_matrix(), factor); });
+        return true;
     }
 
     void carry_over(BlockMatrix matrix, std::optional<CoarseLevel> coarse, std::vector<std::int32_t> origin) override {
@@ -158,15 +184,15 @@ class PetscSolver final : public LinearSolver {
         return std::sqrt(std::max(0.0, double(product)));
     }
 
-    int solve(std::span<const double> residual, std::span<double> solution, double target, int most_iterations,
-              const RunContext& context) override {
-        if (energy_norm(residual) <= target) return 0;
+    Solved solve(std::span<const double> residual, std::span<double> solution, const Aim& aim,
+                 const RunContext& context) override {
+        if (energy_norm(residual) <= aim.energy_norm) return {0, true};
         Vector b, x;
         fill(b, residual);
         check(VecDuplicate(b, x.fresh()));
         Owned<KSP, KSPDestroy> cg;
         Preconditioner shell;
-        Stop stop{target, most_iterations, &context};
+        Stop stop{aim, &context};
         Watched watched{*this, stop};
         check(PCCreate(PETSC_COMM_SELF, shell.fresh()));
         use_shell(shell, watched);
@@ -187,7 +213,7 @@ class PetscSolver final : public LinearSolver {
         check(VecRestoreArrayRead(x, &values));
         PetscInt iterations = 0;
         check(KSPGetIterationNumber(cg, &iterations));
-        return reason > 0 ? int(iterations) : -1;
+        return {int(iterations), reason > 0};
     }
 
     /// Preconditions.

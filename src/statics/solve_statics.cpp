@@ -142,7 +142,7 @@ StaticsSolution StaticsSolver::solve(const StaticsModel& model, RunContext& cont
 void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around, std::span<const double> unbalanced,
                             const Start& start, StaticsSolution& solution, std::vector<double>& resisting,
                             RunContext& context) {
-    enum { carried, aggregated, final } by = solution.kept_preconditioner ? carried : aggregated;
+    enum { carried, aggregated, linear_factor, final } by = solution.kept_preconditioner ? carried : aggregated;
     double whole = start.least_energy_norm;
     int spent = 0;  // iterations with the present preconditioner
     std::vector<double> residual = start.residual;
@@ -152,20 +152,22 @@ void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around
         if (whole == 0 || left > good_start * whole) whole = whole_energy_norm(unbalanced);
         solution.residual = norm(residual) / norm(unbalanced);
         solution.energy_error = left / whole;
+        solution.preconditioned_by = setup_.by;
         if (solution.energy_error <= tolerance && is_of_elements) return;
         const int most = by == carried      ? patience * setup_.iterations + more_iterations
                          : by == aggregated ? (model.mesh.order == 1 ? slow_linear : slow_quadratic)
                                             : most_iterations;
-        const int done = rounds_left-- > 0 ? move_by(model, residual, {nearer * tolerance * whole, most},
-                                                     solution.displacements, context)
-                                           : -1;
+        const LinearSolver::Aim aim{nearer * tolerance * whole, most, by != linear_factor};
+        const auto [done, is_within] = rounds_left-- > 0
+                                           ? move_by(model, residual, aim, solution.displacements, context)
+                                           : LinearSolver::Solved{0, false};
         resisting = resisting_forces(model, solution.displacements, around, context);
         residual = residual_of(model, resisting);
         is_of_elements = true;
-        solution.iterations += done < 0 ? most : done;
-        spent += done < 0 ? most : done;
+        solution.iterations += done;
+        spent += done;
         if (by != carried) setup_.iterations = spent;
-        if (done >= 0) continue;
+        if (is_within) continue;
         if (by == final) throw KernelError(say<Code::not_converged>());
         rounds_left = 4;
         spent = 0;
@@ -174,20 +176,30 @@ void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around
             solution.kept_preconditioner = prepare(model, around, context);
             by = aggregated;
         } else {
-            RunContext::Step step(context, "setup");
-            solver_->factor();
-            by = final;
+            by = by == aggregated && model.mesh.order == 2 ? linear_factor : final;
+            put_factor(by == linear_factor ? PreconditionedBy::linear_factor : PreconditionedBy::factor, model,
+                       context);
         }
         whole = 0;
     }
 }
 
-/// Adds to the displacements what balances the residual to the target, and as a whole to the last digits. Returns the
-/// iterations, or -1 when they were not enough.
-int StaticsSolver::move_by(const StaticsModel& model, std::span<const double> residual, const Aim& aim,
-                           std::vector<double>& displacements, RunContext& context) {
+/// Puts a factor in place of the preconditioner that was too slow. Where that would take too long iterations go on as
+/// before.
+void StaticsSolver::put_factor(PreconditionedBy wanted, const StaticsModel& model, RunContext& context) {
+    RunContext::Step step(context, "setup");
+    const bool is_of_all = wanted == PreconditionedBy::factor && model.mesh.order == 2;
+    if (!(is_of_all ? solver_->factor_finest() : solver_->factor())) return;
+    setup_.by = wanted;
+    if (is_of_all) remember_nodes(model);
+}
+
+/// Adds to the displacements what balances the residual to the target, and as a whole to the last digits.
+LinearSolver::Solved StaticsSolver::move_by(const StaticsModel& model, std::span<const double> residual,
+                                            const LinearSolver::Aim& aim, std::vector<double>& displacements,
+                                            RunContext& context) {
     std::vector<double> moved(residual.size(), 0.0);
-    const int done = solver_->solve(residual, moved, aim.energy_norm, aim.most_iterations, context);
+    const LinearSolver::Solved done = solver_->solve(residual, moved, aim, context);
     RigidBalance(model, solver_->matrix(), context).correct(residual, moved);
     for (std::size_t i = 0; i < moved.size(); ++i)  // the aggregates' motions move held components, too, if hardly
         if (!model.is_held[i]) displacements[i] += moved[i];
@@ -222,11 +234,22 @@ bool StaticsSolver::prepare(const StaticsModel& model, const TetsOfNodes& around
     assembled_ = AssembledModel(model, around);
     setup_ = {};
     setup_.materials = model.materials;
-    for (std::size_t node = 0; node < origin.size(); ++node)
+    remember_nodes(model);
+    return false;
+}
+
+/// Are the nodes that the preconditioner knows the corners of the tets only?
+bool StaticsSolver::goes_by_corners(const StaticsModel& model) const {
+    return model.mesh.order == 2 && setup_.by != PreconditionedBy::factor;
+}
+
+void StaticsSolver::remember_nodes(const StaticsModel& model) {
+    const std::size_t count = goes_by_corners(model) ? model.mesh.corner_count : model.mesh.node_count();
+    setup_.nodes.clear();
+    for (std::size_t node = 0; node < count; ++node)
         setup_.nodes.push_back({model.mesh.node_numbers[node], std::int32_t(node), {}, held_bits(model, node)});
     std::sort(setup_.nodes.begin(), setup_.nodes.end(),
               [](const NodeState& a, const NodeState& b) { return a.number < b.number; });
-    return false;
 }
 
 /// Changes the solver's matrices in place and keeps its preconditioner.
@@ -243,15 +266,15 @@ void StaticsSolver::carry_over(const StaticsModel& model, const TetsOfNodes& aro
     }
     RunContext::Step step(context, "setup");
     std::optional<CoarseLevel> coarse;
-    if (model.mesh.order == 2) coarse = coarse_level(model, around, context, std::move(given.coarse), &same);
+    if (goes_by_corners(model)) coarse = coarse_level(model, around, context, std::move(given.coarse), &same);
     solver_->carry_over(std::move(given.finest), std::move(coarse), std::move(origin));
     assembled_ = AssembledModel(model, around);
 }
 
-/// By node of linear displacements that of the last set-up, -1 where it was not there or was held otherwise; all -1
-/// when nothing can be kept.
+/// By node that the preconditioner knows that of the last set-up, -1 where it was not there or was held otherwise; all
+/// -1 when nothing can be kept.
 std::vector<std::int32_t> StaticsSolver::origins(const StaticsModel& model) const {
-    std::vector<std::int32_t> origin(model.mesh.order == 2 ? model.mesh.corner_count : model.mesh.node_count(), -1);
+    std::vector<std::int32_t> origin(goes_by_corners(model) ? model.mesh.corner_count : model.mesh.node_count(), -1);
     if (!are_same(setup_.materials, model.materials)) return origin;
     for (std::size_t node = 0; node < origin.size(); ++node) {
         const Number number = model.mesh.node_numbers[node];

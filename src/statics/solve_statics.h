@@ -18,6 +18,13 @@
 
 namespace featuremesh {
 
+/// What conjugate gradients are preconditioned by.
+enum class PreconditionedBy {
+    aggregation,    ///< multigrid by smoothed aggregation, of 10-node tets below their own level
+    linear_factor,  ///< of 10-node tets: a factor for the linear displacements, below their own level
+    factor,         ///< a factor of the matrix itself
+};
+
 struct StaticsSolution {
     std::vector<double> displacements;  ///< (n,3) mm
     std::vector<Stress> stresses;       ///< by node, MPa
@@ -29,6 +36,7 @@ struct StaticsSolution {
     double residual = 0;
     double energy_error = 0;          ///< estimate of the energy norm of the solution's error, relative
     double discretisation_error = 0;  ///< estimate of what the mesh is off, of the energy norm (see stresses.h)
+    PreconditionedBy preconditioned_by = PreconditionedBy::aggregation;  ///< at the end
     bool kept_preconditioner = false;
     double kept_start_share = 0;  ///< of the nodes that started from their last displacement
 };
@@ -59,8 +67,9 @@ class StaticsSolver {
         char held = 0;  ///< a bit per component
     };
     struct Setup {
-        std::vector<NodeState> nodes;  ///< by ascending number
+        std::vector<NodeState> nodes;  ///< those that it knows, by ascending number
         std::vector<Material> materials;
+        PreconditionedBy by = PreconditionedBy::aggregation;
         int iterations = 20;  ///< of the first solution with it; until one is found a guess
     };
 
@@ -71,17 +80,16 @@ class StaticsSolver {
     };
 
     std::vector<std::int32_t> origins(const StaticsModel& model) const;
+    bool goes_by_corners(const StaticsModel& model) const;
+    void remember_nodes(const StaticsModel& model);
+    void put_factor(PreconditionedBy wanted, const StaticsModel& model, RunContext& context);
     bool prepare(const StaticsModel& model, const TetsOfNodes& around, RunContext& context);
     void carry_over(const StaticsModel& model, const TetsOfNodes& around, std::vector<std::int32_t> origin,
                     RunContext& context);
     void balance(const StaticsModel& model, const TetsOfNodes& around, std::span<const double> unbalanced,
                  const Start& start, StaticsSolution& solution, std::vector<double>& resisting, RunContext& context);
-    struct Aim {
-        double energy_norm;  ///< of what is left
-        int most_iterations;
-    };
-    int move_by(const StaticsModel& model, std::span<const double> residual, const Aim& aim,
-                std::vector<double>& displacements, RunContext& context);
+    LinearSolver::Solved move_by(const StaticsModel& model, std::span<const double> residual,
+                                 const LinearSolver::Aim& aim, std::vector<double>& displacements, RunContext& context);
     double whole_energy_norm(std::span<const double> unbalanced);
     Start start_at(std::vector<double>& moved, const std::vector<double>& unbalanced, RunContext& context) const;
     Start start_from_last(const StaticsModel& model, const std::vector<double>& unbalanced, StaticsSolution& solution,
