@@ -90,6 +90,17 @@ Indices bodies(const py::dict& arrays) {
                     {py::ssize_t(mesh.tets.size())});
 }
 
+const char* name_of(PreconditionedBy by) {
+    switch (by) {
+        case PreconditionedBy::linear_factor:
+            return "factor of linear displacements";
+        case PreconditionedBy::factor:
+            return "factor";
+        default:
+            return "aggregation";
+    }
+}
+
 py::dict to_dict(const StaticsSolution& solution, const std::map<std::string, double>& seconds) {
     const auto n = py::ssize_t(solution.stresses.size());
     std::vector<double> mises;
@@ -105,6 +116,7 @@ py::dict to_dict(const StaticsSolution& solution, const std::map<std::string, do
     out["residual"] = solution.residual;
     out["energy_error"] = solution.energy_error;
     out["discretisation_error"] = solution.discretisation_error;
+    out["preconditioner"] = name_of(solution.preconditioned_by);
     out["kept_preconditioner"] = solution.kept_preconditioner;
     out["kept_start_share"] = solution.kept_start_share;
     out["seconds"] = seconds;

@@ -58,7 +58,7 @@ def solve(analysis):
             printed = stream.read()
     if result is None:
         raise UserError(said("CalculiX gave no result for {analysis:text}", analysis=describe(analysis)))
-    return {"solver": "CalculiX", "matrix_solver": matrix_solver, "result": result.Name,
+    return {"solver": "CalculiX", "matrix_solver": {**matrix_solver, "preconditioner": None}, "result": result.Name,
             "responses": {**_responses(analysis, result, read is not None), "reactions_n": read[1] if read is not None else printed_reactions(printed, analysis),
                           "mass_kg": statics.mass(known) if known is not None and known.has_density else _figure(_MASS, printed, statics.TONNE),
                           "strain_energy_mj": printed_strain_energy(printed)},

@@ -89,7 +89,8 @@ class SolveJob:
         fields = self.fields = engine.load().solve_statics(statics.arrays, statics.model(), self.keep, self.threads, progress, start=self.start)
         seconds = {name: fields["seconds"].get(name, 0.0) for name in ("assemble", "setup", "solve", "stresses")}
         self.report = {
-            "solver": "live", "matrix_solver": {"name": "cg", "why": "conjugate gradients with smoothed aggregation (PETSc), the live solver's only one"},
+            "solver": "live",
+            "matrix_solver": {"name": "cg", "preconditioner": fields["preconditioner"], "why": "conjugate gradients (PETSc), the live solver's only one"},
             "responses": responses(statics, fields), "iterations": fields["iterations"], "residual": fields["residual"],
             "energy_error": fields["energy_error"], "mesh_error": fields["discretisation_error"],
             "warnings": statics.warnings + remarks(statics.arrays, fields["discretisation_error"]),
