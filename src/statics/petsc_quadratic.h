@@ -89,40 +89,55 @@ inline double largest_eigenvalue(Mat matrix) {
 /// Smooths quadratic displacements, and leaves the rest to the aggregation of the linear ones.
 class QuadraticLevel {
   public:
-    static constexpr const char* prefix = "featuremesh_quadratic_";  // of its options
-
     void set_up(BlockMatrix matrix, const CoarseLevel& level, Aggregation& below) {
-        multigrid_.reset();
+        reset();
         system_.take(std::move(matrix));
         system_.round_products();
         find_largest_eigenvalue();
         interpolation_.take(level, below.system().size());
-        check(PCCreate(PETSC_COMM_SELF, multigrid_.fresh()));
-        check(PCSetOptionsPrefix(multigrid_, prefix));
-        check(PCSetType(multigrid_, PCMG));
-        check(PCSetOperators(multigrid_, system_.rounded, system_.rounded));
-        check(PCMGSetLevels(multigrid_, 2, nullptr));
-        check(PCMGSetInterpolation(multigrid_, 1, interpolation_.matrix));
+        check(MatCreateVecs(interpolation_.matrix, moved_.fresh(), left_.fresh()));
+        check(VecDuplicate(moved_, forces_.fresh()));
         solve_coarse_by(below);
         smooth();
-        check(PCSetFromOptions(multigrid_));
-        check(PCSetUp(multigrid_));
     }
 
     /// Hands the matrix out, to be changed to the next one.
     BlockMatrix give_matrix() {
-        multigrid_.reset();
+        smoother_.reset(), coarse_.reset();
         return system_.give();
     }
 
     void reset() {
-        multigrid_.reset();
+        smoother_.reset(), coarse_.reset();
         system_.take({});
     }
 
-    void abandon() { multigrid_.abandon(); }
+    void abandon() { smoother_.abandon(), coarse_.abandon(); }
 
-    void apply(Vec in, Vec out) { check(PCApply(multigrid_, in, out)); }
+    void apply(Vec in, Vec out) {
+        begin(in, out);
+        end(in, out);
+    }
+
+    /// All of it but the last smoothing. Returns the product of what comes in and what will come out, which is known
+    /// by then: with S the smoothing, C the coarse correction and r' what S leaves of r it is Sr (r + r') + r' C r'.
+    double begin(Vec in, Vec out) {
+        check(VecSet(out, 0));
+        check(KSPSolve(smoother_, in, out));
+        check(MatMult(system_.rounded, out, left_));
+        check(VecAYPX(left_, -1, in));
+        check(MatMultTranspose(interpolation_.matrix, left_, forces_));
+        check(VecSet(moved_, 0));
+        check(KSPSolve(coarse_, forces_, moved_));
+        PetscScalar before = 0, after = 0, coarse = 0;
+        check(VecDot(out, in, &before));
+        check(VecDot(out, left_, &after));
+        check(VecDot(forces_, moved_, &coarse));
+        check(MatMultAdd(interpolation_.matrix, moved_, out, out));
+        return before + after + coarse;
+    }
+
+    void end(Vec in, Vec out) { check(KSPSolve(smoother_, in, out)); }
 
     const System& system() const { return system_; }
 
@@ -134,14 +149,13 @@ class QuadraticLevel {
         constexpr double least_share = 0.01;  // a factor comes to it at once
         constexpr PetscInt most = 3;
         constexpr double never = 1e300;  // is it given up: what is out of balance may grow while the error falls
-        KSP coarse = nullptr;
         PC aggregation = nullptr;
-        check(PCMGGetCoarseSolve(multigrid_, &coarse));
-        check(KSPSetType(coarse, KSPCG));
-        check(KSPSetNormType(coarse, KSP_NORM_UNPRECONDITIONED));
-        check(KSPSetTolerances(coarse, least_share, 0, never, most));
-        check(KSPSetOperators(coarse, below.system().exact, below.system().exact));
-        check(KSPGetPC(coarse, &aggregation));
+        check(KSPCreate(PETSC_COMM_SELF, coarse_.fresh()));
+        check(KSPSetType(coarse_, KSPCG));
+        check(KSPSetNormType(coarse_, KSP_NORM_UNPRECONDITIONED));
+        check(KSPSetTolerances(coarse_, least_share, 0, never, most));
+        check(KSPSetOperators(coarse_, below.system().exact, below.system().exact));
+        check(KSPGetPC(coarse_, &aggregation));
         use_shell(aggregation, below);
     }
 
@@ -173,16 +187,24 @@ class QuadraticLevel {
     /// Chebyshev's polynomials serve from a tenth of the largest eigenvalue to a tenth beyond what was found of it.
     void smooth() {
         constexpr double from = 0.1, to = 1.1;
-        KSP smoother = nullptr;
-        check(PCMGGetSmoother(multigrid_, 1, &smoother));
-        check(KSPSetType(smoother, KSPCHEBYSHEV));
-        check(KSPChebyshevSetEigenvalues(smoother, to * largest_eigenvalue_, from * largest_eigenvalue_));
+        constexpr PetscInt steps = 2;
+        PC diagonal = nullptr;
+        check(KSPCreate(PETSC_COMM_SELF, smoother_.fresh()));
+        check(KSPSetType(smoother_, KSPCHEBYSHEV));
+        check(KSPSetNormType(smoother_, KSP_NORM_NONE));
+        check(KSPSetInitialGuessNonzero(smoother_, PETSC_TRUE));
+        check(KSPSetTolerances(smoother_, 0, 0, PETSC_DEFAULT, steps));
+        check(KSPChebyshevSetEigenvalues(smoother_, to * largest_eigenvalue_, from * largest_eigenvalue_));
+        check(KSPSetOperators(smoother_, system_.rounded, system_.rounded));
+        check(KSPGetPC(smoother_, &diagonal));
+        check(PCSetType(diagonal, PCPBJACOBI));
     }
 
     System system_;
     Interpolation interpolation_;
     double largest_eigenvalue_ = 0;
-    Preconditioner multigrid_;
+    Owned<KSP, KSPDestroy> smoother_, coarse_;
+    Vector left_, forces_, moved_;  // out of balance after smoothing, the same of the coarse level, its correction
 };
 
 }  // namespace featuremesh

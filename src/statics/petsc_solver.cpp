@@ -47,10 +47,7 @@ void start_petsc() {
                                       {"pc_gamg_threshold", "0.02"},
                                       {"mg_levels_ksp_type", "chebyshev"},
                                       {"mg_levels_ksp_max_it", "2"},
-                                      {"mg_levels_pc_type", "jacobi"},
-                                      {"quadratic_mg_levels_ksp_type", "chebyshev"},
-                                      {"quadratic_mg_levels_ksp_max_it", "2"},
-                                      {"quadratic_mg_levels_pc_type", "pbjacobi"}})
+                                      {"mg_levels_pc_type", "jacobi"}})
         check(PetscOptionsSetValue(nullptr, (std::string("-") + Aggregation::prefix + name).c_str(), value));
 }
 
@@ -176,10 +173,17 @@ class PetscSolver final : public LinearSolver {
         Vector r, z;
         fill(r, residual);
         check(VecDuplicate(r, z.fresh()));
-        whole([&] { apply(r, z); });
-        swap(known_in_, r), swap(known_out_, z);
         PetscScalar product = 0;
-        check(VecDot(known_in_, known_out_, &product));
+        whole([&] {
+            if (is_quadratic_) {
+                product = quadratic_.begin(r, z);
+            } else {
+                aggregation_.apply(r, z);
+                check(VecDot(r, z, &product));
+            }
+        });
+        swap(known_in_, r), swap(known_out_, z);
+        is_begun_ = is_quadratic_;
         if (!std::isfinite(double(product))) throw KernelError(say<Code::petsc_out_of_range>());
         return std::sqrt(std::max(0.0, double(product)));
     }
@@ -218,9 +222,10 @@ class PetscSolver final : public LinearSolver {
 
     /// Preconditions.
     void apply(Vec in, Vec out) {
-        if (is_known(in))
+        if (is_known(in)) {
+            if (std::exchange(is_begun_, false)) quadratic_.end(known_in_, known_out_);
             check(VecCopy(known_out_, out));
-        else if (is_quadratic_)
+        } else if (is_quadratic_)
             quadratic_.apply(in, out);
         else
             aggregation_.apply(in, out);
@@ -307,6 +312,7 @@ class PetscSolver final : public LinearSolver {
     QuadraticLevel quadratic_;  // above it, for 10-node tets
     bool is_quadratic_ = false;
     Vector known_in_, known_out_;  // what was preconditioned for its norm, and what came out
+    bool is_begun_ = false;        // that is not at its end
 };
 
 }  // namespace
