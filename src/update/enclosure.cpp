@@ -20,13 +20,6 @@ namespace {
 
 Vec3 vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
-Box box_of(const std::vector<std::array<Vec3, 3>>& triangles) {
-    Box box;
-    for (const auto& t : triangles)
-        for (const Vec3& p : t) box.add(p);
-    return box;
-}
-
 /// Height at which the vertical through (x, y) meets the triangle; false where it passes by.
 bool crossing(const Vec3& a, const Vec3& b, const Vec3& c, double x, double y, double& z) {
     const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
@@ -60,27 +53,25 @@ std::vector<std::array<Vec3, 3>> triangulate(const TopoDS_Shape& shape) {
 }
 
 Enclosure::Enclosure(const std::vector<TopoDS_Shape>& volumes) {
-    std::vector<std::array<Vec3, 3>> all;
-    for (const TopoDS_Shape& volume : volumes) {
-        const auto part = triangulate(volume);
-        all.insert(all.end(), part.begin(), part.end());
-    }
-    if (all.empty()) return;
-    box_ = box_of(all);
+    for (std::size_t v = 0; v < volumes.size(); ++v)
+        for (const auto& [a, b, c] : triangulate(volumes[v])) {
+            triangles_.push_back({a, b, c, std::uint32_t(v)});
+            for (const Vec3& p : {a, b, c}) box_.add(p);
+        }
+    if (triangles_.empty()) return;
     const Vec3 size = box_.size();
     pitch_ = std::max({size.x, size.y, 1e-9}) / 64;
     columns_ = std::size_t(size.x / pitch_) + 1;
     rows_ = std::size_t(size.y / pitch_) + 1;
     columns_triangles_.resize(columns_ * rows_);
-    for (const auto& t : all) {
-        const Box b = box_of({t});
-        const auto id = std::uint32_t(triangles_.size());
-        triangles_.push_back({t[0], t[1], t[2]});
+    for (std::size_t id = 0; id < triangles_.size(); ++id) {
+        Box b;
+        for (const Vec3& p : {triangles_[id].a, triangles_[id].b, triangles_[id].c}) b.add(p);
         const std::size_t i1 = std::size_t((b.high.x - box_.low.x) / pitch_),
                           j1 = std::size_t((b.high.y - box_.low.y) / pitch_);
         for (std::size_t i = std::size_t((b.low.x - box_.low.x) / pitch_); i <= std::min(i1, columns_ - 1); ++i)
             for (std::size_t j = std::size_t((b.low.y - box_.low.y) / pitch_); j <= std::min(j1, rows_ - 1); ++j)
-                columns_triangles_[i * rows_ + j].push_back(id);
+                columns_triangles_[i * rows_ + j].push_back(std::uint32_t(id));
     }
 }
 
@@ -91,8 +82,11 @@ bool Enclosure::contains(const Vec3& p) const {
     const std::size_t i = std::min(std::size_t(std::max(0.0, (x - box_.low.x) / pitch_)), columns_ - 1);
     const std::size_t j = std::min(std::size_t(std::max(0.0, (y - box_.low.y) / pitch_)), rows_ - 1);
     bool inside = false;
+    std::uint32_t volume = 0;
     for (const std::uint32_t id : columns_triangles_[i * rows_ + j]) {
         const Triangle& t = triangles_[id];
+        if (t.volume != volume && inside) return true;
+        volume = t.volume;
         double z;
         if (crossing(t.a, t.b, t.c, x, y, z) && z > p.z) inside = !inside;
     }

@@ -15,8 +15,8 @@ namespace featuremesh {
 /// A triangulation of the shape's faces, coarse where they are flat; the shape itself stays without one.
 std::vector<std::array<Vec3, 3>> triangulate(const TopoDS_Shape& shape);
 
-/// The inside of some volumes, by their triangulation: quick, and wrong only within the triangulation's deflection of
-/// the boundary.
+/// The inside of some volumes, which may overlap, by their triangulation: quick, and wrong only within the
+/// triangulation's deflection of the boundary.
 class Enclosure {
   public:
     explicit Enclosure(const std::vector<TopoDS_Shape>& volumes);
@@ -25,11 +25,12 @@ class Enclosure {
   private:
     struct Triangle {
         Vec3 a, b, c;
+        std::uint32_t volume;
     };
     Box box_;
     double pitch_ = 1;
     std::size_t columns_ = 0, rows_ = 0;
-    std::vector<Triangle> triangles_;
+    std::vector<Triangle> triangles_;  // those of a volume lie together, in each column, too
     std::vector<std::vector<std::uint32_t>> columns_triangles_;
 };
 

@@ -36,6 +36,15 @@ TEST_CASE("an enclosure agrees with the formula away from the boundary") {
     }
 }
 
+TEST_CASE("what two volumes have in common is inside their enclosure, too") {
+    const TopoDS_Shape low = BRepPrimAPI_MakeBox({0, 0, 0}, {10, 10, 6}).Shape(),
+                       high = BRepPrimAPI_MakeBox({2, 2, 4}, {8, 8, 10}).Shape();
+    const Enclosure inside({low, high});
+    for (const double z : {1.0, 5.0, 9.0}) CHECK(inside.contains({5, 5, z}));
+    CHECK(inside.contains({1, 1, 5}));
+    CHECK_FALSE(inside.contains({1, 1, 7}));
+}
+
 TEST_CASE("an enclosure of nothing contains nothing") { CHECK_FALSE(Enclosure({}).contains({0, 0, 0})); }
 
 TEST_CASE("a point grid finds what brute force finds") {
