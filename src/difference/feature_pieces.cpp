@@ -38,15 +38,16 @@ PieceMatch match_pieces(const std::vector<FeaturePiece>& was, const std::vector<
     match.new_of.assign(was.size(), -1);
     match.motions.resize(was.size());
     std::vector<char> taken(is.size(), 0);
+    const auto try_pair = [&](std::size_t i, std::size_t j, std::size_t& count, const auto& motion_of) {
+        if (match.new_of[i] >= 0 || taken[j] || was[i].effect != is[j].effect) return;
+        const std::optional<RigidMotion> motion = motion_of(was[i], is[j]);
+        if (!motion) return;
+        match.new_of[i] = int(j), match.motions[i] = *motion, taken[j] = 1;
+        ++count;
+    };
     const auto pair_up = [&](std::size_t& count, const auto& motion_of) {
         for (std::size_t i = 0; i < was.size(); ++i)
-            for (std::size_t j = 0; j < is.size() && match.new_of[i] < 0; ++j) {
-                if (taken[j] || was[i].effect != is[j].effect) continue;
-                const std::optional<RigidMotion> motion = motion_of(was[i], is[j]);
-                if (!motion) continue;
-                match.new_of[i] = int(j), match.motions[i] = *motion, taken[j] = 1;
-                ++count;
-            }
+            for (std::size_t j = 0; j < is.size() && match.new_of[i] < 0; ++j) try_pair(i, j, count, motion_of);
     };
     const auto by = [&](const RigidMotion& motion) {
         return [&](const FeaturePiece& from, const FeaturePiece& to) {
@@ -59,9 +60,12 @@ PieceMatch match_pieces(const std::vector<FeaturePiece>& was, const std::vector<
     };
     pair_up(match.same, by(RigidMotion{}));
     if (!hint.is_identity()) pair_up(match.moved, by(hint));
-    pair_up(match.moved, [&](const FeaturePiece& from, const FeaturePiece& to) {
+    const auto by_any = [&](const FeaturePiece& from, const FeaturePiece& to) {
         return motion_between(from.outline, to.outline, hint, sameness);
-    });
+    };
+    // Of equal pieces each has kept its number, as a rule.
+    for (std::size_t i = 0; i < std::min(was.size(), is.size()); ++i) try_pair(i, i, match.moved, by_any);
+    pair_up(match.moved, by_any);
     match.removed = was.size() - match.same - match.moved;
     match.added = is.size() - match.same - match.moved;
     return match;

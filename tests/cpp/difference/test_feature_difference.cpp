@@ -265,6 +265,18 @@ TEST_CASE("a moved boss carries its volume") {
     CHECK(d.regions[1].changed.distance({40, 48, 25}, 5) == Approx(5).margin(1.6));
 }
 
+TEST_CASE("of two equal solids the one that moved is told from the one that grew") {
+    const auto blocks = [](double length) {
+        return part({{"Blocks",
+                      Effect::adds,
+                      {together({box({0, 0, 0}, {length, 10, 10}), box({length + 10, 0, 0}, {10, 10, 10})})},
+                      {}}});
+    };
+    const FeatureDifference d = diff(blocks(10), blocks(11));
+    REQUIRE(d.regions.size() == 2);
+    CHECK(d.regions[1].motion == shift({1, 0, 0}));
+}
+
 TEST_CASE("a size change names the parameter") {
     auto before = bracket({12, 12, 0}), after = before;
     after[2].instances = {cylinder({85, 40, 0}, {0, 0, 1}, 12, 35)};
