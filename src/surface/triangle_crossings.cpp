@@ -31,12 +31,43 @@ Box box_of(const Mesh& mesh, const std::array<NodeId, 3>& t) {
     return box;
 }
 
+bool have_common_body(const Brep& brep, FaceId f, FaceId g) {
+    const auto a = brep.bodies_of(f), b = brep.bodies_of(g);
+    return std::any_of(a.begin(), a.end(), [&](BodyId s) { return s.is_valid() && (s == b[0] || s == b[1]); });
+}
+
+/// The boxes of all triangles of each body. Kept triangles of one body do not cross; of two bodies either may have
+/// moved.
+class BodyBoxes {
+  public:
+    BodyBoxes(const Brep& brep, const Mesh& mesh) : brep_(brep), boxes_(brep.body_count()) {
+        if (boxes_.size() < 2) return;
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+            for (const BodyId body : brep.bodies_of(mesh.triangle_faces[t]))
+                if (body.is_valid()) boxes_[body.index()].add(box_of(mesh, mesh.triangles[t]));
+    }
+
+    /// Whether another body than those of the face may be in the box.
+    bool meet_at(FaceId face, const Box& box) const {
+        if (boxes_.size() < 2) return false;
+        const auto own = brep_.bodies_of(face);
+        for (std::size_t body = 0; body < boxes_.size(); ++body)
+            if (BodyId(body) != own[0] && BodyId(body) != own[1] && boxes_[body].overlaps(box)) return true;
+        return false;
+    }
+
+  private:
+    const Brep& brep_;
+    std::vector<Box> boxes_;
+};
+
 class CrossingSearch {
   public:
     CrossingSearch(const Brep& brep, const Mesh& mesh, std::size_t first_new)
         : brep_(brep),
           mesh_(mesh),
           first_new_(first_new),
+          bodies_(brep, mesh),
           is_plane_(brep.face_count(), unknown),
           is_line_(brep.edge_count(), unknown) {}
 
@@ -53,14 +84,15 @@ class CrossingSearch {
         parallel_for(context, triangles_.size(), chunk, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 if (is_exact_[i] && is_one_body) continue;
-                const bool is_kept = i < kept_count;  // two kept ones do not cross
-                find_with(is_kept ? new_boxes : all_boxes, is_kept ? kept_count : 0, i, found[begin / chunk]);
+                const bool is_with_new_only = i < kept_count && !bodies_.meet_at(face_of(triangles_[i]), boxes_[i]);
+                find_with(is_with_new_only ? new_boxes : all_boxes, is_with_new_only ? kept_count : 0, i,
+                          found[begin / chunk]);
             }
         });
         Crossings all;
         for (const auto& part : found)
             for (const auto& pair : part)
-                (have_common_body(face_of(pair[0].index()), face_of(pair[1].index())) ? all.within : all.between)
+                (have_common_body(brep_, face_of(pair[0].index()), face_of(pair[1].index())) ? all.within : all.between)
                     .push_back(pair);
         return all;
     }
@@ -72,7 +104,7 @@ class CrossingSearch {
         std::vector<char> is_near(mesh_.node_count(), 0);
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
             const Box box = box_of(mesh_, mesh_.triangles[t]);
-            if (t < first_new_ && !box.overlaps(region)) continue;
+            if (t < first_new_ && !box.overlaps(region) && !bodies_.meet_at(face_of(t), box)) continue;
             triangles_.push_back(t);
             boxes_.push_back(box);
             for (const NodeId n : mesh_.triangles[t]) is_near[n.index()] = 1;
@@ -133,8 +165,9 @@ class CrossingSearch {
             const auto j = first + std::size_t(other);
             if (j == i || (is_exact_[j] == is_exact_[i] && j < i) || (is_exact_[i] && !is_exact_[j])) return;
             const std::size_t a = triangles_[i], b = triangles_[j];
-            if (std::max(a, b) < first_new_ || is_smooth_pair(a, b)) return;
-            if (is_exact_[i] && is_exact_[j] && have_common_body(face_of(a), face_of(b))) return;
+            if (is_smooth_pair(a, b)) return;
+            const bool is_known = std::max(a, b) < first_new_ || (is_exact_[i] && is_exact_[j]);
+            if (is_known && have_common_body(brep_, face_of(a), face_of(b))) return;
             if (!do_cross(mesh_.triangles[a], mesh_.triangles[b])) return;
             found.push_back({TriangleId(std::max(a, b)), TriangleId(std::min(a, b))});
         });
@@ -142,10 +175,6 @@ class CrossingSearch {
     }
 
     FaceId face_of(std::size_t t) const { return mesh_.triangle_faces[t]; }
-    bool have_common_body(FaceId f, FaceId g) const {
-        const auto a = brep_.bodies_of(f), b = brep_.bodies_of(g);
-        return std::any_of(a.begin(), a.end(), [&](BodyId s) { return s.is_valid() && (s == b[0] || s == b[1]); });
-    }
 
     /// Two triangles of one face that share a node and have about one normal cannot cross: they do not overlap in the
     /// face's chart.
@@ -193,6 +222,7 @@ class CrossingSearch {
     const Brep& brep_;
     const Mesh& mesh_;
     std::size_t first_new_;
+    BodyBoxes bodies_;
     std::vector<char> is_plane_, is_line_;      ///< by face and edge, once asked for
     std::unordered_set<std::uint64_t> chords_;  ///< segments on curved edges
     std::vector<std::size_t> triangles_;
@@ -203,7 +233,7 @@ class CrossingSearch {
 }  // namespace
 
 Crossings crossing_triangles(const Brep& brep, const Mesh& mesh, std::size_t first_new, RunContext& context) {
-    if (first_new == mesh.triangles.size()) return {};
+    if (first_new == mesh.triangles.size() && brep.body_count() < 2) return {};
     return CrossingSearch(brep, mesh, first_new).find(context);
 }
 

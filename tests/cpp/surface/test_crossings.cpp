@@ -154,3 +154,18 @@ TEST_CASE("a face whose boundary crosses itself is refused by its name and those
     CHECK(message.find("Edge") != std::string::npos);
     CHECK(message.find("Check geometry") != std::string::npos);
 }
+
+TEST_CASE("solids that touch are found among kept triangles, too") {
+    TopoDS_Compound both;
+    BRep_Builder builder;
+    builder.MakeCompound(both);
+    for (const TopoDS_Shape& part : {box, pin}) builder.Add(both, part);
+    const Brep brep(both);
+    const Mesh mesh = mesh_surface(brep, 3).mesh;
+    RunContext context;
+    const auto all_new = crossing_triangles(brep, mesh, 0, context),
+               all_kept = crossing_triangles(brep, mesh, mesh.triangles.size(), context);
+    CHECK(!all_new.between.empty());
+    CHECK(all_kept.between == all_new.between);
+    CHECK(all_kept.within.empty());
+}
