@@ -2,6 +2,7 @@
 #include "update/part_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <numeric>
@@ -477,11 +478,20 @@ class Stages {
 
 /// Of a saved mesh: the rest is the invariants' business.
 void require_known_places(const Mesh& mesh, const Brep& brep, const MadeFor& made_for) {
-    const auto is_edge = [&](EdgeId e) { return e.is_valid() && e.index() < brep.edge_count(); };
+    const std::array<std::size_t, 4> counts{brep.vertex_count(), brep.edge_count(), brep.face_count(),
+                                            brep.solid_count()};
+    const auto is_known = [&](const Entity& e) {
+        return e.dim >= 0 && e.dim < 4 && e.index >= 0 && std::size_t(e.index) < counts[std::size_t(e.dim)];
+    };
     const auto is_node = [&](NodeId n) { return n.is_valid() && n.index() < mesh.node_count(); };
-    if (!std::all_of(mesh.segment_edges.begin(), mesh.segment_edges.end(), is_edge) ||
+    const auto are_known = [&](const auto& owners) {
+        return std::all_of(owners.begin(), owners.end(), [&](const auto& id) { return is_known(entity_of(id)); });
+    };
+    if (!std::all_of(mesh.entities.begin(), mesh.entities.end(), is_known) || !are_known(mesh.segment_edges) ||
+        !are_known(mesh.triangle_faces) || !are_known(mesh.tet_solids) ||
         !std::all_of(made_for.nodes.begin(), made_for.nodes.end(), is_node))
-        throw StateError(say<Code::damaged_state>("The saved mesh refers to edges or nodes that there are not."));
+        throw StateError(
+            say<Code::damaged_state>("The saved mesh refers to nodes, or to parts of the shape, that there are not."));
 }
 
 }  // namespace

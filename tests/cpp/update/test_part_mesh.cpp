@@ -265,6 +265,18 @@ TEST_CASE("a mesh of another part is not restored") {
     CHECK_THROWS_AS(restore_part(block_and_cylinder(15), options_of(3), old->mesh, context), StateError);
 }
 
+TEST_CASE("a mesh with nodes on vertices or edges that there are not is not restored") {
+    const auto old = meshed(plate_with_hole(15), options_of(3)).part_mesh;
+    RunContext context;
+    for (const std::int32_t dim : {0, 1}) {
+        Mesh damaged = old->mesh;
+        const auto on_it = std::find_if(damaged.entities.begin(), damaged.entities.end(),
+                                        [&](const Entity& e) { return e.dim == dim; });
+        on_it->index = 1000;
+        CHECK_THROWS_AS(restore_part(plate_with_hole(15), options_of(3), damaged, context), StateError);
+    }
+}
+
 TEST_CASE("a size that is none is refused as what it is") {
     for (const double size : {0.0, -5.0, std::nan("")})
         for (const double ignored : {-1.0, 0.0, 1.0}) {
