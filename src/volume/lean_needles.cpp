@@ -209,9 +209,11 @@ class NeedleStrips {
         return true;
     }
 
+    /// One that was kept is a new one then: its number tells what it was.
     void turn(TriangleId triangle, NodeId from, NodeId to) {
         auto& corners = mesh_.triangles[triangle.index()];
         corners = replaced(corners, from, to);
+        mesh_.triangle_numbers[triangle.index()] = mesh_.next_element_number++;
         note(triangles_at_, corners, triangle);
     }
 

@@ -129,13 +129,13 @@ std::vector<Entity> place_of(const Mesh& mesh, TetId tet) {
     return as_parameter(std::max_element(corners_on.begin(), corners_on.end(), fewer)->first);
 }
 
-/// How many elements in front are kept: their numbers are older than the kept mesh's next one.
+/// How many elements in front are kept: the numbers of all behind are as new as the kept mesh's next one. One between
+/// them that was turned or cut has such a number, too.
 KeptCounts kept_counts(const Mesh& mesh, const Mesh* kept) {
     if (!kept) return {};
     const auto count = [&](const std::vector<Number>& numbers) {
-        std::size_t n = 0;
-        while (n < numbers.size() && numbers[n] < kept->next_element_number) ++n;
-        return n;
+        const auto is_kept = [&](Number number) { return number < kept->next_element_number; };
+        return std::size_t(numbers.rend() - std::find_if(numbers.rbegin(), numbers.rend(), is_kept));
     };
     return {count(mesh.segment_numbers), count(mesh.triangle_numbers), count(mesh.tet_numbers)};
 }

@@ -59,6 +59,18 @@ TEST_CASE("beside a strip of needles the nodes along every edge are a chain, whi
     CHECK(2 * whole >= meshes);
 }
 
+TEST_CASE("a triangle with other corners than before has another number") {
+    const Part part = prepare(cut_corner(1e-4), 3);
+    const Mesh mesh = fill(part).mesh;
+    std::size_t turned = 0;
+    for (std::size_t t = 0; t < part.surface.triangles.size(); ++t) {
+        if (mesh.triangles[t] == part.surface.triangles[t]) continue;
+        ++turned;
+        CHECK(mesh.triangle_numbers[t] != part.surface.triangle_numbers[t]);
+    }
+    CHECK(turned > 0);
+}
+
 TEST_CASE("beside needles no seam is turned") {
     // so nearly of one radius, and on one axis, that the seams end at an edge of 0.0003
     const double radius = 2.4962530422968414, branch = 2.4961641691652887, off = 0.00034305351232783696;
