@@ -246,16 +246,15 @@ Brep::Brep(const TopoDS_Shape& shape, Dimension dimension) {
         std::vector<int> uses(data->edge.size(), 0);
         double volume = 0;
         for (TopExp_Explorer it(data->solid[s], TopAbs_FACE); it.More(); it.Next()) {
+            const TopAbs_Orientation orientation = it.Current().Orientation();
+            if (orientation != TopAbs_FORWARD && orientation != TopAbs_REVERSED) continue;  // drawn in, bounds nothing
             const auto face = id_in<FaceKind>(data->faces, it.Current());
-            const bool behind = it.Current().Orientation() == data->face[face.index()].Orientation();
-            if (it.Current().Orientation() != TopAbs_INTERNAL)
-                data->solids_beside[face.index()][behind ? 0 : 1] = SolidId(s);
+            const bool behind = orientation == data->face[face.index()].Orientation();
+            data->solids_beside[face.index()][behind ? 0 : 1] = SolidId(s);
             // An edge within a face (where another feature is tangent to it) is no border and needs no second face.
             for (const FaceEdge& use : data->uses_in_face[face.index()])
                 uses[use.edge.index()] += use.is_internal ? 2 : 1;
-            if (it.Current().Orientation() == TopAbs_FORWARD || it.Current().Orientation() == TopAbs_REVERSED)
-                volume +=
-                    flux(TopoDS::Face(it.Current()), data->box.center(), data->box_of_face[face.index()].diagonal());
+            volume += flux(TopoDS::Face(it.Current()), data->box.center(), data->box_of_face[face.index()].diagonal());
         }
         for (std::size_t e = 0; e < uses.size(); ++e)
             if (uses[e] == 1 && !data->is_degenerated[e])

@@ -39,6 +39,7 @@ std::vector<std::array<Vec3, 3>> triangulate(const TopoDS_Shape& shape) {
     BRepMesh_IncrementalMesh mesher(copy, 0.01, true, 0.3, false);
     std::vector<std::array<Vec3, 3>> triangles;
     for (TopExp_Explorer it(copy, TopAbs_FACE); it.More(); it.Next()) {
+        if (it.Current().Orientation() == TopAbs_INTERNAL) continue;
         TopLoc_Location location;
         const auto mesh = BRep_Tool::Triangulation(TopoDS::Face(it.Current()), location);
         if (mesh.IsNull()) continue;

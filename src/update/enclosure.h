@@ -12,7 +12,8 @@
 
 namespace featuremesh {
 
-/// A triangulation of the shape's faces, coarse where they are flat; the shape itself stays without one.
+/// A triangulation of the shape's faces but those drawn into it, coarse where they are flat; the shape itself stays
+/// without one.
 std::vector<std::array<Vec3, 3>> triangulate(const TopoDS_Shape& shape);
 
 /// The inside of some volumes, which may overlap, by their triangulation: quick, and wrong only within the

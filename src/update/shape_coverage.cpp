@@ -76,7 +76,8 @@ void sample_open_faces(const Brep& brep, const Mesh& mesh, const std::vector<Mat
         const PointGrid grid(std::move(corners[f]), reach);
         const std::size_t before = points.size();
         std::vector<Vec3> samples;
-        for (const auto& triangle : triangulate(brep.face(FaceId(f)))) cover(triangle, spacing, samples);
+        for (const auto& triangle : triangulate(brep.face(FaceId(f)).Oriented(TopAbs_FORWARD)))
+            cover(triangle, spacing, samples);
         for (const Vec3& p : samples) {
             if (grid.has_within(p, reach)) continue;
             const Vec3 foot =

@@ -135,3 +135,25 @@ TEST_CASE("an open shell and a missing solid are refused by name") {
     CHECK_THROWS_AS(Brep(BRepBuilderAPI_MakeFace(gp_Pln(), 0, 1, 0, 1).Shape()), InputError);
     CHECK_THROWS_AS(Brep(TopoDS_Shape()), InputError);
 }
+
+TEST_CASE("a face drawn into a solid bounds nothing and leaves its shell closed") {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
+    const TopoDS_Shape drawn = BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(5, 5, 5), gp::DZ()), -2, 2, -2, 2).Shape();
+    TopoDS_Shell shell;
+    TopoDS_Solid solid;
+    BRep_Builder builder;
+    builder.MakeShell(shell);
+    builder.Add(shell, drawn.Oriented(TopAbs_INTERNAL));
+    builder.MakeSolid(solid);
+    builder.Add(solid, TopExp_Explorer(box, TopAbs_SHELL).Current());
+    builder.Add(solid, shell);
+    for (const Dimension dimension : {Dimension::solids, Dimension::from_shape}) {
+        const Brep brep(solid, dimension);
+        CHECK(brep.volume() == Approx(1000));
+        CHECK(brep.face_count() == 7);
+        const FaceId face = brep.find(TopoDS::Face(drawn));
+        REQUIRE(face.is_valid());
+        CHECK(!brep.is_meshed(face));
+        for (const EdgeId edge : brep.edges_of(face)) CHECK(!brep.is_meshed(edge));
+    }
+}

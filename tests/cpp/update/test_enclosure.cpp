@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Pln.hxx>
 #include <random>
 
 #include "catch.h"
@@ -43,6 +47,17 @@ TEST_CASE("what two volumes have in common is inside their enclosure, too") {
     for (const double z : {1.0, 5.0, 9.0}) CHECK(inside.contains({5, 5, z}));
     CHECK(inside.contains({1, 1, 5}));
     CHECK_FALSE(inside.contains({1, 1, 7}));
+}
+
+TEST_CASE("a face drawn into a volume is no border of its enclosure") {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
+    const TopoDS_Shape drawn = BRepBuilderAPI_MakeFace(gp_Pln({5, 5, 5}, gp::DZ()), -2, 2, -2, 2).Shape();
+    TopoDS_Compound volume;
+    BRep_Builder().MakeCompound(volume);
+    BRep_Builder().Add(volume, box);
+    BRep_Builder().Add(volume, drawn.Oriented(TopAbs_INTERNAL));
+    const Enclosure inside({volume});
+    for (const double z : {2.0, 8.0}) CHECK(inside.contains({5, 5, z}));
 }
 
 TEST_CASE("an enclosure of nothing contains nothing") { CHECK_FALSE(Enclosure({}).contains({0, 0, 0})); }
