@@ -364,12 +364,18 @@ class Stages {
         }
         options_.ignored_below = std::max(0.0, options_.ignore_below);
         auto whole = fill_all(next);
-        if (const Message lacking = what_lacks(whole); !lacking.empty() && ignores_details(lacking)) {
+        const Message lacking = what_lacks(whole);
+        if (!lacking.empty() && ignores_details(lacking)) {
             auto without_details = fill_all(next);
             if (what_lacks(without_details).empty() || std::holds_alternative<Message>(whole))
                 whole = std::move(without_details);
             else
                 options_.ignored_below = std::max(0.0, options_.ignore_below);
+        }
+        if (std::holds_alternative<Message>(whole) && tells_of_thin_tets(lacking)) {
+            options_.ignored_below = std::max(0.0, options_.ignore_below);
+            report_.rounds.push_back({"thin elements", {}, "they stay", lacking});
+            whole = fill_all(next, true);
         }
         if (const auto* refusal = std::get_if<Message>(&whole)) throw MeshError(*refusal);
         take(std::get<Filled>(std::move(whole)));
@@ -414,8 +420,14 @@ class Stages {
         }
     }
 
-    std::variant<Filled, Message> fill_all(NextNumbers next) {
-        return fill_part(part_->brep, *sizing_, nothing_kept(next), options_, adopted_sizes_, report_.rounds, context_);
+    std::variant<Filled, Message> fill_all(NextNumbers next, bool takes_thin_tets = false) {
+        MeshOptions options = options_;
+        options.volume.takes_thin_tets = takes_thin_tets;
+        return fill_part(part_->brep, *sizing_, nothing_kept(next), options, adopted_sizes_, report_.rounds, context_);
+    }
+
+    static bool tells_of_thin_tets(const Message& refusal) {
+        return refusal.code() == Code::thin_elements_remain || refusal.code() == Code::thin_elements_remain_beside;
     }
 
     /// Why there is no mesh, or one that is not on the shape all over.

@@ -84,7 +84,10 @@ class Filling {
             optimise_all();
         }
         for (std::size_t i = 0; i < cavities_.size(); ++i)
-            if (auto obstacle = if_thin(cavities_[i], regions_[i].complex)) return std::move(*obstacle);
+            if (auto obstacle = if_thin(cavities_[i], regions_[i].complex)) {
+                if (!options_.takes_thin_tets || has_flat(regions_[i].complex)) return std::move(*obstacle);
+                result_.report.warnings.push_back(std::move(obstacle->message));
+            }
         drop_released();
         for (const InterfaceRegion& region : regions_) move_nodes(region);
         const std::size_t kept_tets = result_.mesh.tets.size();
@@ -351,6 +354,11 @@ class Filling {
         if (edges.empty())
             return Obstacle{say<Code::thin_elements_remain>(thin.size(), near), place, std::move(shorter)};
         return Obstacle{say<Code::thin_elements_remain_beside>(thin.size(), near, edges), place};
+    }
+
+    static bool has_flat(const TetComplex& complex) {
+        return std::any_of(complex.tets.begin(), complex.tets.end(),
+                           [&](const auto& tet) { return tet[0] >= 0 && is_flat(complex, tet); });
     }
 
     /// Half of its longest side.

@@ -32,6 +32,8 @@ struct VolumeOptions {
     /// Those inside, at an interface, where poor shapes gain much by that (relax_interfaces), and those of a surface
     /// that stay without a tet, for the worst angles there.
     bool moves_kept_nodes = false;
+    /// Tets with next to no volume are no reason to refuse a part, where none is flat: a warning names them.
+    bool takes_thin_tets = false;
     bool operator==(const VolumeOptions&) const = default;
 };
 

@@ -19,6 +19,7 @@ import unittest
 
 import FreeCAD
 import numpy
+import Part
 from detailed_parts import detailed_part
 from freecad.featuremesh import engine, reading
 from parts import new_document
@@ -44,7 +45,7 @@ def mesh_and_measure(raw, options, volume):
     sides = corners[:, 1:] - corners[:, :1]
     filled = abs(numpy.linalg.det(sides).sum()) / 6
     return {"tets": report["tets"], "share": filled / volume, "angle": report["quality"]["min_dihedral"],
-            "rounds": [round_["reason"] for round_ in report["rounds"]]}
+            "rounds": [round_["reason"] for round_ in report["rounds"]], "warnings": [line["code"] for line in report["warnings"]]}
 
 
 def in_a_process(work):
@@ -97,6 +98,24 @@ class RandomDetails(unittest.TestCase):
 
     def test_parts_that_were_refused_have_one(self):
         self.check_parts((seed, index, (order,)) for seed, index, order in REFUSED_ONCE)
+
+    def test_small_tets_between_short_edges_stay(self):
+        """A strip as thin as lettering beside a large block: at its cut corner tets have next to no volume, but are not flat."""
+        width, cut, height = 0.1, 0.0046, 0.001
+        corners = [FreeCAD.Vector(*at) for at in ((0, 0), (1.3, 0), (1.3, width), (cut, width), (0, width - cut), (0, 0))]
+        strip = Part.Face(Part.makePolygon(corners)).extrude(FreeCAD.Vector(0, 0, height))
+        strip.translate(FreeCAD.Vector(34, 31, 31))
+        new_document()
+        feature = FreeCAD.ActiveDocument.addObject("Part::Feature", "Part")
+        feature.Shape = Part.makeCompound([Part.makeBox(32, 32, 32), strip])
+        size = feature.Shape.BoundBox.DiagonalLength / 12
+        for order in (1, 2):
+            options = {"size": size, "min_size": 0.1 * size, "order": order, "threads": 1, "ignore_below": 0.0}
+            with self.subTest(order=order):
+                result = in_a_process(lambda options=options: mesh_and_measure(reading.read_document(feature), options, feature.Shape.Volume))
+                self.assertNotIn("refused", result)
+                self.assertLess(abs(result["share"] - 1), 1e-6)
+                self.assertIn("thin_elements_remain_beside", result["warnings"])
 
     def check_parts(self, parts):
         new_document()

@@ -131,14 +131,17 @@ double Objective::need(const TetComplex& complex, const Tet& tet) const {
     return is_poor(ratio) ? 1 - ratio : 0;
 }
 
+bool is_flat(const TetComplex& complex, const Tet& tet) {
+    const auto [a, b, c, d] = corners_of(complex, tet);
+    const Vec3 u = b - a, v = c - a, w = d - a;
+    return !(dot(cross(u, v), w) > 1.01e-6 * length(u) * length(v) * length(w));
+}
+
 bool is_too_thin(const TetComplex& complex, const Tet& tet, double least_volume) {
     // tets are mended until they have the least volume; with this share of it they are still no reason to refuse a part
     constexpr double tolerated_share = 0.92;
     const auto [a, b, c, d] = corners_of(complex, tet);
-    const Vec3 u = b - a, v = c - a, w = d - a;
-    const double six_volumes = dot(cross(u, v), w);
-    return !(six_volumes > 1.01e-6 * length(u) * length(v) * length(w)) ||
-           six_volumes < 6 * tolerated_share * least_volume;
+    return is_flat(complex, tet) || signed_volume(a, b, c, d) < tolerated_share * least_volume;
 }
 
 }  // namespace featuremesh

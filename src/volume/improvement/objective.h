@@ -141,8 +141,9 @@ class Objective {
     double asked_, target_, urgent_;
 };
 
-/// A mesh with such a tet is refused: flat, as the validation of a mesh has it, or with clearly less than this volume,
-/// mm^3.
+/// As the validation of a mesh has it, which refuses a mesh with such a tet.
+bool is_flat(const TetComplex& complex, const std::array<int, 4>& tet);
+/// Flat, or with clearly less than this volume, mm^3.
 bool is_too_thin(const TetComplex& complex, const std::array<int, 4>& tet, double least_volume);
 
 std::array<Vec3, 4> corners_of(const TetComplex& complex, const std::array<int, 4>& tet);
